@@ -1,0 +1,21 @@
+# balcony_layer(NAME SOURCES file... [USES layer...] [PRIVATE library...])
+#
+# One static library for one folder of src/. USES names the layers below that it may include;
+# PRIVATE names libraries from outside. tests/architecture holds the table of what is allowed.
+function(balcony_layer name)
+    cmake_parse_arguments(layer "" "" "SOURCES;USES;PRIVATE" ${ARGN})
+    set(target balcony_${name})
+    add_library(${target} STATIC ${layer_SOURCES})
+    add_library(balcony::${name} ALIAS ${target})
+    set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+    target_include_directories(${target}
+        PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>
+               $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
+    target_compile_features(${target} PUBLIC cxx_std_20)
+    target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:balcony_options>)
+    foreach(used IN LISTS layer_USES)
+        target_link_libraries(${target} PUBLIC balcony_${used})
+    endforeach()
+    target_link_libraries(${target} PRIVATE ${layer_PRIVATE})
+    set_property(GLOBAL APPEND PROPERTY BALCONY_LAYERS ${target})
+endfunction()

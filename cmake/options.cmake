@@ -1,0 +1,17 @@
+# How every target is compiled. Contraction of a*b + c into one rounding is off, so that the scalar
+# and the SIMD runner compute the same products and sums.
+option(BALCONY_WERROR "Treat warnings as errors" OFF)
+option(BALCONY_BENCH "Build the benchmarks" ON)
+set(BALCONY_SANITIZE "" CACHE STRING "Sanitizers, as -fsanitize takes them (address,undefined or thread)")
+
+add_library(balcony_options INTERFACE)
+target_compile_features(balcony_options INTERFACE cxx_std_20)
+target_compile_options(balcony_options INTERFACE -ffp-contract=off -fno-math-errno
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor)
+if(BALCONY_WERROR)
+    target_compile_options(balcony_options INTERFACE -Werror)
+endif()
+if(BALCONY_SANITIZE)
+    target_compile_options(balcony_options INTERFACE -fsanitize=${BALCONY_SANITIZE} -fno-omit-frame-pointer)
+    target_link_options(balcony_options INTERFACE -fsanitize=${BALCONY_SANITIZE})
+endif()

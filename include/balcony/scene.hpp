@@ -1,0 +1,124 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Scene: triangle meshes, instances, materials, textures and lights, as a file gave them.
+//
+// Axes and units are the file's own. All colours are linear Rec. 709; textures are decoded to
+// linear by the renderer as each says. The whole is plain data; whoever renders it may share it
+// between threads.
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <Imath/ImathBox.h>
+#include <Imath/ImathColor.h>
+#include <Imath/ImathMatrix.h>
+#include <Imath/ImathVec.h>
+
+#include "balcony/base.hpp"
+
+namespace balcony::scene {
+
+using Imath::Box3f;
+using Imath::Color3f;
+using Imath::M44d;
+using Imath::V2f;
+using Imath::V3d;
+using Imath::V3f;
+
+using MeshIndex = StrongIndex<struct MeshTag>;
+using MaterialIndex = StrongIndex<struct MaterialTag>;
+using TextureIndex = StrongIndex<struct TextureTag>;
+
+/// Which way is up in the scene's world. glTF is y_up, and so is OBJ by custom.
+enum class Axes : std::uint8_t { y_up, z_up };
+
+/// Triangles with one material. Normals and texture co-ordinates are empty or one a vertex.
+struct Mesh {
+    std::string name;
+    std::vector<V3f> positions;
+    std::vector<V3f> normals;             ///< Unit length.
+    std::vector<V2f> texture_coordinates; ///< (0, 0) is the top left corner of the image, as in glTF.
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    MaterialIndex material;
+};
+
+/// A mesh placed in the world.
+struct Instance {
+    MeshIndex mesh;
+    M44d world_from_mesh;     ///< Imath's convention: row vectors, p_world = p_mesh * M.
+    std::uint32_t object = 0; ///< Index into Scene::objects.
+};
+
+/// A node of the file that carries geometry: what the object-id layer tells apart. The id in
+/// pictures is the index plus 1; 0 means that nothing was hit.
+struct Object {
+    std::string name;
+};
+
+enum class Wrap : std::uint8_t { repeat, clamp, mirror };
+
+/// An image, still encoded (PNG, JPEG, ...) if it was embedded, else a file.
+struct Texture {
+    std::string name;                ///< For messages.
+    std::filesystem::path file;      ///< Empty if embedded.
+    std::vector<std::uint8_t> bytes; ///< The encoded image if embedded.
+    Wrap wrap_u = Wrap::repeat;
+    Wrap wrap_v = Wrap::repeat;
+};
+
+/// glTF 2.0 metallic-roughness, the part that is rendered so far.
+struct Material {
+    std::string name;
+    Color3f base_color{0.8F, 0.8F, 0.8F};
+    float alpha = 1.0F;           ///< Opacity; alpha_cutoff > 0 makes it a mask.
+    float alpha_cutoff = 0.0F;
+    float metallic = 0.0F;
+    float roughness = 1.0F;
+    Color3f emission{0.0F, 0.0F, 0.0F};
+    TextureIndex base_color_texture;  ///< sRGB, multiplied with base_color; may be invalid.
+    TextureIndex emission_texture;    ///< sRGB, multiplied with emission; may be invalid.
+    bool double_sided = true;
+};
+
+enum class LightKind : std::uint8_t { point, spot, directional };
+
+/// KHR_lights_punctual. Intensity is in candela (point, spot) or lux (directional), by colour.
+struct Light {
+    std::string name;
+    LightKind kind = LightKind::point;
+    V3d position{0.0, 0.0, 0.0};
+    V3d direction{0.0, 0.0, -1.0};  ///< Where it shines to; unit length.
+    Color3f intensity{1.0F, 1.0F, 1.0F};
+    float range = 0.0F;             ///< Scene units; 0 is unlimited.
+    float inner_cone = 0.0F;        ///< Radians from the axis, full strength inside.
+    float outer_cone = 0.7853982F;  ///< Radians from the axis, dark outside.
+};
+
+struct Scene {
+    std::string name;               ///< The file it came from, for messages.
+    std::string format;             ///< "glTF 2.0 binary", "Wavefront OBJ", ...
+    Axes axes = Axes::y_up;
+    double meters_per_unit = 1.0;   ///< As the format says; 1 where it does not.
+    std::vector<Mesh> meshes;
+    std::vector<Instance> instances;
+    std::vector<Object> objects;
+    std::vector<Material> materials;
+    std::vector<Texture> textures;
+    std::vector<Light> lights;
+    bool default_light = false;     ///< The file lights nothing: shade with a light at the ray's origin.
+
+    [[nodiscard]] std::size_t triangle_count() const; ///< Instances counted each.
+    [[nodiscard]] Box3f bounds() const;               ///< Of all instances, in the world.
+};
+
+/// Reads a scene file (.glb, .gltf, .obj). A part that cannot be used (a missing texture, a vertex
+/// that is no number) is left out or replaced with a warning that names it; an error means that
+/// there is nothing to render.
+[[nodiscard]] Result<Scene> load(const std::filesystem::path& file);
+
+}  // namespace balcony::scene
