@@ -1,0 +1,316 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Expr: the expression graph that every camera becomes.
+//
+// A Graph is an append-only arena of immutable nodes; equal nodes are one node (hash-consing). An
+// argument always stands before the node that uses it, so a walk by index is a walk in
+// topological order and nothing here recurses.
+//
+// Semantics. Values are IEEE doubles, conditions are 1 or 0. The graph's algebra is that of real
+// numbers: a rewriting may assume that values are finite (0*x is 0, x - x is 0) and may regroup
+// sums and products. Whether a value exists is never hidden in a NaN: who can fail states a
+// condition, and the camera collects these in its validity root. Outside its domain an operation
+// gives NaN or an infinity as IEEE 754 and C say; min(a, b) is b if b < a, else a (max alike);
+// comparisons with NaN are false; sign(0) is 0; mod(a, b) is a - b*floor(a/b).
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "balcony/base.hpp"
+
+namespace balcony::expr {
+
+/// Every kind of node. The table in operations() says the rest about each.
+enum class Op : std::uint8_t {
+    // leaves
+    constant,
+    picture_x,
+    picture_y,
+    time,
+    variable,
+    // arithmetic
+    negate,
+    add,
+    subtract,
+    multiply,
+    divide,
+    modulo,
+    minimum,
+    maximum,
+    absolute,
+    sign,
+    floor,
+    // powers
+    square_root,
+    power,
+    exponential,
+    logarithm,
+    // circular functions
+    sine,
+    cosine,
+    tangent,
+    arcsine,
+    arccosine,
+    arctangent,
+    arctangent2,
+    // hyperbolic functions
+    hyperbolic_sine,
+    hyperbolic_cosine,
+    hyperbolic_tangent,
+    inverse_hyperbolic_sine,
+    inverse_hyperbolic_cosine,
+    inverse_hyperbolic_tangent,
+    // conditions
+    less,
+    less_equal,
+    equal,
+    logical_and,
+    logical_or,
+    logical_not,
+    is_finite,
+    select,
+    // tables
+    lookup,
+};
+
+inline constexpr std::size_t operation_count = static_cast<std::size_t>(Op::lookup) + 1;
+
+class Graph;
+class Expr;
+
+/// What the whole program knows about one operation; the one place where it is said.
+struct Operation {
+    Op op;
+    std::string_view name;      ///< As the language and printed formulas spell it.
+    std::string_view infix;     ///< Spelling between operands; empty if it is written as a call.
+    int arity;
+    bool commutative;
+    bool condition;             ///< Its value is 1 or 0.
+    /// The largest error of a runner in units in the last place, where the result is normal.
+    double max_ulp;
+    /// Defines the operation; null for leaves and look-ups.
+    double (*scalar)(const double* arguments);
+    /// The derivative of self, given its arguments and theirs; null where it is 0 throughout.
+    Expr (*derivative)(Expr self, std::span<const Expr> arguments, std::span<const Expr> slopes);
+    std::string_view meaning;   ///< One line for documentation.
+};
+
+[[nodiscard]] const std::array<Operation, operation_count>& operations();
+[[nodiscard]] const Operation& operation(Op op);
+
+using NodeId = StrongIndex<struct NodeTag>;
+using TableId = StrongIndex<struct TableTag>;
+
+/// What a node's value can change with: a set of these bits.
+namespace depends {
+inline constexpr std::uint8_t on_time = 1;
+inline constexpr std::uint8_t on_x = 2;
+inline constexpr std::uint8_t on_y = 4;
+inline constexpr std::uint8_t on_variable = 8;
+}  // namespace depends
+
+/// How often a value must be computed to fill a grid of picture points: once, once a column, once
+/// a row, or at every point. What depends on a variable counts as pixel.
+enum class Rate : std::uint8_t { uniform, column, row, pixel };
+
+[[nodiscard]] constexpr Rate rate_of(std::uint8_t dependencies) {
+    const bool x = (dependencies & (depends::on_x | depends::on_variable)) != 0;
+    const bool y = (dependencies & (depends::on_y | depends::on_variable)) != 0;
+    return x ? (y ? Rate::pixel : Rate::column) : (y ? Rate::row : Rate::uniform);
+}
+
+struct Node {
+    double value = 0.0;                 ///< Of a constant.
+    std::array<NodeId, 3> arguments{};  ///< The first arity(op) are valid.
+    std::uint32_t detail = 0;           ///< The number of a variable, the TableId of a look-up.
+    Op op = Op::constant;
+    std::uint8_t depends = 0;
+
+    bool operator==(const Node&) const;
+};
+
+/// A piecewise cubic polynomial over equal cells of [first, last]; outside, the end cells go on.
+/// Cell i has the value c0 + c1 s + c2 s^2 + c3 s^3 with s in [0, 1) from its left end.
+struct Table {
+    double first = 0.0;
+    double last = 1.0;
+    std::vector<std::array<double, 4>> cells;
+
+    [[nodiscard]] double operator()(double x) const;
+    [[nodiscard]] Table derivative() const;
+};
+
+/// Makes the table that has the given values and slopes (per unit of x) at equally spaced knots.
+[[nodiscard]] Table hermite_table(double first, double last, std::span<const double> values,
+                                  std::span<const double> slopes);
+
+class Graph {
+public:
+    Graph();
+    Graph(const Graph&) = delete;
+    Graph& operator=(const Graph&) = delete;
+
+    [[nodiscard]] Expr constant(double value);
+    [[nodiscard]] Expr picture_x();
+    [[nodiscard]] Expr picture_y();
+    [[nodiscard]] Expr time();
+    /// A free variable, to be replaced by substitute(). Two of one number are the same.
+    [[nodiscard]] Expr variable(std::uint32_t number);
+    /// A variable that nobody has used yet.
+    [[nodiscard]] Expr fresh_variable();
+    [[nodiscard]] Expr lookup(std::shared_ptr<const Table> table, Expr x);
+    [[nodiscard]] Expr apply(Op op, std::span<const Expr> arguments);
+
+    [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+    [[nodiscard]] const Node& operator[](NodeId id) const { return nodes_[id.value()]; }
+    [[nodiscard]] const std::shared_ptr<const Table>& table(TableId id) const {
+        return tables_[id.value()];
+    }
+    /// The table whose values are the slopes of this one.
+    [[nodiscard]] std::shared_ptr<const Table> derivative_table(TableId id);
+
+    /// The node as it stands, without local simplification: for the simplifier.
+    [[nodiscard]] Expr intern(Node node);
+
+private:
+    struct Hash {
+        std::size_t operator()(const Node& node) const;
+    };
+
+    std::vector<Node> nodes_;
+    std::unordered_map<Node, NodeId, Hash> known_;
+    std::vector<std::shared_ptr<const Table>> tables_;
+    std::vector<std::shared_ptr<const Table>> derivative_tables_;
+    std::uint32_t variables_ = 0;
+};
+
+/// A node of a graph, to write formulas with. A default-made one is no node.
+class Expr {
+public:
+    Expr() = default;
+    Expr(Graph& graph, NodeId id) : graph_(&graph), id_(id) {}
+
+    [[nodiscard]] Graph& graph() const { return *graph_; }
+    [[nodiscard]] NodeId id() const { return id_; }
+    [[nodiscard]] const Node& node() const { return (*graph_)[id_]; }
+    [[nodiscard]] Op op() const { return node().op; }
+    [[nodiscard]] Expr argument(std::size_t i) const { return {*graph_, node().arguments[i]}; }
+    [[nodiscard]] bool valid() const { return graph_ != nullptr; }
+    [[nodiscard]] Rate rate() const { return rate_of(node().depends); }
+    [[nodiscard]] bool is_constant() const { return op() == Op::constant; }
+    [[nodiscard]] bool is_constant(double value) const {
+        return is_constant() && node().value == value;
+    }
+    /// The same node, not the same value.
+    [[nodiscard]] bool same(Expr other) const { return graph_ == other.graph_ && id_ == other.id_; }
+
+private:
+    Graph* graph_ = nullptr;
+    NodeId id_;
+};
+
+Expr operator-(Expr a);
+Expr operator+(Expr a, Expr b);
+Expr operator+(Expr a, double b);
+Expr operator+(double a, Expr b);
+Expr operator-(Expr a, Expr b);
+Expr operator-(Expr a, double b);
+Expr operator-(double a, Expr b);
+Expr operator*(Expr a, Expr b);
+Expr operator*(Expr a, double b);
+Expr operator*(double a, Expr b);
+Expr operator/(Expr a, Expr b);
+Expr operator/(Expr a, double b);
+Expr operator/(double a, Expr b);
+
+Expr operator<(Expr a, Expr b);
+Expr operator<(Expr a, double b);
+Expr operator<(double a, Expr b);
+Expr operator<=(Expr a, Expr b);
+Expr operator<=(Expr a, double b);
+Expr operator<=(double a, Expr b);
+Expr equal(Expr a, Expr b);
+Expr operator&&(Expr a, Expr b);
+Expr operator||(Expr a, Expr b);
+Expr operator!(Expr a);
+Expr is_finite(Expr a);
+Expr select(Expr condition, Expr if_true, Expr if_false);
+
+Expr mod(Expr a, Expr b);
+Expr min(Expr a, Expr b);
+Expr max(Expr a, Expr b);
+Expr abs(Expr a);
+Expr sign(Expr a);
+Expr floor(Expr a);
+Expr sqrt(Expr a);
+Expr pow(Expr a, Expr b);
+Expr pow(Expr a, double b);
+Expr exp(Expr a);
+Expr log(Expr a);
+Expr sin(Expr a);
+Expr cos(Expr a);
+Expr tan(Expr a);
+Expr asin(Expr a);
+Expr acos(Expr a);
+Expr atan(Expr a);
+Expr atan2(Expr y, Expr x);
+Expr sinh(Expr a);
+Expr cosh(Expr a);
+Expr tanh(Expr a);
+Expr asinh(Expr a);
+Expr acosh(Expr a);
+Expr atanh(Expr a);
+
+/// sign(x) |x|^p, the paper's x^[p].
+Expr signed_power(Expr x, Expr p);
+
+/// d expression / d leaf, exactly, by the derivative rules of the operations. The leaf is
+/// picture x, picture y, time or a variable.
+[[nodiscard]] std::vector<Expr> derive(std::span<const Expr> expressions, Expr leaf);
+[[nodiscard]] Expr derive(Expr expression, Expr leaf);
+
+/// Leaves and what to put in their place.
+struct Substitution {
+    Expr leaf;
+    Expr replacement;
+};
+
+/// The expressions with leaves replaced. They may come from another graph than the replacements,
+/// which is how a formula is brought into a camera's graph: the result is in `target`, and leaves
+/// that are not replaced stay themselves.
+[[nodiscard]] std::vector<Expr> substitute(Graph& target, std::span<const Expr> expressions,
+                                           std::span<const Substitution> substitutions);
+
+/// Rewrites for speed: collects sums of scaled terms (affine chains become one), orders products
+/// so that what depends on the column alone and on the row alone stays together, and takes common
+/// factors out. Idempotent. Values change by rounding only.
+[[nodiscard]] std::vector<Expr> simplify(std::span<const Expr> expressions);
+
+/// The nodes below the given ones, themselves included, arguments first.
+[[nodiscard]] std::vector<NodeId> reachable(const Graph& graph, std::span<const Expr> expressions);
+
+/// Evaluates one point by the scalar definitions, for tests and single points. Variables hold the
+/// values of variable 0, 1, ...
+struct Point {
+    double x = 0.0;
+    double y = 0.0;
+    double time = 0.0;
+    std::span<const double> variables{};
+};
+[[nodiscard]] std::vector<double> evaluate(std::span<const Expr> expressions, const Point& point);
+
+/// The expressions as formulas for people, one a line; shared parts are named first.
+[[nodiscard]] std::string print(std::span<const Expr> expressions,
+                                std::span<const std::string> names);
+[[nodiscard]] std::string print(Expr expression);
+
+}  // namespace balcony::expr

@@ -1,0 +1,90 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Program: expressions compiled to a tape that runs over tiles of picture points.
+//
+// A Program is immutable and may be shared by threads; a Scratch belongs to one thread; the caller
+// owns the results. Each node has a rate: uniform ones run once a tile, those of x alone once a
+// column, those of y alone once a row, the rest once a point.
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "balcony/expr.hpp"
+
+namespace balcony::program {
+
+/// A grid of picture points: point (i, j) is (x + i*step, y + j*step), i < width, j < height.
+struct Tile {
+    double x = 0.5;
+    double y = 0.5;
+    double step = 1.0;
+    std::size_t width = 0;   ///< At most max_tile_width.
+    std::size_t height = 0;  ///< At most max_tile_height.
+    double time = 0.0;
+};
+
+inline constexpr std::size_t max_tile_width = 64;
+inline constexpr std::size_t max_tile_height = 64;
+
+using expr::Rate;
+
+struct Tape;  // src/program/tape.hpp
+
+class Program {
+public:
+    /// Compiles the roots, which must be in one graph and have no free variables; they are
+    /// simplified first.
+    explicit Program(std::span<const expr::Expr> roots);
+
+    [[nodiscard]] std::size_t root_count() const;
+    [[nodiscard]] Rate rate(std::size_t root) const;
+    /// The number of instructions of a rate: what a tile costs.
+    [[nodiscard]] std::size_t instruction_count(Rate rate) const;
+    [[nodiscard]] const Tape& tape() const { return *tape_; }
+
+private:
+    std::shared_ptr<const Tape> tape_;
+};
+
+/// The working memory of one thread; grows to what the largest program run with it needs.
+class Scratch {
+public:
+    [[nodiscard]] double* reserve(std::size_t doubles);  ///< Aligned to 64 bytes.
+
+private:
+    struct Free {
+        void operator()(double* memory) const;
+    };
+    std::unique_ptr<double[], Free> memory_;
+    std::size_t size_ = 0;
+};
+
+/// Runs a program over a tile on the widest instruction set of this machine. results[r] receives
+/// root r, row by row, width*height doubles without padding.
+void run(const Program& program, const Tile& tile, Scratch& scratch,
+         std::span<double* const> results);
+
+/// The same by the scalar definition of each operation, one point after another: the truth that
+/// the runners are tested against.
+void run_reference(const Program& program, const Tile& tile, std::span<double* const> results);
+
+/// An instruction set that run() can be told to use.
+struct InstructionSet {
+    std::string_view name;  ///< "avx512", "avx2", "sse2", "neon"
+    std::size_t lanes;      ///< Doubles in a register.
+};
+
+/// Those compiled in which this machine can run, widest first. Never empty.
+[[nodiscard]] std::span<const InstructionSet> instruction_sets();
+
+/// run() on instruction_sets()[set].
+void run_on(std::size_t set, const Program& program, const Tile& tile, Scratch& scratch,
+            std::span<double* const> results);
+
+}  // namespace balcony::program

@@ -1,0 +1,188 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <optional>
+
+#include "balcony/expr.hpp"
+#include "expr/normal_forms.hpp"
+
+namespace balcony::expr {
+
+namespace {
+
+// Longer sums and products are cut into pieces, so that the work stays linear in the graph.
+constexpr std::size_t longest_sum = 16;
+constexpr std::size_t longest_product = 8;
+
+/// One walk over the graph that rewrites every node on rewritten arguments.
+class Pass {
+public:
+    Pass(Graph& graph, std::span<const Expr> roots)
+        : graph_(graph),
+          nodes_(reachable(graph, roots)),
+          made_(graph.size()),
+          uses_(graph.size(), 0),
+          linear_(graph.size()),
+          product_(graph.size()) {
+        for (const NodeId id : nodes_) {
+            for (const NodeId argument : graph[id].arguments) {
+                if (argument.valid()) {
+                    ++uses_[argument.value()];
+                }
+            }
+        }
+        for (const Expr root : roots) {
+            ++uses_[root.id().value()];
+        }
+    }
+
+    std::vector<Expr> run(std::span<const Expr> roots) {
+        for (const NodeId id : nodes_) {
+            made_[id.value()] = rewrite(id);
+        }
+        std::vector<Expr> result;
+        result.reserve(roots.size());
+        for (const Expr root : roots) {
+            result.push_back(made_[root.id().value()]);
+        }
+        return result;
+    }
+
+private:
+    Expr rewrite(NodeId id) {
+        const Node node = graph_[id];
+        switch (node.op) {
+            case Op::add: return rewrite_sum(id, node, 1.0);
+            case Op::subtract: return rewrite_sum(id, node, -1.0);
+            case Op::negate: return keep_linear(id, linear(node.arguments[0]).scaled(-1.0));
+            case Op::multiply: return rewrite_product(id, node);
+            case Op::divide: return rewrite_quotient(id, node);
+            case Op::lookup:
+                return graph_.lookup(graph_.table(TableId(node.detail)), made(node.arguments[0]));
+            default: return rewrite_call(id, node);
+        }
+    }
+
+    Expr rewrite_call(NodeId id, const Node& node) {
+        if (operation(node.op).arity == 0) {
+            return {graph_, id};
+        }
+        std::array<Expr, 3> arguments;
+        std::size_t arity = 0;
+        for (const NodeId argument : node.arguments) {
+            if (argument.valid()) {
+                arguments[arity++] = made(argument);
+            }
+        }
+        return graph_.apply(node.op, std::span(arguments).first(arity));
+    }
+
+    // A sum may dissolve the sums it is made of: one that nothing else needs always, a shared one
+    // only where the dissolved sum is no longer than the sum that keeps it.
+    Expr rewrite_sum(NodeId id, const Node& node, double sign) {
+        const NodeId a = node.arguments[0];
+        const NodeId b = node.arguments[1];
+        const LinearForm kept = LinearForm::sum(linear_or_term(a), sign, linear_or_term(b));
+        LinearForm dissolved = LinearForm::sum(linear(a), sign, linear(b));
+        const bool dissolve = dissolved.term_count() <= kept.term_count();
+        return keep_linear(id, dissolve ? std::move(dissolved) : kept);
+    }
+
+    Expr keep_linear(NodeId id, LinearForm form) {
+        const Expr built = form.build(graph_);
+        if (form.term_count() <= longest_sum) {
+            linear_[id.value()] = std::move(form);
+        }
+        return built;
+    }
+
+    Expr rewrite_product(NodeId id, const Node& node) {
+        const NodeId a = node.arguments[0];
+        const NodeId b = node.arguments[1];
+        for (const auto& [constant, other] : {std::pair(a, b), std::pair(b, a)}) {
+            if (made(constant).is_constant()) {
+                const double factor = made(constant).node().value;
+                return keep_linear(id, linear(other).scaled(factor));
+            }
+        }
+        const ProductForm kept =
+            ProductForm::product(ProductForm(made(a)), ProductForm(made(b)));
+        ProductForm dissolved = ProductForm::product(product(a), product(b));
+        const bool dissolve = dissolved.factor_count() <= longest_product &&
+                              dissolved.pixel_cost() <= kept.pixel_cost();
+        product_[id.value()] = dissolve ? std::move(dissolved) : kept;
+        return product_[id.value()]->build(graph_);
+    }
+
+    // Where the divisor changes seldom, one division a row or column and a product are cheaper.
+    Expr rewrite_quotient(NodeId id, const Node& node) {
+        const Expr numerator = made(node.arguments[0]);
+        const Expr divisor = made(node.arguments[1]);
+        if (numerator.rate() != Rate::pixel || divisor.rate() == Rate::pixel) {
+            return numerator / divisor;
+        }
+        product_[id.value()] = ProductForm::product(product(node.arguments[0]),
+                                                    ProductForm(1.0 / divisor));
+        return product_[id.value()]->build(graph_);
+    }
+
+    Expr made(NodeId id) const { return made_[id.value()]; }
+
+    LinearForm linear(NodeId id) const {
+        const auto& form = linear_[id.value()];
+        if (form) {
+            return *form;
+        }
+        const Expr value = made(id);
+        return value.is_constant() ? LinearForm(value.node().value) : LinearForm(value);
+    }
+
+    LinearForm linear_or_term(NodeId id) const {
+        const auto& form = linear_[id.value()];
+        const bool cheap = form && (uses_[id.value()] == 1 || form->term_count() <= 1);
+        const Expr value = made(id);
+        return cheap || value.is_constant() ? linear(id) : LinearForm(value);
+    }
+
+    ProductForm product(NodeId id) const {
+        const auto& form = product_[id.value()];
+        return form ? *form : ProductForm(made(id));
+    }
+
+    Graph& graph_;
+    std::vector<NodeId> nodes_;
+    std::vector<Expr> made_;
+    std::vector<std::uint32_t> uses_;
+    std::vector<std::optional<LinearForm>> linear_;
+    std::vector<std::optional<ProductForm>> product_;
+};
+
+bool same_nodes(std::span<const Expr> a, std::span<const Expr> b) {
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (!a[i].same(b[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+std::vector<Expr> simplify(std::span<const Expr> expressions) {
+    std::vector<Expr> result(expressions.begin(), expressions.end());
+    if (expressions.empty()) {
+        return result;
+    }
+    // A rewriting can open the way for another; a few passes reach the end.
+    constexpr int most_passes = 8;
+    for (int pass = 0; pass < most_passes; ++pass) {
+        std::vector<Expr> next = Pass(expressions.front().graph(), result).run(result);
+        if (same_nodes(next, result)) {
+            break;
+        }
+        result = std::move(next);
+    }
+    return result;
+}
+
+}  // namespace balcony::expr

@@ -1,0 +1,61 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "balcony/expr.hpp"
+
+namespace balcony::expr {
+
+namespace {
+
+// A node of `source` made anew in `target` on arguments that are there already.
+Expr rebuild(Graph& target, const Graph& source, const Node& node,
+             std::span<const Expr> arguments) {
+    switch (node.op) {
+        case Op::constant: return target.constant(node.value);
+        case Op::picture_x: return target.picture_x();
+        case Op::picture_y: return target.picture_y();
+        case Op::time: return target.time();
+        case Op::variable: return target.variable(node.detail);
+        case Op::lookup: return target.lookup(source.table(TableId(node.detail)), arguments[0]);
+        default: return target.apply(node.op, arguments);
+    }
+}
+
+}  // namespace
+
+std::vector<Expr> substitute(Graph& target, std::span<const Expr> expressions,
+                             std::span<const Substitution> substitutions) {
+    if (expressions.empty()) {
+        return {};
+    }
+    const Graph& source = expressions.front().graph();
+    std::vector<Expr> made(source.size());
+    for (const Substitution& substitution : substitutions) {
+        assert(&substitution.leaf.graph() == &source);
+        assert(&substitution.replacement.graph() == &target);
+        made[substitution.leaf.id().value()] = substitution.replacement;
+    }
+    for (const NodeId id : reachable(source, expressions)) {
+        if (made[id.value()].valid()) {
+            continue;
+        }
+        // A copy: building into the same graph moves its nodes.
+        const Node node = source[id];
+        std::array<Expr, 3> arguments;
+        std::size_t arity = 0;
+        for (const NodeId argument : node.arguments) {
+            if (argument.valid()) {
+                arguments[arity++] = made[argument.value()];
+            }
+        }
+        made[id.value()] = rebuild(target, source, node, std::span(arguments).first(arity));
+    }
+    std::vector<Expr> result;
+    result.reserve(expressions.size());
+    for (const Expr root : expressions) {
+        result.push_back(made[root.id().value()]);
+    }
+    return result;
+}
+
+}  // namespace balcony::expr
