@@ -76,7 +76,7 @@ void run_reference(const Program& program, const Tile& tile, std::span<double* c
 
 /// An instruction set that run() can be told to use.
 struct InstructionSet {
-    std::string_view name;  ///< "avx512", "avx2", "sse2", "neon"
+    std::string_view name;  ///< "avx512", "avx2", "sse4", "neon", "scalar"
     std::size_t lanes;      ///< Doubles in a register.
 };
 

@@ -1,0 +1,286 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "program/tape.hpp"
+
+namespace balcony::program {
+
+namespace {
+
+using expr::Expr;
+using expr::Graph;
+using expr::Node;
+using expr::NodeId;
+using expr::Op;
+
+Rate rate_of(const Node& node) {
+    assert((node.depends & expr::depends::on_variable) == 0 && "a program has no free variables");
+    const bool on_x = (node.depends & expr::depends::on_x) != 0;
+    const bool on_y = (node.depends & expr::depends::on_y) != 0;
+    if (on_x) {
+        return on_y ? Rate::pixel : Rate::column;
+    }
+    return on_y ? Rate::row : Rate::uniform;
+}
+
+std::size_t index(Rate rate) {
+    return static_cast<std::size_t>(rate);
+}
+
+// Doubles that one register of a rate takes.
+constexpr std::array<std::uint32_t, 4> register_doubles{register_alignment, max_tile_width,
+                                                        max_tile_height, max_tile_width};
+
+bool is_coordinate(Op op) {
+    return op == Op::picture_x || op == Op::picture_y || op == Op::time;
+}
+
+bool is_leaf(Op op) {
+    return op == Op::constant || is_coordinate(op);
+}
+
+// The nodes below the roots in depth-first order, arguments first, so that a value is used soon
+// after it is made and few registers are alive at a time.
+std::vector<NodeId> schedule(const Graph& graph, std::span<const Expr> roots) {
+    struct Visit {
+        NodeId id;
+        std::size_t next_argument;
+    };
+    std::vector<NodeId> order;
+    std::vector<bool> seen(graph.size(), false);
+    std::vector<Visit> path;
+    const auto enter = [&](NodeId id) {
+        if (id.valid() && !seen[id.value()]) {
+            seen[id.value()] = true;
+            path.push_back({id, 0});
+        }
+    };
+    for (const Expr& root : roots) {
+        enter(root.id());
+        while (!path.empty()) {
+            Visit& visit = path.back();
+            const Node& node = graph[visit.id];
+            if (visit.next_argument < node.arguments.size()) {
+                enter(node.arguments[visit.next_argument++]);
+            } else {
+                order.push_back(visit.id);
+                path.pop_back();
+            }
+        }
+    }
+    return order;
+}
+
+// Registers of one rate: the number in use at once is kept small by taking back the free ones.
+class RegisterPool {
+public:
+    std::uint32_t take() {
+        if (free_.empty()) {
+            return count_++;
+        }
+        const std::uint32_t number = free_.back();
+        free_.pop_back();
+        return number;
+    }
+    void give_back(std::uint32_t number) { free_.push_back(number); }
+    [[nodiscard]] std::uint32_t count() const { return count_; }
+
+private:
+    std::vector<std::uint32_t> free_;
+    std::uint32_t count_ = 0;
+};
+
+class Compiler {
+public:
+    explicit Compiler(std::span<const Expr> roots)
+        : graph_(roots.front().graph()), roots_(roots), order_(schedule(graph_, roots)), values_(graph_.size()) {}
+
+    std::shared_ptr<const Tape> run() {
+        find_last_uses();
+        assign_registers();
+        place_registers();
+        emit();
+        return tape_;
+    }
+
+private:
+    static constexpr std::size_t never = ~std::size_t{0};
+
+    struct Value {
+        Rate rate = Rate::uniform;
+        std::size_t last_use = 0;   ///< Position in order_; never if the register is kept for good.
+        std::uint32_t number = 0;   ///< Among the registers of its rate.
+        std::uint32_t replica = 0;  ///< Of a row value that pixel instructions read, from 1.
+    };
+
+    Value& value(NodeId id) { return values_[id.value()]; }
+
+    template <class Function>
+    void for_arguments(NodeId id, Function function) {
+        for (const NodeId argument : graph_[id].arguments) {
+            if (argument.valid()) {
+                function(argument);
+            }
+        }
+    }
+
+    // A value read at another rate than its own, by a root, or filled in by the runner, keeps its
+    // register for good; any other is dead after its last reader.
+    void find_last_uses() {
+        for (std::size_t step = 0; step < order_.size(); ++step) {
+            const NodeId id = order_[step];
+            Value& made = value(id);
+            made.rate = rate_of(graph_[id]);
+            made.last_use = is_leaf(graph_[id].op) ? never : step;
+            for_arguments(id, [&](NodeId argument) {
+                Value& read = value(argument);
+                if (read.rate != made.rate) {
+                    read.last_use = never;
+                } else if (read.last_use != never) {
+                    read.last_use = step;
+                }
+            });
+        }
+        for (const Expr& root : roots_) {
+            value(root.id()).last_use = never;
+        }
+    }
+
+    // Every kernel reads a point of its arguments before it writes that point of its result, so a
+    // result may take the register of an argument that dies with it.
+    void assign_registers() {
+        for (std::size_t step = 0; step < order_.size(); ++step) {
+            const NodeId id = order_[step];
+            Value& made = value(id);
+            for_arguments(id, [&](NodeId argument) {
+                Value& read = value(argument);
+                if (read.last_use == step) {
+                    pools_[index(read.rate)].give_back(read.number);
+                    read.last_use = never;  // an argument used twice is given back once
+                }
+                if (made.rate == Rate::pixel && read.rate == Rate::row && read.replica == 0) {
+                    read.replica = ++replicas_;
+                }
+            });
+            if (!is_coordinate(graph_[id].op)) {
+                made.number = pools_[index(made.rate)].take();
+            }
+        }
+    }
+
+    // Lays the registers out: first those that are read all the time while pixels are computed.
+    void place_registers() {
+        std::uint32_t at = replicas_ * static_cast<std::uint32_t>(register_alignment);
+        for (const Rate rate : {Rate::uniform, Rate::column, Rate::pixel, Rate::row}) {
+            base_[index(rate)] = at;
+            at += pools_[index(rate)].count() * register_doubles[index(rate)];
+        }
+        // The coordinates are filled in whether or not the program reads them.
+        tape_->time = at;
+        tape_->picture_x = tape_->time + register_doubles[index(Rate::uniform)];
+        tape_->picture_y = tape_->picture_x + register_doubles[index(Rate::column)];
+        tape_->register_doubles = tape_->picture_y + register_doubles[index(Rate::row)];
+    }
+
+    std::uint32_t offset(NodeId id) {
+        switch (graph_[id].op) {
+            case Op::time: return tape_->time;
+            case Op::picture_x: return tape_->picture_x;
+            case Op::picture_y: return tape_->picture_y;
+            default: break;
+        }
+        const Value& of = value(id);
+        return base_[index(of.rate)] + of.number * register_doubles[index(of.rate)];
+    }
+
+    Operand operand(NodeId argument, Rate reader) {
+        constexpr std::uint32_t varies = ~std::uint32_t{0};
+        const Value& read = value(argument);
+        if (read.rate == Rate::row && reader == Rate::pixel) {
+            return {replica_offset(read), 0};
+        }
+        return {offset(argument), read.rate == Rate::uniform ? 0 : varies};
+    }
+
+    static std::uint32_t replica_offset(const Value& row_value) {
+        return (row_value.replica - 1) * static_cast<std::uint32_t>(register_alignment);
+    }
+
+    void emit() {
+        collect_tables();
+        for (const NodeId id : order_) {
+            const Node& node = graph_[id];
+            if (node.op == Op::constant) {
+                tape_->constants.push_back({offset(id), node.value});
+            } else if (!is_leaf(node.op)) {
+                tape_->sections[index(value(id).rate)].push_back(instruction(id));
+            }
+            if (value(id).replica != 0) {
+                tape_->replications.push_back({offset(id), replica_offset(value(id))});
+            }
+        }
+        for (const Expr& root : roots_) {
+            tape_->roots.push_back({value(root.id()).rate, offset(root.id())});
+        }
+    }
+
+    Instruction instruction(NodeId id) {
+        const Node& node = graph_[id];
+        Instruction made;
+        made.op = node.op;
+        made.result = offset(id);
+        for (std::size_t i = 0; i < node.arguments.size(); ++i) {
+            if (node.arguments[i].valid()) {
+                made.arguments[i] = operand(node.arguments[i], value(id).rate);
+            }
+        }
+        made.scalar = expr::operation(node.op).scalar;
+        if (node.op == Op::lookup) {
+            made.table = &tape_->table_views[table_numbers_.at(node.detail)];
+        }
+        return made;
+    }
+
+    void collect_tables() {
+        for (const NodeId id : order_) {
+            const Node& node = graph_[id];
+            if (node.op != Op::lookup ||
+                !table_numbers_.emplace(node.detail, tape_->tables.size()).second) {
+                continue;
+            }
+            const std::shared_ptr<const expr::Table>& table =
+                graph_.table(expr::TableId(node.detail));
+            const auto count = static_cast<double>(table->cells.size());
+            tape_->tables.push_back(table);
+            tape_->table_views.push_back({table->first, count / (table->last - table->first),
+                                          count - 1.0, table->cells.front().data()});
+        }
+    }
+
+    const Graph& graph_;
+    std::span<const Expr> roots_;
+    std::vector<NodeId> order_;
+    std::vector<Value> values_;  ///< Indexed by NodeId.
+    std::array<RegisterPool, 4> pools_;
+    std::array<std::uint32_t, 4> base_{};
+    std::uint32_t replicas_ = 0;
+    std::unordered_map<std::uint32_t, std::size_t> table_numbers_;
+    std::shared_ptr<Tape> tape_ = std::make_shared<Tape>();
+};
+
+}  // namespace
+
+std::shared_ptr<const Tape> compile(std::span<const Expr> roots) {
+    if (roots.empty()) {
+        return std::make_shared<const Tape>();
+    }
+    assert(std::all_of(roots.begin(), roots.end(), [&](const Expr& root) {
+        return root.valid() && &root.graph() == &roots.front().graph();
+    }));
+    return Compiler(roots).run();
+}
+
+}  // namespace balcony::program

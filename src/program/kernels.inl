@@ -1,0 +1,222 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// The kernels, one for each operation, for the instruction set that the including file is compiled
+// for. That file defines BALCONY_KERNEL, the name of the function that hands them out.
+//
+// Rule: nothing here may leave code behind that other files share. The linker keeps one copy of an
+// inline function or template that several files emit; if it kept the one compiled for AVX-512, the
+// library would crash on a lesser machine. So everything is in an unnamed namespace, no container,
+// algorithm or inline function of another header is used, and Highway's functions are all forced
+// inline. A test looks for shared symbols in the object files.
+
+#define HWY_COMPILE_ONLY_STATIC
+#include <hwy/highway.h>
+#include <sleef.h>
+
+#include "program/kernel.hpp"
+
+// An operation that has no kernel does not compile.
+#pragma GCC diagnostic error "-Wswitch"
+
+HWY_BEFORE_NAMESPACE();
+
+namespace balcony::program {
+
+namespace {
+
+namespace lanes = hwy::HWY_NAMESPACE;
+using Tag = lanes::ScalableTag<double>;
+using Vector = lanes::Vec<Tag>;
+using Mask = lanes::Mask<Tag>;
+constexpr Tag tag;
+
+static_assert(lanes::MaxLanes(tag) > 1 && register_alignment % lanes::MaxLanes(tag) == 0);
+
+// SLEEF's functions with a stated error of 1.0 ULP, in the variants that promise the same bits on
+// every machine. Those with fused multiply-add (AVX2, AVX-512, NEON) agree with each other.
+#if HWY_TARGET == HWY_AVX3
+#define BALCONY_SLEEF(function) Sleef_finz_##function##d8_u10avx512f
+#elif HWY_TARGET == HWY_AVX2
+#define BALCONY_SLEEF(function) Sleef_finz_##function##d4_u10avx2
+#elif HWY_TARGET == HWY_SSE4
+#define BALCONY_SLEEF(function) Sleef_cinz_##function##d2_u10sse4
+#elif HWY_TARGET == HWY_NEON
+#define BALCONY_SLEEF(function) Sleef_finz_##function##d2_u10advsimd
+#else
+#error "There are no SLEEF functions for this instruction set here"
+#endif
+#define BALCONY_SLEEF_1(function) \
+    [](Vector a) { return Vector{BALCONY_SLEEF(function)(a.raw)}; }
+#define BALCONY_SLEEF_2(function) \
+    [](Vector a, Vector b) { return Vector{BALCONY_SLEEF(function)(a.raw, b.raw)}; }
+
+inline Vector load(const Operand& operand, const double* registers, std::size_t i) {
+    return lanes::Load(tag, registers + operand.offset + (i & operand.mask));
+}
+
+template <auto function>
+void unary(const Instruction& in, double* registers, std::size_t count) {
+    for (std::size_t i = 0; i < count; i += lanes::Lanes(tag)) {
+        const Vector result = function(load(in.arguments[0], registers, i));
+        lanes::Store(result, tag, registers + in.result + i);
+    }
+}
+
+template <auto function>
+void binary(const Instruction& in, double* registers, std::size_t count) {
+    for (std::size_t i = 0; i < count; i += lanes::Lanes(tag)) {
+        const Vector result =
+            function(load(in.arguments[0], registers, i), load(in.arguments[1], registers, i));
+        lanes::Store(result, tag, registers + in.result + i);
+    }
+}
+
+// A function that is right up to a limit of |x|; where a point lies beyond, the operation's scalar
+// definition stands in. A NaN is not beyond.
+struct Limit {
+    double value;
+};
+constexpr Limit near_overflow{709.0};  // the true limit of exp(x)/2 is 710.47, SLEEF's 709.78
+constexpr Limit square_overflows{1e150};
+
+template <auto function, Limit limit>
+void limited(const Instruction& in, double* registers, std::size_t count) {
+    for (std::size_t i = 0; i < count; i += lanes::Lanes(tag)) {
+        const Vector a = load(in.arguments[0], registers, i);
+        double* to = registers + in.result + i;
+        lanes::Store(function(a), tag, to);
+        const Mask beyond = lanes::Gt(lanes::Abs(a), lanes::Set(tag, limit.value));
+        if (!lanes::AllFalse(tag, beyond)) {
+            HWY_ALIGN double arguments[lanes::MaxLanes(tag)];
+            HWY_ALIGN double selected[lanes::MaxLanes(tag)];
+            lanes::Store(a, tag, arguments);
+            lanes::Store(lanes::VecFromMask(tag, beyond), tag, selected);
+            for (std::size_t lane = 0; lane < lanes::Lanes(tag); ++lane) {
+                // A selected lane has all bits set, which reads as a NaN.
+                to[lane] = selected[lane] == 0.0 ? to[lane] : in.scalar(&arguments[lane]);
+            }
+        }
+    }
+}
+
+inline Vector truth(Mask condition) {
+    return lanes::IfThenElseZero(condition, lanes::Set(tag, 1.0));
+}
+
+// As in C, where a NaN counts as true.
+inline Mask holds(Vector condition) {
+    return lanes::Not(lanes::Eq(condition, lanes::Zero(tag)));
+}
+
+inline Vector sign(Vector a) {
+    const Vector zero = lanes::Zero(tag);
+    const Vector one = lanes::Set(tag, 1.0);
+    // Adding 0 turns -0 into 0 and keeps a NaN.
+    const Vector not_positive =
+        lanes::IfThenElse(lanes::Lt(a, zero), lanes::Neg(one), lanes::Add(a, zero));
+    return lanes::IfThenElse(lanes::Gt(a, zero), one, not_positive);
+}
+
+void select(const Instruction& in, double* registers, std::size_t count) {
+    for (std::size_t i = 0; i < count; i += lanes::Lanes(tag)) {
+        const Vector result = lanes::IfThenElse(holds(load(in.arguments[0], registers, i)),
+                                                load(in.arguments[1], registers, i),
+                                                load(in.arguments[2], registers, i));
+        lanes::Store(result, tag, registers + in.result + i);
+    }
+}
+
+// The steps of expr::Table, so that no cell outside the table is read and a NaN stays one.
+void lookup(const Instruction& in, double* registers, std::size_t count) {
+    using IndexTag = lanes::RebindToSigned<Tag>;
+    const TableView& table = *in.table;
+    const Vector zero = lanes::Zero(tag);
+    for (std::size_t i = 0; i < count; i += lanes::Lanes(tag)) {
+        const Vector x = load(in.arguments[0], registers, i);
+        const Vector position = lanes::Mul(lanes::Sub(x, lanes::Set(tag, table.first)),
+                                           lanes::Set(tag, table.scale));
+        const Vector floored = lanes::Floor(position);
+        const Vector last = lanes::Set(tag, table.last_cell);
+        const Vector within = lanes::IfThenElse(lanes::Lt(last, floored), last, floored);
+        const Vector cell = lanes::IfThenElse(lanes::Gt(floored, zero), within, zero);
+        const Vector s = lanes::Sub(position, cell);
+        const auto start = lanes::ShiftLeft<2>(lanes::ConvertTo(IndexTag(), cell));
+        Vector value = lanes::GatherIndex(tag, table.cells + 3, start);
+        for (int power = 2; power >= 0; --power) {
+            const Vector c = lanes::GatherIndex(tag, table.cells + power, start);
+            value = lanes::Add(lanes::Mul(value, s), c);
+        }
+        lanes::Store(value, tag, registers + in.result + i);
+    }
+}
+
+}  // namespace
+
+Kernel BALCONY_KERNEL(expr::Op op) {
+    using V = Vector;
+    using expr::Op;
+    switch (op) {
+        case Op::constant:
+        case Op::picture_x:
+        case Op::picture_y:
+        case Op::time:
+        case Op::variable: return nullptr;
+
+        case Op::negate: return unary<[](V a) { return lanes::Neg(a); }>;
+        case Op::add: return binary<[](V a, V b) { return lanes::Add(a, b); }>;
+        case Op::subtract: return binary<[](V a, V b) { return lanes::Sub(a, b); }>;
+        case Op::multiply: return binary<[](V a, V b) { return lanes::Mul(a, b); }>;
+        case Op::divide: return binary<[](V a, V b) { return lanes::Div(a, b); }>;
+        case Op::modulo:
+            return binary<[](V a, V b) {
+                return lanes::Sub(a, lanes::Mul(b, lanes::Floor(lanes::Div(a, b))));
+            }>;
+        case Op::minimum:
+            return binary<[](V a, V b) { return lanes::IfThenElse(lanes::Lt(b, a), b, a); }>;
+        case Op::maximum:
+            return binary<[](V a, V b) { return lanes::IfThenElse(lanes::Lt(a, b), b, a); }>;
+        case Op::absolute: return unary<[](V a) { return lanes::Abs(a); }>;
+        case Op::sign: return unary<sign>;
+        case Op::floor: return unary<[](V a) { return lanes::Floor(a); }>;
+
+        case Op::square_root: return unary<[](V a) { return lanes::Sqrt(a); }>;
+        case Op::power: return binary<BALCONY_SLEEF_2(pow)>;
+        case Op::exponential: return unary<BALCONY_SLEEF_1(exp)>;
+        case Op::logarithm: return unary<BALCONY_SLEEF_1(log)>;
+
+        case Op::sine: return unary<BALCONY_SLEEF_1(sin)>;
+        case Op::cosine: return unary<BALCONY_SLEEF_1(cos)>;
+        case Op::tangent: return unary<BALCONY_SLEEF_1(tan)>;
+        case Op::arcsine: return unary<BALCONY_SLEEF_1(asin)>;
+        case Op::arccosine: return unary<BALCONY_SLEEF_1(acos)>;
+        case Op::arctangent: return unary<BALCONY_SLEEF_1(atan)>;
+        case Op::arctangent2: return binary<BALCONY_SLEEF_2(atan2)>;
+
+        case Op::hyperbolic_sine: return limited<BALCONY_SLEEF_1(sinh), near_overflow>;
+        case Op::hyperbolic_cosine: return limited<BALCONY_SLEEF_1(cosh), near_overflow>;
+        case Op::hyperbolic_tangent: return unary<BALCONY_SLEEF_1(tanh)>;
+        case Op::inverse_hyperbolic_sine: return limited<BALCONY_SLEEF_1(asinh), square_overflows>;
+        case Op::inverse_hyperbolic_cosine:
+            return limited<BALCONY_SLEEF_1(acosh), square_overflows>;
+        case Op::inverse_hyperbolic_tangent: return unary<BALCONY_SLEEF_1(atanh)>;
+
+        case Op::less: return binary<[](V a, V b) { return truth(lanes::Lt(a, b)); }>;
+        case Op::less_equal: return binary<[](V a, V b) { return truth(lanes::Le(a, b)); }>;
+        case Op::equal: return binary<[](V a, V b) { return truth(lanes::Eq(a, b)); }>;
+        case Op::logical_and:
+            return binary<[](V a, V b) { return truth(lanes::And(holds(a), holds(b))); }>;
+        case Op::logical_or:
+            return binary<[](V a, V b) { return truth(lanes::Or(holds(a), holds(b))); }>;
+        case Op::logical_not: return unary<[](V a) { return truth(lanes::Not(holds(a))); }>;
+        case Op::is_finite: return unary<[](V a) { return truth(lanes::IsFinite(a)); }>;
+        case Op::select: return select;
+
+        case Op::lookup: return lookup;
+    }
+    return nullptr;
+}
+
+}  // namespace balcony::program
+
+HWY_AFTER_NAMESPACE();

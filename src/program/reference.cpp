@@ -1,0 +1,61 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "program/tape.hpp"
+
+namespace balcony::program {
+
+namespace {
+
+// One value for each register, at its first double.
+void run_section(const Tape& tape, Rate rate, std::vector<double>& registers) {
+    for (const Instruction& instruction : tape.section(rate)) {
+        std::array<double, 3> arguments{};
+        for (std::size_t i = 0; i < arguments.size(); ++i) {
+            arguments[i] = registers[instruction.arguments[i].offset];
+        }
+        if (instruction.op == expr::Op::lookup) {
+            const auto number = instruction.table - tape.table_views.data();
+            const expr::Table& table = *tape.tables[static_cast<std::size_t>(number)];
+            registers[instruction.result] = table(arguments[0]);
+        } else {
+            registers[instruction.result] = instruction.scalar(arguments.data());
+        }
+    }
+}
+
+void run_point(const Tape& tape, double x, double y, double time, std::vector<double>& registers) {
+    registers[tape.picture_x] = x;
+    registers[tape.picture_y] = y;
+    registers[tape.time] = time;
+    for (const Tape::Constant& constant : tape.constants) {
+        registers[constant.offset] = constant.value;
+    }
+    run_section(tape, Rate::uniform, registers);
+    run_section(tape, Rate::column, registers);
+    run_section(tape, Rate::row, registers);
+    for (const Tape::Replication& replication : tape.replications) {
+        registers[replication.replicated] = registers[replication.row_value];
+    }
+    run_section(tape, Rate::pixel, registers);
+}
+
+}  // namespace
+
+void run_reference(const Program& program, const Tile& tile, std::span<double* const> results) {
+    const Tape& tape = program.tape();
+    assert(tile.width <= max_tile_width && tile.height <= max_tile_height);
+    assert(results.size() == tape.roots.size());
+    std::vector<double> registers(tape.register_doubles);
+    for (std::size_t j = 0; j < tile.height; ++j) {
+        for (std::size_t i = 0; i < tile.width; ++i) {
+            run_point(tape, tile.x + static_cast<double>(i) * tile.step,
+                      tile.y + static_cast<double>(j) * tile.step, tile.time, registers);
+            for (std::size_t r = 0; r < results.size(); ++r) {
+                results[r][j * tile.width + i] = registers[tape.roots[r].offset];
+            }
+        }
+    }
+}
+
+}  // namespace balcony::program

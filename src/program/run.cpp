@@ -1,0 +1,145 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+
+#include <hwy/targets.h>
+
+#include "program/tape.hpp"
+
+namespace balcony::program {
+
+namespace {
+
+using Kernels = std::array<Kernel, expr::operation_count>;
+
+struct Runners {
+    std::vector<InstructionSet> sets;
+    std::vector<Kernels> kernels;
+
+    void add(std::string_view name, std::size_t lanes, Kernel (*kernel)(expr::Op)) {
+        sets.push_back({name, lanes});
+        Kernels& table = kernels.emplace_back();
+        for (std::size_t i = 0; i < table.size(); ++i) {
+            table[i] = kernel(static_cast<expr::Op>(i));
+        }
+    }
+};
+
+Runners detect_runners() {
+    Runners runners;
+#if HWY_ARCH_X86
+    const auto supported = hwy::SupportedTargets();
+    if ((supported & HWY_AVX3) != 0) {
+        runners.add("avx512", 8, kernel_avx512);
+    }
+    if ((supported & HWY_AVX2) != 0) {
+        runners.add("avx2", 4, kernel_avx2);
+    }
+    if ((supported & HWY_SSE4) != 0) {
+        runners.add("sse4", 2, kernel_sse4);
+    }
+#elif HWY_ARCH_ARM_A64
+    runners.add("neon", 2, kernel_neon);
+#endif
+    runners.add("scalar", 1, kernel_scalar);
+    return runners;
+}
+
+const Runners& runners() {
+    static const Runners detected = detect_runners();
+    return detected;
+}
+
+std::size_t padded(std::size_t count) {
+    return (count + register_alignment - 1) / register_alignment * register_alignment;
+}
+
+// One tile on one instruction set. Registers are padded to whole vectors, so kernels never have a
+// rest to deal with; the caller's arrays only ever receive the points of the tile.
+class TileRun {
+public:
+    TileRun(const Tape& tape, const Kernels& kernels, const Tile& tile, double* registers)
+        : tape_(tape), kernels_(kernels), tile_(tile), registers_(registers) {}
+
+    void operator()(std::span<double* const> results) {
+        fill_leaves();
+        run_section(Rate::uniform, register_alignment);
+        run_section(Rate::column, padded(tile_.width));
+        run_section(Rate::row, padded(tile_.height));
+        for (std::size_t j = 0; j < tile_.height; ++j) {
+            for (const Tape::Replication& replication : tape_.replications) {
+                replicate(replication.replicated, registers_[replication.row_value + j]);
+            }
+            run_section(Rate::pixel, padded(tile_.width));
+            for (std::size_t r = 0; r < results.size(); ++r) {
+                write_row(tape_.roots[r], j, results[r] + j * tile_.width);
+            }
+        }
+    }
+
+private:
+    void replicate(std::uint32_t offset, double value) {
+        std::fill_n(registers_ + offset, register_alignment, value);
+    }
+
+    void fill_leaves() {
+        for (const Tape::Constant& constant : tape_.constants) {
+            replicate(constant.offset, constant.value);
+        }
+        replicate(tape_.time, tile_.time);
+        for (std::size_t i = 0; i < padded(tile_.width); ++i) {
+            registers_[tape_.picture_x + i] = tile_.x + static_cast<double>(i) * tile_.step;
+        }
+        for (std::size_t j = 0; j < padded(tile_.height); ++j) {
+            registers_[tape_.picture_y + j] = tile_.y + static_cast<double>(j) * tile_.step;
+        }
+    }
+
+    void run_section(Rate rate, std::size_t count) {
+        for (const Instruction& instruction : tape_.section(rate)) {
+            kernels_[static_cast<std::size_t>(instruction.op)](instruction, registers_, count);
+        }
+    }
+
+    void write_row(const Tape::Root& root, std::size_t j, double* row) const {
+        const double* value = registers_ + root.offset;
+        switch (root.rate) {
+            case Rate::uniform: std::fill_n(row, tile_.width, *value); break;
+            case Rate::row: std::fill_n(row, tile_.width, value[j]); break;
+            case Rate::column:
+            case Rate::pixel: std::copy_n(value, tile_.width, row); break;
+        }
+    }
+
+    const Tape& tape_;
+    const Kernels& kernels_;
+    const Tile& tile_;
+    double* registers_;
+};
+
+}  // namespace
+
+std::span<const InstructionSet> instruction_sets() {
+    return runners().sets;
+}
+
+void run_on(std::size_t set, const Program& program, const Tile& tile, Scratch& scratch,
+            std::span<double* const> results) {
+    const Tape& tape = program.tape();
+    assert(set < runners().kernels.size());
+    assert(tile.width <= max_tile_width && tile.height <= max_tile_height);
+    assert(results.size() == tape.roots.size());
+    if (results.empty()) {
+        return;
+    }
+    double* registers = scratch.reserve(tape.register_doubles);
+    TileRun(tape, runners().kernels[set], tile, registers)(results);
+}
+
+void run(const Program& program, const Tile& tile, Scratch& scratch,
+         std::span<double* const> results) {
+    run_on(0, program, tile, scratch, results);
+}
+
+}  // namespace balcony::program

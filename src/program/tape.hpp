@@ -1,0 +1,53 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "balcony/program.hpp"
+#include "program/kernel.hpp"
+
+namespace balcony::program {
+
+/// A compiled program: four lists of instructions over one block of registers, all positions in
+/// doubles from its start. Uniform values are replicated over register_alignment doubles; column
+/// values hold one double for each column of a tile, row values one for each row, pixel values one
+/// for each point of the current row. A row value that pixel instructions read is replicated anew
+/// for each row.
+struct Tape {
+    struct Constant {
+        std::uint32_t offset;
+        double value;
+    };
+    struct Replication {
+        std::uint32_t row_value;
+        std::uint32_t replicated;
+    };
+    struct Root {
+        Rate rate;
+        std::uint32_t offset;
+    };
+
+    std::array<std::vector<Instruction>, 4> sections;  ///< Indexed by Rate, in running order.
+    std::vector<Constant> constants;
+    std::vector<Replication> replications;
+    std::vector<Root> roots;
+    std::uint32_t time = 0;
+    std::uint32_t picture_x = 0;
+    std::uint32_t picture_y = 0;
+    std::size_t register_doubles = 0;
+
+    std::vector<std::shared_ptr<const expr::Table>> tables;
+    std::vector<TableView> table_views;  ///< One for each table; instructions point into it.
+
+    [[nodiscard]] const std::vector<Instruction>& section(Rate rate) const {
+        return sections[static_cast<std::size_t>(rate)];
+    }
+};
+
+/// Compiles roots as they stand, without simplifying them.
+[[nodiscard]] std::shared_ptr<const Tape> compile(std::span<const expr::Expr> roots);
+
+}  // namespace balcony::program
