@@ -1,0 +1,21 @@
+# Balcony: rendering through extended cameras.
+# SPDX-License-Identifier: Apache-2.0
+#
+# What every script starts with: strict mode, the repository as working folder, --help.
+set -euo pipefail
+
+# Paths that the user gave are meant from here.
+called_from=$PWD
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+say() {
+    printf '%s: %s\n' "$(basename "$0")" "$*" >&2
+}
+
+# The help of a script is the comment that opens it.
+for argument in "$@"; do
+    if [[ $argument == --help || $argument == -h ]]; then
+        awk 'NR > 4 && !/^#/ { exit } NR > 4 { sub(/^# ?/, ""); print }' "scripts/$(basename "$0")"
+        exit 0
+    fi
+done
