@@ -138,6 +138,10 @@ Expr divide_rules(Graph& graph, Expr a, Expr b) {
     if (b.op() == Op::negate) {
         return -(a / b.argument(0));
     }
+    Scaled scaled;
+    if (is_scaled(a, scaled)) {
+        return scaled.factor * (scaled.rest / b);
+    }
     return {};
 }
 

@@ -48,6 +48,21 @@ std::optional<SeparatedTerm> separate(Expr term) {
     return std::nullopt;
 }
 
+// coefficient * value, with the coefficient taken into the factor that is computed less often.
+Expr scale(double coefficient, Expr value) {
+    if (value.op() == Op::multiply && coefficient != 1.0 && coefficient != -1.0) {
+        const Expr a = value.argument(0);
+        const Expr b = value.argument(1);
+        if (a.rate() < value.rate()) {
+            return scale(coefficient, a) * b;
+        }
+        if (b.rate() < value.rate()) {
+            return a * scale(coefficient, b);
+        }
+    }
+    return coefficient * value;
+}
+
 // A running sum that writes a - b where it can.
 class Sum {
 public:
@@ -55,11 +70,11 @@ public:
 
     void add(double coefficient, Expr value) {
         if (!total_.valid()) {
-            total_ = coefficient * value;
+            total_ = scale(coefficient, value);
         } else if (coefficient < 0.0) {
-            total_ = total_ - (-coefficient) * value;
+            total_ = total_ - scale(-coefficient, value);
         } else {
-            total_ = total_ + coefficient * value;
+            total_ = total_ + scale(coefficient, value);
         }
     }
     [[nodiscard]] Expr plus(double constant) const {
@@ -73,11 +88,30 @@ private:
 
 }  // namespace
 
-ProductForm::ProductForm(Expr factor) : factors_{{factor, 1}} {}
+ProductForm::ProductForm(Expr factor) {
+    if (factor.op() == Op::negate) {
+        coefficient_ = -1.0;
+        factor = factor.argument(0);
+    }
+    if (factor.op() == Op::multiply) {
+        for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+            if (factor.argument(i).is_constant()) {
+                coefficient_ *= factor.argument(i).node().value;
+                factor = factor.argument(1 - i);
+                break;
+            }
+        }
+    }
+    if (factor.is_constant()) {
+        coefficient_ *= factor.node().value;
+    } else {
+        factors_.push_back({factor, 1});
+    }
+}
 
 ProductForm ProductForm::product(const ProductForm& a, const ProductForm& b) {
-    ProductForm result;
-    result.factors_ = a.factors_;
+    ProductForm result = a;
+    result.coefficient_ *= b.coefficient_;
     for (const Factor& factor : b.factors_) {
         const auto place = std::lower_bound(
             result.factors_.begin(), result.factors_.end(), factor,
@@ -125,7 +159,7 @@ Expr ProductForm::part(Graph& graph, Rate rate) const {
     return product.valid() ? product : graph.constant(1.0);
 }
 
-Expr ProductForm::build(Graph& graph) const {
+Expr ProductForm::build_factors(Graph& graph) const {
     const Expr uniform = part(graph, Rate::uniform);
     const Expr column = part(graph, Rate::column);
     const Expr row = part(graph, Rate::row);
@@ -136,7 +170,13 @@ Expr ProductForm::build(Graph& graph) const {
     return (uniform * row) * pixel;
 }
 
-LinearForm::LinearForm(Expr term) : terms_{{term, 1.0}} {}
+LinearForm::LinearForm(Expr term) {
+    if (term.is_constant()) {
+        constant_ = term.node().value;
+    } else {
+        terms_.push_back({term, 1.0});
+    }
+}
 
 LinearForm LinearForm::sum(const LinearForm& a, double factor, const LinearForm& b) {
     LinearForm result = a;
@@ -161,7 +201,7 @@ LinearForm LinearForm::sum(const LinearForm& a, double factor, const LinearForm&
 }
 
 LinearForm LinearForm::scaled(double factor) const {
-    return sum(LinearForm(0.0), factor, *this);
+    return sum(LinearForm(), factor, *this);
 }
 
 // Terms c*C*R with one R are summed as (c*C + ...)*R, which leaves one product a point for any
@@ -195,7 +235,7 @@ std::vector<LinearForm::Term> LinearForm::factored_terms(Graph& graph, bool by_r
 }
 
 Expr LinearForm::build(Graph& graph) const {
-    LinearForm factored(0.0);
+    LinearForm factored;
     factored.terms_ = factored_terms(graph, true);
     factored.terms_ = factored.factored_terms(graph, false);
     std::stable_sort(
@@ -212,13 +252,7 @@ Expr LinearForm::build(Graph& graph) const {
             constant_added = true;
         }
         last_rate = value.rate();
-        // A coefficient of column * row goes into the column, which is computed less often.
-        const auto parts = separate(value);
-        if (parts && coefficient != 1.0 && coefficient != -1.0) {
-            total.add(1.0, (coefficient * parts->column) * parts->row);
-        } else {
-            total.add(coefficient, value);
-        }
+        total.add(coefficient, value);
     }
     return total.plus(constant_added ? 0.0 : constant_);
 }

@@ -8,8 +8,8 @@
 
 namespace balcony::expr {
 
-/// A product sorted by the rate of its factors, so that everything that depends on the column
-/// alone is multiplied once a column, and likewise for rows.
+/// A coefficient times factors sorted by rate, so that everything that depends on the column alone
+/// is multiplied once a column, and likewise for rows.
 class ProductForm {
 public:
     /// The product of one factor.
@@ -20,26 +20,27 @@ public:
     /// The multiplications that build() spends at every point.
     [[nodiscard]] std::size_t pixel_cost() const;
 
-    /// The factors of one rate, multiplied; 1 if there are none.
-    [[nodiscard]] Expr part(Graph& graph, Rate rate) const;
-    [[nodiscard]] Expr build(Graph& graph) const;
+    [[nodiscard]] double coefficient() const { return coefficient_; }
+    /// The product without its coefficient.
+    [[nodiscard]] Expr build_factors(Graph& graph) const;
 
 private:
     struct Factor {
         Expr base;
         unsigned times;
     };
-    ProductForm() = default;
+    [[nodiscard]] Expr part(Graph& graph, Rate rate) const;
 
-    std::vector<Factor> factors_;  ///< By rate, then by index; each base once.
+    std::vector<Factor> factors_;  ///< By rate, then by index; each base once, none constant.
+    double coefficient_ = 1.0;
 };
 
 /// c0 + c1 t1 + c2 t2 + ...: what chains of affine maps collapse into.
 class LinearForm {
 public:
-    /// The expression itself as the only term.
+    LinearForm() = default;
+    /// The expression itself as the only term, or as the constant if it is one.
     explicit LinearForm(Expr term);
-    explicit LinearForm(double constant) : constant_(constant) {}
 
     /// a + factor * b.
     [[nodiscard]] static LinearForm sum(const LinearForm& a, double factor, const LinearForm& b);

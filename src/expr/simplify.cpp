@@ -110,8 +110,13 @@ private:
         ProductForm dissolved = ProductForm::product(product(a), product(b));
         const bool dissolve = dissolved.factor_count() <= longest_product &&
                               dissolved.pixel_cost() <= kept.pixel_cost();
-        product_[id.value()] = dissolve ? std::move(dissolved) : kept;
-        return product_[id.value()]->build(graph_);
+        return keep_product(id, dissolve ? std::move(dissolved) : kept);
+    }
+
+    Expr keep_product(NodeId id, ProductForm form) {
+        LinearForm term = LinearForm(form.build_factors(graph_)).scaled(form.coefficient());
+        product_[id.value()] = std::move(form);
+        return keep_linear(id, std::move(term));
     }
 
     // Where the divisor changes seldom, one division a row or column and a product are cheaper.
@@ -121,27 +126,21 @@ private:
         if (numerator.rate() != Rate::pixel || divisor.rate() == Rate::pixel) {
             return numerator / divisor;
         }
-        product_[id.value()] = ProductForm::product(product(node.arguments[0]),
-                                                    ProductForm(1.0 / divisor));
-        return product_[id.value()]->build(graph_);
+        return keep_product(
+            id, ProductForm::product(product(node.arguments[0]), ProductForm(1.0 / divisor)));
     }
 
     Expr made(NodeId id) const { return made_[id.value()]; }
 
     LinearForm linear(NodeId id) const {
         const auto& form = linear_[id.value()];
-        if (form) {
-            return *form;
-        }
-        const Expr value = made(id);
-        return value.is_constant() ? LinearForm(value.node().value) : LinearForm(value);
+        return form ? *form : LinearForm(made(id));
     }
 
     LinearForm linear_or_term(NodeId id) const {
         const auto& form = linear_[id.value()];
         const bool cheap = form && (uses_[id.value()] == 1 || form->term_count() <= 1);
-        const Expr value = made(id);
-        return cheap || value.is_constant() ? linear(id) : LinearForm(value);
+        return cheap ? *form : LinearForm(made(id));
     }
 
     ProductForm product(NodeId id) const {
