@@ -126,6 +126,9 @@ struct Result {
     [[nodiscard]] const T* operator->() const { return &*value; }
 };
 
+/// Which way is up; y_up is glTF's and OBJ's, z_up the cameras' own.
+enum class Axes : std::uint8_t { y_up, z_up };
+
 /// The candidate nearest to a mistyped name by Damerau-Levenshtein distance, if one is near enough
 /// (at most a third of the name's length wrong) to be what was meant.
 [[nodiscard]] std::optional<std::string> nearest_name(std::string_view name,

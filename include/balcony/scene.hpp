@@ -34,20 +34,19 @@ using MeshIndex = StrongIndex<struct MeshTag>;
 using MaterialIndex = StrongIndex<struct MaterialTag>;
 using TextureIndex = StrongIndex<struct TextureTag>;
 
-/// Which way is up in the scene's world. glTF is y_up, and so is OBJ by custom.
-enum class Axes : std::uint8_t { y_up, z_up };
-
-/// Triangles with one material. Normals and texture co-ordinates are empty or one a vertex.
+/// Triangles with one material. Normals and texture co-ordinates are empty or one a vertex; load()
+/// makes normals where a file has none. All positions are finite and at most 1e18 in size.
 struct Mesh {
     std::string name;
     std::vector<V3f> positions;
     std::vector<V3f> normals;             ///< Unit length.
     std::vector<V2f> texture_coordinates; ///< (0, 0) is the top left corner of the image, as in glTF.
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    MaterialIndex material;
+    MaterialIndex material;  ///< Always valid.
 };
 
-/// A mesh placed in the world.
+/// A mesh placed in the world. Normals go by the inverse transpose of world_from_mesh, which is
+/// finite and invertible; a negative determinant (a mirror image) turns the winding round.
 struct Instance {
     MeshIndex mesh;
     M44d world_from_mesh;     ///< Imath's convention: row vectors, p_world = p_mesh * M.
@@ -71,17 +70,23 @@ struct Texture {
     Wrap wrap_v = Wrap::repeat;
 };
 
+/// What a material's opacity does: nothing, cut out, or blend.
+enum class AlphaMode : std::uint8_t { opaque, mask, blend };
+
 /// glTF 2.0 metallic-roughness, the part that is rendered so far.
 struct Material {
     std::string name;
     Color3f base_color{0.8F, 0.8F, 0.8F};
-    float alpha = 1.0F;           ///< Opacity; alpha_cutoff > 0 makes it a mask.
-    float alpha_cutoff = 0.0F;
+    AlphaMode alpha_mode = AlphaMode::opaque;
+    float alpha = 1.0F;           ///< Opacity, multiplied with the texture's; 1 if opaque.
+    float alpha_cutoff = 0.0F;    ///< For a mask: there where the opacity is at least this.
     float metallic = 0.0F;
     float roughness = 1.0F;
     Color3f emission{0.0F, 0.0F, 0.0F};
     TextureIndex base_color_texture;  ///< sRGB, multiplied with base_color; may be invalid.
     TextureIndex emission_texture;    ///< sRGB, multiplied with emission; may be invalid.
+    TextureIndex metallic_roughness_texture;  ///< Linear; green is roughness, blue metallic, each
+                                              ///< multiplied with its factor; may be invalid.
     bool double_sided = true;
 };
 
