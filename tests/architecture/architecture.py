@@ -1,0 +1,180 @@
+#!/usr/bin/env python3
+# Balcony: rendering through extended cameras.
+# SPDX-License-Identifier: Apache-2.0
+"""Checks the structure of the sources against layers.txt.
+
+Usage: architecture.py REPOSITORY
+
+Derives from the files what uses what, and names each of these on standard output:
+  - a file that includes a header of a layer which its own layer may not use
+  - a CMake target that is linked to a layer which it may not use
+  - a file that includes a header of a layer to which its target is not linked
+  - files that include each other in a circle
+  - a public header that includes a private one
+  - a header from outside included elsewhere than its one folder
+  - a folder of src/ that the table does not know
+The exit code is 1 if there is any.
+"""
+
+import os
+import re
+import sys
+from pathlib import Path
+
+SOURCE_SUFFIXES = {".cpp", ".hpp", ".h", ".inl"}
+INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.MULTILINE)
+
+
+class Table:
+    """layers.txt: what each layer may use, and where outside headers belong."""
+
+    def __init__(self, text):
+        self.direct = {}
+        self.only_in = {}
+        for line in text.splitlines():
+            line = line.split("#")[0].strip()
+            confined = re.fullmatch(r"(\S+/)\s+only in\s+(\S+)", line)
+            row = re.fullmatch(r"(\w+):\s*(.*)", line)
+            if confined:
+                self.only_in[confined[1]] = confined[2]
+            elif row:
+                self.direct[row[1]] = row[2].split()
+            elif line:
+                raise SystemExit(f"layers.txt: cannot read '{line}'")
+
+    def reachable(self, layer):
+        """The layer itself and all that it may use, directly or through another."""
+        return closure(layer, lambda name: self.direct if "*" in self.direct[name]
+                       else self.direct[name])
+
+
+def closure(start, neighbours):
+    seen, waiting = {start}, [start]
+    while waiting:
+        for name in neighbours(waiting.pop()):
+            if name not in seen:
+                seen.add(name)
+                waiting.append(name)
+    return seen
+
+
+class Tree:
+    """The sources under src/ and include/balcony/ with their include edges."""
+
+    def __init__(self, root):
+        self.root = root
+        self.files = sorted(
+            path for folder in ("src", "include") for path in (root / folder).rglob("*")
+            if path.suffix in SOURCE_SUFFIXES)
+        known = set(self.files)
+        self.edges = {}
+        self.outside = {}
+        for path in self.files:
+            self.edges[path], self.outside[path] = [], []
+            for kind, name in INCLUDE.findall(path.read_text(encoding="utf-8")):
+                folders = [root / "include", root / "src"]
+                if kind == '"':
+                    folders.insert(0, path.parent)
+                candidates = (Path(os.path.normpath(folder / name)) for folder in folders)
+                header = next((found for found in candidates if found in known), None)
+                if header:
+                    self.edges[path].append(header)
+                else:
+                    self.outside[path].append(name)
+
+    def name(self, path):
+        return str(path.relative_to(self.root))
+
+    def is_public(self, path):
+        return path.relative_to(self.root).parts[0] == "include"
+
+    def layer(self, path):
+        """src/<layer>/... and include/balcony/<layer>.hpp or include/balcony/<layer>/..."""
+        parts = path.relative_to(self.root).parts
+        return Path(parts[2]).stem if self.is_public(path) else parts[1]
+
+
+def cmake_links(root, layer, known_layers):
+    """The layers to which the targets in src/<layer>/ are linked, as their CMake files say."""
+    links = set()
+    for listing in (root / "src" / layer).rglob("CMakeLists.txt"):
+        text = re.sub(r"#.*", "", listing.read_text(encoding="utf-8"))
+        for arguments in re.findall(r"\bbalcony_layer\s*\(([^)]*)\)", text):
+            words = arguments.split()
+            if "USES" in words:
+                for word in words[words.index("USES") + 1:]:
+                    if word in ("SOURCES", "PRIVATE"):
+                        break
+                    links.add(word)
+        for name in re.findall(r"\bbalcony(?:_|::)(\w+)", text):
+            if name in known_layers:
+                links.add(name)
+    return links - {layer}
+
+
+def include_circle(edges):
+    """Files that include each other in a circle, or nothing."""
+    finished = set()
+    for start in edges:
+        trail, on_trail = [(start, iter(edges[start]))], {start}
+        while trail and start not in finished:
+            path, remaining = trail[-1]
+            following = next(remaining, None)
+            if following is None:
+                finished.add(path)
+                on_trail.discard(path)
+                trail.pop()
+            elif following in on_trail:
+                files = [step for step, _ in trail]
+                return files[files.index(following):] + [following]
+            elif following not in finished:
+                trail.append((following, iter(edges[following])))
+                on_trail.add(following)
+    return []
+
+
+def include_findings(tree, table, links):
+    for path in tree.files:
+        layer = tree.layer(path)
+        if layer not in table.direct:
+            yield f"{tree.name(path)}: layers.txt knows no layer '{layer}'"
+            continue
+        linked = closure(layer, lambda name: links.get(name, ()))
+        for header in tree.edges[path]:
+            target, edge = tree.layer(header), f"{tree.name(path)} includes {tree.name(header)}"
+            if target not in table.reachable(layer):
+                yield f"{edge}: {layer} may not use {target}"
+            elif target not in linked and (tree.root / "src" / layer / "CMakeLists.txt").exists():
+                yield f"{edge}: CMake does not link {layer} to {target}"
+            if tree.is_public(path) and not tree.is_public(header):
+                yield f"{edge}: a public header may not include a private one"
+        for header in tree.outside[path]:
+            for prefix, folder in table.only_in.items():
+                if header.startswith(prefix) and tree.root / "src" / folder not in path.parents:
+                    yield f"{tree.name(path)} includes {header}: {prefix} belongs in src/{folder}"
+
+
+def findings(root):
+    table = Table((root / "tests/architecture/layers.txt").read_text(encoding="utf-8"))
+    tree = Tree(root)
+    links = {layer: cmake_links(root, layer, table.direct) for layer in table.direct}
+    yield from include_findings(tree, table, links)
+    for layer, used in links.items():
+        for name in sorted(used):
+            if name not in table.reachable(layer):
+                yield f"src/{layer}/CMakeLists.txt: {layer} may not be linked to {name}"
+    circle = include_circle(tree.edges)
+    if circle:
+        yield "files include each other: " + " > ".join(tree.name(path) for path in circle)
+
+
+def main():
+    if len(sys.argv) != 2:
+        raise SystemExit(__doc__)
+    found = list(findings(Path(sys.argv[1]).resolve()))
+    print("\n".join(found) if found else "the structure is as layers.txt says")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,57 @@
+#!/usr/bin/env python3
+# Balcony: rendering through extended cameras.
+# SPDX-License-Identifier: Apache-2.0
+"""Checks what every source file of ours keeps to.
+
+Usage: house_rules.py REPOSITORY
+
+Names on standard output each file that is over 500 lines long, does not open with the licence
+header, or holds a note of work left to do. The exit code is 1 if there is any.
+"""
+
+import re
+import sys
+from pathlib import Path
+
+FOLDERS = ("include", "src", "tests", "plates", "bench", "cmake", "scripts", ".ci")
+CODE_SUFFIXES = {".cpp", ".hpp", ".h", ".inl", ".py", ".sh"}
+LONGEST_FILE = 500
+HEADER = ["Balcony: rendering through extended cameras.", "SPDX-License-Identifier: Apache-2.0"]
+# Spelt in two halves, so that this file is clean.
+WORK_LEFT = re.compile(r"\b(TO" r"DO|FIX" r"ME|XX" r"X)\b")
+
+
+def is_code(path, lines):
+    return path.suffix in CODE_SUFFIXES or (bool(lines) and lines[0].startswith("#!"))
+
+
+def findings(root):
+    paths = [path for folder in FOLDERS for path in (root / folder).rglob("*") if path.is_file()]
+    for path in sorted(paths):
+        try:
+            lines = path.read_text(encoding="utf-8").splitlines()
+        except UnicodeDecodeError:
+            continue
+        name = path.relative_to(root)
+        for number, line in enumerate(lines, 1):
+            if WORK_LEFT.search(line):
+                yield f"{name}:{number}: work left to do: {line.strip()}"
+        if not is_code(path, lines):
+            continue
+        if len(lines) > LONGEST_FILE:
+            yield f"{name}: {len(lines)} lines, more than {LONGEST_FILE}"
+        opening = [re.sub(r"^(//|#) ?", "", line) for line in lines if not line.startswith("#!")]
+        if opening[:2] != HEADER:
+            yield f"{name}: does not open with the licence header"
+
+
+def main():
+    if len(sys.argv) != 2:
+        raise SystemExit(__doc__)
+    found = list(findings(Path(sys.argv[1]).resolve()))
+    print("\n".join(found) if found else "all files keep the house rules")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

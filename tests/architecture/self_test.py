@@ -1,0 +1,113 @@
+#!/usr/bin/env python3
+# Balcony: rendering through extended cameras.
+# SPDX-License-Identifier: Apache-2.0
+"""Plants one fault at a time in a copy of the repository and sees the checks find it.
+
+Usage: self_test.py REPOSITORY
+"""
+
+import shutil
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import architecture
+import house_rules
+
+REPOSITORY = Path(sys.argv.pop(1)).resolve() if len(sys.argv) > 1 else None
+LICENCE = "".join(f"// {line}\n" for line in house_rules.HEADER)
+
+
+class Planted(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = Path(folder.name).resolve()
+        for part in ("src", "include", "tests/architecture"):
+            shutil.copytree(REPOSITORY / part, self.root / part)
+
+    def plant(self, name, text):
+        path = self.root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with path.open("a", encoding="utf-8") as file:
+            file.write(text)
+
+    def assert_found(self, check, name, text, *expected):
+        before = set(check.findings(self.root))
+        self.plant(name, text)
+        new = [finding for finding in check.findings(self.root) if finding not in before]
+        self.assertTrue(any(all(part in finding for part in expected) for finding in new), new)
+
+    def test_finds_an_include_of_a_layer_above(self):
+        self.plant("include/balcony/render.hpp", "")
+        self.assert_found(architecture, "src/base/planted.cpp",
+                          '#include "balcony/render.hpp"\n', "base may not use render")
+
+    def test_finds_an_include_of_a_layer_beside(self):
+        self.plant("include/balcony/scene.hpp", "")
+        self.assert_found(architecture, "src/camera/objects/planted.cpp",
+                          "  #  include <balcony/scene.hpp>\n", "camera may not use scene")
+
+    def test_finds_a_private_header_of_a_layer_above(self):
+        self.plant("src/render/planted.hpp", "")
+        self.assert_found(architecture, "src/scene/planted.cpp",
+                          '#include "../render/planted.hpp"\n', "scene may not use render")
+
+    def test_allows_what_a_layer_may_use_through_another(self):
+        self.plant("src/lang/planted.cpp", '#include "balcony/base.hpp"\n')
+        self.assertFalse([finding for finding in architecture.findings(self.root)
+                          if "src/lang/planted.cpp" in finding and "may not" in finding])
+
+    def test_finds_an_include_without_a_link(self):
+        self.plant("src/bridge/CMakeLists.txt", "balcony_layer(bridge SOURCES a.cpp USES camera)\n")
+        self.plant("include/balcony/program.hpp", "")
+        self.assert_found(architecture, "src/bridge/planted.cpp",
+                          '#include "balcony/program.hpp"\n', "does not link bridge to program")
+
+    def test_finds_a_link_to_a_layer_above(self):
+        self.assert_found(architecture, "src/scene/CMakeLists.txt",
+                          "balcony_layer(more SOURCES more.cpp USES base camera PRIVATE fmt::fmt)\n",
+                          "scene may not be linked to camera")
+
+    def test_finds_a_link_beside_the_table_of_uses(self):
+        self.assert_found(architecture, "src/expr/CMakeLists.txt",
+                          "target_link_libraries(balcony_expr PRIVATE balcony::program)\n",
+                          "expr may not be linked to program")
+
+    def test_finds_files_that_include_each_other(self):
+        self.plant("src/base/one.hpp", '#include "base/two.hpp"\n')
+        self.plant("src/base/two.hpp", '#include "three.hpp"\n')
+        self.assert_found(architecture, "src/base/three.hpp", '#include "one.hpp"\n',
+                          "files include each other", "two.hpp > src/base/three.hpp")
+
+    def test_finds_a_public_header_that_includes_a_private_one(self):
+        self.plant("src/base/planted.hpp", "")
+        self.assert_found(architecture, "include/balcony/base.hpp",
+                          '#include "base/planted.hpp"\n', "may not include a private one")
+
+    def test_finds_embree_outside_its_folder(self):
+        self.assert_found(architecture, "src/render/planted.cpp", "#include <embree3/rtcore.h>\n",
+                          "embree3/ belongs in src/render/embree")
+
+    def test_allows_embree_in_its_folder(self):
+        self.plant("src/render/embree/planted.cpp", "#include <embree3/rtcore.h>\n")
+        self.assertFalse([finding for finding in architecture.findings(self.root)
+                          if "render/embree/planted.cpp" in finding])
+
+    def test_finds_an_unknown_layer(self):
+        self.assert_found(architecture, "src/planted/planted.cpp", LICENCE, "no layer 'planted'")
+
+    def test_finds_a_long_file(self):
+        self.assert_found(house_rules, "src/base/planted.cpp", LICENCE + "\n" * 499, "501 lines")
+
+    def test_finds_a_missing_licence_header(self):
+        self.assert_found(house_rules, "src/base/planted.cpp", "int planted;\n", "licence header")
+
+    def test_finds_work_left_to_do(self):
+        self.assert_found(house_rules, "src/base/planted.cpp", LICENCE + "// TO" "DO: more\n",
+                          "planted.cpp:3: work left to do")
+
+
+if __name__ == "__main__":
+    unittest.main()
