@@ -1,0 +1,57 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Lang: the camera description language (.cam). docs/language.md has the grammar.
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "balcony/base.hpp"
+#include "balcony/camera.hpp"
+
+namespace balcony::lang {
+
+/// A value for a camera's parameter from outside: --set gamma=1/2.
+struct Override {
+    std::string name;
+    std::string expression;
+};
+
+/// What a file says of a camera without making it.
+struct CameraDescription {
+    struct Parameter {
+        std::string name;
+        std::string default_text;  ///< As written.
+    };
+
+    std::string name;
+    std::vector<Parameter> parameters;
+    std::string comment;  ///< The comment lines directly above it.
+};
+
+/// Reads what cameras a file has, in the order of the file.
+[[nodiscard]] Result<std::vector<CameraDescription>> describe(const std::filesystem::path& file);
+
+/// Makes a camera. `file` is a .cam file or the name of a standard camera; an empty `name` means
+/// the file's last camera. Overrides that the camera does not know are errors.
+[[nodiscard]] Result<camera::Camera> load_camera(const std::filesystem::path& file,
+                                                 std::string_view name,
+                                                 const std::vector<Override>& overrides = {});
+
+/// The same from a text; imports are looked for in `folder`.
+[[nodiscard]] Result<camera::Camera> make_camera(std::shared_ptr<const SourceText> source,
+                                                 std::string_view name,
+                                                 const std::vector<Override>& overrides = {},
+                                                 const std::filesystem::path& folder = {});
+
+/// Makes every camera of a file, to find all that is wrong with it.
+[[nodiscard]] Diagnostics check(const std::filesystem::path& file);
+
+/// The cameras that come with Balcony, by name: pinhole, orthographic, ...
+[[nodiscard]] const std::vector<std::string>& standard_cameras();
+
+}  // namespace balcony::lang
