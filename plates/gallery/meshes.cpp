@@ -1,0 +1,139 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "gallery/meshes.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+namespace balcony::plates {
+
+namespace {
+
+using scene::Mesh;
+using scene::V2f;
+using scene::V3d;
+using scene::V3f;
+
+// Adds a flat convex polygon, turned so that its normal points to the same side as outward does.
+void add_polygon(Mesh& mesh, std::span<const V3d> corners, const V3d& outward) {
+    const V3d cross = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+    const bool turned = cross.dot(outward) < 0.0;
+    const V3f normal(turned ? -cross.normalized() : cross.normalized());
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    for (const V3d& corner : corners) {
+        mesh.positions.emplace_back(corner);
+        mesh.normals.push_back(normal);
+    }
+    for (std::uint32_t k = 2; k < corners.size(); ++k) {
+        mesh.triangles.push_back({first, first + (turned ? k : k - 1), first + (turned ? k - 1 : k)});
+    }
+}
+
+}  // namespace
+
+Mesh chamfered_cube(double size, double chamfer) {
+    Mesh mesh;
+    const double outer = size / 2.0;
+    const double inner = outer - chamfer;
+    // The cube's corner with the signs s, drawn inwards along all axes but one.
+    const auto point = [&](const V3d& s, unsigned face) {
+        V3d p = s * inner;
+        p[face] = s[face] * outer;
+        return p;
+    };
+    for (unsigned face = 0; face < 3; ++face) {
+        const unsigned a = (face + 1) % 3;
+        const unsigned b = (face + 2) % 3;
+        for (const double side : {-1.0, 1.0}) {
+            const auto signs = [&](double sa, double sb) {
+                V3d s;
+                s[face] = side;
+                s[a] = sa;
+                s[b] = sb;
+                return s;
+            };
+            V3d outward(0.0);
+            outward[face] = side;
+            const std::array<V3d, 4> square{point(signs(-1, -1), face), point(signs(1, -1), face),
+                                            point(signs(1, 1), face), point(signs(-1, 1), face)};
+            add_polygon(mesh, square, outward);
+            // The cut edge between this face and the next one, on both sides of it.
+            for (const double sa : {-1.0, 1.0}) {
+                const V3d low = signs(sa, -1);
+                const V3d high = signs(sa, 1);
+                const std::array<V3d, 4> edge{point(low, face), point(high, face), point(high, a),
+                                              point(low, a)};
+                V3d diagonal = outward;
+                diagonal[a] = sa;
+                add_polygon(mesh, edge, diagonal);
+            }
+        }
+    }
+    for (int corner = 0; corner < 8; ++corner) {
+        const V3d s((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1,
+                    (corner & 4) != 0 ? 1 : -1);
+        add_polygon(mesh, std::array<V3d, 3>{point(s, 0), point(s, 1), point(s, 2)}, s);
+    }
+    return mesh;
+}
+
+Mesh cylinder(unsigned axis, double length, double radius) {
+    constexpr std::uint32_t segments = 24;
+    Mesh mesh;
+    for (std::uint32_t k = 0; k <= segments; ++k) {
+        const double angle = 2.0 * std::numbers::pi * k / segments;
+        V3d normal(0.0);
+        normal[(axis + 1) % 3] = std::cos(angle);
+        normal[(axis + 2) % 3] = std::sin(angle);
+        for (const double end : {-0.5, 0.5}) {
+            V3d position = normal * radius;
+            position[axis] = end * length;
+            mesh.positions.emplace_back(position);
+            mesh.normals.emplace_back(normal);
+        }
+    }
+    for (std::uint32_t k = 0; k < segments; ++k) {
+        const std::uint32_t i = 2 * k;
+        mesh.triangles.push_back({i, i + 2, i + 1});
+        mesh.triangles.push_back({i + 1, i + 2, i + 3});
+    }
+    return mesh;
+}
+
+Mesh rectangle(double width, double height, double repeat_x, double repeat_y) {
+    Mesh mesh;
+    const std::array<V3d, 4> corners{V3d(-width / 2, -height / 2, 0), V3d(width / 2, -height / 2, 0),
+                                     V3d(width / 2, height / 2, 0), V3d(-width / 2, height / 2, 0)};
+    add_polygon(mesh, corners, V3d(0, 0, 1));
+    const auto right = static_cast<float>(repeat_x);
+    const auto bottom = static_cast<float>(repeat_y);
+    mesh.texture_coordinates = {V2f(0, bottom), V2f(right, bottom), V2f(right, 0), V2f(0, 0)};
+    return mesh;
+}
+
+Mesh picture_frame(double width, double height, double frame_width) {
+    // Profile of the moulding: distance from the rectangle's edge, in frame widths, and height.
+    const std::array<std::array<double, 2>, 6> profile{{{0.0, 0.0}, {0.18, 0.10}, {0.30, 0.06},
+                                                        {0.75, 0.42}, {1.0, 0.34}, {1.0, -0.25}}};
+    Mesh mesh;
+    for (int side = 0; side < 4; ++side) {
+        const auto corner = [&](int which, const std::array<double, 2>& at) {
+            const double x = width / 2 + at[0] * frame_width;
+            const double y = height / 2 + at[0] * frame_width;
+            const int k = (side + which) % 4;  // Counter-clockwise from the lower left.
+            return V3d(k == 1 || k == 2 ? x : -x, k >= 2 ? y : -y, at[1]);
+        };
+        const V3d away = V3d(side == 1 ? 1 : side == 3 ? -1 : 0, side == 0 ? -1 : side == 2 ? 1 : 0, 0);
+        for (std::size_t k = 0; k + 1 < profile.size(); ++k) {
+            const std::array<V3d, 4> strip{corner(0, profile[k]), corner(1, profile[k]),
+                                           corner(1, profile[k + 1]), corner(0, profile[k + 1])};
+            add_polygon(mesh, strip, profile[k + 1][0] > profile[k][0] ? V3d(0, 0, 1) : away);
+        }
+    }
+    return mesh;
+}
+
+}  // namespace balcony::plates

@@ -1,0 +1,26 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The meshes that the gallery is built of.
+
+#include "balcony/scene.hpp"
+
+namespace balcony::plates {
+
+/// A cube about the origin whose edges are cut off at 45 degrees.
+[[nodiscard]] scene::Mesh chamfered_cube(double size, double chamfer);
+
+/// The side of a cylinder about the origin along an axis (0 is x, 1 is y, 2 is z), without caps.
+[[nodiscard]] scene::Mesh cylinder(unsigned axis, double length, double radius);
+
+/// A rectangle in the xy plane about the origin that faces z, its texture upright along y and
+/// repeated as often as stated.
+[[nodiscard]] scene::Mesh rectangle(double width, double height, double repeat_x = 1.0,
+                                    double repeat_y = 1.0);
+
+/// A frame about such a rectangle: its moulding rises from the rectangle's edge and falls again to
+/// the wall behind.
+[[nodiscard]] scene::Mesh picture_frame(double width, double height, double frame_width);
+
+}  // namespace balcony::plates
