@@ -55,48 +55,50 @@ inline Vector load(const Operand& operand, const double* registers, std::size_t 
     return lanes::Load(tag, registers + operand.offset + (i & operand.mask));
 }
 
-template <auto function>
+enum class Overflow { as_defined, too_early };
+
+// Puts the scalar definition in place of every infinite result. For SLEEF's functions that overflow
+// too early: exp and pow from 1.79766e308 on, sinh and cosh from half of that, asinh and acosh
+// where the square of the argument overflows.
+HWY_NOINLINE void redefine_infinite(const Instruction& in, Vector a, Vector b, double* results) {
+    HWY_ALIGN double first[lanes::MaxLanes(tag)];
+    HWY_ALIGN double second[lanes::MaxLanes(tag)];
+    lanes::Store(a, tag, first);
+    lanes::Store(b, tag, second);
+    for (std::size_t lane = 0; lane < lanes::Lanes(tag); ++lane) {
+        if (__builtin_isinf(results[lane])) {
+            const double arguments[2]{first[lane], second[lane]};
+            results[lane] = in.scalar(arguments);
+        }
+    }
+}
+
+// Writes a result; the arguments are those that made it.
+template <Overflow overflow>
+inline void finish(const Instruction& in, Vector a, Vector b, Vector result, double* to) {
+    lanes::Store(result, tag, to);
+    if constexpr (overflow == Overflow::too_early) {
+        const Mask infinite = lanes::Eq(lanes::Abs(result), lanes::Inf(tag));
+        if (!lanes::AllFalse(tag, infinite)) {
+            redefine_infinite(in, a, b, to);
+        }
+    }
+}
+
+template <auto function, Overflow overflow = Overflow::as_defined>
 void unary(const Instruction& in, double* registers, std::size_t count) {
     for (std::size_t i = 0; i < count; i += lanes::Lanes(tag)) {
-        const Vector result = function(load(in.arguments[0], registers, i));
-        lanes::Store(result, tag, registers + in.result + i);
+        const Vector a = load(in.arguments[0], registers, i);
+        finish<overflow>(in, a, a, function(a), registers + in.result + i);
     }
 }
 
-template <auto function>
+template <auto function, Overflow overflow = Overflow::as_defined>
 void binary(const Instruction& in, double* registers, std::size_t count) {
     for (std::size_t i = 0; i < count; i += lanes::Lanes(tag)) {
-        const Vector result =
-            function(load(in.arguments[0], registers, i), load(in.arguments[1], registers, i));
-        lanes::Store(result, tag, registers + in.result + i);
-    }
-}
-
-// A function that is right up to a limit of |x|; where a point lies beyond, the operation's scalar
-// definition stands in. A NaN is not beyond.
-struct Limit {
-    double value;
-};
-constexpr Limit near_overflow{709.0};  // the true limit of exp(x)/2 is 710.47, SLEEF's 709.78
-constexpr Limit square_overflows{1e150};
-
-template <auto function, Limit limit>
-void limited(const Instruction& in, double* registers, std::size_t count) {
-    for (std::size_t i = 0; i < count; i += lanes::Lanes(tag)) {
         const Vector a = load(in.arguments[0], registers, i);
-        double* to = registers + in.result + i;
-        lanes::Store(function(a), tag, to);
-        const Mask beyond = lanes::Gt(lanes::Abs(a), lanes::Set(tag, limit.value));
-        if (!lanes::AllFalse(tag, beyond)) {
-            HWY_ALIGN double arguments[lanes::MaxLanes(tag)];
-            HWY_ALIGN double selected[lanes::MaxLanes(tag)];
-            lanes::Store(a, tag, arguments);
-            lanes::Store(lanes::VecFromMask(tag, beyond), tag, selected);
-            for (std::size_t lane = 0; lane < lanes::Lanes(tag); ++lane) {
-                // A selected lane has all bits set, which reads as a NaN.
-                to[lane] = selected[lane] == 0.0 ? to[lane] : in.scalar(&arguments[lane]);
-            }
-        }
+        const Vector b = load(in.arguments[1], registers, i);
+        finish<overflow>(in, a, b, function(a, b), registers + in.result + i);
     }
 }
 
@@ -181,8 +183,8 @@ Kernel BALCONY_KERNEL(expr::Op op) {
         case Op::floor: return unary<[](V a) { return lanes::Floor(a); }>;
 
         case Op::square_root: return unary<[](V a) { return lanes::Sqrt(a); }>;
-        case Op::power: return binary<BALCONY_SLEEF_2(pow)>;
-        case Op::exponential: return unary<BALCONY_SLEEF_1(exp)>;
+        case Op::power: return binary<BALCONY_SLEEF_2(pow), Overflow::too_early>;
+        case Op::exponential: return unary<BALCONY_SLEEF_1(exp), Overflow::too_early>;
         case Op::logarithm: return unary<BALCONY_SLEEF_1(log)>;
 
         case Op::sine: return unary<BALCONY_SLEEF_1(sin)>;
@@ -193,12 +195,12 @@ Kernel BALCONY_KERNEL(expr::Op op) {
         case Op::arctangent: return unary<BALCONY_SLEEF_1(atan)>;
         case Op::arctangent2: return binary<BALCONY_SLEEF_2(atan2)>;
 
-        case Op::hyperbolic_sine: return limited<BALCONY_SLEEF_1(sinh), near_overflow>;
-        case Op::hyperbolic_cosine: return limited<BALCONY_SLEEF_1(cosh), near_overflow>;
+        case Op::hyperbolic_sine: return unary<BALCONY_SLEEF_1(sinh), Overflow::too_early>;
+        case Op::hyperbolic_cosine: return unary<BALCONY_SLEEF_1(cosh), Overflow::too_early>;
         case Op::hyperbolic_tangent: return unary<BALCONY_SLEEF_1(tanh)>;
-        case Op::inverse_hyperbolic_sine: return limited<BALCONY_SLEEF_1(asinh), square_overflows>;
+        case Op::inverse_hyperbolic_sine: return unary<BALCONY_SLEEF_1(asinh), Overflow::too_early>;
         case Op::inverse_hyperbolic_cosine:
-            return limited<BALCONY_SLEEF_1(acosh), square_overflows>;
+            return unary<BALCONY_SLEEF_1(acosh), Overflow::too_early>;
         case Op::inverse_hyperbolic_tangent: return unary<BALCONY_SLEEF_1(atanh)>;
 
         case Op::less: return binary<[](V a, V b) { return truth(lanes::Lt(a, b)); }>;

@@ -46,6 +46,9 @@ void run_reference(const Program& program, const Tile& tile, std::span<double* c
     const Tape& tape = program.tape();
     assert(tile.width <= max_tile_width && tile.height <= max_tile_height);
     assert(results.size() == tape.roots.size());
+    if (results.empty()) {
+        return;
+    }
     std::vector<double> registers(tape.register_doubles);
     for (std::size_t j = 0; j < tile.height; ++j) {
         for (std::size_t i = 0; i < tile.width; ++i) {
