@@ -26,7 +26,9 @@ template <class Tag>
 class StrongIndex {
 public:
     constexpr StrongIndex() = default;
-    constexpr explicit StrongIndex(std::size_t value) : value_(static_cast<std::uint32_t>(value)) {}
+    constexpr explicit StrongIndex(std::size_t value) : value_(static_cast<std::uint32_t>(value)) {
+        assert(value < invalid_value);
+    }
 
     [[nodiscard]] constexpr std::uint32_t value() const { return value_; }
     [[nodiscard]] constexpr bool valid() const { return value_ != invalid_value; }
@@ -43,7 +45,8 @@ struct LineColumn {
     std::size_t column = 1;
 };
 
-/// A text with the name under which the user knows it (a file name, "--set", ...). Immutable.
+/// A text with the name under which the user knows it (a file name, "--set", ...). Immutable. A
+/// byte order mark that opens the text is dropped; offsets count from behind it.
 class SourceText {
 public:
     SourceText(std::string name, std::string text);
@@ -103,6 +106,8 @@ using Diagnostics = std::vector<Diagnostic>;
 ///        4 |     eye product(superelipse(1, b/a, gamma), ...
 ///          |                 ^~~~~~~~~~~
 ///       help: did you mean 'superellipse'?
+///
+/// Safe for a terminal whatever the source holds: bytes that would control it become '?'.
 [[nodiscard]] std::string to_text(const Diagnostic& diagnostic);
 [[nodiscard]] std::string to_text(const Diagnostics& diagnostics);
 
@@ -129,8 +134,9 @@ struct Result {
 /// Which way is up; y_up is glTF's and OBJ's, z_up the cameras' own.
 enum class Axes : std::uint8_t { y_up, z_up };
 
-/// The candidate nearest to a mistyped name by Damerau-Levenshtein distance, if one is near enough
-/// (at most a third of the name's length wrong) to be what was meant.
+/// The candidate nearest to a mistyped name by Damerau-Levenshtein distance, letter case aside, if
+/// one is near enough to be what was meant: at most a third of the name's letters wrong, or one
+/// letter in a name of two.
 [[nodiscard]] std::optional<std::string> nearest_name(std::string_view name,
                                                       const std::vector<std::string>& candidates);
 

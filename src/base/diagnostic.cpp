@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -13,35 +14,76 @@ namespace {
 
 constexpr std::size_t excerpt_columns = 100;
 
-// A piece of source text as it can safely be shown on a terminal: tabs become single spaces, so
-// that the underline stays below its text, and control or undecodable bytes become '?'.
+bool continues_code_point(char byte) { return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U; }
+
+struct CodePoint {
+    std::size_t length = 0;  // In bytes; 0 if the bytes are no UTF-8.
+    char32_t value = 0;
+};
+
+CodePoint decode(std::string_view bytes) {
+    const auto lead = static_cast<unsigned char>(bytes.front());
+    if (lead < 0x80) {
+        return {1, lead};
+    }
+    const std::size_t length = lead >> 5 == 6 ? 2 : lead >> 4 == 14 ? 3 : lead >> 3 == 30 ? 4 : 0;
+    if (length == 0 || length > bytes.size()) {
+        return {};
+    }
+    char32_t value = lead & (0x7fU >> length);
+    for (const char byte : bytes.substr(1, length - 1)) {
+        if (!continues_code_point(byte)) {
+            return {};
+        }
+        value = value << 6 | (static_cast<unsigned char>(byte) & 0x3fU);
+    }
+    constexpr std::array<char32_t, 5> least = {0, 0, 0x80, 0x800, 0x10000};
+    const bool surrogate = value >= 0xd800 && value < 0xe000;
+    return value < least[length] || surrogate || value > 0x10ffff ? CodePoint{}
+                                                                  : CodePoint{length, value};
+}
+
+// Control codes move the cursor, clear the screen or worse; the direction marks of Unicode reorder
+// what is shown.
+bool controls_the_terminal(char32_t code) {
+    return code < 0x20 || (code >= 0x7f && code < 0xa0) || (code >= 0x200e && code <= 0x200f) ||
+           (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
+}
+
+// Text as it can safely be shown on a terminal: tabs become single spaces, so that an underline
+// stays below its text, and whatever is no text becomes '?'.
 std::string printable(std::string_view bytes) {
     std::string shown;
-    for (std::size_t i = 0; i < bytes.size();) {
-        const auto byte = static_cast<unsigned char>(bytes[i]);
-        const std::size_t length = byte < 0x80 ? 1 : byte >> 5 == 6 ? 2 : byte >> 4 == 14 ? 3 : byte >> 3 == 30 ? 4 : 0;
-        bool well_formed = length > 0 && i + length <= bytes.size();
-        for (std::size_t k = 1; well_formed && k < length; ++k) {
-            well_formed = (static_cast<unsigned char>(bytes[i + k]) & 0xc0U) == 0x80U;
-        }
-        if (!well_formed || byte == 0x7f || (byte < 0x20 && byte != '\t')) {
+    while (!bytes.empty()) {
+        const CodePoint code = decode(bytes);
+        const std::size_t length = std::max<std::size_t>(code.length, 1);
+        if (code.length > 0 && (code.value == '\t' || code.value == '\n')) {
+            shown += code.value == '\t' ? ' ' : '\n';
+        } else if (code.length == 0 || controls_the_terminal(code.value)) {
             shown += '?';
-            ++i;
-        } else if (byte == '\t') {
-            shown += ' ';
-            ++i;
         } else {
-            shown += bytes.substr(i, length);
-            i += length;
+            shown += bytes.substr(0, length);
         }
+        bytes.remove_prefix(length);
     }
     return shown;
 }
 
 std::size_t columns(std::string_view text) {
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char byte) {
-        return (static_cast<unsigned char>(byte) & 0xc0U) != 0x80U;
-    }));
+    return static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](char c) { return !continues_code_point(c); }));
+}
+
+// The place at or before an offset where a code point begins; among bytes that are no UTF-8, the
+// offset itself.
+std::size_t code_point_begin(std::string_view text, std::size_t offset) {
+    for (std::size_t back = 0; back < 4 && back <= offset; ++back) {
+        const std::size_t at = offset - back;
+        if (at == text.size() || !continues_code_point(text[at])) {
+            return at;
+        }
+    }
+    return offset;
 }
 
 // The line of a span with the span underlined; a span over several lines is underlined to the end
@@ -50,20 +92,28 @@ std::string excerpt(const SourceSpan& span) {
     const LineColumn place = span.source->locate(span.begin);
     const std::string_view line = span.source->line(place.line);
     const auto line_begin = static_cast<std::size_t>(line.data() - span.source->text().data());
-    const std::size_t begin = std::min(span.begin - line_begin, line.size());
-    const std::size_t end = std::clamp(span.end - line_begin, begin, line.size());
+    const std::size_t begin =
+        code_point_begin(line, std::min(span.begin - line_begin, line.size()));
+    const std::size_t last = std::max(span.begin, span.end) - line_begin;
+    const std::size_t end =
+        std::max(begin, code_point_begin(line, std::clamp(last, begin, line.size())));
 
-    const std::size_t from = begin > excerpt_columns / 2 && line.size() > excerpt_columns
-                                 ? begin - excerpt_columns / 2
-                                 : 0;
-    const std::size_t to = std::min(line.size(), from + excerpt_columns);
-    const std::string before = printable(line.substr(from, begin - from));
-    const std::string marked = printable(line.substr(begin, std::min(end, to) - begin));
-    const std::string after = printable(line.substr(std::min(end, to), to - std::min(end, to)));
+    std::size_t from = 0;
+    std::size_t to = line.size();
+    if (line.size() > excerpt_columns) {
+        from = code_point_begin(line, begin - std::min(begin, excerpt_columns / 2));
+        to = code_point_begin(line, std::min(line.size(), from + excerpt_columns));
+    }
+    const std::size_t marked_end = std::min(end, to);
+    const std::string before = (from > 0 ? "..." : "") + printable(line.substr(from, begin - from));
+    const std::string marked = printable(line.substr(begin, marked_end - begin));
+    const std::string after =
+        printable(line.substr(marked_end, to - marked_end)) + (to < line.size() ? "..." : "");
 
-    const std::size_t width = std::max<std::size_t>(columns(marked), 1);
-    return fmt::format("{:>5} | {}{}{}\n      | {:{}}^{:~<{}}\n", place.line, before, marked, after,
-                       "", columns(before), "", width - 1);
+    const std::string number = fmt::format("{:>5}", place.line);
+    const std::string underline(std::max<std::size_t>(columns(marked), 1) - 1, '~');
+    return fmt::format("{} | {}{}{}\n{:{}} | {:{}}^{}\n", number, before, marked, after, "",
+                       number.size(), "", columns(before), underline);
 }
 
 std::string where(const SourceSpan& span) {
@@ -71,7 +121,7 @@ std::string where(const SourceSpan& span) {
         return {};
     }
     const LineColumn place = span.source->locate(span.begin);
-    return fmt::format("{}:{}:{}: ", span.source->name(), place.line, place.column);
+    return fmt::format("{}:{}:{}: ", printable(span.source->name()), place.line, place.column);
 }
 
 }  // namespace
@@ -93,18 +143,18 @@ bool has_errors(const Diagnostics& diagnostics) {
 std::string to_text(const Diagnostic& diagnostic) {
     const char* kind = diagnostic.severity == Severity::error ? "error" : "warning";
     std::string text =
-        fmt::format("{}{}: {}\n", where(diagnostic.span), kind, diagnostic.message);
+        fmt::format("{}{}: {}\n", where(diagnostic.span), kind, printable(diagnostic.message));
     if (diagnostic.span.source) {
         text += excerpt(diagnostic.span);
     }
     for (const Diagnostic::Note& note : diagnostic.notes) {
-        text += fmt::format("{}note: {}\n", where(note.span), note.message);
+        text += fmt::format("{}note: {}\n", where(note.span), printable(note.message));
         if (note.span.source) {
             text += excerpt(note.span);
         }
     }
     if (!diagnostic.remedy.empty()) {
-        text += fmt::format("  help: {}\n", diagnostic.remedy);
+        text += fmt::format("  help: {}\n", printable(diagnostic.remedy));
     }
     return text;
 }

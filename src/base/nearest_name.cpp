@@ -9,6 +9,11 @@ namespace balcony {
 
 namespace {
 
+bool same_letter(char a, char b) {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+    return lower(a) == lower(b);
+}
+
 // The number of insertions, deletions, replacements and swaps of neighbours between two names
 // (optimal string alignment).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -21,9 +26,10 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     for (std::size_t i = 1; i <= a.size(); ++i) {
         row[0] = i;
         for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t replaced = last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+            const std::size_t replaced = last[j - 1] + (same_letter(a[i - 1], b[j - 1]) ? 0 : 1);
             row[j] = std::min({last[j] + 1, row[j - 1] + 1, replaced});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+            if (i > 1 && j > 1 && same_letter(a[i - 1], b[j - 2]) &&
+                same_letter(a[i - 2], b[j - 1])) {
                 row[j] = std::min(row[j], before_last[j - 2] + 1);
             }
         }
@@ -38,11 +44,11 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 std::optional<std::string> nearest_name(std::string_view name,
                                         const std::vector<std::string>& candidates) {
     constexpr std::size_t longest_sensible_name = 64;
-    if (name.size() > longest_sensible_name) {
+    if (name.empty() || name.size() > longest_sensible_name) {
         return std::nullopt;
     }
     std::optional<std::string> nearest;
-    std::size_t least = std::max<std::size_t>(name.size() / 3, 1) + 1;
+    std::size_t least = (name.size() == 2 ? 1 : name.size() / 3) + 1;
     for (const std::string& candidate : candidates) {
         const std::size_t distance = edit_distance(name, candidate);
         if (distance < least) {

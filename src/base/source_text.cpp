@@ -9,14 +9,15 @@ namespace balcony {
 
 namespace {
 
-bool continues_code_point(char byte) {
-    return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U;
-}
+bool continues_code_point(char byte) { return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U; }
 
 }  // namespace
 
 SourceText::SourceText(std::string name, std::string text)
     : name_(std::move(name)), text_(std::move(text)) {
+    if (text_.starts_with("\xef\xbb\xbf")) {
+        text_.erase(0, 3);
+    }
     line_begins_.push_back(0);
     for (std::size_t i = 0; i < text_.size(); ++i) {
         if (text_[i] == '\n') {
