@@ -1,0 +1,126 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Prints rays a second on one core: each camera on each instruction set and as a plain loop, all in
+// one run. Every figure is the best of several passes over the whole picture, as anything else that
+// runs on the machine only ever makes it slower.
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include <fmt/core.h>
+
+#include "bench_case.hpp"
+
+namespace balcony::bench {
+
+namespace {
+
+using program::Tile;
+
+constexpr int passes = 9;
+
+// Where the rays of one tile go.
+class TileResults {
+public:
+    TileResults() : memory_(ray_roots * points_of_tile) {
+        for (std::size_t root = 0; root < ray_roots; ++root) {
+            pointers_.push_back(memory_.data() + root * points_of_tile);
+        }
+    }
+    [[nodiscard]] std::span<double* const> pointers() const { return pointers_; }
+
+private:
+    static constexpr std::size_t points_of_tile =
+        program::max_tile_width * program::max_tile_height;
+    std::vector<double> memory_;
+    std::vector<double*> pointers_;
+};
+
+template <class Function>
+void for_tiles(Function function) {
+    using program::max_tile_height;
+    using program::max_tile_width;
+    for (std::size_t y = 0; y < picture_height; y += max_tile_height) {
+        for (std::size_t x = 0; x < picture_width; x += max_tile_width) {
+            function(Tile{.x = static_cast<double>(x) + 0.5,
+                          .y = static_cast<double>(y) + 0.5,
+                          .width = std::min(max_tile_width, picture_width - x),
+                          .height = std::min(max_tile_height, picture_height - y)});
+        }
+    }
+}
+
+template <class Function>
+double million_rays_a_second(Function run_tile) {
+    double least_seconds = std::numeric_limits<double>::infinity();
+    for (int pass = 0; pass < passes; ++pass) {
+        const auto start = std::chrono::steady_clock::now();
+        for_tiles(run_tile);
+        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+        least_seconds = std::min(least_seconds, taken.count());
+    }
+    return 1e-6 * static_cast<double>(picture_width * picture_height) / least_seconds;
+}
+
+// The largest difference between a camera and its plain loop, relative to the size of the value
+// where that is above 1: a figure for another formula would mean nothing.
+double largest_difference(const Case& row) {
+    const TileResults loop;
+    const TileResults program;
+    program::Scratch scratch;
+    double largest = 0.0;
+    for_tiles([&](const Tile& tile) {
+        row.plain_loop(tile, loop.pointers());
+        run(row.program, tile, scratch, program.pointers());
+        for (std::size_t root = 0; root < ray_roots; ++root) {
+            for (std::size_t i = 0; i < tile.width * tile.height; ++i) {
+                const double expected = loop.pointers()[root][i];
+                const double difference = std::fabs(program.pointers()[root][i] - expected);
+                largest = std::max(largest, difference / std::max(1.0, std::fabs(expected)));
+            }
+        }
+    });
+    return largest;
+}
+
+void print_row(const Case& row) {
+    using program::Rate;
+    fmt::print("{:<28}{:>6}/{:<5}", row.name,
+               row.program.instruction_count(Rate::column) +
+                   row.program.instruction_count(Rate::row),
+               row.program.instruction_count(Rate::pixel));
+    const TileResults results;
+    const double loop = million_rays_a_second(
+        [&](const Tile& tile) { row.plain_loop(tile, results.pointers()); });
+    fmt::print("{:>9.1f}", loop);
+    program::Scratch scratch;
+    for (std::size_t set = 0; set < program::instruction_sets().size(); ++set) {
+        const double rate = million_rays_a_second([&](const Tile& tile) {
+            run_on(set, row.program, tile, scratch, results.pointers());
+        });
+        fmt::print("{:>9.1f} ({:>5.1f} x)", rate, rate / loop);
+    }
+    fmt::print("{:>11.1e}\n", largest_difference(row));
+}
+
+}  // namespace
+
+}  // namespace balcony::bench
+
+int main() {
+    using namespace balcony;
+    fmt::print("million rays a second, one core, {} x {} points in tiles of {} x {}\n\n",
+               bench::picture_width, bench::picture_height, program::max_tile_width,
+               program::max_tile_height);
+    fmt::print("{:<28}{:>12}{:>9}", "camera", "curve/pixel", "loop");
+    for (const program::InstructionSet& set : program::instruction_sets()) {
+        fmt::print("{:>19}", set.name);
+    }
+    fmt::print("{:>11}\n", "difference");
+    for (const bench::Case& row : bench::cases()) {
+        bench::print_row(row);
+    }
+}

@@ -1,0 +1,56 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "balcony/program.hpp"
+
+namespace balcony::bench {
+
+/// A camera as one would write it without Balcony: fills the arrays of seven roots (origin,
+/// direction, validity) for a tile.
+using PlainLoop = void (*)(const program::Tile& tile, std::span<double* const> results);
+
+struct Case {
+    std::string name;
+    program::Program program;
+    PlainLoop plain_loop;
+};
+
+inline constexpr std::size_t picture_width = 1920;
+inline constexpr std::size_t picture_height = 1080;
+inline constexpr std::size_t ray_roots = 7;
+
+/// The rows of the table.
+[[nodiscard]] std::vector<Case> cases();
+
+// The constants of the cameras, for the graph and for the loop.
+
+struct Superelliptic {
+    double a = 45.0;
+    double b = 25.0;
+    double c = 25.0;
+    double exponent = 8.0;    ///< e = 2/gamma
+    double longest_u = 3.141592653589793;
+    double longest_v = 1.2217304763960306;  ///< 70 degrees
+};
+
+struct Zoom {
+    double u = 0.6;
+    double v = 0.1;
+    double radius = 0.4;
+    double strength = 2.5;
+};
+
+struct Pinhole {
+    double half_width = 0.8;
+    double half_height = 0.45;
+};
+
+void plain_superelliptic(const program::Tile& tile, std::span<double* const> results);
+void plain_zoomed_superelliptic(const program::Tile& tile, std::span<double* const> results);
+void plain_pinhole(const program::Tile& tile, std::span<double* const> results);
+
+}  // namespace balcony::bench
