@@ -1,0 +1,34 @@
+# cmake --install: the command, the public headers, one static library a layer, and what
+# find_package(balcony) needs. Headers in src/ are private and stay here.
+include(CMakePackageConfigHelpers)
+set(package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/balcony")
+
+get_property(layers GLOBAL PROPERTY BALCONY_LAYERS)
+list(REMOVE_ITEM layers balcony_cli)
+
+# balcony::balcony stands for all layers.
+add_library(balcony_all INTERFACE)
+add_library(balcony::balcony ALIAS balcony_all)
+set_target_properties(balcony_all PROPERTIES EXPORT_NAME balcony)
+target_link_libraries(balcony_all INTERFACE ${layers})
+
+install(TARGETS balcony_all ${layers} EXPORT balconyTargets
+    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+install(EXPORT balconyTargets NAMESPACE balcony:: DESTINATION "${package_folder}")
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/balcony" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
+    FILES_MATCHING PATTERN "*.hpp")
+
+configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/balconyConfig.cmake.in"
+    "${CMAKE_CURRENT_BINARY_DIR}/balconyConfig.cmake" INSTALL_DESTINATION "${package_folder}")
+write_basic_package_version_file("${CMAKE_CURRENT_BINARY_DIR}/balconyConfigVersion.cmake"
+    COMPATIBILITY SameMinorVersion)
+install(FILES
+    "${CMAKE_CURRENT_BINARY_DIR}/balconyConfig.cmake"
+    "${CMAKE_CURRENT_BINARY_DIR}/balconyConfigVersion.cmake"
+    "${CMAKE_CURRENT_LIST_DIR}/library_dependencies.cmake"
+    "${CMAKE_CURRENT_LIST_DIR}/FindOpenImageIO.cmake"
+    "${CMAKE_CURRENT_LIST_DIR}/FindSLEEF.cmake"
+    DESTINATION "${package_folder}")
+
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/NOTICE"
+    DESTINATION "${CMAKE_INSTALL_DOCDIR}")

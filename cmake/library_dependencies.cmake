@@ -1,0 +1,16 @@
+# The outside libraries that the layers are linked to, as find_package takes them, with the target
+# that each brings. The build reads this list, and so does an installed balcony: a static library
+# needs at link time what it was made of.
+set(BALCONY_LIBRARY_DEPENDENCIES
+    "Threads"             # Threads::Threads
+    "fmt 9"               # fmt::fmt
+    "Imath 3.1"           # Imath::Imath
+    "OpenEXR 3.1"         # OpenEXR::OpenEXR
+    "OpenImageIO 2.4"     # OpenImageIO::OpenImageIO
+    "TBB"                 # TBB::tbb
+    "embree 3.13"         # embree
+    "assimp 5.2"          # assimp::assimp
+    "hwy 1.0"             # hwy::hwy
+    "SLEEF 3.5"           # SLEEF::sleef
+    "nlohmann_json 3.11"  # nlohmann_json::nlohmann_json
+)
