@@ -1,0 +1,112 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "balcony/camera.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace balcony::camera {
+
+ObjectVector operator-(const ObjectPoint& a, const ObjectPoint& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+ObjectPoint operator+(const ObjectPoint& a, const ObjectVector& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+ObjectVector operator+(const ObjectVector& a, const ObjectVector& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+ObjectVector operator-(const ObjectVector& a) {
+    return {-a.x, -a.y, -a.z};
+}
+
+ObjectVector operator*(Expr factor, const ObjectVector& a) {
+    return {factor * a.x, factor * a.y, factor * a.z};
+}
+
+Expr dot(const ObjectVector& a, const ObjectVector& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+ObjectVector cross(const ObjectVector& a, const ObjectVector& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+namespace {
+
+void check_path(const Path& path, std::string_view object, const std::string& camera,
+                Diagnostics& said) {
+    if (!path.mapper) {
+        said.push_back(error(fmt::format("camera '{}' has no picture mapper for its {} object",
+                                         camera, object),
+                             {}, "add: map u = ... .. ..., v = ... .. ..."));
+    }
+    if (!path.generator) {
+        said.push_back(error(fmt::format("camera '{}' has no {} object", camera, object)));
+    }
+}
+
+}  // namespace
+
+Result<Camera> Camera::make(Parts parts) {
+    Diagnostics said;
+    check_path(parts.eye, "eye", parts.name, said);
+    if (parts.toward) {
+        check_path(*parts.toward, "direction", parts.name, said);
+    }
+    if (!parts.look) {
+        said.push_back(error(fmt::format("camera '{}' has no direction rule", parts.name)));
+    } else {
+        if (parts.look->needs_eye_surface() && parts.eye.generator &&
+            parts.eye.generator->dimension() < 2) {
+            said.push_back(error(
+                fmt::format("camera '{}' looks along the normals of its eye object, but a {} has none",
+                            parts.name, parts.eye.generator->dimension() == 1 ? "curve" : "point"),
+                {}, "take a surface as eye object, or add a direction object with: toward ..."));
+        }
+        if (parts.look->needs_direction_object() && !parts.toward) {
+            said.push_back(error(fmt::format("camera '{}' has no direction object", parts.name), {},
+                                 "add: toward ..."));
+        }
+    }
+    if (!(parts.aspect > 0.0 && std::isfinite(parts.aspect))) {
+        said.push_back(error(fmt::format("camera '{}' has the aspect {}, which is not positive",
+                                         parts.name, parts.aspect)));
+    }
+    if (has_errors(said)) {
+        return said;
+    }
+    return Camera(std::move(parts));
+}
+
+RayExpressions Camera::emit(Graph& graph, double width, double height) const {
+    Emitter emit(graph);
+    ArrangedPoint picture{{graph.picture_x(), graph.picture_y()},
+                          {graph.constant(width), graph.constant(height)}};
+    for (const PictureArrangerPointer& arranger : parts_->arrangers) {
+        picture = arranger->arrange(picture, emit);
+    }
+    const PathPoint eye = parts_->eye.emit(picture, emit);
+    std::optional<PathPoint> toward;
+    if (parts_->toward) {
+        toward = parts_->toward->emit(picture, emit);
+    }
+    const ObjectVector direction =
+        parts_->look->direction(eye, toward ? &*toward : nullptr, emit);
+
+    // Comparisons with NaN are false, so that these two sums speak for all six values.
+    const Expr squared_length = dot(direction, direction);
+    const Expr origin_size = eye.point.x * eye.point.x + eye.point.y * eye.point.y +
+                             eye.point.z * eye.point.z;
+    emit.require(0.0 < squared_length);
+    emit.require(is_finite(squared_length));
+    emit.require(is_finite(origin_size));
+    return {eye.point, (1.0 / sqrt(squared_length)) * direction, emit.valid(), eye.parameters};
+}
+
+}  // namespace balcony::camera

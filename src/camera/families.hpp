@@ -1,0 +1,39 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "balcony/camera.hpp"
+
+namespace balcony::camera {
+
+/// A stage as a maker returns it.
+template <class Concrete, class... Values>
+Result<std::shared_ptr<const Stage>> made(Values&&... values) {
+    return {std::make_shared<const Concrete>(std::forward<Values>(values)...)};
+}
+
+// Each family of stages stands in a file of its own with the rows of the catalogue that make them.
+// A new stage is a class and a row in its family's file; a new family is a line here as well.
+[[nodiscard]] std::vector<StageEntry> picture_arrangers();
+[[nodiscard]] std::vector<StageEntry> picture_mappers();
+[[nodiscard]] std::vector<StageEntry> parameter_affine();
+[[nodiscard]] std::vector<StageEntry> local_zoom();
+[[nodiscard]] std::vector<StageEntry> formula_transformers();
+[[nodiscard]] std::vector<StageEntry> primitives();
+[[nodiscard]] std::vector<StageEntry> superconics();
+[[nodiscard]] std::vector<StageEntry> spherical_product();
+[[nodiscard]] std::vector<StageEntry> formula_objects();
+[[nodiscard]] std::vector<StageEntry> object_affine();
+[[nodiscard]] std::vector<StageEntry> direction_rules();
+
+inline constexpr auto families = {
+    picture_arrangers, picture_mappers,      parameter_affine,  local_zoom,
+    formula_transformers, primitives,        superconics,       spherical_product,
+    formula_objects,   object_affine,        direction_rules,
+};
+
+}  // namespace balcony::camera

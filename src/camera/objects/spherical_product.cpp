@@ -1,0 +1,56 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "camera/families.hpp"
+
+namespace balcony::camera {
+
+namespace {
+
+/// g(u) ⊗ h(v) = (g1 h1, g2 h1, h2): cross-sections across z are scaled copies of g, cross-sections
+/// through the z axis scaled copies of h (the paper, section 3.2).
+class SphericalProduct final : public ObjectGenerator {
+public:
+    SphericalProduct(ObjectGeneratorPointer g, ObjectGeneratorPointer h)
+        : g_(std::move(g)), h_(std::move(h)) {}
+    int dimension() const override { return 2; }
+    ObjectPoint generate(const ParameterPoint& p, Emitter& emit) const override {
+        const ObjectPoint g = g_->generate({p.u, emit(0.0)}, emit);
+        const ObjectPoint h = h_->generate({p.v, emit(0.0)}, emit);
+        return {g.x * h.x, g.y * h.x, h.y};
+    }
+
+private:
+    ObjectGeneratorPointer g_, h_;
+};
+
+bool lies_in_xy_plane(const ObjectGenerator& curve) {
+    Graph graph;
+    Emitter emit(graph);
+    return curve.generate({graph.fresh_variable(), emit(0.0)}, emit).z.is_constant(0.0);
+}
+
+}  // namespace
+
+std::vector<StageEntry> spherical_product() {
+    using enum ParameterType;
+    return {
+        {StageKind::object_generator, "product",
+         "spherical product (g1 h1, g2 h1, h2) of two plane curves g(u) and h(v)",
+         {{.name = "g", .type = curve, .meaning = "the horizontal cross-section, a curve in u"},
+          {.name = "h", .type = curve, .meaning = "the vertical cross-section, a curve in v"}},
+         [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
+             for (const char* factor : {"g", "h"}) {
+                 if (!lies_in_xy_plane(*a.curve(factor))) {
+                     return error("factor " + std::string(factor) +
+                                      " of a spherical product must be a plane curve",
+                                  {}, "take a curve whose z is 0, such as curve(u) = [x, y]");
+                 }
+             }
+             return made<SphericalProduct>(a.curve("g"), a.curve("h"));
+         },
+         {}, 2},
+    };
+}
+
+}  // namespace balcony::camera

@@ -1,0 +1,60 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "balcony/camera.hpp"
+
+namespace balcony::camera {
+
+namespace {
+
+ParameterPoint parameters_of(const Path& path, const ArrangedPoint& picture, Emitter& emit) {
+    ParameterPoint p = path.mapper->map(picture, emit);
+    for (const ParameterTransformerPointer& transformer : path.parameter_transformers) {
+        p = transformer->transform(p, emit);
+    }
+    return p;
+}
+
+ObjectPoint moved(const Path& path, ObjectPoint p, Emitter& emit) {
+    for (const ObjectTransformerPointer& transformer : path.object_transformers) {
+        p = transformer->transform(p, emit);
+    }
+    return p;
+}
+
+ObjectVector derive(const ObjectPoint& p, Expr leaf) {
+    const std::array coordinates{p.x, p.y, p.z};
+    const std::vector<Expr> slopes = expr::derive(coordinates, leaf);
+    return {slopes[0], slopes[1], slopes[2]};
+}
+
+}  // namespace
+
+// The object is made on free parameters (u, v) first, so that its tangents are derivatives by its
+// own parameters, whatever the mapper and the parameter transformers do; then these are put in.
+PathPoint Path::emit(const ArrangedPoint& picture, Emitter& emit) const {
+    Graph& graph = emit.graph();
+    const Expr u = graph.fresh_variable();
+    const Expr v = graph.fresh_variable();
+    Emitter object_emit(graph);
+    const ObjectPoint p = moved(*this, generator->generate({u, v}, object_emit), object_emit);
+    const ObjectVector along_u = derive(p, u);
+    const ObjectVector along_v = derive(p, v);
+
+    const ParameterPoint parameters = parameters_of(*this, picture, emit);
+    const std::array free{expr::Substitution{u, parameters.u},
+                          expr::Substitution{v, parameters.v}};
+    const std::array made{p.x,       p.y,       p.z,       along_u.x, along_u.y,
+                          along_u.z, along_v.x, along_v.y, along_v.z, object_emit.valid()};
+    const std::vector<Expr> put = expr::substitute(graph, made, free);
+    emit.require(put[9]);
+
+    const Expr zero = graph.constant(0.0);
+    return {{put[0], put[1], put[2]},
+            {put[3], put[4], put[5]},
+            {put[6], put[7], put[8]},
+            moved(*this, {zero, zero, zero}, emit),
+            parameters};
+}
+
+}  // namespace balcony::camera

@@ -1,0 +1,92 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "camera/families.hpp"
+
+namespace balcony::camera {
+
+namespace {
+
+/// The value that runs from `first` at 0 to `last` at `extent`.
+Expr between(Expr first, Expr last, Expr position, Expr extent) {
+    return first + (last - first) * (position / extent);
+}
+
+/// u from the left to the right edge of the picture, v from the bottom to the top.
+class RangeMapper final : public PictureMapper {
+public:
+    RangeMapper(Scalar u_first, Scalar u_last, Scalar v_first, Scalar v_last)
+        : u_first_(std::move(u_first)),
+          u_last_(std::move(u_last)),
+          v_first_(std::move(v_first)),
+          v_last_(std::move(v_last)) {}
+
+    ParameterPoint map(const ArrangedPoint& picture, Emitter& emit) const override {
+        const auto& [point, size] = picture;
+        return {between(emit(u_first_), emit(u_last_), point.x, size.width),
+                between(emit(v_last_), emit(v_first_), point.y, size.height)};
+    }
+
+private:
+    Scalar u_first_, u_last_, v_first_, v_last_;
+};
+
+/// One parameter over its range, the other symmetric about 0 and as many units a pixel, so that
+/// the parameter plane is not stretched in a picture of any proportion. v counts upwards.
+class SquareMapper final : public PictureMapper {
+public:
+    enum class Given : std::uint8_t { u, v };
+    SquareMapper(Given given, Scalar first, Scalar last)
+        : given_(given), first_(std::move(first)), last_(std::move(last)) {}
+
+    ParameterPoint map(const ArrangedPoint& picture, Emitter& emit) const override {
+        const auto& [point, size] = picture;
+        const Expr first = emit(first_);
+        const Expr last = emit(last_);
+        const Expr right = point.x - 0.5 * size.width;
+        const Expr up = 0.5 * size.height - point.y;
+        if (given_ == Given::u) {
+            const Expr pixel = abs(last - first) / size.width;
+            return {between(first, last, point.x, size.width), pixel * up};
+        }
+        const Expr pixel = abs(last - first) / size.height;
+        return {pixel * right, between(last, first, point.y, size.height)};
+    }
+
+private:
+    Given given_;
+    Scalar first_, last_;
+};
+
+StageParameter edge(std::string_view name, std::string_view meaning) {
+    return {.name = name, .unit = Unit::parameter, .meaning = meaning};
+}
+
+}  // namespace
+
+std::vector<StageEntry> picture_mappers() {
+    const StageKind kind = StageKind::picture_mapper;
+    return {
+        {kind, "range", "maps the picture to a rectangle of parameter space: u = a .. b, v = c .. d",
+         {edge("u_first", "u at the left edge"), edge("u_last", "u at the right edge"),
+          edge("v_first", "v at the bottom edge"), edge("v_last", "v at the top edge")},
+         [](const Arguments& a) {
+             return made<RangeMapper>(a.number("u_first"), a.number("u_last"), a.number("v_first"),
+                                      a.number("v_last"));
+         }},
+        {kind, "square_v", "u = a .. b, v = square: v is 0 in the middle, with u's units a pixel",
+         {edge("u_first", "u at the left edge"), edge("u_last", "u at the right edge")},
+         [](const Arguments& a) {
+             return made<SquareMapper>(SquareMapper::Given::u, a.number("u_first"),
+                                       a.number("u_last"));
+         }},
+        {kind, "square_u", "u = square, v = a .. b: u is 0 in the middle, with v's units a pixel",
+         {edge("v_first", "v at the bottom edge"), edge("v_last", "v at the top edge")},
+         [](const Arguments& a) {
+             return made<SquareMapper>(SquareMapper::Given::v, a.number("v_first"),
+                                       a.number("v_last"));
+         }},
+    };
+}
+
+}  // namespace balcony::camera

@@ -1,0 +1,51 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "camera/families.hpp"
+
+namespace balcony::camera {
+
+namespace {
+
+/// formula(u, v) = [u', v'].
+class ParameterFormula final : public ParameterTransformer {
+public:
+    explicit ParameterFormula(Formula formula) : formula_(std::move(formula)) {}
+    ParameterPoint transform(const ParameterPoint& p, Emitter& emit) const override {
+        const std::vector<Expr> uv = formula_.emit(emit.graph(), std::array{p.u, p.v});
+        return {uv[0], uv[1]};
+    }
+
+private:
+    Formula formula_;
+};
+
+/// formula(x, y, z) = [x', y', z'].
+class ObjectFormula final : public ObjectTransformer {
+public:
+    explicit ObjectFormula(Formula formula) : formula_(std::move(formula)) {}
+    ObjectPoint transform(const ObjectPoint& p, Emitter& emit) const override {
+        const std::vector<Expr> xyz = formula_.emit(emit.graph(), std::array{p.x, p.y, p.z});
+        return {xyz[0], xyz[1], xyz[2]};
+    }
+
+private:
+    Formula formula_;
+};
+
+}  // namespace
+
+std::vector<StageEntry> formula_transformers() {
+    return {
+        {StageKind::parameter_transformer, "formula",
+         "a map of parameter space: formula(u, v) = [u', v']", {},
+         [](const Arguments& a) { return made<ParameterFormula>(a.formula()); },
+         FormulaShape{2, 2, 2}},
+        {StageKind::object_transformer, "formula",
+         "a map of object space: formula(x, y, z) = [x', y', z']", {},
+         [](const Arguments& a) { return made<ObjectFormula>(a.formula()); },
+         FormulaShape{3, 3, 3}},
+    };
+}
+
+}  // namespace balcony::camera

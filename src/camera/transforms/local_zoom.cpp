@@ -1,0 +1,54 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "camera/families.hpp"
+
+namespace balcony::camera {
+
+namespace {
+
+/// Enlarges the picture round a point of parameter space and keeps all the rest: with d the offset
+/// from the point in units of the radius and q = |d|^2 < 1, d becomes d (1 - k (1 - q)^3) with
+/// k = 1 - 1/strength. Twice continuously differentiable at the rim. It never folds for strengths
+/// of 1 and more; below 32/81 it does (the slope along d, 1 - k (1 - q)^2 (1 - 7 q), is least at
+/// q = 3/7), so that directions swing forth and back.
+class LocalZoom final : public ParameterTransformer {
+public:
+    LocalZoom(std::array<Scalar, 2> at, std::array<Scalar, 2> radius, Scalar strength)
+        : at_(std::move(at)), radius_(std::move(radius)), strength_(std::move(strength)) {}
+
+    ParameterPoint transform(const ParameterPoint& p, Emitter& emit) const override {
+        const Expr du = p.u - emit(at_[0]);
+        const Expr dv = p.v - emit(at_[1]);
+        const Expr nu = du / emit(radius_[0]);
+        const Expr nv = dv / emit(radius_[1]);
+        const Expr k = 1.0 - 1.0 / emit(strength_);
+        const Expr inside = max(1.0 - (nu * nu + nv * nv), emit(0.0));
+        const Expr pull = k * (inside * inside * inside);
+        return {p.u - pull * du, p.v - pull * dv};
+    }
+
+private:
+    std::array<Scalar, 2> at_, radius_;
+    Scalar strength_;
+};
+
+}  // namespace
+
+std::vector<StageEntry> local_zoom() {
+    using enum ParameterType;
+    return {
+        {StageKind::parameter_transformer, "zoom",
+         "local zoom: magnifies round a point of parameter space, nothing of the rest is lost",
+         {{.name = "at", .type = pair, .unit = Unit::parameter, .meaning = "the point (u, v)"},
+          {.name = "radius", .type = size, .unit = Unit::parameter, .least = 0.0,
+           .above_least = true, .meaning = "how far it reaches, in u and v"},
+          {.name = "strength", .default_value = {2.0}, .least = 0.0, .above_least = true,
+           .meaning = "magnification in the middle"}},
+         [](const Arguments& a) {
+             return made<LocalZoom>(a.pair("at"), a.pair("radius"), a.number("strength"));
+         }},
+    };
+}
+
+}  // namespace balcony::camera

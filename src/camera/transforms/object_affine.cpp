@@ -1,0 +1,175 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "camera/families.hpp"
+
+namespace balcony::camera {
+
+namespace {
+
+using Triple = std::array<Scalar, 3>;
+
+ObjectPoint point_of(const Triple& t, Emitter& emit) {
+    return {emit(t[0]), emit(t[1]), emit(t[2])};
+}
+
+ObjectVector vector_of(const Triple& t, Emitter& emit) {
+    return {emit(t[0]), emit(t[1]), emit(t[2])};
+}
+
+ObjectVector unit_vector_of(const Triple& t, Emitter& emit) {
+    const ObjectVector v = vector_of(t, emit);
+    return (1.0 / sqrt(dot(v, v))) * v;
+}
+
+class Translate final : public ObjectTransformer {
+public:
+    explicit Translate(Triple by) : by_(std::move(by)) {}
+    ObjectPoint transform(const ObjectPoint& p, Emitter& emit) const override {
+        return p + vector_of(by_, emit);
+    }
+
+private:
+    Triple by_;
+};
+
+/// Rodrigues' formula: d cos + (axis x d) sin + axis (axis . d) (1 - cos).
+class Rotate final : public ObjectTransformer {
+public:
+    Rotate(Triple axis, Scalar angle, Triple at)
+        : axis_(std::move(axis)), angle_(std::move(angle)), at_(std::move(at)) {}
+    ObjectPoint transform(const ObjectPoint& p, Emitter& emit) const override {
+        const ObjectVector axis = unit_vector_of(axis_, emit);
+        const ObjectPoint at = point_of(at_, emit);
+        const ObjectVector d = p - at;
+        const Expr c = cos(emit(angle_));
+        const Expr s = sin(emit(angle_));
+        return at + (c * d + s * cross(axis, d) + ((1.0 - c) * dot(axis, d)) * axis);
+    }
+
+private:
+    Triple axis_;
+    Scalar angle_;
+    Triple at_;
+};
+
+class Stretch final : public ObjectTransformer {
+public:
+    Stretch(Triple factors, Triple at) : factors_(std::move(factors)), at_(std::move(at)) {}
+    ObjectPoint transform(const ObjectPoint& p, Emitter& emit) const override {
+        const ObjectPoint at = point_of(at_, emit);
+        const ObjectVector f = vector_of(factors_, emit);
+        const ObjectVector d = p - at;
+        return at + ObjectVector{f.x * d.x, f.y * d.y, f.z * d.z};
+    }
+
+private:
+    Triple factors_, at_;
+};
+
+/// Reflection in the plane through a point across an axis: d - 2 axis (axis . d).
+class Mirror final : public ObjectTransformer {
+public:
+    Mirror(Triple axis, Triple at) : axis_(std::move(axis)), at_(std::move(at)) {}
+    ObjectPoint transform(const ObjectPoint& p, Emitter& emit) const override {
+        const ObjectVector axis = unit_vector_of(axis_, emit);
+        const ObjectVector d = p - point_of(at_, emit);
+        return p + (-2.0 * dot(axis, d)) * axis;
+    }
+
+private:
+    Triple axis_, at_;
+};
+
+class Affine final : public ObjectTransformer {
+public:
+    Affine(Triple x, Triple y, Triple z, Triple at)
+        : x_(std::move(x)), y_(std::move(y)), z_(std::move(z)), at_(std::move(at)) {}
+    ObjectPoint transform(const ObjectPoint& p, Emitter& emit) const override {
+        return point_of(at_, emit) + p.x * vector_of(x_, emit) + p.y * vector_of(y_, emit) +
+               p.z * vector_of(z_, emit);
+    }
+
+private:
+    Triple x_, y_, z_, at_;
+};
+
+StageParameter center() {
+    return {.name = "at", .type = ParameterType::triple, .default_value = {0.0, 0.0, 0.0},
+            .meaning = "the point that stays"};
+}
+
+StageParameter axis(std::string_view meaning) {
+    return {.name = "axis", .type = ParameterType::axis, .meaning = meaning};
+}
+
+StageParameter number(std::string_view name, double value, std::string_view meaning) {
+    return {.name = name, .default_value = {value}, .meaning = meaning};
+}
+
+StageParameter image(std::string_view name, std::vector<double> value, std::string_view meaning) {
+    return {.name = name, .type = ParameterType::triple, .default_value = std::move(value),
+            .meaning = meaning};
+}
+
+Triple xyz(const Arguments& a) {
+    return {a.number("x"), a.number("y"), a.number("z")};
+}
+
+bool is_null(const Triple& t) {
+    return t[0].constant() == 0.0 && t[1].constant() == 0.0 && t[2].constant() == 0.0;
+}
+
+Diagnostic null_axis() {
+    return error("the axis is (0, 0, 0), which is no direction", {},
+                 "write x, y, z or a vector such as (1, 1, 0)");
+}
+
+}  // namespace
+
+std::vector<StageEntry> object_affine() {
+    const StageKind kind = StageKind::object_transformer;
+    return {
+        {kind, "translate", "moves by a vector",
+         {number("x", 0.0, "along x"), number("y", 0.0, "along y"), number("z", 0.0, "along z")},
+         [](const Arguments& a) { return made<Translate>(xyz(a)); }},
+        {kind, "rotate", "turns about an axis, counter-clockwise as seen from its tip",
+         {axis("x, y, z or a vector"),
+          {.name = "angle", .unit = Unit::angle, .meaning = "how far"},
+          center()},
+         [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
+             if (is_null(a.triple("axis"))) {
+                 return null_axis();
+             }
+             return made<Rotate>(a.triple("axis"), a.number("angle"), a.triple("at"));
+         }},
+        {kind, "scale", "scales about a point",
+         {{.name = "factor", .meaning = "for all three axes"}, center()},
+         [](const Arguments& a) {
+             const Scalar factor = a.number("factor");
+             return made<Stretch>(Triple{factor, factor, factor}, a.triple("at"));
+         }},
+        {kind, "stretch", "scales along each axis about a point",
+         {number("x", 1.0, "factor along x"), number("y", 1.0, "factor along y"),
+          number("z", 1.0, "factor along z"), center()},
+         [](const Arguments& a) { return made<Stretch>(xyz(a), a.triple("at")); }},
+        {kind, "mirror", "reflects across an axis, in the plane through a point",
+         {axis("the plane's normal: x, y, z or a vector"), center()},
+         [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
+             if (is_null(a.triple("axis"))) {
+                 return null_axis();
+             }
+             return made<Mirror>(a.triple("axis"), a.triple("at"));
+         }},
+        {kind, "affine", "at + x (image of x) + y (image of y) + z (image of z)",
+         {image("x", {1.0, 0.0, 0.0}, "where (1, 0, 0) goes, before at is added"),
+          image("y", {0.0, 1.0, 0.0}, "where (0, 1, 0) goes, before at is added"),
+          image("z", {0.0, 0.0, 1.0}, "where (0, 0, 1) goes, before at is added"),
+          image("at", {0.0, 0.0, 0.0}, "where (0, 0, 0) goes")},
+         [](const Arguments& a) {
+             return made<Affine>(a.triple("x"), a.triple("y"), a.triple("z"), a.triple("at"));
+         }},
+    };
+}
+
+}  // namespace balcony::camera
