@@ -4,8 +4,6 @@
 # What every script starts with: strict mode, the repository as working folder, --help.
 set -euo pipefail
 
-# Paths that the user gave are meant from here.
-called_from=$PWD
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 say() {

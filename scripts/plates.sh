@@ -1,0 +1,46 @@
+# Balcony: rendering through extended cameras.
+# SPDX-License-Identifier: Apache-2.0
+#
+# Functions for scripts that render plates. A plate is a folder plates/NN-name/ with
+#   camera.cam   its camera
+#   README.md    a heading and a paragraph on what it shows
+#   plate        lines of a key and its value; a # opens a comment:
+#       scene   PROGRAM [OPTION...]   a program of plates/ that writes the scene to the file named last
+#       render  [OPTION...]           options for balcony render
+build=build/release
+
+# plate_folder NUMBER: the folder of a plate, whether it was called 2 or 02.
+plate_folder() {
+    compgen -G "plates/$(printf '%02d' "$((10#$1))")-*"
+}
+
+# plate_value FOLDER KEY: what the plate file says of the key; empty if nothing.
+plate_value() {
+    sed -n "s/[[:space:]]*#.*//; s/^$2[[:space:]]\{1,\}//p" "$1/plate"
+}
+
+# plate_title FOLDER: the heading of its README.
+plate_title() {
+    sed -n 's/^# *//p;T;q' "$1/README.md"
+}
+
+# build_scene FOLDER: writes the scene of a plate, once for all plates that share it, and says where.
+build_scene() {
+    local words file
+    read -ra words <<< "$(plate_value "$1" scene)"
+    file="out/scenes/$(IFS=-; tr -cs 'a-z0-9_\n' - <<< "${words[*]}").glb"
+    if [[ ! -e $file || $build/plates/${words[0]} -nt $file ]]; then
+        mkdir -p out/scenes
+        "$build/plates/${words[0]}" "$file" "${words[@]:1}" >&2
+    fi
+    printf '%s\n' "$file"
+}
+
+# render_plate FOLDER PICTURE [OPTION...]: renders a plate; the options come after its own.
+render_plate() {
+    local folder=$1 picture=$2 options scene
+    read -ra options <<< "$(plate_value "$folder" render)"
+    scene=$(build_scene "$folder")
+    mkdir -p "$(dirname "$picture")"
+    "$build/balcony" render "$scene" --camera "$folder/camera.cam" -o "$picture" "${options[@]}" "${@:3}"
+}
