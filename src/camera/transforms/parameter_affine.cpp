@@ -98,7 +98,6 @@ StageParameter image(std::string_view name, std::vector<double> value, std::stri
 }  // namespace
 
 std::vector<StageEntry> parameter_affine() {
-    using enum ParameterType;
     const StageKind kind = StageKind::parameter_transformer;
     return {
         {kind, "translate", "(u + a, v + b)",
@@ -106,7 +105,7 @@ std::vector<StageEntry> parameter_affine() {
           number("v", Unit::parameter, 0.0, "added to v")},
          [](const Arguments& a) { return made<Translate>(Pair{a.number("u"), a.number("v")}); }},
         {kind, "scale", "scales about a point; a factor above 1 shows more of the object",
-         {{.name = "factor", .type = size, .meaning = "for u and v"}, center()},
+         {{.name = "factor", .type = ParameterType::size, .meaning = "for u and v"}, center()},
          [](const Arguments& a) { return made<Scale>(a.pair("factor"), a.pair("at")); }},
         {kind, "rotate", "turns parameter space counter-clockwise about a point",
          {{.name = "angle", .unit = Unit::angle, .meaning = "how far"}, center()},
