@@ -36,12 +36,13 @@ Vector cross(const Vector& a, const Vector& b) {
 std::vector<Expr> ray(const Vector& origin, const Vector& direction) {
     const Expr length = sqrt(direction[0] * direction[0] + direction[1] * direction[1] +
                              direction[2] * direction[2]);
+    const Expr scale = 1.0 / length;
     return {origin[0],
             origin[1],
             origin[2],
-            direction[0] / length,
-            direction[1] / length,
-            direction[2] / length,
+            direction[0] * scale,
+            direction[1] * scale,
+            direction[2] * scale,
             0.0 < length && is_finite(length)};
 }
 

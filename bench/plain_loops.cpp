@@ -48,8 +48,9 @@ Ray superelliptic_ray(double u, double v, const Superelliptic& camera) {
                            along_u[0] * along_v[1] - along_u[1] * along_v[0]};
     const double length =
         std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+    const double scale = 1.0 / length;
     return {{g.x * h.x, g.y * h.x, h.y},
-            {normal[0] / length, normal[1] / length, normal[2] / length},
+            {normal[0] * scale, normal[1] * scale, normal[2] * scale},
             0.0 < length && std::isfinite(length)};
 }
 
@@ -104,8 +105,8 @@ void plain_pinhole(const program::Tile& tile, std::span<double* const> results) 
     for_points(tile, results, [&](double x, double y) {
         const double right = across(x, picture_width, camera.half_width);
         const double up = across(y, picture_height, -camera.half_height);
-        const double length = std::sqrt(1.0 + right * right + up * up);
-        return Ray{{0.0, 0.0, 0.0}, {1.0 / length, -right / length, up / length}, true};
+        const double scale = 1.0 / std::sqrt(1.0 + right * right + up * up);
+        return Ray{{0.0, 0.0, 0.0}, {scale, -right * scale, up * scale}, true};
     });
 }
 

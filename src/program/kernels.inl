@@ -51,9 +51,17 @@ static_assert(lanes::MaxLanes(tag) > 1 && register_alignment % lanes::MaxLanes(t
 #define BALCONY_SLEEF_2(function) \
     [](Vector a, Vector b) { return Vector{BALCONY_SLEEF(function)(a.raw, b.raw)}; }
 
-inline Vector load(const Operand& operand, const double* registers, std::size_t i) {
-    return lanes::Load(tag, registers + operand.offset + (i & operand.mask));
-}
+// An argument during a run. Made before the loop, as the compiler must take each store of a vector
+// for one that may change the instruction.
+struct Source {
+    const double* from;
+    std::size_t mask;
+
+    Source(const Instruction& in, std::size_t argument, const double* registers)
+        : from(registers + in.arguments[argument].offset), mask(in.arguments[argument].mask) {}
+
+    Vector operator()(std::size_t i) const { return lanes::Load(tag, from + (i & mask)); }
+};
 
 enum class Overflow { as_defined, too_early };
 
@@ -87,18 +95,23 @@ inline void finish(const Instruction& in, Vector a, Vector b, Vector result, dou
 
 template <auto function, Overflow overflow = Overflow::as_defined>
 void unary(const Instruction& in, double* registers, std::size_t count) {
+    const Source first(in, 0, registers);
+    double* const to = registers + in.result;
     for (std::size_t i = 0; i < count; i += lanes::Lanes(tag)) {
-        const Vector a = load(in.arguments[0], registers, i);
-        finish<overflow>(in, a, a, function(a), registers + in.result + i);
+        const Vector a = first(i);
+        finish<overflow>(in, a, a, function(a), to + i);
     }
 }
 
 template <auto function, Overflow overflow = Overflow::as_defined>
 void binary(const Instruction& in, double* registers, std::size_t count) {
+    const Source first(in, 0, registers);
+    const Source second(in, 1, registers);
+    double* const to = registers + in.result;
     for (std::size_t i = 0; i < count; i += lanes::Lanes(tag)) {
-        const Vector a = load(in.arguments[0], registers, i);
-        const Vector b = load(in.arguments[1], registers, i);
-        finish<overflow>(in, a, b, function(a, b), registers + in.result + i);
+        const Vector a = first(i);
+        const Vector b = second(i);
+        finish<overflow>(in, a, b, function(a, b), to + i);
     }
 }
 
@@ -121,21 +134,24 @@ inline Vector sign(Vector a) {
 }
 
 void select(const Instruction& in, double* registers, std::size_t count) {
+    const Source condition(in, 0, registers);
+    const Source if_true(in, 1, registers);
+    const Source if_false(in, 2, registers);
+    double* const to = registers + in.result;
     for (std::size_t i = 0; i < count; i += lanes::Lanes(tag)) {
-        const Vector result = lanes::IfThenElse(holds(load(in.arguments[0], registers, i)),
-                                                load(in.arguments[1], registers, i),
-                                                load(in.arguments[2], registers, i));
-        lanes::Store(result, tag, registers + in.result + i);
+        lanes::Store(lanes::IfThenElse(holds(condition(i)), if_true(i), if_false(i)), tag, to + i);
     }
 }
 
 // The steps of expr::Table, so that no cell outside the table is read and a NaN stays one.
 void lookup(const Instruction& in, double* registers, std::size_t count) {
     using IndexTag = lanes::RebindToSigned<Tag>;
-    const TableView& table = *in.table;
+    const TableView table = *in.table;
+    const Source argument(in, 0, registers);
+    double* const to = registers + in.result;
     const Vector zero = lanes::Zero(tag);
     for (std::size_t i = 0; i < count; i += lanes::Lanes(tag)) {
-        const Vector x = load(in.arguments[0], registers, i);
+        const Vector x = argument(i);
         const Vector position = lanes::Mul(lanes::Sub(x, lanes::Set(tag, table.first)),
                                            lanes::Set(tag, table.scale));
         const Vector floored = lanes::Floor(position);
@@ -149,7 +165,7 @@ void lookup(const Instruction& in, double* registers, std::size_t count) {
             const Vector c = lanes::GatherIndex(tag, table.cells + power, start);
             value = lanes::Add(lanes::Mul(value, s), c);
         }
-        lanes::Store(value, tag, registers + in.result + i);
+        lanes::Store(value, tag, to + i);
     }
 }
 
