@@ -1,0 +1,170 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "scene/geometry.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace balcony::scene {
+
+namespace {
+
+// Twice the area of a triangle along its normal, in double so that tiny and huge triangles count.
+V3d area_normal(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
+    const V3d a(mesh.positions[triangle[0]]);
+    const V3d b(mesh.positions[triangle[1]]);
+    const V3d c(mesh.positions[triangle[2]]);
+    return (b - a).cross(c - a);
+}
+
+// A vector of unit length, or zero if the vector has no direction.
+V3f unit(const V3d& vector) {
+    const double length = vector.length();
+    return std::isfinite(length) && length > 0.0 ? V3f(vector / length) : V3f(0.0F);
+}
+
+constexpr V3f any_normal(0.0F, 0.0F, 1.0F);
+
+void drop_bad_triangles(Mesh& mesh, Import& import) {
+    std::size_t out_of_range = 0;
+    std::size_t not_usable = 0;
+    std::erase_if(mesh.triangles, [&](const std::array<std::uint32_t, 3>& triangle) {
+        const auto past_end = [&](std::uint32_t index) { return index >= mesh.positions.size(); };
+        if (std::any_of(triangle.begin(), triangle.end(), past_end)) {
+            ++out_of_range;
+            return true;
+        }
+        const auto bad = [&](std::uint32_t index) { return !usable(mesh.positions[index]); };
+        if (std::any_of(triangle.begin(), triangle.end(), bad)) {
+            ++not_usable;
+            return true;
+        }
+        return triangle[0] == triangle[1] || triangle[1] == triangle[2] ||
+               triangle[2] == triangle[0];
+    });
+    if (out_of_range > 0) {
+        import.warn(fmt::format("mesh {}: {} left out that name a vertex the mesh does not have",
+                                in_quotes(mesh.name), counted(out_of_range, "triangle")));
+    }
+    if (not_usable > 0) {
+        import.warn(fmt::format("mesh {}: {} left out with a vertex that is no usable number",
+                                in_quotes(mesh.name), counted(not_usable, "triangle")));
+    }
+}
+
+void keep_used_vertices(Mesh& mesh) {
+    constexpr std::uint32_t unused = 0xffffffffU;
+    std::vector<std::uint32_t> place(mesh.positions.size(), unused);
+    Mesh kept;
+    for (auto& triangle : mesh.triangles) {
+        for (std::uint32_t& index : triangle) {
+            if (place[index] == unused) {
+                place[index] = static_cast<std::uint32_t>(kept.positions.size());
+                kept.positions.push_back(mesh.positions[index]);
+                if (!mesh.normals.empty()) {
+                    kept.normals.push_back(mesh.normals[index]);
+                }
+                if (!mesh.texture_coordinates.empty()) {
+                    kept.texture_coordinates.push_back(mesh.texture_coordinates[index]);
+                }
+            }
+            index = place[index];
+        }
+    }
+    mesh.positions = std::move(kept.positions);
+    mesh.normals = std::move(kept.normals);
+    mesh.texture_coordinates = std::move(kept.texture_coordinates);
+}
+
+void clean_texture_coordinates(Mesh& mesh, Import& import) {
+    std::size_t bad = 0;
+    for (V2f& coordinate : mesh.texture_coordinates) {
+        if (!std::isfinite(coordinate.x) || !std::isfinite(coordinate.y)) {
+            coordinate = V2f(0.0F);
+            ++bad;
+        }
+    }
+    if (bad > 0) {
+        import.warn(fmt::format("mesh {}: {} replaced by (0, 0), being no number",
+                                in_quotes(mesh.name), counted(bad, "texture co-ordinate")));
+    }
+}
+
+// Every triangle gets corners of its own, with its normal.
+void make_flat(Mesh& mesh) {
+    Mesh flat;
+    flat.positions.reserve(mesh.triangles.size() * 3);
+    flat.normals.reserve(mesh.triangles.size() * 3);
+    for (auto& triangle : mesh.triangles) {
+        const V3f faced = unit(area_normal(mesh, triangle));
+        const V3f normal = faced == V3f(0.0F) ? any_normal : faced;
+        for (std::uint32_t& index : triangle) {
+            flat.positions.push_back(mesh.positions[index]);
+            flat.normals.push_back(normal);
+            if (!mesh.texture_coordinates.empty()) {
+                flat.texture_coordinates.push_back(mesh.texture_coordinates[index]);
+            }
+            index = static_cast<std::uint32_t>(flat.positions.size() - 1);
+        }
+    }
+    mesh.positions = std::move(flat.positions);
+    mesh.normals = std::move(flat.normals);
+    mesh.texture_coordinates = std::move(flat.texture_coordinates);
+}
+
+void normalize_normals(Mesh& mesh, Import& import) {
+    std::size_t without_length = 0;
+    for (V3f& normal : mesh.normals) {
+        normal = unit(V3d(normal));
+        without_length += normal == V3f(0.0F) ? 1 : 0;
+    }
+    if (without_length == 0) {
+        return;
+    }
+    std::vector<V3d> faced(mesh.positions.size(), V3d(0.0));
+    for (const auto& triangle : mesh.triangles) {
+        const V3d normal = area_normal(mesh, triangle);
+        for (const std::uint32_t index : triangle) {
+            faced[index] += normal;
+        }
+    }
+    for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+        if (mesh.normals[i] == V3f(0.0F)) {
+            const V3f normal = unit(faced[i]);
+            mesh.normals[i] = normal == V3f(0.0F) ? any_normal : normal;
+        }
+    }
+    import.warn(fmt::format("mesh {}: {} without length replaced by the normal of the faces",
+                            in_quotes(mesh.name), counted(without_length, "normal")));
+}
+
+}  // namespace
+
+bool usable(const V3f& position) {
+    constexpr float farthest = 1e18F;
+    const auto fits = [](float value) { return std::abs(value) <= farthest; };
+    return fits(position.x) && fits(position.y) && fits(position.z);
+}
+
+std::optional<Mesh> finish_mesh(Mesh mesh, Import& import) {
+    assert(mesh.normals.empty() || mesh.normals.size() == mesh.positions.size());
+    assert(mesh.texture_coordinates.empty() ||
+           mesh.texture_coordinates.size() == mesh.positions.size());
+    drop_bad_triangles(mesh, import);
+    if (mesh.triangles.empty()) {
+        return std::nullopt;
+    }
+    keep_used_vertices(mesh);
+    clean_texture_coordinates(mesh, import);
+    if (mesh.normals.empty()) {
+        make_flat(mesh);
+    } else {
+        normalize_normals(mesh, import);
+    }
+    return mesh;
+}
+
+}  // namespace balcony::scene

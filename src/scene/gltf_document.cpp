@@ -1,0 +1,236 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "scene/gltf_document.hpp"
+
+#include <cstring>
+#include <memory>
+
+#include <fmt/format.h>
+
+namespace balcony::scene {
+
+namespace {
+
+constexpr std::size_t glb_header_size = 12;
+constexpr std::size_t chunk_header_size = 8;
+constexpr std::uint32_t json_chunk = 0x4e4f534aU;
+constexpr std::uint32_t binary_chunk = 0x004e4942U;
+
+using Bytes = std::span<const std::uint8_t>;
+
+std::uint32_t word_at(Bytes bytes, std::size_t offset) {
+    std::uint32_t word = 0;
+    for (std::size_t i = 4; i-- > 0;) {
+        word = word << 8U | bytes[offset + i];
+    }
+    return word;
+}
+
+bool begins_with(Bytes bytes, std::string_view start) {
+    return bytes.size() >= start.size() &&
+           std::memcmp(bytes.data(), start.data(), start.size()) == 0;
+}
+
+struct GlbChunks {
+    Bytes json;
+    Bytes binary;
+};
+
+// Splits a GLB into its two chunks, with all lengths checked against the file's.
+GlbChunks split_glb(Bytes bytes, const std::string& name) {
+    const auto cut_off = [&](std::size_t expected) {
+        return ReadError{error(fmt::format("{} is cut off: it says {} and has {}", name,
+                                           counted(expected, "byte"), bytes.size()),
+                               {}, "copy or download it again")};
+    };
+    if (bytes.size() < glb_header_size) {
+        throw cut_off(glb_header_size);
+    }
+    if (const std::uint32_t version = word_at(bytes, 4); version != 2) {
+        throw ReadError{error(fmt::format("{} is glTF version {}", name, version), {},
+                              "only glTF 2.0 is read")};
+    }
+    const std::size_t length = word_at(bytes, 8);
+    if (length > bytes.size()) {
+        throw cut_off(length);
+    }
+    bytes = bytes.first(length);
+
+    GlbChunks chunks;
+    for (std::size_t offset = glb_header_size; offset + chunk_header_size <= bytes.size();) {
+        const std::size_t size = word_at(bytes, offset);
+        const std::uint32_t kind = word_at(bytes, offset + 4);
+        const std::size_t begin = offset + chunk_header_size;
+        if (size > bytes.size() - begin) {
+            throw cut_off(begin + size);
+        }
+        if (kind == json_chunk && chunks.json.empty()) {
+            chunks.json = bytes.subspan(begin, size);
+        } else if (kind == binary_chunk && chunks.binary.empty()) {
+            chunks.binary = bytes.subspan(begin, size);
+        }
+        offset = begin + size;
+    }
+    if (chunks.json.empty()) {
+        throw ReadError{error(fmt::format("{} is a GLB without a JSON chunk", name))};
+    }
+    return chunks;
+}
+
+int base64_digit(char digit) {
+    constexpr std::string_view digits =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    const std::size_t value = digits.find(digit);
+    return value == std::string_view::npos ? -1 : static_cast<int>(value);
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> decode_data_uri(std::string_view uri) {
+    constexpr std::string_view marker = ";base64,";
+    const std::size_t at = uri.substr(0, 256).find(marker);
+    if (!uri.starts_with("data:") || at == std::string_view::npos) {
+        throw PartError{"its data URI is not in base 64"};
+    }
+    std::vector<std::uint8_t> bytes;
+    std::uint32_t bits = 0;
+    unsigned held = 0;
+    for (const char digit : uri.substr(at + marker.size())) {
+        if (digit == '=') {
+            break;
+        }
+        const int value = base64_digit(digit);
+        if (value < 0) {
+            throw PartError{"its data URI is not in base 64"};
+        }
+        bits = bits << 6U | static_cast<std::uint32_t>(value);
+        held += 6;
+        if (held >= 8) {
+            held -= 8;
+            bytes.push_back(static_cast<std::uint8_t>(bits >> held & 0xffU));
+        }
+    }
+    return bytes;
+}
+
+std::string decode_percent(std::string_view uri) {
+    const auto hex = [](char digit) {
+        constexpr std::string_view digits = "0123456789abcdef";
+        const char lower = digit >= 'A' && digit <= 'F' ? static_cast<char>(digit + 32) : digit;
+        return digits.find(lower);
+    };
+    std::string path;
+    for (std::size_t i = 0; i < uri.size(); ++i) {
+        const std::size_t high =
+            uri[i] == '%' && i + 2 < uri.size() ? hex(uri[i + 1]) : std::string::npos;
+        const std::size_t low = high != std::string::npos ? hex(uri[i + 2]) : std::string::npos;
+        if (low != std::string::npos) {
+            path += static_cast<char>(high * 16 + low);
+            i += 2;
+        } else {
+            path += uri[i];
+        }
+    }
+    return path;
+}
+
+GltfDocument::GltfDocument(const std::filesystem::path& file) : file_(file) {
+    const std::string name = in_quotes(file.string());
+    const std::vector<std::uint8_t> bytes = read_bytes(file);
+    const Bytes all(bytes);
+    is_binary_ = begins_with(all, "glTF");
+    if (is_binary_) {
+        const GlbChunks chunks = split_glb(all, name);
+        parse({chunks.json.begin(), chunks.json.end()});
+        read_buffers(chunks.binary);
+        return;
+    }
+    if (file.extension() != ".gltf") {
+        throw ReadError{error(fmt::format("{} is not a GLB: it does not begin with 'glTF'", name),
+                              {},
+                              begins_with(all, "{") ? "it looks like JSON: name it .gltf" : "")};
+    }
+    parse({bytes.begin(), bytes.end()});
+    read_buffers({});
+}
+
+void GltfDocument::parse(std::string text) {
+    const std::string name = in_quotes(file_.string());
+    try {
+        root_ = Json::parse(text);
+    } catch (const Json::exception& failure) {
+        // A number too large for a double is thrown without a place.
+        const auto* syntax = dynamic_cast<const Json::parse_error*>(&failure);
+        const std::size_t end = syntax != nullptr ? std::min(syntax->byte, text.size()) : 0;
+        const std::string reason = failure.what();
+        const std::size_t expected = reason.rfind("; expected ");
+        const auto source = std::make_shared<const SourceText>(file_.string(), std::move(text));
+        throw ReadError{
+            error(fmt::format("the JSON of {} is broken", name),
+                  syntax != nullptr ? SourceSpan{source, end > 0 ? end - 1 : 0, end} : SourceSpan{},
+                  expected != std::string::npos ? reason.substr(expected + 2) + " here" : "")};
+    }
+    const Json& asset = member(root_, "asset");
+    const std::string version = text_in(asset, "version");
+    if (!version.starts_with("2.")) {
+        throw ReadError{error(
+            version.empty()
+                ? fmt::format("{} is not a glTF file: it has no 'asset' with a 'version'", name)
+                : fmt::format("{} is glTF version {}", name, in_quotes(version)),
+            {}, "only glTF 2.0 is read")};
+    }
+}
+
+void GltfDocument::read_buffers(Bytes binary) {
+    const std::string name = in_quotes(file_.string());
+    const std::size_t size = array_size(root_, "buffers");
+    for (std::size_t i = 0; i < size; ++i) {
+        const Json& buffer = root_["buffers"][i];
+        const std::string uri = text_in(buffer, "uri");
+        std::vector<std::uint8_t> bytes;
+        std::string what = fmt::format("buffer {}", i);
+        try {
+            if (uri.starts_with("data:")) {
+                bytes = decode_data_uri(uri);
+            } else if (!uri.empty()) {
+                what = in_quotes(decode_percent(uri));
+                bytes = read_bytes(beside(file_, decode_percent(uri)));
+            } else if (i == 0) {
+                bytes.assign(binary.begin(), binary.end());
+            }
+            const std::size_t stated = count_in(buffer, "byteLength", 0);
+            if (bytes.size() < stated && !(uri.empty() && i > 0)) {
+                throw PartError{
+                    fmt::format("it holds {} of {}", bytes.size(), counted(stated, "byte"))};
+            }
+            bytes.resize(std::min(bytes.size(), stated));
+        } catch (const PartError& fault) {
+            throw ReadError{
+                error(fmt::format("{} of {} cannot be used: {}", what, name, fault.reason), {},
+                      "copy or export the file again")};
+        } catch (ReadError& fault) {
+            fault.diagnostic.message += fmt::format(", where {} keeps its geometry", name);
+            throw;
+        }
+        buffers_.push_back(std::move(bytes));
+    }
+}
+
+std::span<const std::uint8_t> GltfDocument::view(std::size_t index) const {
+    const Json& view = element(root_, "bufferViews", index);
+    const std::size_t buffer = count_in(view, "buffer", buffers_.size());
+    if (buffer >= buffers_.size()) {
+        throw PartError{fmt::format("buffer view {} is in a buffer that is not there", index)};
+    }
+    const std::size_t offset = count_in(view, "byteOffset", 0);
+    const std::size_t length = count_in(view, "byteLength", 0);
+    const std::vector<std::uint8_t>& bytes = buffers_[buffer];
+    if (offset > bytes.size() || length > bytes.size() - offset) {
+        throw PartError{
+            fmt::format("buffer view {} reaches past the end of buffer {}", index, buffer)};
+    }
+    return Bytes(bytes).subspan(offset, length);
+}
+
+}  // namespace balcony::scene

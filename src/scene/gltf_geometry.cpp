@@ -1,0 +1,332 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include <Imath/ImathQuat.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "scene/geometry.hpp"
+#include "scene/gltf_reader.hpp"
+
+namespace balcony::scene {
+
+namespace {
+
+// glTF 2.0, section 5.24.4.
+enum class Mode : std::uint8_t {
+    points = 0,
+    lines = 1,
+    line_strip = 3,
+    triangles = 4,
+    triangle_strip = 5,
+    triangle_fan = 6,
+};
+
+// A node's own transform. glTF stores matrices for column vectors column by column, which read row
+// by row is the matrix for row vectors.
+M44d local_transform(const Json& node) {
+    M44d local;
+    if (!member(node, "matrix").is_null()) {
+        const auto numbers = numbers_in(node, "matrix", std::vector<double>(16, 0.0));
+        for (std::size_t i = 0; i < 16; ++i) {
+            local[static_cast<int>(i / 4)][i % 4] = numbers[i];
+        }
+        return local;
+    }
+    const auto scale = numbers_in(node, "scale", {1.0, 1.0, 1.0});
+    const auto rotation = numbers_in(node, "rotation", {0.0, 0.0, 0.0, 1.0});
+    const auto translation = numbers_in(node, "translation", {0.0, 0.0, 0.0});
+    const Imath::Quatd turn(rotation[3], rotation[0], rotation[1], rotation[2]);
+    if (!(turn.length() > 0.0)) {
+        throw PartError{"its 'rotation' has no length"};
+    }
+    local.setScale(V3d(scale[0], scale[1], scale[2]));
+    M44d moved;
+    moved.setTranslation(V3d(translation[0], translation[1], translation[2]));
+    return local * turn.normalized().toMatrix44() * moved;
+}
+
+bool finite(const M44d& matrix) {
+    const double* numbers = matrix.getValue();
+    return std::all_of(numbers, numbers + 16, [](double number) { return std::isfinite(number); });
+}
+
+// Whether a matrix keeps volume: relative to the lengths of its rows, so that units do not matter.
+bool invertible(const M44d& matrix) {
+    const V3d x(matrix[0][0], matrix[0][1], matrix[0][2]);
+    const V3d y(matrix[1][0], matrix[1][1], matrix[1][2]);
+    const V3d z(matrix[2][0], matrix[2][1], matrix[2][2]);
+    constexpr double flattest = 1e-12;
+    return std::abs(x.cross(y).dot(z)) > flattest * x.length() * y.length() * z.length();
+}
+
+std::string node_name(const Json& node, std::size_t index) {
+    const std::string name = text_in(node, "name");
+    return name.empty() ? fmt::format("node {}", index) : name;
+}
+
+bool is_read(const std::string& extension) {
+    static const std::set<std::string> known{"KHR_lights_punctual",
+                                             "KHR_materials_emissive_strength",
+                                             "KHR_texture_transform", "KHR_mesh_quantization"};
+    return known.contains(extension);
+}
+
+std::vector<std::string> unread_extensions(const Json& root, const char* list) {
+    std::vector<std::string> unread;
+    for (std::size_t i = 0; i < array_size(root, list); ++i) {
+        const Json& extension = member(root, list)[i];
+        if (extension.is_string() && !is_read(extension.get<std::string>())) {
+            unread.push_back(in_quotes(extension.get<std::string>()));
+        }
+    }
+    return unread;
+}
+
+// Geometry that is compressed by an extension cannot be read at all.
+void refuse_compressed(const Json& root, const std::filesystem::path& file) {
+    for (const std::string& extension : unread_extensions(root, "extensionsRequired")) {
+        if (extension == "'KHR_draco_mesh_compression'" ||
+            extension == "'EXT_meshopt_compression'") {
+            throw ReadError{error(fmt::format("{} needs the extension {}, which is not read",
+                                              in_quotes(file.string()), extension),
+                                  {}, "export the file without mesh compression")};
+        }
+    }
+}
+
+}  // namespace
+
+void read_gltf(Import& import) {
+    const GltfDocument document(import.file);
+    refuse_compressed(document.root(), import.file);
+    import.scene.format = document.is_binary() ? "glTF 2.0 binary" : "glTF 2.0";
+    GltfReader(document, import).read();
+}
+
+void GltfReader::read() {
+    std::vector<Node> pending;
+    for (const std::size_t root : root_nodes()) {
+        pending.push_back({root, M44d()});
+    }
+    std::reverse(pending.begin(), pending.end());
+    while (!pending.empty()) {
+        const Node node = pending.back();
+        pending.pop_back();
+        read_node(node, pending);
+    }
+    warn_of_what_is_not_read();
+}
+
+std::vector<std::size_t> GltfReader::root_nodes() const {
+    const std::size_t nodes = array_size(root_, "nodes");
+    try {
+        if (array_size(root_, "scenes") > 0) {
+            return indices_in(element(root_, "scenes", count_in(root_, "scene", 0)), "nodes");
+        }
+    } catch (const PartError& fault) {
+        import_.warn(
+            fmt::format("the file's scene cannot be used: {}; all nodes are shown", fault.reason));
+    }
+    // A library of parts without a scene: whatever has no parent.
+    std::vector<bool> is_child(nodes, false);
+    for (std::size_t i = 0; i < nodes; ++i) {
+        const Json& children = member(member(root_, "nodes")[i], "children");
+        for (std::size_t k = 0; children.is_array() && k < children.size(); ++k) {
+            if (children[k].is_number_unsigned() && children[k].get<std::size_t>() < nodes) {
+                is_child[children[k].get<std::size_t>()] = true;
+            }
+        }
+    }
+    std::vector<std::size_t> roots;
+    for (std::size_t i = 0; i < nodes; ++i) {
+        if (!is_child[i]) {
+            roots.push_back(i);
+        }
+    }
+    return roots;
+}
+
+void GltfReader::read_node(const Node& visit, std::vector<Node>& pending) {
+    std::string name = fmt::format("node {}", visit.index);
+    try {
+        const Json& node = element(root_, "nodes", visit.index);
+        name = node_name(node, visit.index);
+        // The nodes are a tree; one reached twice would be a cycle or a shared child.
+        if (!visited_nodes_.insert(visit.index).second) {
+            throw PartError{"it has more than one parent, or is its own"};
+        }
+        const M44d world_from_node = local_transform(node) * visit.world_from_parent;
+        if (!finite(world_from_node)) {
+            throw PartError{"its transform is no finite matrix"};
+        }
+        const std::vector<std::size_t> children = indices_in(node, "children");
+        for (auto child = children.rbegin(); child != children.rend(); ++child) {
+            pending.push_back({*child, world_from_node});
+        }
+        place_light(node, world_from_node);
+        place_mesh(node, visit.index, world_from_node);
+    } catch (const PartError& fault) {
+        import_.warn(fmt::format("node {} is left out: {}", in_quotes(name), fault.reason));
+    }
+}
+
+void GltfReader::place_mesh(const Json& node, std::size_t node_index, const M44d& world_from_node) {
+    const auto gltf_mesh = index_in(node, "mesh");
+    if (!gltf_mesh) {
+        return;
+    }
+    if (!invertible(world_from_node)) {
+        throw PartError{"its transform flattens it"};
+    }
+    const std::vector<MeshIndex>& parts = meshes(*gltf_mesh);
+    if (parts.empty()) {
+        return;
+    }
+    skinned_ += member(node, "skin").is_null() ? 0 : 1;
+    std::string name = text_in(node, "name");
+    if (name.empty()) {
+        name = text_in(element(root_, "meshes", *gltf_mesh), "name");
+    }
+    scene_.objects.push_back({name.empty() ? node_name(node, node_index) : name});
+    const auto object = static_cast<std::uint32_t>(scene_.objects.size() - 1);
+    for (const MeshIndex part : parts) {
+        scene_.instances.push_back({part, world_from_node, object});
+    }
+}
+
+const std::vector<MeshIndex>& GltfReader::meshes(std::size_t gltf_mesh) {
+    const auto [known, is_new] = meshes_.try_emplace(gltf_mesh);
+    if (is_new) {
+        const Json& mesh = element(root_, "meshes", gltf_mesh);
+        const std::string name = text_in(mesh, "name", fmt::format("mesh {}", gltf_mesh));
+        for (std::size_t i = 0; i < array_size(mesh, "primitives"); ++i) {
+            try {
+                read_primitive(mesh["primitives"][i], name, known->second);
+            } catch (const PartError& fault) {
+                import_.warn(fmt::format("mesh {}: primitive {} is left out: {}", in_quotes(name),
+                                         i, fault.reason));
+            }
+        }
+    }
+    return known->second;
+}
+
+void GltfReader::read_primitive(const Json& primitive, const std::string& name,
+                                std::vector<MeshIndex>& made) {
+    const std::size_t mode = count_in(primitive, "mode", static_cast<std::size_t>(Mode::triangles));
+    if (mode == static_cast<std::size_t>(Mode::points)) {
+        ++dropped_points_;
+        return;
+    }
+    if (mode <= static_cast<std::size_t>(Mode::line_strip)) {
+        ++dropped_lines_;
+        return;
+    }
+    if (member(member(primitive, "extensions"), "KHR_draco_mesh_compression").is_object() &&
+        !index_in(member(primitive, "attributes"), "POSITION")) {
+        throw PartError{"it is compressed with Draco"};
+    }
+    const GltfMaterial& shaded = material(index_in(primitive, "material"));
+    Mesh mesh = read_vertices(member(primitive, "attributes"), shaded);
+    mesh.name = name;
+    mesh.material = shaded.index;
+    mesh.triangles = read_triangles(primitive, mode, mesh.positions.size());
+    if (auto finished = finish_mesh(std::move(mesh), import_)) {
+        scene_.meshes.push_back(std::move(*finished));
+        made.emplace_back(scene_.meshes.size() - 1);
+    }
+}
+
+Mesh GltfReader::read_vertices(const Json& attributes, const GltfMaterial& shaded) const {
+    Mesh mesh;
+    const auto position = index_in(attributes, "POSITION");
+    if (!position) {
+        throw PartError{"it has no positions"};
+    }
+    const std::vector<float> positions = document_.floats(*position, 3);
+    for (std::size_t i = 0; i < positions.size(); i += 3) {
+        mesh.positions.emplace_back(positions[i], positions[i + 1], positions[i + 2]);
+    }
+    const auto check_count = [&](std::size_t count) {
+        if (count != mesh.positions.size()) {
+            throw PartError{fmt::format("it has {} and {} of another attribute",
+                                        counted(mesh.positions.size(), "position"), count)};
+        }
+    };
+    if (const auto normal = index_in(attributes, "NORMAL")) {
+        const std::vector<float> normals = document_.floats(*normal, 3);
+        check_count(normals.size() / 3);
+        for (std::size_t i = 0; i < normals.size(); i += 3) {
+            mesh.normals.emplace_back(normals[i], normals[i + 1], normals[i + 2]);
+        }
+    }
+    const std::string set = fmt::format("TEXCOORD_{}", shaded.texture_coordinate_set);
+    if (const auto coordinate = index_in(attributes, set)) {
+        const std::vector<float> coordinates = document_.floats(*coordinate, 2);
+        check_count(coordinates.size() / 2);
+        for (std::size_t i = 0; i < coordinates.size(); i += 2) {
+            mesh.texture_coordinates.push_back(V2f(coordinates[i], coordinates[i + 1]) *
+                                               shaded.texture_transform);
+        }
+    }
+    return mesh;
+}
+
+std::vector<std::array<std::uint32_t, 3>> GltfReader::read_triangles(const Json& primitive,
+                                                                     std::size_t mode,
+                                                                     std::size_t vertices) const {
+    std::vector<std::uint32_t> indices;
+    if (const auto accessor = index_in(primitive, "indices")) {
+        indices = document_.integers(*accessor);
+    } else {
+        indices.resize(vertices);
+        for (std::size_t i = 0; i < vertices; ++i) {
+            indices[i] = static_cast<std::uint32_t>(i);
+        }
+    }
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    const std::size_t step = mode == static_cast<std::size_t>(Mode::triangles) ? 3 : 1;
+    for (std::size_t i = 0; i + 2 < indices.size(); i += step) {
+        switch (static_cast<Mode>(std::min<std::size_t>(mode, 255))) {
+            case Mode::triangles:
+                triangles.push_back({indices[i], indices[i + 1], indices[i + 2]});
+                break;
+            case Mode::triangle_strip:
+                // Every second triangle of a strip is turned round to face the same side.
+                triangles.push_back({indices[i], indices[i + 1 + i % 2], indices[i + 2 - i % 2]});
+                break;
+            case Mode::triangle_fan:
+                triangles.push_back({indices[i + 1], indices[i + 2], indices[0]});
+                break;
+            default: throw PartError{fmt::format("its mode {} is unknown", mode)};
+        }
+    }
+    return triangles;
+}
+
+void GltfReader::warn_of_what_is_not_read() {
+    const auto dropped = [&](std::size_t count, const char* kind) {
+        if (count > 0) {
+            import_.warn(fmt::format("{} of {} left out: only triangles are rendered",
+                                     counted(count, "primitive"), kind));
+        }
+    };
+    dropped(dropped_points_, "points");
+    dropped(dropped_lines_, "lines");
+    if (skinned_ > 0) {
+        import_.warn(fmt::format("{} shown as stored, without the skeleton's pose",
+                                 counted(skinned_, "skinned object")));
+    }
+    const std::vector<std::string> unread = unread_extensions(root_, "extensionsUsed");
+    if (!unread.empty()) {
+        import_.warn(
+            fmt::format("the file uses extensions that are not read: {}", fmt::join(unread, ", ")));
+    }
+}
+
+}  // namespace balcony::scene

@@ -1,0 +1,114 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "scene/gltf_json.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace balcony::scene {
+
+namespace {
+
+std::size_t to_index(const Json& value, std::string_view key) {
+    if (value.is_number_unsigned()) {
+        return value.get<std::size_t>();
+    }
+    throw PartError{fmt::format("its '{}' is not a whole number from 0", key)};
+}
+
+double to_number(const Json& value, std::string_view key) {
+    if (value.is_number() && std::isfinite(value.get<double>())) {
+        return value.get<double>();
+    }
+    throw PartError{fmt::format("its '{}' is not a number", key)};
+}
+
+const Json& array_in(const Json& value, std::string_view key) {
+    const Json& array = member(value, key);
+    if (!array.is_array() && !array.is_null()) {
+        throw PartError{fmt::format("its '{}' is not an array", key)};
+    }
+    return array;
+}
+
+}  // namespace
+
+const Json& member(const Json& value, std::string_view key) {
+    static const Json nothing;
+    if (!value.is_object()) {
+        return nothing;
+    }
+    const auto found = value.find(key);
+    return found == value.end() ? nothing : *found;
+}
+
+const Json& element(const Json& root, std::string_view array, std::size_t index) {
+    const Json& elements = member(root, array);
+    if (!elements.is_array() || index >= elements.size()) {
+        throw PartError{fmt::format("the file has no '{}' with number {}", array, index)};
+    }
+    return elements[index];
+}
+
+std::size_t array_size(const Json& value, std::string_view key) {
+    const Json& array = member(value, key);
+    return array.is_array() ? array.size() : 0;
+}
+
+std::optional<std::size_t> index_in(const Json& value, std::string_view key) {
+    const Json& index = member(value, key);
+    return index.is_null() ? std::nullopt : std::optional(to_index(index, key));
+}
+
+std::size_t count_in(const Json& value, std::string_view key, std::size_t fallback) {
+    return index_in(value, key).value_or(fallback);
+}
+
+std::vector<std::size_t> indices_in(const Json& value, std::string_view key) {
+    std::vector<std::size_t> indices;
+    for (const Json& index : array_in(value, key)) {
+        indices.push_back(to_index(index, key));
+    }
+    return indices;
+}
+
+double number_in(const Json& value, std::string_view key, double fallback) {
+    const Json& number = member(value, key);
+    return number.is_null() ? fallback : to_number(number, key);
+}
+
+std::vector<double> numbers_in(const Json& value, std::string_view key,
+                               std::vector<double> fallback) {
+    const Json& array = array_in(value, key);
+    if (array.is_null()) {
+        return fallback;
+    }
+    if (array.size() != fallback.size()) {
+        throw PartError{fmt::format("its '{}' has {} numbers where {} belong", key, array.size(),
+                                    fallback.size())};
+    }
+    for (std::size_t i = 0; i < fallback.size(); ++i) {
+        fallback[i] = to_number(array[i], key);
+    }
+    return fallback;
+}
+
+Color3f color_in(const Json& value, std::string_view key, const Color3f& fallback) {
+    const auto numbers = numbers_in(value, key, {fallback.x, fallback.y, fallback.z});
+    return {static_cast<float>(numbers[0]), static_cast<float>(numbers[1]),
+            static_cast<float>(numbers[2])};
+}
+
+std::string text_in(const Json& value, std::string_view key, std::string_view fallback) {
+    const Json& text = member(value, key);
+    return text.is_string() ? text.get<std::string>() : std::string(fallback);
+}
+
+bool flag_in(const Json& value, std::string_view key) {
+    const Json& flag = member(value, key);
+    return flag.is_boolean() && flag.get<bool>();
+}
+
+}  // namespace balcony::scene

@@ -1,0 +1,52 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Reading members of a glTF file's JSON, which may hold anything anywhere. A member that is absent
+// gives the fallback; one of the wrong kind throws PartError.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "balcony/scene.hpp"
+
+namespace balcony::scene {
+
+using Json = nlohmann::json;
+
+/// Why a part of a file (a mesh, a texture, a light) cannot be used. The reader of the part turns
+/// it into a warning that names the part, and goes on without it.
+struct PartError {
+    std::string reason;
+};
+
+/// Null if the value is no object or has no such member.
+[[nodiscard]] const Json& member(const Json& value, std::string_view key);
+
+/// The element of a top-level array such as "meshes". Throws PartError past its end.
+[[nodiscard]] const Json& element(const Json& root, std::string_view array, std::size_t index);
+
+/// How many elements a member that should be an array has; 0 if it is none.
+[[nodiscard]] std::size_t array_size(const Json& value, std::string_view key);
+
+/// A whole number that is not negative: an index, a count, an offset.
+[[nodiscard]] std::optional<std::size_t> index_in(const Json& value, std::string_view key);
+[[nodiscard]] std::size_t count_in(const Json& value, std::string_view key, std::size_t fallback);
+
+/// The indices in an array such as "children"; empty if absent.
+[[nodiscard]] std::vector<std::size_t> indices_in(const Json& value, std::string_view key);
+
+[[nodiscard]] double number_in(const Json& value, std::string_view key, double fallback);
+[[nodiscard]] std::vector<double> numbers_in(const Json& value, std::string_view key,
+                                             std::vector<double> fallback);
+[[nodiscard]] Color3f color_in(const Json& value, std::string_view key, const Color3f& fallback);
+[[nodiscard]] std::string text_in(const Json& value, std::string_view key,
+                                  std::string_view fallback = {});
+[[nodiscard]] bool flag_in(const Json& value, std::string_view key);
+
+}  // namespace balcony::scene

@@ -1,0 +1,80 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <Imath/ImathMatrix.h>
+
+#include "scene/gltf_document.hpp"
+
+namespace balcony::scene {
+
+/// A material with the texture co-ordinates it wants: our meshes have one set, so it is chosen and
+/// transformed (KHR_texture_transform) when a mesh is made for the material.
+struct GltfMaterial {
+    MaterialIndex index;
+    std::size_t texture_coordinate_set = 0;
+    Imath::M33f texture_transform;
+};
+
+/// Makes a Scene of a glTF document: what the nodes of its scene use, and nothing else.
+class GltfReader {
+public:
+    GltfReader(const GltfDocument& document, Import& import)
+        : document_(document), root_(document.root()), import_(import), scene_(import.scene) {}
+
+    void read();
+
+private:
+    struct Node {
+        std::size_t index = 0;
+        M44d world_from_parent;
+    };
+    struct TextureUse {
+        TextureIndex index;
+        std::size_t set = 0;
+        Imath::M33f transform;
+    };
+
+    // gltf_geometry.cpp
+    [[nodiscard]] std::vector<std::size_t> root_nodes() const;
+    void read_node(const Node& node, std::vector<Node>& pending);
+    void place_mesh(const Json& node, std::size_t node_index, const M44d& world_from_node);
+    const std::vector<MeshIndex>& meshes(std::size_t gltf_mesh);
+    void read_primitive(const Json& primitive, const std::string& name,
+                        std::vector<MeshIndex>& made);
+    [[nodiscard]] Mesh read_vertices(const Json& attributes, const GltfMaterial& material) const;
+    [[nodiscard]] std::vector<std::array<std::uint32_t, 3>> read_triangles(
+        const Json& primitive, std::size_t mode, std::size_t vertices) const;
+    void warn_of_what_is_not_read();
+
+    // gltf_materials.cpp
+    const GltfMaterial& material(std::optional<std::size_t> gltf_material);
+    GltfMaterial read_material(const Json& json);
+    void choose_texture_coordinates(const std::vector<TextureUse>& uses, GltfMaterial& made);
+    TextureUse texture_use(const Json& owner, const char* key, const std::string& material_name);
+    std::optional<Texture> read_texture(const Json& texture, const std::string& material_name);
+    void read_image(const Json& image, Texture& texture) const;
+
+    // gltf_lights.cpp
+    void place_light(const Json& node, const M44d& world_from_node);
+
+    const GltfDocument& document_;
+    const Json& root_;
+    Import& import_;
+    Scene& scene_;
+    std::map<std::size_t, std::vector<MeshIndex>> meshes_;
+    std::map<std::optional<std::size_t>, GltfMaterial> materials_;
+    std::map<std::size_t, TextureIndex> textures_;
+    std::set<std::size_t> visited_nodes_;
+    std::size_t dropped_points_ = 0;
+    std::size_t dropped_lines_ = 0;
+    std::size_t skinned_ = 0;
+};
+
+}  // namespace balcony::scene

@@ -1,0 +1,52 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// What the readers of the scene layer share: the scene in the making, files, names in messages.
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "balcony/scene.hpp"
+
+namespace balcony::scene {
+
+/// Thrown inside this layer when nothing can be rendered; load() returns it as an error.
+struct ReadError {
+    Diagnostic diagnostic;
+};
+
+/// A scene in the making, with what there is to say about it.
+struct Import {
+    std::filesystem::path file;
+    Scene scene;
+    Diagnostics diagnostics;
+
+    void warn(std::string message, std::string remedy = {});
+};
+
+/// The two families of formats. Both throw ReadError.
+void read_gltf(Import& import);
+void read_obj(Import& import);
+
+/// A name in quotes, fit for a message: no control characters, shortened if very long.
+[[nodiscard]] std::string in_quotes(std::string_view name);
+
+/// "1 triangle", "12 triangles"
+[[nodiscard]] std::string counted(std::size_t count, std::string_view noun);
+
+/// All bytes of a regular file. Throws ReadError if there is none, or if it cannot be read.
+[[nodiscard]] std::vector<std::uint8_t> read_bytes(const std::filesystem::path& file);
+
+/// "did you mean 'x.glb'?" if the directory of a missing file has a similar name, else empty.
+[[nodiscard]] std::string similar_file(const std::filesystem::path& file);
+
+/// A path written in a scene file, made relative to the directory of the file that says it.
+[[nodiscard]] std::filesystem::path beside(const std::filesystem::path& file,
+                                           std::string_view written);
+
+}  // namespace balcony::scene

@@ -1,0 +1,39 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/import.hpp"
+
+namespace balcony::scene {
+
+/// The materials that an OBJ file's material libraries hold, by name.
+class ObjMaterials {
+public:
+    /// Reads the libraries beside the OBJ file; warns of what is missing.
+    ObjMaterials(const std::vector<std::string>& libraries, Import& import);
+
+    /// Adds a material with its textures to the scene. One that no library has is grey, with a
+    /// warning. An empty name means faces without a material: grey without a warning.
+    MaterialIndex add_to_scene(const std::string& name);
+
+private:
+    struct Source {
+        Material material;
+        std::string color_map;  // The arguments of map_Kd as written.
+        std::string emission_map;
+        std::string opacity_map;
+        std::filesystem::path library;
+    };
+
+    void read_library(const std::filesystem::path& file);
+    void read_line(Source& source, std::string_view keyword, std::string_view arguments);
+    TextureIndex add_texture(const Source& source, const std::string& map);
+
+    Import& import_;
+    std::vector<Source> sources_;
+};
+
+}  // namespace balcony::scene

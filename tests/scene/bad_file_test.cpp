@@ -1,0 +1,217 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <limits>
+
+#include "scene_files.hpp"
+
+namespace balcony::scene::testing {
+
+namespace {
+
+using BadFiles = SceneFiles;
+
+// Loading must fail, with this in what is said.
+::testing::AssertionResult fails(const Result<Scene>& result, std::string_view text) {
+    if (result) {
+        return ::testing::AssertionFailure() << "was loaded";
+    }
+    if (!has_errors(result.diagnostics)) {
+        return ::testing::AssertionFailure() << "no error was given";
+    }
+    return says(result, text);
+}
+
+}  // namespace
+
+TEST_F(BadFiles, MissingFileSuggestsTheNearest) {
+    write("room.glb", one_triangle().glb());
+    const auto result = load(directory / "rooom.glb");
+    EXPECT_TRUE(fails(result, "there is no file '"));
+    EXPECT_TRUE(says(result, "did you mean '" + (directory / "room.glb").string() + "'?"));
+    EXPECT_TRUE(fails(load(directory / "nowhere" / "x.glb"), "there is no file '"));
+}
+
+TEST_F(BadFiles, DirectoryAndUnknownExtension) {
+    EXPECT_TRUE(fails(load(directory), "is a directory, not a scene file"));
+    std::filesystem::create_directory(directory / "folder.glb");
+    EXPECT_TRUE(fails(load(directory / "folder.glb"), "is a directory"));
+    const auto unknown = load(write("scene.blend", "BLENDER"));
+    EXPECT_TRUE(fails(unknown, "scene.blend' is of no format that is read here"));
+    EXPECT_TRUE(says(unknown, ".glb, .gltf and .obj"));
+}
+
+TEST_F(BadFiles, TruncatedGlbSaysBothSizes) {
+    const std::string glb = one_triangle().glb();
+    const auto result = load(write("cut.glb", glb.substr(0, glb.size() - 10)));
+    EXPECT_TRUE(fails(result, "cut.glb' is cut off: it says " + std::to_string(glb.size()) +
+                                  " bytes and has " + std::to_string(glb.size() - 10)));
+    for (std::size_t size = 0; size < glb.size(); ++size) {
+        EXPECT_FALSE(load(write("cut.glb", glb.substr(0, size)))) << size;
+    }
+}
+
+TEST_F(BadFiles, NotAGlb) {
+    EXPECT_TRUE(fails(load(write("a.glb", "PNG or so")), "a.glb' is not a GLB"));
+    const auto json = load(write("b.glb", "{}"));
+    EXPECT_TRUE(fails(json, "is not a GLB"));
+    EXPECT_TRUE(says(json, "name it .gltf"));
+    EXPECT_TRUE(fails(load(write("c.glb", "")), "is not a GLB"));
+    std::string old = one_triangle().glb();
+    old[4] = 1;
+    EXPECT_TRUE(fails(load(write("d.glb", old)), "is glTF version 1"));
+}
+
+TEST_F(BadFiles, BrokenJsonShowsThePlace) {
+    const auto result = load(write("scene.gltf", "{\n  \"asset\": {\"version\" \"2.0\"}\n}"));
+    EXPECT_TRUE(fails(result, "scene.gltf:2:"));
+    EXPECT_TRUE(says(result, "the JSON of '"));
+    EXPECT_TRUE(says(result, "expected ':' here"));
+    EXPECT_TRUE(fails(load(write("e.gltf", "")), "the JSON of '"));
+    EXPECT_TRUE(fails(load(write("n.gltf", "{\"a\": 1e999}")), "the JSON of '"));
+    EXPECT_TRUE(fails(load(write("deep.gltf", std::string(1000000, '['))), "the JSON of '"));
+    EXPECT_TRUE(fails(load(write("bare.gltf", "[]")), "has no 'asset' with a 'version'"));
+    EXPECT_TRUE(fails(load(write("old.gltf", R"({"asset": {"version": "1.0"}})")),
+                      "is glTF version '1.0'"));
+}
+
+TEST_F(BadFiles, NothingToRender) {
+    EXPECT_TRUE(fails(load_glb(Gltf()), "nothing to render in '"));
+    EXPECT_TRUE(says(load_glb(Gltf()), "scene.glb': it has no triangles"));
+    EXPECT_TRUE(fails(load_obj(""), "scene.obj': it has no triangles"));
+    EXPECT_TRUE(fails(load_obj("v 0 0 0\nv 1 0 0\nl 1 2\n"), "nothing to render"));
+}
+
+TEST_F(BadFiles, VerticesThatAreNoNumbers) {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const float infinity = std::numeric_limits<float>::infinity();
+    for (const float bad : {nan, infinity, -infinity, 3e38F}) {
+        Gltf gltf = one_triangle();
+        gltf.primitive(0)["attributes"] = {
+            {"POSITION", gltf.add_floats({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, bad, 0}, 3)}};
+        gltf.primitive(0)["indices"] = gltf.add_shorts({0, 1, 2, 0, 1, 3, 3, 2, 1}, 1);
+        const auto scene = load_glb(gltf);
+        ASSERT_TRUE(scene) << said(scene);
+        EXPECT_EQ(scene->triangle_count(), 1U);
+        EXPECT_EQ(scene->bounds().max, V3f(1, 1, 0));
+        EXPECT_TRUE(says(scene,
+                         "mesh 'mesh': 2 triangles left out with a vertex that is no usable "
+                         "number"));
+    }
+}
+
+TEST_F(BadFiles, IndicesOutOfRange) {
+    Gltf gltf = one_triangle();
+    gltf.primitive(0)["indices"] = gltf.add_shorts({0, 1, 2, 0, 1, 3, 65535, 1, 0}, 1);
+    const auto scene = load_glb(gltf);
+    ASSERT_TRUE(scene) << said(scene);
+    EXPECT_EQ(scene->triangle_count(), 1U);
+    EXPECT_TRUE(says(scene, "mesh 'mesh': 2 triangles left out that name a vertex"));
+}
+
+TEST_F(BadFiles, AccessorsThatReachTooFar) {
+    Gltf gltf = one_triangle();
+    gltf.json["accessors"][0]["count"] = 4;
+    EXPECT_TRUE(fails(load_glb(gltf),
+                      "mesh 'mesh': primitive 0 is left out: an accessor reaches "
+                      "past the end of its buffer view"));
+    // Sums of these with anything wrap around.
+    for (const std::uint64_t huge : {0xffffffffffffffffULL, 0xfffffffffffffff8ULL, 1ULL << 62U}) {
+        for (const char* key : {"count", "byteOffset", "bufferView"}) {
+            Gltf wraps = one_triangle();
+            wraps.json["accessors"][0][key] = huge;
+            EXPECT_FALSE(load_glb(wraps)) << key;
+        }
+        for (const char* key : {"byteLength", "byteOffset", "buffer", "byteStride"}) {
+            Gltf wraps = one_triangle();
+            wraps.json["bufferViews"][0][key] = huge;
+            EXPECT_FALSE(load_glb(wraps)) << key;
+        }
+    }
+    Gltf without_bytes = one_triangle();
+    without_bytes.json["accessors"][0].erase("bufferView");
+    without_bytes.json["accessors"][0]["count"] = 4000000000U;
+    EXPECT_TRUE(fails(load_glb(without_bytes), "an accessor has no buffer view"));
+}
+
+TEST_F(BadFiles, WrongKindsInTheJson) {
+    const Json odd[] = {nullptr, true, -1, 1.5, "text", Json::array(), Json::object(), {1, 2}};
+    for (const Json& value : odd) {
+        for (const char* key : {"/nodes/0/mesh", "/nodes/0/children", "/meshes/0/primitives",
+                                "/meshes/0/primitives/0/attributes", "/accessors/0/type",
+                                "/accessors/0/componentType", "/bufferViews/0/byteOffset",
+                                "/scenes/0/nodes", "/nodes/0", "/nodes", "/accessors", "/scene"}) {
+            Gltf gltf = one_triangle();
+            gltf.json[Json::json_pointer(key)] = value;
+            const auto result = load_glb(gltf);
+            EXPECT_TRUE(result || has_errors(result.diagnostics)) << key << value;
+        }
+    }
+}
+
+TEST_F(BadFiles, ExternalBuffer) {
+    const Gltf gltf = one_triangle();
+    Json json = gltf.json;
+    json["buffers"] = {{{"uri", "data.bin"}, {"byteLength", gltf.buffer.size()}}};
+    const auto missing = load(write("scene.gltf", json.dump()));
+    EXPECT_TRUE(
+        fails(missing, "there is no file '" + (directory / "data.bin").string() + "', where '"));
+    write("data.bin", gltf.buffer.substr(0, 20));
+    EXPECT_TRUE(fails(load(directory / "scene.gltf"), "it holds 20 of "));
+}
+
+TEST_F(BadFiles, NodeTransforms) {
+    Gltf gltf = one_triangle();
+    Json matrix = Json::array();
+    for (int i = 0; i < 16; ++i) {
+        matrix.push_back(nullptr);  // How writers put NaN.
+    }
+    gltf.add_node({{"name", "none"}, {"mesh", 0}, {"matrix", matrix}});
+    gltf.add_node({{"name", "flat"}, {"mesh", 0}, {"scale", {1, 0, 1}}});
+    gltf.add_node({{"name", "huge"}, {"scale", {1e300, 1e300, 1e300}}, {"children", {4}}});
+    gltf.add_node({{"name", "huger"}, {"mesh", 0}, {"scale", {1e300, 1, 1}}}, false);
+    gltf.add_node({{"name", "unturned"}, {"mesh", 0}, {"rotation", {0, 0, 0, 0}}});
+    const auto scene = load_glb(gltf);
+    ASSERT_TRUE(scene) << said(scene);
+    EXPECT_EQ(scene->instances.size(), 1U);
+    EXPECT_TRUE(says(scene, "node 'none' is left out: its 'matrix' is not a number"));
+    EXPECT_TRUE(says(scene, "node 'flat' is left out: its transform flattens it"));
+    EXPECT_TRUE(says(scene, "node 'huger' is left out: its transform is no finite matrix"));
+    EXPECT_TRUE(says(scene, "node 'unturned' is left out: its 'rotation' has no length"));
+}
+
+TEST_F(BadFiles, NodesInACircle) {
+    Gltf gltf = one_triangle();
+    gltf.json["nodes"][0]["children"] = {0};
+    const auto scene = load_glb(gltf);
+    ASSERT_TRUE(scene) << said(scene);
+    EXPECT_EQ(scene->instances.size(), 1U);
+    EXPECT_TRUE(says(scene, "node 'node' is left out: it has more than one parent, or is its own"));
+}
+
+TEST_F(BadFiles, CompressedGeometryIsNamed) {
+    Gltf gltf = one_triangle();
+    gltf.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
+    EXPECT_TRUE(fails(load_glb(gltf), "needs the extension 'KHR_draco_mesh_compression'"));
+}
+
+TEST_F(BadFiles, ManyFaultsAreNotAllListed) {
+    Gltf gltf = one_triangle();
+    for (int i = 0; i < 500; ++i) {
+        gltf.add_node({{"mesh", 0}, {"scale", {0, 1, 1}}});
+    }
+    const auto scene = load_glb(gltf);
+    ASSERT_TRUE(scene);
+    EXPECT_EQ(scene.diagnostics.size(), 51U);
+    EXPECT_TRUE(says(scene, "450 warnings more like these"));
+}
+
+TEST_F(BadFiles, NamesAreFitToPrint) {
+    Gltf gltf = one_triangle();
+    gltf.add_node({{"name", "\x1b[31m"}, {"mesh", 0}, {"scale", {0, 1, 1}}});
+    const auto scene = load_glb(gltf);
+    ASSERT_TRUE(scene);
+    EXPECT_TRUE(says(scene, "node '?[31m' is left out"));
+}
+
+}  // namespace balcony::scene::testing

@@ -1,0 +1,164 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "scene_files.hpp"
+
+namespace balcony::scene::testing {
+
+namespace {
+
+class GltfMaterials : public SceneFiles {
+protected:
+    // The triangle with one material, whose JSON is given.
+    [[nodiscard]] static Gltf with_material(const Json& material) {
+        Gltf gltf = one_triangle();
+        gltf.json["materials"] = {material};
+        gltf.primitive(0)["material"] = 0;
+        return gltf;
+    }
+};
+
+}  // namespace
+
+TEST_F(GltfMaterials, FactorsAreRead) {
+    const auto scene = load_glb(with_material(
+        {{"name", "lamp"},
+         {"pbrMetallicRoughness",
+          {{"baseColorFactor", {0.1, 0.2, 0.3, 0.4}},
+           {"metallicFactor", 0.5},
+           {"roughnessFactor", 0.25}}},
+         {"emissiveFactor", {1, 0.5, 0}},
+         {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", 8}}}}},
+         {"alphaMode", "BLEND"},
+         {"doubleSided", true}}));
+    ASSERT_TRUE(scene) << said(scene);
+    const Material& material = scene->materials[scene->meshes[0].material.value()];
+    EXPECT_EQ(material.name, "lamp");
+    EXPECT_EQ(material.base_color, Color3f(0.1F, 0.2F, 0.3F));
+    EXPECT_EQ(material.alpha_mode, AlphaMode::blend);
+    EXPECT_EQ(material.alpha, 0.4F);
+    EXPECT_EQ(material.metallic, 0.5F);
+    EXPECT_EQ(material.roughness, 0.25F);
+    EXPECT_EQ(material.emission, Color3f(8.0F, 4.0F, 0.0F));
+    EXPECT_TRUE(material.double_sided);
+    EXPECT_FALSE(scene->default_light) << "the material gives light";
+}
+
+TEST_F(GltfMaterials, DefaultsAreThoseOfGltf) {
+    const auto scene = load_glb(one_triangle());
+    ASSERT_TRUE(scene) << said(scene);
+    const Material& material = scene->materials[scene->meshes[0].material.value()];
+    EXPECT_EQ(material.base_color, Color3f(1.0F));
+    EXPECT_EQ(material.metallic, 1.0F);
+    EXPECT_EQ(material.roughness, 1.0F);
+    EXPECT_FALSE(material.double_sided);
+    EXPECT_EQ(material.alpha_mode, AlphaMode::opaque);
+    EXPECT_TRUE(scene->default_light);
+    EXPECT_TRUE(scene.diagnostics.empty()) << said(scene);
+}
+
+TEST_F(GltfMaterials, AlphaCountsOnlyWhereTheModeSaysSo) {
+    const Json color = {{"baseColorFactor", {1, 1, 1, 0.3}}};
+    const auto opaque = load_glb(with_material({{"pbrMetallicRoughness", color}}));
+    ASSERT_TRUE(opaque);
+    EXPECT_EQ(opaque->materials[0].alpha, 1.0F);
+    const auto mask =
+        load_glb(with_material({{"pbrMetallicRoughness", color}, {"alphaMode", "MASK"}}));
+    ASSERT_TRUE(mask);
+    EXPECT_EQ(mask->materials[0].alpha_mode, AlphaMode::mask);
+    EXPECT_EQ(mask->materials[0].alpha, 0.3F);
+    EXPECT_EQ(mask->materials[0].alpha_cutoff, 0.5F);
+}
+
+TEST_F(GltfMaterials, TexturesAreFilesOrBytes) {
+    write("wood.png", "not looked at here");
+    Gltf gltf = with_material(
+        {{"pbrMetallicRoughness",
+          {{"baseColorTexture", {{"index", 0}}}, {"metallicRoughnessTexture", {{"index", 1}}}}},
+         {"emissiveTexture", {{"index", 2}}}});
+    const std::size_t accessor = gltf.add_shorts({0x1234, 0x5678}, 1);
+    gltf.json["images"] = {
+        {{"uri", "wood.png"}},
+        {{"bufferView", gltf.json["accessors"][accessor]["bufferView"]}, {"mimeType", "image/png"}},
+        {{"uri", "data:image/png;base64,QUJD"}}};
+    gltf.json["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}}};
+    gltf.json["textures"] = {{{"source", 0}, {"sampler", 0}}, {{"source", 1}}, {{"source", 2}}};
+    const auto scene = load_glb(gltf);
+    ASSERT_TRUE(scene) << said(scene);
+    const Material& material = scene->materials[0];
+    const Texture& wood = scene->textures[material.base_color_texture.value()];
+    EXPECT_EQ(wood.file, directory / "wood.png");
+    EXPECT_TRUE(wood.bytes.empty());
+    EXPECT_EQ(wood.wrap_u, Wrap::clamp);
+    EXPECT_EQ(wood.wrap_v, Wrap::mirror);
+    const Texture& shine = scene->textures[material.metallic_roughness_texture.value()];
+    EXPECT_EQ(shine.bytes, (std::vector<std::uint8_t>{0x34, 0x12, 0x78, 0x56}));
+    EXPECT_EQ(shine.wrap_u, Wrap::repeat);
+    EXPECT_TRUE(shine.file.empty());
+    const Texture& glow = scene->textures[material.emission_texture.value()];
+    EXPECT_EQ(glow.bytes, (std::vector<std::uint8_t>{'A', 'B', 'C'}));
+    EXPECT_TRUE(scene.diagnostics.empty()) << said(scene);
+}
+
+TEST_F(GltfMaterials, MissingTextureKeepsTheFactor) {
+    write("wood.png", "");
+    Gltf gltf = with_material(
+        {{"name", "floor"},
+         {"pbrMetallicRoughness",
+          {{"baseColorFactor", {0.5, 0.25, 0, 1}}, {"baseColorTexture", {{"index", 0}}}}}});
+    gltf.json["images"] = {{{"uri", "woof.png"}}};
+    gltf.json["textures"] = {{{"source", 0}}};
+    const auto scene = load_glb(gltf);
+    ASSERT_TRUE(scene) << said(scene);
+    EXPECT_TRUE(says(scene, "material 'floor': there is no texture file"));
+    EXPECT_TRUE(says(scene, "woof.png'"));
+    EXPECT_TRUE(says(scene, "did you mean '"));
+    EXPECT_FALSE(scene->materials[0].base_color_texture.valid());
+    EXPECT_EQ(scene->materials[0].base_color, Color3f(0.5F, 0.25F, 0.0F));
+}
+
+TEST_F(GltfMaterials, TextureTransformAndSetApplyToTheMesh) {
+    write("wood.png", "");
+    // Half the size, a quarter turn counter-clockwise on the image, then to the right by 0.1.
+    Gltf gltf = with_material({{"pbrMetallicRoughness",
+                                {{"baseColorTexture",
+                                  {{"index", 0},
+                                   {"texCoord", 1},
+                                   {"extensions",
+                                    {{"KHR_texture_transform",
+                                      {{"offset", {0.1, 0}},
+                                       {"scale", {0.5, 0.5}},
+                                       {"rotation", 1.5707963267948966}}}}}}}}}});
+    gltf.json["images"] = {{{"uri", "wood.png"}}};
+    gltf.json["textures"] = {{{"source", 0}}};
+    gltf.primitive(0)["attributes"]["TEXCOORD_0"] = gltf.add_floats({9, 9, 9, 9, 9, 9}, 2);
+    gltf.primitive(0)["attributes"]["TEXCOORD_1"] = gltf.add_floats({0, 0, 1, 0, 0, 1}, 2);
+    const auto scene = load_glb(gltf);
+    ASSERT_TRUE(scene) << said(scene);
+    const auto& coordinates = scene->meshes[0].texture_coordinates;
+    constexpr float single_rounding = 1e-6F;
+    EXPECT_TRUE(coordinates[0].equalWithAbsError(V2f(0.1F, 0.0F), single_rounding));
+    EXPECT_TRUE(coordinates[1].equalWithAbsError(V2f(0.1F, -0.5F), single_rounding));
+    EXPECT_TRUE(coordinates[2].equalWithAbsError(V2f(0.6F, 0.0F), single_rounding));
+}
+
+TEST_F(GltfMaterials, WhatIsNotReadIsSaid) {
+    Gltf gltf = with_material({{"name", "wall"}, {"normalTexture", {{"index", 0}}}});
+    gltf.json["extensionsUsed"] = {"KHR_materials_clearcoat", "KHR_lights_punctual"};
+    const auto scene = load_glb(gltf);
+    ASSERT_TRUE(scene) << said(scene);
+    EXPECT_TRUE(says(scene, "material 'wall': its normal map is not read"));
+    EXPECT_TRUE(says(scene, "extensions that are not read: 'KHR_materials_clearcoat'\n"));
+}
+
+TEST_F(GltfMaterials, ABadMaterialIsReplaced) {
+    const auto scene =
+        load_glb(with_material({{"pbrMetallicRoughness", {{"baseColorFactor", {1, 0, 0}}}}}));
+    ASSERT_TRUE(scene) << said(scene);
+    EXPECT_TRUE(says(scene,
+                     "material 0 is replaced by glTF's default: its 'baseColorFactor' has 3 "
+                     "numbers where 4 belong"));
+    EXPECT_EQ(scene->materials[0].base_color, Color3f(1.0F));
+}
+
+}  // namespace balcony::scene::testing

@@ -1,0 +1,93 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <cmath>
+#include <numbers>
+
+#include "scene_files.hpp"
+
+namespace balcony::scene::testing {
+
+namespace {
+
+class Lights : public SceneFiles {
+protected:
+    [[nodiscard]] static Gltf with_light(const Json& light, Json node) {
+        Gltf gltf = one_triangle();
+        gltf.json["extensions"]["KHR_lights_punctual"]["lights"] = {light};
+        node["extensions"]["KHR_lights_punctual"]["light"] = 0;
+        gltf.add_node(node);
+        return gltf;
+    }
+};
+
+// Directions are made of a few products of numbers near one.
+constexpr double rounding = 1e-12;
+
+}  // namespace
+
+TEST_F(Lights, PositionAndDirectionFollowTheNode) {
+    const double half = std::sqrt(0.5);
+    // A quarter turn about x takes -z to +y; the scale must change neither direction's length nor
+    // the intensity.
+    const auto scene =
+        load_glb(with_light({{"type", "spot"},
+                             {"intensity", 40},
+                             {"color", {1, 0.5, 0.25}},
+                             {"range", 7},
+                             {"spot", {{"innerConeAngle", 0.2}, {"outerConeAngle", 0.4}}}},
+                            {{"name", "lamp"},
+                             {"translation", {1, 2, 3}},
+                             {"rotation", {half, 0, 0, half}},
+                             {"scale", {3, 3, 3}}}));
+    ASSERT_TRUE(scene) << said(scene);
+    ASSERT_EQ(scene->lights.size(), 1U);
+    const Light& light = scene->lights[0];
+    EXPECT_EQ(light.name, "lamp");
+    EXPECT_EQ(light.kind, LightKind::spot);
+    EXPECT_EQ(light.position, V3d(1, 2, 3));
+    EXPECT_TRUE(light.direction.equalWithAbsError(V3d(0, 1, 0), rounding));
+    EXPECT_EQ(light.intensity, Color3f(40.0F, 20.0F, 10.0F));
+    EXPECT_EQ(light.range, 7.0F);
+    EXPECT_EQ(light.inner_cone, 0.2F);
+    EXPECT_EQ(light.outer_cone, 0.4F);
+    EXPECT_FALSE(scene->default_light);
+}
+
+TEST_F(Lights, DefaultsAreThoseOfTheExtension) {
+    for (const char* type : {"point", "spot", "directional"}) {
+        const auto scene = load_glb(with_light({{"type", type}, {"name", "sun"}}, Json::object()));
+        ASSERT_TRUE(scene) << said(scene);
+        ASSERT_EQ(scene->lights.size(), 1U);
+        const Light& light = scene->lights[0];
+        EXPECT_EQ(light.name, "sun");
+        EXPECT_EQ(light.kind, std::string_view(type) == "point"  ? LightKind::point
+                              : std::string_view(type) == "spot" ? LightKind::spot
+                                                                 : LightKind::directional);
+        EXPECT_EQ(light.intensity, Color3f(1.0F));
+        EXPECT_EQ(light.range, 0.0F);
+        EXPECT_EQ(light.direction, V3d(0, 0, -1));
+        EXPECT_EQ(light.inner_cone, 0.0F);
+        EXPECT_FLOAT_EQ(light.outer_cone, std::numbers::pi_v<float> / 4.0F);
+    }
+}
+
+TEST_F(Lights, LightsOfOneNameStayApart) {
+    Gltf gltf = with_light({{"type", "point"}}, {{"name", "node"}, {"translation", {5, 0, 0}}});
+    const auto scene = load_glb(gltf);
+    ASSERT_TRUE(scene) << said(scene);
+    EXPECT_EQ(scene->lights[0].position, V3d(5, 0, 0)) << "not where the mesh of that name is";
+}
+
+TEST_F(Lights, BadLightsAreLeftOut) {
+    const auto unknown = load_glb(with_light({{"type", "area"}}, {{"name", "lamp"}}));
+    ASSERT_TRUE(unknown);
+    EXPECT_TRUE(says(unknown, "light 'lamp' is left out: its type 'area' is unknown"));
+    EXPECT_TRUE(unknown->default_light);
+    const auto negative =
+        load_glb(with_light({{"type", "point"}, {"intensity", -1}}, {{"name", "lamp"}}));
+    ASSERT_TRUE(negative);
+    EXPECT_TRUE(says(negative, "light 'lamp' is left out: its intensity is negative"));
+}
+
+}  // namespace balcony::scene::testing
