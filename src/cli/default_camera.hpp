@@ -1,0 +1,14 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "balcony/camera.hpp"
+#include "balcony/scene.hpp"
+
+namespace balcony::cli {
+
+/// A pinhole camera before the scene and a little above it that sees the whole, for those who
+/// name no camera.
+[[nodiscard]] Result<camera::Camera> default_camera(const scene::Scene& scene);
+
+}  // namespace balcony::cli

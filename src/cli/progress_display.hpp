@@ -1,0 +1,33 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "balcony/render.hpp"
+
+namespace balcony::cli {
+
+/// Shows how far a render has come on standard error: a bar with the time left on a terminal, a
+/// plain line at each tenth otherwise.
+class ProgressDisplay {
+public:
+    explicit ProgressDisplay(bool quiet);
+    ~ProgressDisplay();
+    ProgressDisplay(const ProgressDisplay&) = delete;
+    ProgressDisplay& operator=(const ProgressDisplay&) = delete;
+
+    void show(const render::Progress& progress);
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    bool quiet_;
+    bool terminal_;
+    bool bar_shown_ = false;
+    Clock::time_point last_shown_{};
+    int tenths_shown_ = 0;
+};
+
+}  // namespace balcony::cli
