@@ -54,15 +54,30 @@ void for_tiles(Function function) {
 }
 
 template <class Function>
-double million_rays_a_second(Function run_tile) {
-    double least_seconds = std::numeric_limits<double>::infinity();
+double seconds_for_picture(Function run_tile) {
+    const auto start = std::chrono::steady_clock::now();
+    for_tiles(run_tile);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Seconds for the plain loop and then each instruction set. They take turns, so that whatever
+// disturbs the machine for a while disturbs all of them.
+std::vector<double> least_seconds(const Case& row) {
+    const TileResults results;
+    program::Scratch scratch;
+    const std::size_t sets = program::instruction_sets().size();
+    std::vector<double> least(1 + sets, std::numeric_limits<double>::infinity());
     for (int pass = 0; pass < passes; ++pass) {
-        const auto start = std::chrono::steady_clock::now();
-        for_tiles(run_tile);
-        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-        least_seconds = std::min(least_seconds, taken.count());
+        least[0] = std::min(least[0], seconds_for_picture([&](const Tile& tile) {
+            row.plain_loop(tile, results.pointers());
+        }));
+        for (std::size_t set = 0; set < sets; ++set) {
+            least[1 + set] = std::min(least[1 + set], seconds_for_picture([&](const Tile& tile) {
+                run_on(set, row.program, tile, scratch, results.pointers());
+            }));
+        }
     }
-    return 1e-6 * static_cast<double>(picture_width * picture_height) / least_seconds;
+    return least;
 }
 
 // The largest difference between a camera and its plain loop, relative to the size of the value
@@ -92,16 +107,12 @@ void print_row(const Case& row) {
                row.program.instruction_count(Rate::column) +
                    row.program.instruction_count(Rate::row),
                row.program.instruction_count(Rate::pixel));
-    const TileResults results;
-    const double loop = million_rays_a_second(
-        [&](const Tile& tile) { row.plain_loop(tile, results.pointers()); });
-    fmt::print("{:>9.1f}", loop);
-    program::Scratch scratch;
-    for (std::size_t set = 0; set < program::instruction_sets().size(); ++set) {
-        const double rate = million_rays_a_second([&](const Tile& tile) {
-            run_on(set, row.program, tile, scratch, results.pointers());
-        });
-        fmt::print("{:>9.1f} ({:>5.1f} x)", rate, rate / loop);
+    constexpr double million_rays = 1e-6 * static_cast<double>(picture_width * picture_height);
+    const std::vector<double> seconds = least_seconds(row);
+    fmt::print("{:>9.1f}", million_rays / seconds[0]);
+    for (std::size_t column = 1; column < seconds.size(); ++column) {
+        fmt::print("{:>9.1f} ({:>5.1f} x)", million_rays / seconds[column],
+                   seconds[0] / seconds[column]);
     }
     fmt::print("{:>11.1e}\n", largest_difference(row));
 }

@@ -96,7 +96,10 @@ private:
 class Compiler {
 public:
     explicit Compiler(std::span<const Expr> roots)
-        : graph_(roots.front().graph()), roots_(roots), order_(schedule(graph_, roots)), values_(graph_.size()) {}
+        : graph_(roots.front().graph()),
+          roots_(roots),
+          order_(schedule(graph_, roots)),
+          values_(graph_.size()) {}
 
     std::shared_ptr<const Tape> run() {
         find_last_uses();
@@ -113,6 +116,8 @@ private:
         Rate rate = Rate::uniform;
         std::size_t last_use = 0;   ///< Position in order_; never if the register is kept for good.
         std::uint32_t number = 0;   ///< Among the registers of its rate.
+        std::uint32_t uses = 0;     ///< Instructions that read it and roots that are it.
+        std::int32_t root = -1;     ///< The last root that is it.
         std::uint32_t replica = 0;  ///< Of a row value that pixel instructions read, from 1.
     };
 
@@ -137,6 +142,7 @@ private:
             made.last_use = is_leaf(graph_[id].op) ? never : step;
             for_arguments(id, [&](NodeId argument) {
                 Value& read = value(argument);
+                ++read.uses;
                 if (read.rate != made.rate) {
                     read.last_use = never;
                 } else if (read.last_use != never) {
@@ -144,8 +150,11 @@ private:
                 }
             });
         }
-        for (const Expr& root : roots_) {
-            value(root.id()).last_use = never;
+        for (std::size_t i = 0; i < roots_.size(); ++i) {
+            Value& root = value(roots_[i].id());
+            root.last_use = never;
+            root.root = static_cast<std::int32_t>(i);
+            ++root.uses;
         }
     }
 
@@ -223,8 +232,15 @@ private:
             }
         }
         for (const Expr& root : roots_) {
-            tape_->roots.push_back({value(root.id()).rate, offset(root.id())});
+            tape_->roots.push_back(
+                {value(root.id()).rate, offset(root.id()), made_in_place(root.id())});
         }
+    }
+
+    // A pixel value that is one root and serves nothing else needs no register.
+    bool made_in_place(NodeId id) {
+        const Value& made = value(id);
+        return made.rate == Rate::pixel && made.root >= 0 && made.uses == 1;
     }
 
     Instruction instruction(NodeId id) {
@@ -232,6 +248,7 @@ private:
         Instruction made;
         made.op = node.op;
         made.result = offset(id);
+        made.root = made_in_place(id) ? value(id).root : -1;
         for (std::size_t i = 0; i < node.arguments.size(); ++i) {
             if (node.arguments[i].valid()) {
                 made.arguments[i] = operand(node.arguments[i], value(id).rate);

@@ -34,13 +34,16 @@ struct Operand {
 struct Instruction {
     expr::Op op = expr::Op::constant;
     std::uint32_t result = 0;  ///< Offset of the register that is written.
+    std::int32_t root = -1;    ///< The one root that is this value if nothing reads it, else -1.
     Operand arguments[3];
     double (*scalar)(const double* arguments) = nullptr;  ///< The operation's definition.
     const TableView* table = nullptr;                     ///< Of a look-up.
 };
 
-/// Runs one instruction over `count` points, a multiple of register_alignment.
-using Kernel = void (*)(const Instruction& instruction, double* registers, std::size_t count);
+/// Runs one instruction over `count` points, a multiple of register_alignment. The results go to
+/// `to`, which needs no alignment and may be one of the arguments.
+using Kernel = void (*)(const Instruction& instruction, const double* registers, double* to,
+                        std::size_t count);
 
 /// The kernel of an operation, null for a leaf; one function for each instruction set compiled.
 Kernel kernel_avx512(expr::Op op);

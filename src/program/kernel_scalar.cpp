@@ -9,19 +9,19 @@ namespace balcony::program {
 
 namespace {
 
-void by_definition(const Instruction& in, double* registers, std::size_t count) {
+void by_definition(const Instruction& in, const double* registers, double* to, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
         double arguments[3];
         for (std::size_t k = 0; k < 3; ++k) {
             const Operand& operand = in.arguments[k];
             arguments[k] = registers[operand.offset + (i & operand.mask)];
         }
-        registers[in.result + i] = in.scalar(arguments);
+        to[i] = in.scalar(arguments);
     }
 }
 
 // The steps of expr::Table.
-void lookup(const Instruction& in, double* registers, std::size_t count) {
+void lookup(const Instruction& in, const double* registers, double* to, std::size_t count) {
     const TableView& table = *in.table;
     const Operand& operand = in.arguments[0];
     for (std::size_t i = 0; i < count; ++i) {
@@ -32,7 +32,7 @@ void lookup(const Instruction& in, double* registers, std::size_t count) {
         const double cell = floored > 0.0 ? within : 0.0;
         const double s = position - cell;
         const double* c = table.cells + 4 * static_cast<std::size_t>(cell);
-        registers[in.result + i] = ((c[3] * s + c[2]) * s + c[1]) * s + c[0];
+        to[i] = ((c[3] * s + c[2]) * s + c[1]) * s + c[0];
     }
 }
 

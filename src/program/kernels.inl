@@ -51,17 +51,26 @@ static_assert(lanes::MaxLanes(tag) > 1 && register_alignment % lanes::MaxLanes(t
 #define BALCONY_SLEEF_2(function) \
     [](Vector a, Vector b) { return Vector{BALCONY_SLEEF(function)(a.raw, b.raw)}; }
 
-// An argument during a run. Made before the loop, as the compiler must take each store of a vector
+// Arguments during a run of points: one that varies, one that does not, one that may be either.
+// They are made before the loop over the points, as the compiler must take each store of a vector
 // for one that may change the instruction.
-struct Source {
+struct Varying {
+    const double* from;
+    Vector operator()(std::size_t i) const { return lanes::Load(tag, from + i); }
+};
+struct Fixed {
+    Vector value;
+    Vector operator()(std::size_t) const { return value; }
+};
+struct Masked {
     const double* from;
     std::size_t mask;
-
-    Source(const Instruction& in, std::size_t argument, const double* registers)
-        : from(registers + in.arguments[argument].offset), mask(in.arguments[argument].mask) {}
-
     Vector operator()(std::size_t i) const { return lanes::Load(tag, from + (i & mask)); }
 };
+
+inline Masked argument(const Instruction& in, std::size_t number, const double* registers) {
+    return {registers + in.arguments[number].offset, in.arguments[number].mask};
+}
 
 enum class Overflow { as_defined, too_early };
 
@@ -84,7 +93,7 @@ HWY_NOINLINE void redefine_infinite(const Instruction& in, Vector a, Vector b, d
 // Writes a result; the arguments are those that made it.
 template <Overflow overflow>
 inline void finish(const Instruction& in, Vector a, Vector b, Vector result, double* to) {
-    lanes::Store(result, tag, to);
+    lanes::StoreU(result, tag, to);
     if constexpr (overflow == Overflow::too_early) {
         const Mask infinite = lanes::Eq(lanes::Abs(result), lanes::Inf(tag));
         if (!lanes::AllFalse(tag, infinite)) {
@@ -93,25 +102,34 @@ inline void finish(const Instruction& in, Vector a, Vector b, Vector result, dou
     }
 }
 
+// If no argument varies, this is the uniform section: a run is one register, of equal values.
 template <auto function, Overflow overflow = Overflow::as_defined>
-void unary(const Instruction& in, double* registers, std::size_t count) {
-    const Source first(in, 0, registers);
-    double* const to = registers + in.result;
+void unary(const Instruction& in, const double* registers, double* to, std::size_t count) {
+    const Varying first{argument(in, 0, registers).from};
     for (std::size_t i = 0; i < count; i += lanes::Lanes(tag)) {
         const Vector a = first(i);
         finish<overflow>(in, a, a, function(a), to + i);
     }
 }
 
+// An argument that does not vary is loaded once, before the loop.
 template <auto function, Overflow overflow = Overflow::as_defined>
-void binary(const Instruction& in, double* registers, std::size_t count) {
-    const Source first(in, 0, registers);
-    const Source second(in, 1, registers);
-    double* const to = registers + in.result;
-    for (std::size_t i = 0; i < count; i += lanes::Lanes(tag)) {
-        const Vector a = first(i);
-        const Vector b = second(i);
-        finish<overflow>(in, a, b, function(a, b), to + i);
+void binary(const Instruction& in, const double* registers, double* to, std::size_t count) {
+    const Masked first = argument(in, 0, registers);
+    const Masked second = argument(in, 1, registers);
+    const auto loop = [&](auto load_first, auto load_second) {
+        for (std::size_t i = 0; i < count; i += lanes::Lanes(tag)) {
+            const Vector a = load_first(i);
+            const Vector b = load_second(i);
+            finish<overflow>(in, a, b, function(a, b), to + i);
+        }
+    };
+    if (second.mask == 0) {
+        loop(Varying{first.from}, Fixed{second(0)});
+    } else if (first.mask == 0) {
+        loop(Fixed{first(0)}, Varying{second.from});
+    } else {
+        loop(Varying{first.from}, Varying{second.from});
     }
 }
 
@@ -133,25 +151,23 @@ inline Vector sign(Vector a) {
     return lanes::IfThenElse(lanes::Gt(a, zero), one, not_positive);
 }
 
-void select(const Instruction& in, double* registers, std::size_t count) {
-    const Source condition(in, 0, registers);
-    const Source if_true(in, 1, registers);
-    const Source if_false(in, 2, registers);
-    double* const to = registers + in.result;
+void select(const Instruction& in, const double* registers, double* to, std::size_t count) {
+    const Masked condition = argument(in, 0, registers);
+    const Masked if_true = argument(in, 1, registers);
+    const Masked if_false = argument(in, 2, registers);
     for (std::size_t i = 0; i < count; i += lanes::Lanes(tag)) {
-        lanes::Store(lanes::IfThenElse(holds(condition(i)), if_true(i), if_false(i)), tag, to + i);
+        lanes::StoreU(lanes::IfThenElse(holds(condition(i)), if_true(i), if_false(i)), tag, to + i);
     }
 }
 
 // The steps of expr::Table, so that no cell outside the table is read and a NaN stays one.
-void lookup(const Instruction& in, double* registers, std::size_t count) {
+void lookup(const Instruction& in, const double* registers, double* to, std::size_t count) {
     using IndexTag = lanes::RebindToSigned<Tag>;
     const TableView table = *in.table;
-    const Source argument(in, 0, registers);
-    double* const to = registers + in.result;
+    const Varying first{argument(in, 0, registers).from};
     const Vector zero = lanes::Zero(tag);
     for (std::size_t i = 0; i < count; i += lanes::Lanes(tag)) {
-        const Vector x = argument(i);
+        const Vector x = first(i);
         const Vector position = lanes::Mul(lanes::Sub(x, lanes::Set(tag, table.first)),
                                            lanes::Set(tag, table.scale));
         const Vector floored = lanes::Floor(position);
@@ -165,7 +181,7 @@ void lookup(const Instruction& in, double* registers, std::size_t count) {
             const Vector c = lanes::GatherIndex(tag, table.cells + power, start);
             value = lanes::Add(lanes::Mul(value, s), c);
         }
-        lanes::Store(value, tag, to + i);
+        lanes::StoreU(value, tag, to + i);
     }
 }
 

@@ -59,22 +59,22 @@ std::size_t padded(std::size_t count) {
 // rest to deal with; the caller's arrays only ever receive the points of the tile.
 class TileRun {
 public:
-    TileRun(const Tape& tape, const Kernels& kernels, const Tile& tile, double* registers)
-        : tape_(tape), kernels_(kernels), tile_(tile), registers_(registers) {}
+    TileRun(const Tape& tape, const Kernels& kernels, const Tile& tile, double* registers,
+            std::span<double* const> results)
+        : tape_(tape),
+          kernels_(kernels),
+          tile_(tile),
+          registers_(registers),
+          results_(results),
+          in_place_(padded(tile.width) == tile.width) {}
 
-    void operator()(std::span<double* const> results) {
+    void operator()() {
         fill_leaves();
         run_section(Rate::uniform, register_alignment);
         run_section(Rate::column, padded(tile_.width));
         run_section(Rate::row, padded(tile_.height));
         for (std::size_t j = 0; j < tile_.height; ++j) {
-            for (const Tape::Replication& replication : tape_.replications) {
-                replicate(replication.replicated, registers_[replication.row_value + j]);
-            }
-            run_section(Rate::pixel, padded(tile_.width));
-            for (std::size_t r = 0; r < results.size(); ++r) {
-                write_row(tape_.roots[r], j, results[r] + j * tile_.width);
-            }
+            run_row(j);
         }
     }
 
@@ -96,10 +96,35 @@ private:
         }
     }
 
+    void run(const Instruction& instruction, double* to, std::size_t count) const {
+        kernels_[static_cast<std::size_t>(instruction.op)](instruction, registers_, to, count);
+    }
+
     void run_section(Rate rate, std::size_t count) {
         for (const Instruction& instruction : tape_.section(rate)) {
-            kernels_[static_cast<std::size_t>(instruction.op)](instruction, registers_, count);
+            run(instruction, registers_ + instruction.result, count);
         }
+    }
+
+    void run_row(std::size_t j) {
+        for (const Tape::Replication& replication : tape_.replications) {
+            replicate(replication.replicated, registers_[replication.row_value + j]);
+        }
+        for (const Instruction& instruction : tape_.section(Rate::pixel)) {
+            const bool in_place = in_place_ && instruction.root >= 0;
+            double* to = in_place ? row_of(static_cast<std::size_t>(instruction.root), j)
+                                  : registers_ + instruction.result;
+            run(instruction, to, padded(tile_.width));
+        }
+        for (std::size_t r = 0; r < results_.size(); ++r) {
+            if (!in_place_ || !tape_.roots[r].made_in_place) {
+                write_row(tape_.roots[r], j, row_of(r, j));
+            }
+        }
+    }
+
+    double* row_of(std::size_t root, std::size_t j) const {
+        return results_[root] + j * tile_.width;
     }
 
     void write_row(const Tape::Root& root, std::size_t j, double* row) const {
@@ -116,6 +141,8 @@ private:
     const Kernels& kernels_;
     const Tile& tile_;
     double* registers_;
+    std::span<double* const> results_;
+    bool in_place_;  ///< Rows are whole vectors, so that pixel roots need no copy.
 };
 
 }  // namespace
@@ -134,7 +161,7 @@ void run_on(std::size_t set, const Program& program, const Tile& tile, Scratch& 
         return;
     }
     double* registers = scratch.reserve(tape.register_doubles);
-    TileRun(tape, runners().kernels[set], tile, registers)(results);
+    TileRun(tape, runners().kernels[set], tile, registers, results)();
 }
 
 void run(const Program& program, const Tile& tile, Scratch& scratch,

@@ -28,6 +28,7 @@ struct Tape {
     struct Root {
         Rate rate;
         std::uint32_t offset;
+        bool made_in_place;  ///< Its instruction can write to the caller's array.
     };
 
     std::array<std::vector<Instruction>, 4> sections;  ///< Indexed by Rate, in running order.
