@@ -204,8 +204,8 @@ private:
     }
 
     // Six points in a ring, slightly above the middle. Places and strengths were fitted so that the
-    // light on the walls varies little: behind the pictures a white wall would have a radiance
-    // between 0.5 and 0.9, towards the corners of the room it falls to 0.25.
+    // light on the walls varies little: in a picture's place a white sheet would have a radiance
+    // between 0.4 and 0.9, towards the corners of the room it falls to 0.2.
     void add_lights() {
         int number = 0;
         const auto add = [&](const V3d& position, float candela) {
@@ -217,9 +217,9 @@ private:
         };
         for (const double x : {-1.0, 1.0}) {
             for (const double y : {-1.0, 1.0}) {
-                add(V3d(31.0 * x, 11.5 * y, 5.0), 445.0F);
+                add(V3d(31.0 * x, 11.5 * y, 5.0), 405.0F);
             }
-            add(V3d(13.5 * x, 0.0, 2.5), 970.0F);
+            add(V3d(13.5 * x, 0.0, 2.5), 880.0F);
         }
     }
 

@@ -35,12 +35,19 @@ V3d oklab_from_linear(const Color& c) {
 }
 
 Color linear_from_oklab(const V3d& lab) {
-    const double l = std::pow(lab.x + 0.3963377774 * lab.y + 0.2158037573 * lab.z, 3);
-    const double m = std::pow(lab.x - 0.1055613458 * lab.y - 0.0638541728 * lab.z, 3);
-    const double s = std::pow(lab.x - 0.0894841775 * lab.y - 1.2914855480 * lab.z, 3);
+    const auto cube = [](double x) { return x * x * x; };
+    const double l = cube(lab.x + 0.3963377774 * lab.y + 0.2158037573 * lab.z);
+    const double m = cube(lab.x - 0.1055613458 * lab.y - 0.0638541728 * lab.z);
+    const double s = cube(lab.x - 0.0894841775 * lab.y - 1.2914855480 * lab.z);
     return {4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s,
             -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
             -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s};
+}
+
+// Faster than std::floor where that is a call; for numbers that fit into an int.
+int floor_of(double x) {
+    const int truncated = static_cast<int>(x);
+    return x < truncated ? truncated - 1 : truncated;
 }
 
 }  // namespace
@@ -81,7 +88,7 @@ std::vector<std::uint8_t> to_png(const Painting& painting) {
     }
     OIIO::ImageSpec spec(painting.width, painting.height, 3, OIIO::TypeDesc::UINT8);
     spec.attribute("oiio:ColorSpace", "sRGB");
-    spec.attribute("png:compressionLevel", 9);
+    spec.attribute("png:compressionLevel", 6);
     if (!output->open("painting.png", spec) ||
         !output->write_image(OIIO::TypeDesc::UINT8, painting.pixels.data()) || !output->close()) {
         return {};
@@ -129,12 +136,10 @@ double lattice_noise(int x, int y, std::uint32_t seed) {
 }
 
 double noise(const V2d& point, std::uint32_t seed) {
-    const double fx = std::floor(point.x);
-    const double fy = std::floor(point.y);
-    const int x = static_cast<int>(fx);
-    const int y = static_cast<int>(fy);
-    const double u = smooth_step(0.0, 1.0, point.x - fx);
-    const double v = smooth_step(0.0, 1.0, point.y - fy);
+    const int x = floor_of(point.x);
+    const int y = floor_of(point.y);
+    const double u = smooth_step(0.0, 1.0, point.x - x);
+    const double v = smooth_step(0.0, 1.0, point.y - y);
     const double low = std::lerp(lattice_noise(x, y, seed), lattice_noise(x + 1, y, seed), u);
     const double high =
         std::lerp(lattice_noise(x, y + 1, seed), lattice_noise(x + 1, y + 1, seed), u);

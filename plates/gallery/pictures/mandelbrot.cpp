@@ -13,7 +13,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int most_iterations = 900;
+constexpr int most_iterations = 600;
 constexpr double bailout = 1e4;
 
 struct Escape {
@@ -22,8 +22,19 @@ struct Escape {
     Complex slope;              // Unit vector of the steepest ascent of the potential.
 };
 
+// The main cardioid, where the iteration never escapes and need not be tried.
+bool in_cardioid(const Complex& c) {
+    const double x = c.real() - 0.25;
+    const double y2 = c.imag() * c.imag();
+    const double q = x * x + y2;
+    return q * (q + x) < 0.25 * y2;
+}
+
 // z -> z^2 + c with dz/dc, written out in reals.
 Escape escape(const Complex& c) {
+    if (in_cardioid(c)) {
+        return {true, 0.0, {}};
+    }
     double x = 0.0;
     double y = 0.0;
     double dx = 0.0;
@@ -53,14 +64,15 @@ Color mandelbrot(const Sample& sample) {
     static const Color night = from_srgb(0x070b24);
 
     const Complex middle(-0.743030, 0.126433);
-    constexpr double half_height = 0.0115;
-    const Escape e = escape(middle + half_height * Complex(sample.point.x, sample.point.y) *
-                                         std::polar(1.0, 0.9));
+    constexpr double half_height = 0.0108;
+    static const Complex turn = std::polar(half_height, 0.9);
+    const Escape e = escape(middle + turn * Complex(sample.point.x, sample.point.y + 0.13));
     if (e.inside) {
         return night;
     }
     // Light falls from the upper left on the relief whose height is the potential.
-    const double light = std::real(e.slope * std::polar(1.0, -2.3 - 0.9 * 0.0));
+    static const Complex towards_light = std::polar(1.0, -2.3);
+    const double light = std::real(e.slope * towards_light);
     const double shade = std::clamp((light + 1.6) / 2.6, 0.0, 1.0);
     const Color color = palette(0.42 * std::log(std::max(e.smooth_count - 20.0, 1.0)) + 0.05);
     return color * (0.35 + 0.75 * shade);

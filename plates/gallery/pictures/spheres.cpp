@@ -15,7 +15,7 @@ namespace {
 struct Ball {
     V3d middle;  // z up, the floor is z = 0.
     double radius;
-    std::uint32_t tint;
+    Color tint;
     double mirror;  // Reflectance seen straight on; 0 is matt.
 };
 
@@ -23,15 +23,15 @@ constexpr double chrome = 0.9;
 constexpr double lacquer = 0.05;
 
 const std::array<Ball, 9> balls{{
-    {{-0.55, 0.6, 1.25}, 1.25, 0xeef2f6, chrome},
-    {{1.55, 0.55, 0.78}, 0.78, 0xd6402b, lacquer},
-    {{0.85, -0.85, 0.45}, 0.45, 0xf2c14e, chrome},
-    {{-1.95, -0.75, 0.5}, 0.5, 0x1f7a8c, lacquer},
-    {{-0.65, -1.35, 0.3}, 0.3, 0xf6efe0, lacquer},
-    {{2.25, -0.75, 0.34}, 0.34, 0x2b3a8c, lacquer},
-    {{0.1, -1.75, 0.17}, 0.17, 0xd6402b, lacquer},
-    {{-2.75, 1.6, 0.85}, 0.85, 0xe58e26, lacquer},
-    {{3.1, 2.1, 1.05}, 1.05, 0xeef2f6, chrome},
+    {{-0.55, 0.6, 1.25}, 1.25, from_srgb(0xeef2f6), chrome},
+    {{1.55, 0.55, 0.78}, 0.78, from_srgb(0xd6402b), lacquer},
+    {{0.85, -0.85, 0.45}, 0.45, from_srgb(0xf2c14e), chrome},
+    {{-1.95, -0.75, 0.5}, 0.5, from_srgb(0x1f7a8c), lacquer},
+    {{-0.65, -1.35, 0.3}, 0.3, from_srgb(0xf6efe0), lacquer},
+    {{2.25, -0.75, 0.34}, 0.34, from_srgb(0x2b3a8c), lacquer},
+    {{0.1, -1.75, 0.17}, 0.17, from_srgb(0xd6402b), lacquer},
+    {{-2.75, 1.6, 0.85}, 0.85, from_srgb(0xe58e26), lacquer},
+    {{3.1, 2.1, 1.05}, 1.05, from_srgb(0xeef2f6), chrome},
 }};
 
 struct Hit {
@@ -75,32 +75,35 @@ const V3d sun = V3d(-0.62, -0.45, 0.64).normalized();
 
 // An evening: a pale horizon, deep blue above, a few long clouds and a glow about the sun.
 Color sky(const V3d& direction) {
-    static const Gradient air({0xfde3b0, 0xf7b77e, 0xc98a93, 0x5a6aa8, 0x233a78, 0x12204f});
+    static const Gradient air({0xfbe3b8, 0xf5b98a, 0xb98fae, 0x5f79b8, 0x2f559f, 0x1b3a80, 0x12265f, 0x0d1b4a});
     const double up = std::max(direction.z, 0.0);
-    Color color = air(std::pow(up, 0.62));
+    Color color = air(1.15 * std::sqrt(up) - 0.02);
     const V2d ceiling(direction.x / (up + 0.12), direction.y / (up + 0.12));
     const double cloud = fractal_noise(V2d(ceiling.x * 0.9, ceiling.y * 2.1), 5, 41);
-    color = mix(color, from_srgb(0xfff0dc), 0.55 * smooth_step(0.02, 0.5, cloud) *
-                                                smooth_step(0.02, 0.25, up));
+    static const Color white = from_srgb(0xfff0dc);
+    color = mix(color, white, 0.6 * smooth_step(0.02, 0.5, cloud) *
+                                                smooth_step(0.015, 0.12, up));
     return color + Color(1.0, 0.8, 0.5) * (2.5 * std::pow(std::max(0.0, direction.dot(sun)), 220));
 }
 
-// The share of the sun's disc that a point sees, from one place on the disc a sub-sample.
+// The share of the sun's disc that a point sees, from a few places on the disc, others for each sub-sample.
 double sunlight(const V3d& point, int index) {
     constexpr double disc = 0.055;
+    constexpr int places_per_sample = 2;
+    constexpr int places = places_per_sample * samples_per_pixel;
     const V3d side = sun.cross(V3d(0, 0, 1)).normalized();
     const V3d up = side.cross(sun);
     double seen = 0.0;
-    for (int k = 0; k < 4; ++k) {
-        const int place = (index * 4 + k) * 5 % (4 * samples_per_pixel);
-        const double radius = disc * std::sqrt((place + 0.5) / (4.0 * samples_per_pixel));
+    for (int k = 0; k < places_per_sample; ++k) {
+        const int place = (index * places_per_sample + k) * 5 % places;
+        const double radius = disc * std::sqrt((place + 0.5) / places);
         const double angle = 2.399963 * place;
         const V3d towards =
             (sun + side * (radius * std::cos(angle)) + up * (radius * std::sin(angle))).normalized();
         const bool hidden = std::any_of(balls.begin(), balls.end(), [&](const Ball& ball) {
             return distance_to(ball, point, towards).has_value();
         });
-        seen += hidden ? 0.0 : 0.25;
+        seen += hidden ? 0.0 : 1.0 / places_per_sample;
     }
     return seen;
 }
@@ -113,7 +116,8 @@ double openness(const V3d& point, const V3d& normal, const Ball* own) {
             const V3d to = ball.middle - point;
             const double distance = std::max(to.length(), ball.radius);
             const double facing = std::max(0.0, 0.15 + 0.85 * normal.dot(to) / distance);
-            open *= 1.0 - facing * std::pow(ball.radius / distance, 2);
+            const double share = ball.radius / distance;
+            open *= 1.0 - facing * share * share;
         }
     }
     return open;
@@ -122,9 +126,16 @@ double openness(const V3d& point, const V3d& normal, const Ball* own) {
 Color floor_color(const V3d& point) {
     const int parity = (int(std::floor(point.x * 1.25)) + int(std::floor(point.y * 1.25))) & 1;
     const double veins = 0.94 + 0.12 * fractal_noise(V2d(point.x, point.y) * 3.0, 4, 9);
-    return from_srgb(parity != 0 ? 0xf3e6cc : 0x7d2230) * veins;
+    static const Color ivory = from_srgb(0xf6ead2);
+    static const Color wine = from_srgb(0x76192b);
+    return (parity != 0 ? ivory : wine) * veins;
 }
 
+double fifth_power(double x) {
+    return x * x * x * x * x;
+}
+
+// Follows a ray through its mirror images; what is matt adds its light on the way.
 Color radiance(V3d origin, V3d direction, int index) {
     Color sum(0.0);
     Color weight(1.0);
@@ -135,10 +146,10 @@ Color radiance(V3d origin, V3d direction, int index) {
             return sum + weight * sky(direction);
         }
         const Ball* ball = hit->ball;
-        const Color tint = ball ? from_srgb(ball->tint) : floor_color(hit->point);
+        const Color tint = ball ? ball->tint : floor_color(hit->point);
         const double straight = ball ? ball->mirror : 0.04;
         const double facing = std::clamp(-hit->normal.dot(direction), 0.0, 1.0);
-        const double fresnel = straight + (1.0 - straight) * std::pow(1.0 - facing, 5);
+        const double fresnel = straight + (1.0 - straight) * fifth_power(1.0 - facing);
         const bool metal = straight > 0.5;
 
         // The floor fades into the evening air, so that far squares do not flicker.
@@ -148,11 +159,11 @@ Color radiance(V3d origin, V3d direction, int index) {
             const double lit = std::max(0.0, hit->normal.dot(sun));
             const double direct = lit > 0.0 ? lit * sunlight(above, index) : 0.0;
             const double open = openness(hit->point, hit->normal, ball);
-            const Color light = Color(1.05, 0.90, 0.68) * direct +
+            const Color light = Color(1.42, 1.20, 0.90) * direct +
                                 Color(0.24, 0.26, 0.36) * (open * (0.65 + 0.35 * hit->normal.z)) +
                                 Color(0.10, 0.06, 0.05) * (0.5 - 0.5 * hit->normal.z);
             const Color matt = tint * light * (1.0 - fresnel);
-            sum += weight * mix(matt, sky(V3d(direction.x, direction.y, 0.03).normalized()), haze);
+            sum += weight * mix(matt, sky(V3d(direction.x, direction.y, 0.0).normalized()), haze);
         }
         weight *= metal ? mix(tint, Color(1.0), (fresnel - straight) / (1.0 - straight)) * fresnel
                         : Color(fresnel * (ball ? 1.0 : 0.6) * (1.0 - haze));

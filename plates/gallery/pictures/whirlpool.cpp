@@ -62,6 +62,15 @@ Ribbon in_tile(const Complex& p, double choice) {
     return upper.found ? upper : on_arc(p + corner);
 }
 
+// Distance from the nearest middle line of a ribbon.
+double to_middle_line(const Complex& p, double choice) {
+    if (choice < crossings) {
+        return std::min(std::abs(p.real()), std::abs(p.imag()));
+    }
+    const Complex corner(choice < mirrored_arcs ? 0.5 : -0.5, 0.5);
+    return std::min(std::abs(std::abs(p - corner) - 0.5), std::abs(std::abs(p + corner) - 0.5));
+}
+
 // The ground between ribbons takes one of two colours, as a map does: the ribbons part the corners
 // of a tile so that neighbouring corners always lie in different regions.
 int ground_parity(const Complex& p, double choice) {
@@ -82,13 +91,16 @@ Color whirlpool(const Sample& sample) {
                                    0x1f8a94, 0x8fc9b0}, true);
     static const Color night = from_srgb(0x14265a);
     static const Color wine = from_srgb(0x6b1f3a);
+    static const Color line = from_srgb(0xfff3d6);
     static const Color outline = from_srgb(0x0a0b1c);
 
     const Complex z(sample.point.x - 0.04, sample.point.y - 0.10);
-    const double radius = std::max(std::abs(z), 1e-6);
-    const Complex turned = std::log(Complex(z.real(), z.imag()));
+    const double radius = std::abs(z);
+    if (radius < 1e-6) {
+        return outline;
+    }
     const Complex per_turn(tiles_across, tiles_along);
-    const Complex w = turned * per_turn / Complex(0.0, 2.0 * pi);
+    const Complex w = std::log(z) * per_turn / Complex(0.0, 2.0 * pi);
 
     // Tiles that differ by a whole turn are the same tile.
     int column = int(std::floor(w.real()));
@@ -103,8 +115,8 @@ Color whirlpool(const Sample& sample) {
     const double depth = smooth_step(-3.4, 0.4, std::log(radius));
     if (!ribbon.found) {
         const int parity = (ground_parity(in, choice) + column + row) & 1;
-        const double shadow = smooth_step(0.0, 0.3, std::abs(ribbon.across) - 1.0);
-        return (parity == 0 ? night : wine) * ((0.25 + 0.9 * depth) * (0.45 + 0.55 * shadow));
+        const double lit = 0.35 + 0.75 * smooth_step(half_width, 0.52, to_middle_line(in, choice));
+        return (parity == 0 ? night : wine) * ((0.25 + 0.9 * depth) * lit);
     }
     // The ribbon is a shallow arch; the light turns with the lattice, so it is set in the picture.
     const double bulge = ribbon.across * 0.9;
@@ -113,9 +125,9 @@ Color whirlpool(const Sample& sample) {
     const V3d normal = V3d(bulge * across.real(), bulge * across.imag(), 1.0).normalized();
     const double light = std::max(0.0, normal.dot(V3d(-0.45, 0.65, 0.62).normalized()));
     const double edge = smooth_step(0.80, 0.90, std::abs(ribbon.across));
-    const double rail = smooth_step(0.10, 0.0, std::abs(std::abs(ribbon.across) - 0.62) );
+    const double rail = smooth_step(0.10, 0.0, std::abs(std::abs(ribbon.across) - 0.62));
     Color color = ribbons(std::arg(z) / (2.0 * pi) + 0.22 * std::log(radius));
-    color = mix(color, from_srgb(0xfff3d6), 0.55 * rail);
+    color = mix(color, line, 0.55 * rail);
     color *= (0.22 + 0.95 * light) * (1.0 - 0.72 * ribbon.shadow) * (0.30 + 0.75 * depth);
     return mix(color, outline, edge);
 }

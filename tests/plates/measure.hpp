@@ -1,0 +1,47 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Measures what a picture shows of flat things, from its data layers alone.
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "balcony/render.hpp"
+#include "balcony/scene.hpp"
+
+namespace balcony::plates {
+
+/// A rectangle that hangs in the world: corner + s*right + t*up, s and t from 0 to 1.
+struct Rectangle {
+    scene::V3d corner, right, up;
+};
+
+/// The rectangle that a flat, rectangular object of a scene fills; it must have one instance.
+[[nodiscard]] Rectangle rectangle_of(const scene::Scene& scene, const std::string& object);
+
+/// How a picture shows a rectangle.
+struct View {
+    std::size_t pixels = 0;
+    std::size_t regions = 0;        ///< Connected parts (by edges) of the object's pixels.
+    double share_seen = 0.0;        ///< Of cells x cells equal cells of the rectangle, those hit.
+    std::vector<double> anisotropy; ///< A pixel each: ratio of the singular values of the map from
+                                    ///< pixels to the rectangle's plane.
+    static constexpr std::size_t cells = 12;
+};
+
+[[nodiscard]] View view_of(const render::Film& film, const std::string& object,
+                           const Rectangle& rectangle);
+
+[[nodiscard]] double median(std::vector<double> values);
+
+/// The longest steps from a pixel's ray to its right and lower neighbours'.
+struct RayStep {
+    double origin = 0.0;     ///< Scene units.
+    double direction = 0.0;  ///< Radians, for small angles.
+};
+[[nodiscard]] RayStep longest_step(const render::Film& film);
+
+}  // namespace balcony::plates
