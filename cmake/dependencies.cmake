@@ -16,6 +16,3 @@ if(BUILD_TESTING)
     find_package(GTest 1.12 REQUIRED)       # GTest::gtest_main
     find_package(Python3 3.9 REQUIRED COMPONENTS Interpreter)
 endif()
-if(BALCONY_BENCH)
-    find_package(benchmark 1.7 REQUIRED)    # benchmark::benchmark
-endif()
