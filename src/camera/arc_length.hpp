@@ -4,16 +4,41 @@
 
 #include <cstddef>
 #include <functional>
-
-#include "balcony/expr.hpp"
+#include <vector>
 
 namespace balcony::camera {
 
-/// The curve parameter as a function of u in [0, u_last], where u is proportional to the length of
-/// the curve that runs over [0, parameter_last] with the given positive speed |dC/dparameter|.
-/// The error falls with the fourth power of the number of cells.
-[[nodiscard]] expr::Table parameter_by_length(const std::function<double(double)>& speed,
-                                              double parameter_last, double u_last,
-                                              std::size_t cells);
+/// A smooth map of [0, 1] onto itself that spreads what lies near both ends, so that equal steps of
+/// the position are finest there: position = (1 + atanh(k (2 fraction - 1)) / atanh(k)) / 2 with
+/// the crowding k in [0, 1); 0 gives the identity.
+class EndGrading {
+public:
+    explicit EndGrading(double crowding);
+
+    [[nodiscard]] double crowding() const { return crowding_; }
+    /// atanh(crowding).
+    [[nodiscard]] double reach() const { return reach_; }
+    [[nodiscard]] double fraction(double position) const;
+    /// d fraction / d position.
+    [[nodiscard]] double slope(double position) const;
+
+private:
+    double crowding_;
+    double reach_;
+};
+
+/// Values and slopes of a function of a position in [0, 1] at equal steps of the position.
+struct Knots {
+    std::vector<double> values;
+    std::vector<double> slopes;
+};
+
+/// The parameter of the curve that runs over [0, parameter_last] with the given positive speed
+/// |dC/dparameter|, as a function of the graded fraction of its length. Where the speed is smooth
+/// the error falls with the fourth power of the number of cells; at the ends the speed may be
+/// singular if the grading crowds there.
+[[nodiscard]] Knots parameter_by_length(const std::function<double(double)>& speed,
+                                        double parameter_last, const EndGrading& grading,
+                                        std::size_t cells);
 
 }  // namespace balcony::camera

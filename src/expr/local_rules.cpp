@@ -119,8 +119,15 @@ Expr multiply_rules(Graph& graph, Expr a, Expr b) {
     if (b.op() == Op::negate) {
         return -(a * b.argument(0));
     }
-    if (a.same(b) && (a.op() == Op::square_root || a.op() == Op::absolute)) {
-        return a.op() == Op::square_root ? a.argument(0) : a.argument(0) * a.argument(0);
+    if (a.same(b) && a.op() == Op::absolute) {
+        return a.argument(0) * a.argument(0);
+    }
+    // Left as it is, a signed power of exponent 1 would have the slope 0 at 0.
+    for (const auto& [sign, size] : {std::pair(a, b), std::pair(b, a)}) {
+        if (sign.op() == Op::sign && size.op() == Op::absolute &&
+            sign.argument(0).same(size.argument(0))) {
+            return size.argument(0);
+        }
     }
     return {};
 }
@@ -129,7 +136,8 @@ Expr divide_rules(Graph& graph, Expr a, Expr b) {
     if (a.is_constant(0.0)) {
         return a;
     }
-    if (b.is_constant() && b.node().value != 0.0) {
+    // Not where the reciprocal would overflow or lose digits.
+    if (b.is_constant() && std::isnormal(1.0 / b.node().value)) {
         return a * graph.constant(1.0 / b.node().value);
     }
     if (a.op() == Op::negate) {
