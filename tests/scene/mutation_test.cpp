@@ -15,7 +15,7 @@ namespace {
 
 using Mutations = SceneFiles;
 
-constexpr int files_tried = 1500;
+constexpr int files_tried = 400;
 
 std::string mutate(std::string bytes, std::mt19937& random) {
     const std::string_view structure = " -/,:[]{}\"\n.e0123456789";
