@@ -55,7 +55,7 @@ struct Settings {
     Color3f ambient{0.1F, 0.1F, 0.1F};    ///< Radiance that comes from everywhere, unshadowed.
     std::optional<Color3f> background{};  ///< Radiance behind the scene; none is transparent.
     std::size_t mirror_depth = 8;         ///< Reflections after which a path ends.
-    bool data_layers = true;   ///< Fill Film::layers, at 76 bytes a pixel.
+    bool data_layers = true;   ///< Fill Film::layers, at 77 bytes a pixel.
 };
 
 // -------------------------------------------------------------------------------------- film

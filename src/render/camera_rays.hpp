@@ -1,0 +1,55 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+// A camera as a program that fills tiles with rays in the scene's axes.
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include <Imath/ImathVec.h>
+
+#include "balcony/camera.hpp"
+#include "balcony/program.hpp"
+
+namespace balcony::render {
+
+using Imath::V2f;
+using Imath::V3d;
+
+/// The rays of a grid of picture points, row by row.
+class RayGrid {
+public:
+    /// The values of a ray, in the order of the program's roots.
+    enum Root : std::size_t {
+        origin_x, origin_y, origin_z,
+        direction_x, direction_y, direction_z,
+        valid, parameter_u, parameter_v,
+        root_count
+    };
+
+    void resize(std::size_t points);
+    [[nodiscard]] std::array<double*, root_count> roots();
+
+    /// There is a ray, and it can be traced in floats.
+    [[nodiscard]] bool traceable(std::size_t i) const;
+    [[nodiscard]] V3d origin(std::size_t i) const { return vector(origin_x, i); }
+    [[nodiscard]] V3d direction(std::size_t i) const { return vector(direction_x, i); }
+    [[nodiscard]] V2f parameters(std::size_t i) const;
+
+private:
+    [[nodiscard]] V3d vector(std::size_t root, std::size_t i) const {
+        return {values_[root][i], values_[root + 1][i], values_[root + 2][i]};
+    }
+
+    std::array<std::vector<double>, root_count> values_;
+};
+
+/// The camera's program for a picture of the given size; its rays are turned from the camera's
+/// axes into the scene's: z_up (x, y, z) is y_up (x, z, -y).
+[[nodiscard]] program::Program compile_camera(const camera::Camera& camera, Axes scene_axes,
+                                              std::size_t width, std::size_t height);
+
+}  // namespace balcony::render

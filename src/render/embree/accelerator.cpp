@@ -1,0 +1,219 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "render/embree/accelerator.hpp"
+
+#include <algorithm>
+#include <array>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include <embree3/rtcore.h>
+#include <fmt/format.h>
+
+namespace balcony::render::embree {
+
+namespace {
+
+struct ReleaseDevice {
+    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+};
+struct ReleaseScene {
+    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+struct ReleaseGeometry {
+    void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
+};
+using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, ReleaseDevice>;
+using BuiltScene = std::unique_ptr<std::remove_pointer_t<RTCScene>, ReleaseScene>;
+using Geometry = std::unique_ptr<std::remove_pointer_t<RTCGeometry>, ReleaseGeometry>;
+
+// The first error that Embree reported.
+struct ErrorLog {
+    std::mutex mutex;
+    std::string first;
+};
+
+void record_error(void* user, RTCError, const char* message) {
+    auto* log = static_cast<ErrorLog*>(user);
+    const std::lock_guard lock(log->mutex);
+    if (log->first.empty()) {
+        log->first = message != nullptr && *message != '\0' ? message : "unknown error";
+    }
+}
+
+struct ShadowQuery {
+    RTCIntersectContext context;  // First, so that a filter can find the rest from it.
+    const OpacitySource* opacities;
+    float transmittance;
+};
+
+// Lets a shadow ray pass a surface that is not opaque, weakened by what the surface stops.
+void pass_transparent(const RTCFilterFunctionNArguments* arguments) {
+    auto* query = reinterpret_cast<ShadowQuery*>(arguments->context);
+    const unsigned count = arguments->N;
+    for (unsigned i = 0; i < count; ++i) {
+        if (arguments->valid[i] != -1) {
+            continue;
+        }
+        const unsigned instance = RTCHitN_instID(arguments->hit, count, i, 0);
+        const Hit hit{instance != RTC_INVALID_GEOMETRY_ID
+                          ? instance
+                          : RTCHitN_geomID(arguments->hit, count, i),
+                      RTCHitN_primID(arguments->hit, count, i), RTCHitN_u(arguments->hit, count, i),
+                      RTCHitN_v(arguments->hit, count, i)};
+        query->transmittance *= 1.0F - query->opacities->opacity(hit);
+        if (query->transmittance > 0.0F) {
+            arguments->valid[i] = 0;
+        }
+    }
+}
+
+// A mesh as triangles, its positions taken through a matrix if one is given.
+Geometry make_triangles(RTCDevice device, const scene::Scene& scene, const scene::Mesh& mesh,
+                        const scene::M44d* world_from_mesh) {
+    Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
+    auto* positions = static_cast<V3f*>(
+        rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                sizeof(V3f), mesh.positions.size()));
+    auto* triangles = static_cast<std::array<std::uint32_t, 3>*>(
+        rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                sizeof(mesh.triangles[0]), mesh.triangles.size()));
+    if (positions == nullptr || triangles == nullptr) {
+        return {};
+    }
+    std::transform(mesh.positions.begin(), mesh.positions.end(), positions, [&](const V3f& p) {
+        return world_from_mesh != nullptr ? V3f(scene::V3d(p) * *world_from_mesh) : p;
+    });
+    std::copy(mesh.triangles.begin(), mesh.triangles.end(), triangles);
+    if (scene.materials[mesh.material.value()].alpha_mode != scene::AlphaMode::opaque) {
+        rtcSetGeometryOccludedFilterFunction(geometry.get(), pass_transparent);
+    }
+    rtcCommitGeometry(geometry.get());
+    return geometry;
+}
+
+BuiltScene make_scene(RTCDevice device) {
+    BuiltScene built(rtcNewScene(device));
+    rtcSetSceneFlags(built.get(), RTC_SCENE_FLAG_ROBUST);
+    // Of the qualities, medium is the best whose result does not depend on the number of threads.
+    rtcSetSceneBuildQuality(built.get(), RTC_BUILD_QUALITY_MEDIUM);
+    return built;
+}
+
+Geometry make_instance(RTCDevice device, RTCScene mesh, const scene::M44d& world_from_mesh) {
+    Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE));
+    rtcSetGeometryInstancedScene(geometry.get(), mesh);
+    // Column after column of a matrix for column vectors: the rows of ours.
+    std::array<float, 16> columns{};
+    for (int row = 0; row < 4; ++row) {
+        for (int column = 0; column < 4; ++column) {
+            columns[static_cast<std::size_t>(4 * row + column)] =
+                static_cast<float>(world_from_mesh[row][column]);
+        }
+    }
+    rtcSetGeometryTransform(geometry.get(), 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, columns.data());
+    rtcCommitGeometry(geometry.get());
+    return geometry;
+}
+
+std::vector<std::size_t> count_uses(const scene::Scene& scene) {
+    std::vector<std::size_t> uses(scene.meshes.size());
+    for (const scene::Instance& instance : scene.instances) {
+        ++uses[instance.mesh.value()];
+    }
+    return uses;
+}
+
+RTCRayHit to_ray_hit(const Ray& ray) {
+    RTCRayHit query{};
+    query.ray = {ray.origin.x, ray.origin.y, ray.origin.z, 0.0F, ray.direction.x, ray.direction.y,
+                 ray.direction.z, 0.0F, ray.farthest, 0xffffffffU, 0, 0};
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    return query;
+}
+
+}  // namespace
+
+struct Accelerator::State {
+    std::unique_ptr<ErrorLog> errors = std::make_unique<ErrorLog>();
+    Device device;
+    std::vector<BuiltScene> meshes;  // By mesh; null for one that is used once.
+    BuiltScene world;
+};
+
+Result<Accelerator> Accelerator::build(const scene::Scene& scene) {
+    auto state = std::make_shared<State>();
+    state->device.reset(rtcNewDevice(nullptr));
+    if (!state->device) {
+        return error("Embree cannot be started on this machine");
+    }
+    RTCDevice device = state->device.get();
+    rtcSetDeviceErrorFunction(device, record_error, state->errors.get());
+
+    state->world = make_scene(device);
+    state->meshes.resize(scene.meshes.size());
+    // A mesh with one instance goes into the world directly, which is faster to trace. Geometries
+    // of the world are numbered as the instances are.
+    const std::vector<std::size_t> uses = count_uses(scene);
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        const scene::Instance& instance = scene.instances[i];
+        const std::size_t m = instance.mesh.value();
+        const scene::Mesh& mesh = scene.meshes[m];
+        if (mesh.triangles.empty()) {
+            continue;
+        }
+        if (uses[m] > 1 && !state->meshes[m]) {
+            state->meshes[m] = make_scene(device);
+            if (const Geometry triangles = make_triangles(device, scene, mesh, nullptr)) {
+                rtcAttachGeometry(state->meshes[m].get(), triangles.get());
+            }
+            rtcCommitScene(state->meshes[m].get());
+        }
+        const Geometry geometry =
+            uses[m] > 1 ? make_instance(device, state->meshes[m].get(), instance.world_from_mesh)
+                        : make_triangles(device, scene, mesh, &instance.world_from_mesh);
+        if (geometry) {
+            rtcAttachGeometryByID(state->world.get(), geometry.get(), static_cast<unsigned>(i));
+        }
+    }
+    rtcCommitScene(state->world.get());
+
+    if (!state->errors->first.empty()) {
+        return error(fmt::format("the scene cannot be made ready to trace: {}",
+                                 state->errors->first));
+    }
+    return Accelerator(std::move(state));
+}
+
+Hit Accelerator::intersect(const Ray& ray) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRayHit query = to_ray_hit(ray);
+    rtcIntersect1(state_->world.get(), &context, &query);
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
+        return {};
+    }
+    const unsigned instance = query.hit.instID[0];
+    return {instance != RTC_INVALID_GEOMETRY_ID ? instance : query.hit.geomID, query.hit.primID,
+            query.hit.u, query.hit.v};
+}
+
+void Accelerator::intersect(std::span<const Ray> rays, std::span<const std::uint8_t> active,
+                            std::span<Hit> hits) const {
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        hits[i] = active[i] != 0 ? intersect(rays[i]) : Hit{};
+    }
+}
+
+float Accelerator::transmittance(const Ray& ray, const OpacitySource& opacities) const {
+    ShadowQuery query{{}, &opacities, 1.0F};
+    rtcInitIntersectContext(&query.context);
+    RTCRay shadow = to_ray_hit(ray).ray;
+    rtcOccluded1(state_->world.get(), &query.context, &shadow);
+    return shadow.tfar < 0.0F ? 0.0F : query.transmittance;
+}
+
+}  // namespace balcony::render::embree

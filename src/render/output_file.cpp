@@ -1,0 +1,90 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "render/output_file.hpp"
+
+#include <atomic>
+#include <cerrno>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace balcony::render {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A name that no other writer has, in this process or another.
+fs::path beside(const fs::path& file) {
+    static std::atomic<unsigned> number = 0;
+    fs::path name = file;
+    name += fmt::format(".{}-{}.partial", ::getpid(), number++);
+    return name;
+}
+
+// A link is followed, so that what it points to is replaced and not the link.
+fs::path resolved(const fs::path& file) {
+    std::error_code failed;
+    fs::path real = fs::weakly_canonical(file, failed);
+    return failed ? file : real;
+}
+
+fs::path folder_of(const fs::path& file) {
+    return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+}  // namespace
+
+Diagnostics OutputFile::check(const fs::path& file) {
+    std::error_code failed;
+    const fs::path real = resolved(file);
+    const fs::path folder = folder_of(real);
+    if (!fs::is_directory(folder, failed)) {
+        return {error(fmt::format("there is no folder '{}' to write '{}' to", folder.string(),
+                                  file.string()))};
+    }
+    if (fs::exists(real, failed) && !fs::is_regular_file(real, failed)) {
+        return {error(fmt::format("'{}' is there and is not a file", file.string()))};
+    }
+    if (::access(folder.c_str(), W_OK) != 0) {
+        return {error(fmt::format("the folder '{}' cannot be written to", folder.string()))};
+    }
+    return {};
+}
+
+OutputFile::OutputFile(const fs::path& file) : file_(resolved(file)), beside_(beside(file_)) {
+    errno = 0;
+    stream_.open(beside_, std::ios::binary | std::ios::trunc);
+    reason_ = errno;
+}
+
+OutputFile::~OutputFile() {
+    stream_.close();
+    std::error_code ignored;
+    fs::remove(beside_, ignored);
+}
+
+Diagnostics OutputFile::commit() {
+    errno = 0;
+    stream_.close();
+    if (!stream_) {
+        reason_ = errno != 0 ? errno : reason_;
+        return {failure()};
+    }
+    std::error_code failed;
+    fs::rename(beside_, file_, failed);
+    if (failed) {
+        reason_ = failed.value();
+        return {failure()};
+    }
+    return {};
+}
+
+Diagnostic OutputFile::failure() const {
+    const std::string reason = reason_ != 0 ? ": " + std::generic_category().message(reason_) : "";
+    return error(fmt::format("'{}' cannot be written{}", file_.string(), reason));
+}
+
+}  // namespace balcony::render

@@ -1,0 +1,221 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <mutex>
+#include <new>
+
+#include <fmt/format.h>
+#include <OpenImageIO/sysutil.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include "render/camera_rays.hpp"
+#include "render/film.hpp"
+#include "render/tile_worker.hpp"
+
+namespace balcony::render {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+struct IntegratorName {
+    Integrator integrator;
+    std::string_view name;
+};
+constexpr std::array integrator_names = {IntegratorName{Integrator::preview, "preview"},
+                                         IntegratorName{Integrator::direct, "direct"}};
+
+constexpr std::size_t longest_side = std::size_t{1} << 20;
+constexpr std::size_t most_samples = std::size_t{1} << 24;
+constexpr std::size_t most_threads = 4096;
+
+bool is_finite(const Color3f& c) {
+    return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z);
+}
+
+Diagnostics check(const Settings& settings) {
+    Diagnostics found;
+    const auto within = [&](std::size_t value, std::size_t least, std::size_t most,
+                            std::string_view what) {
+        if (value < least || value > most) {
+            found.push_back(error(fmt::format("{} {} is out of range", what, value), {},
+                                  fmt::format("give a number from {} to {}", least, most)));
+        }
+    };
+    within(settings.width, 1, longest_side, "the picture's width");
+    within(settings.height, 1, longest_side, "the picture's height");
+    within(settings.samples, 1, most_samples, "the number of samples");
+    within(settings.threads, 0, most_threads, "the number of threads");
+    if (!std::isfinite(settings.time) || !is_finite(settings.ambient) ||
+        !is_finite(settings.background.value_or(Color3f(0.0F)))) {
+        found.push_back(error("time, ambient light and background must be finite numbers"));
+    }
+    const auto memory = static_cast<double>(OIIO::Sysutil::physical_memory());
+    if (found.empty() && memory > 0.0 && film_bytes(settings) > memory) {
+        found.push_back(error(
+            fmt::format("a film of {} x {} pixels takes {:.1f} GB, this machine has {:.1f} GB",
+                        settings.width, settings.height, film_bytes(settings) / 1e9, memory / 1e9),
+            {}, "make the picture smaller, or leave out the data layers"));
+    }
+    return found;
+}
+
+std::vector<PixelTile> cut_into_tiles(std::size_t width, std::size_t height) {
+    std::vector<PixelTile> tiles;
+    for (std::size_t y = 0; y < height; y += tile_height) {
+        for (std::size_t x = 0; x < width; x += tile_width) {
+            tiles.push_back(
+                {x, y, std::min(tile_width, width - x), std::min(tile_height, height - y)});
+        }
+    }
+    return tiles;
+}
+
+// All passes over all tiles on a number of threads.
+class Rendering {
+public:
+    Rendering(const TracedScene& traced, const program::Program& camera, const Settings& settings,
+              Film& film, const ProgressCallback& progress, std::stop_token stop)
+        : settings_(settings),
+          tiles_(cut_into_tiles(settings.width, settings.height)),
+          workers_([&traced, &camera, &settings, &film] {
+              return TileWorker(traced, camera, settings, film);
+          }),
+          progress_(progress),
+          stop_(std::move(stop)) {}
+
+    Summary run() {
+        tbb::task_arena arena(settings_.threads == 0 ? tbb::task_arena::automatic
+                                                     : static_cast<int>(settings_.threads));
+        Summary summary;
+        while (summary.passes < settings_.samples && render_pass(arena, summary.passes)) {
+            ++summary.passes;
+        }
+        WorkCounts counts;
+        for (const TileWorker& worker : workers_) {
+            counts.add(worker.counts());
+        }
+        summary.camera_rays = counts.camera_rays;
+        summary.invalid_rays = counts.invalid_rays;
+        summary.invalid_pixels = counts.invalid_pixels;
+        summary.repaired = counts.repaired;
+        summary.interrupted = summary.passes < settings_.samples;
+        summary.seconds = seconds_since(begin_);
+        summary.camera_share =
+            counts.seconds > 0.0 ? counts.camera_seconds / counts.seconds : 0.0;
+        return summary;
+    }
+
+private:
+    // Whether the pass was completed.
+    bool render_pass(tbb::task_arena& arena, std::size_t pass) {
+        std::atomic<bool> complete = true;
+        arena.execute([&] {
+            tbb::parallel_for(std::size_t{0}, tiles_.size(), [&](std::size_t i) {
+                if (stop_.stop_requested()) {
+                    complete = false;
+                    return;
+                }
+                workers_.local().render(tiles_[i], pass);
+                report(pass);
+            });
+        });
+        return complete;
+    }
+
+    void report(std::size_t pass) {
+        if (!progress_) {
+            return;
+        }
+        const std::lock_guard lock(progress_mutex_);
+        ++tiles_done_;
+        progress_({pass, settings_.samples, tiles_done_, tiles_.size() * settings_.samples,
+                   seconds_since(begin_)});
+    }
+
+    const Settings& settings_;
+    std::vector<PixelTile> tiles_;
+    tbb::enumerable_thread_specific<TileWorker> workers_;
+    const ProgressCallback& progress_;
+    std::stop_token stop_;
+    Clock::time_point begin_ = Clock::now();
+    std::mutex progress_mutex_;
+    std::size_t tiles_done_ = 0;
+};
+
+}  // namespace
+
+std::string_view name_of(Integrator integrator) {
+    return integrator_names[static_cast<std::size_t>(integrator)].name;
+}
+
+std::optional<Integrator> find_integrator(std::string_view name) {
+    for (const IntegratorName& row : integrator_names) {
+        if (row.name == name) {
+            return row.integrator;
+        }
+    }
+    return std::nullopt;
+}
+
+struct Renderer::State {
+    TracedScene traced;
+    Preparation preparation;
+};
+
+Result<Renderer> Renderer::make(std::shared_ptr<const scene::Scene> scene) {
+    assert(scene);
+    const Clock::time_point begin = Clock::now();
+    Result<embree::Accelerator> accelerator = embree::Accelerator::build(*scene);
+    if (!accelerator) {
+        return accelerator.diagnostics;
+    }
+    Diagnostics warnings;
+    const double build_seconds = seconds_since(begin);
+    auto textures = std::make_unique<const TextureLibrary>(*scene, warnings);
+    SurfaceFinder surfaces(*scene);
+    const Preparation preparation{build_seconds, seconds_since(begin) - build_seconds};
+    const bool textured =
+        std::any_of(scene->materials.begin(), scene->materials.end(), has_textures);
+    TracedScene traced{std::move(scene), std::move(*accelerator), std::move(surfaces),
+                       std::move(textures), textured};
+    return {Renderer(std::make_shared<const State>(State{std::move(traced), preparation})),
+            std::move(warnings)};
+}
+
+const Renderer::Preparation& Renderer::preparation() const { return state_->preparation; }
+
+Result<Picture> Renderer::render(const camera::Camera& camera, const Settings& settings,
+                                 const ProgressCallback& progress, std::stop_token stop) const {
+    if (Diagnostics found = check(settings); !found.empty()) {
+        return found;
+    }
+    try {
+        const TracedScene& traced = state_->traced;
+        const Clock::time_point begin = Clock::now();
+        const program::Program program =
+            compile_camera(camera, traced.scene->axes, settings.width, settings.height);
+        const double compile_seconds = seconds_since(begin);
+        Picture picture{make_film(settings, *traced.scene), {}};
+        picture.summary =
+            Rendering(traced, program, settings, picture.film, progress, std::move(stop)).run();
+        picture.summary.compile_seconds = compile_seconds;
+        return {std::move(picture), traced.textures->failures()};
+    } catch (const std::bad_alloc&) {
+        return error("memory ran out while rendering", {},
+                     "make the picture smaller, or leave out the data layers");
+    }
+}
+
+}  // namespace balcony::render

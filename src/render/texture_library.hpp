@@ -1,0 +1,89 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+// Textures through a cache of bounded size, decoded to linear half floats before any filtering.
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include <Imath/ImathColor.h>
+#include <Imath/ImathVec.h>
+#include <OpenImageIO/texture.h>
+
+#include "balcony/base.hpp"
+#include "balcony/scene.hpp"
+
+namespace balcony::render {
+
+/// What the pixels of all textures may take of memory; more of them are read again when needed.
+inline constexpr float texture_cache_megabytes = 1024.0F;
+
+enum class TextureEncoding : std::uint8_t { linear, srgb };
+
+/// What a texture's pixels come from, as the cache's reader is told.
+struct TextureSource {
+    const scene::Texture* texture = nullptr;
+    TextureEncoding encoding = TextureEncoding::linear;
+};
+
+/// Reads a TextureSource as four linear channels (grey is spread, missing alpha is 1). Its open()
+/// takes the source's address from the attribute "balcony:source" of its configuration.
+OIIO::ImageInput* make_texture_input();
+
+/// Where to look a texture up, and how the point moves from one pixel to the next.
+struct TextureFootprint {
+    Imath::V2f at;
+    Imath::V2f along_x;
+    Imath::V2f along_y;
+};
+
+/// The textures of a scene. Look-ups may come from any number of threads.
+class TextureLibrary {
+public:
+    /// What a thread hands to each look-up.
+    using ThreadCache = OIIO::TextureSystem::Perthread*;
+
+    TextureLibrary(const scene::Scene& scene, Diagnostics& warnings);
+    TextureLibrary(const TextureLibrary&) = delete;
+    TextureLibrary& operator=(const TextureLibrary&) = delete;
+
+    [[nodiscard]] ThreadCache thread_cache() const { return system_->get_perthread_info(); }
+
+    /// The mean over the footprint: red, green, blue, alpha. White where there is no texture or it
+    /// cannot be read.
+    [[nodiscard]] Imath::Color4f look_up(scene::TextureIndex texture, TextureEncoding encoding,
+                                         const TextureFootprint& footprint,
+                                         ThreadCache cache) const;
+
+    /// A warning for each texture that failed since it was opened, once.
+    [[nodiscard]] Diagnostics failures() const;
+
+private:
+    struct Entry {
+        TextureSource source;
+        OIIO::TextureSystem::TextureHandle* handle = nullptr;  // Null if not used or unreadable.
+        OIIO::TextureOpt::Wrap wrap_u = OIIO::TextureOpt::WrapPeriodic;
+        OIIO::TextureOpt::Wrap wrap_v = OIIO::TextureOpt::WrapPeriodic;
+        mutable std::atomic<bool> failed = false;
+        mutable std::atomic<bool> reported = false;
+    };
+    struct DestroySystem {
+        void operator()(OIIO::TextureSystem* system) const {
+            OIIO::TextureSystem::destroy(system);
+        }
+    };
+
+    void open(const scene::Texture& texture, TextureEncoding encoding, std::size_t index,
+              Diagnostics& warnings);
+
+    // Two entries a texture, one an encoding: what the texture is read as.
+    std::vector<std::array<Entry, 2>> entries_;
+    std::unique_ptr<OIIO::TextureSystem, DestroySystem> system_;
+};
+
+}  // namespace balcony::render

@@ -1,0 +1,94 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include "balcony/render.hpp"
+#include "render/output_file.hpp"
+
+namespace balcony::render {
+
+namespace {
+
+constexpr std::size_t channels = 4;
+
+// IEC 61966-2-1; what is no number is black.
+float srgb_from_linear(float value) {
+    if (!(value > 0.0F)) {
+        return 0.0F;
+    }
+    const float c = std::min(value, 1.0F);
+    return c <= 0.0031308F ? 12.92F * c : 1.055F * std::pow(c, 1.0F / 2.4F) - 0.055F;
+}
+
+template <class Sample>
+Sample quantised(float value) {
+    constexpr auto most = static_cast<float>(std::numeric_limits<Sample>::max());
+    return static_cast<Sample>(std::clamp(value, 0.0F, 1.0F) * most + 0.5F);
+}
+
+template <class Sample>
+std::vector<Sample> to_samples(const Film& film, float gain) {
+    std::vector<Sample> samples;
+    samples.reserve(film.width * film.height * channels);
+    for (std::size_t y = 0; y < film.height; ++y) {
+        for (std::size_t x = 0; x < film.width; ++x) {
+            const Color4f mean = film.pixel(x, y);
+            const bool visible = mean.a > 0.0F;
+            const float scale = visible ? gain / mean.a : 0.0F;
+            for (const float c : {mean.r, mean.g, mean.b}) {
+                samples.push_back(quantised<Sample>(srgb_from_linear(c * scale)));
+            }
+            samples.push_back(quantised<Sample>(visible ? mean.a : 0.0F));
+        }
+    }
+    return samples;
+}
+
+template <class Sample>
+bool encode(const Film& film, float gain, OIIO::TypeDesc type, std::vector<unsigned char>& bytes) {
+    OIIO::ImageSpec spec(static_cast<int>(film.width), static_cast<int>(film.height),
+                         static_cast<int>(channels), type);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    OIIO::Filesystem::IOVecOutput memory(bytes);
+    const auto output = OIIO::ImageOutput::create("png");
+    if (!output || !output->set_ioproxy(&memory)) {
+        return false;
+    }
+    const std::vector<Sample> samples = to_samples<Sample>(film, gain);
+    return output->open("picture.png", spec) && output->write_image(type, samples.data()) &&
+           output->close();
+}
+
+}  // namespace
+
+Diagnostics write_png(const Film& film, const std::filesystem::path& file,
+                      const PngOptions& options) {
+    if ((options.bits != 8 && options.bits != 16) || !std::isfinite(options.exposure)) {
+        return {error(fmt::format("a PNG file cannot have {} bits a channel and an exposure of {}",
+                                  options.bits, options.exposure),
+                      {}, "give 8 or 16 bits and a finite exposure")};
+    }
+    const auto gain = static_cast<float>(std::exp2(options.exposure));
+    // Encoded in memory, so that writing has one place to fail.
+    std::vector<unsigned char> bytes;
+    const bool encoded = options.bits == 8
+                             ? encode<std::uint8_t>(film, gain, OIIO::TypeDesc::UINT8, bytes)
+                             : encode<std::uint16_t>(film, gain, OIIO::TypeDesc::UINT16, bytes);
+    if (!encoded) {
+        return {error(fmt::format("'{}' cannot be made: {}", file.string(), OIIO::geterror()))};
+    }
+    OutputFile output(file);
+    output.stream().write(reinterpret_cast<const char*>(bytes.data()),
+                          static_cast<std::streamsize>(bytes.size()));
+    return output.commit();
+}
+
+}  // namespace balcony::render
