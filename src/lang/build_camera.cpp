@@ -1,0 +1,334 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "lang/build_camera.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "lang/camera_scope.hpp"
+#include "lang/stages.hpp"
+
+namespace balcony::lang {
+
+namespace {
+
+using camera::StageKind;
+
+// A statement of which there is one at most in a camera or a block.
+bool stands_once(StatementKind kind) {
+    return kind != StatementKind::let && kind != StatementKind::warp &&
+           kind != StatementKind::move && kind != StatementKind::place &&
+           kind != StatementKind::unknown;
+}
+
+// The statements of a camera or of a block of eye or toward.
+class Statements {
+public:
+    Statements(const SyntaxTree& tree, const std::vector<Statement>& all, Reporter& reporter)
+        : all_(all) {
+        for (const Statement& statement : all) {
+            const auto [earlier, is_first] = first_.emplace(statement.kind, &statement);
+            if (!is_first && stands_once(statement.kind)) {
+                const std::string_view word = keyword(statement.kind);
+                Diagnostic diagnostic =
+                    error(fmt::format("a second '{}'", word), tree.at(statement.keyword),
+                          "remove one of the two");
+                diagnostic.notes.push_back(
+                    {tree.at(earlier->second->keyword), fmt::format("the first '{}'", word)});
+                reporter.add(std::move(diagnostic));
+            }
+        }
+    }
+
+    /// The first of a kind, unless it is broken; null if there is none.
+    [[nodiscard]] const Statement* find(StatementKind kind) const {
+        const auto found = first_.find(kind);
+        return found == first_.end() || found->second->broken ? nullptr : found->second;
+    }
+    /// Whether one is missing, not merely broken or unrecognisable.
+    [[nodiscard]] bool lacks(StatementKind kind) const {
+        return !first_.contains(kind) && !first_.contains(StatementKind::unknown);
+    }
+    [[nodiscard]] std::vector<ExpressionId> stages(StatementKind kind) const {
+        std::vector<ExpressionId> calls;
+        for (const Statement& statement : all_) {
+            if (statement.kind == kind && !statement.broken) {
+                calls.insert(calls.end(), statement.stages.begin(), statement.stages.end());
+            }
+        }
+        return calls;
+    }
+
+private:
+    const std::vector<Statement>& all_;
+    std::map<StatementKind, const Statement*> first_;
+};
+
+class CameraBuilder {
+public:
+    CameraBuilder(const CameraPlace& place, Scope& scope, Session& session)
+        : tree_(place.module->tree),
+          camera_(*place.camera),
+          reporter_(session.reporter()),
+          stages_(tree_, scope, session.graph(), reporter_),
+          statements_(tree_, camera_.statements, reporter_) {}
+
+    std::optional<camera::Camera> run() {
+        const std::size_t errors_before = reporter_.error_count();
+        camera::Camera::Parts parts;
+        parts.name = std::string(camera_.name.text);
+        parts.arrangers =
+            list<camera::PictureArranger>(statements_, StatementKind::place,
+                                          StageKind::picture_arranger);
+        aspect(parts);
+        axes(parts);
+        shared_.mapper = mapper(statements_);
+        shared_.parameter_transformers = list<camera::ParameterTransformer>(
+            statements_, StatementKind::warp, StageKind::parameter_transformer);
+        shared_.object_transformers = list<camera::ObjectTransformer>(
+            statements_, StatementKind::move, StageKind::object_transformer);
+        paths(parts);
+        look(parts);
+        if (reporter_.error_count() > errors_before) {
+            return std::nullopt;
+        }
+        return finish(std::move(parts));
+    }
+
+private:
+    void error(Span span, std::string message, std::string remedy = {}) {
+        reporter_.error(tree_.at(span), std::move(message), std::move(remedy));
+    }
+
+    template <class Port>
+    std::vector<std::shared_ptr<const Port>> list(const Statements& statements, StatementKind kind,
+                                                  StageKind stage_kind) {
+        std::vector<std::shared_ptr<const Port>> made;
+        for (const ExpressionId call : statements.stages(kind)) {
+            made.push_back(stages_.make<Port>(stage_kind, call));
+        }
+        return made;
+    }
+
+    void aspect(camera::Camera::Parts& parts) {
+        const Statement* statement = statements_.find(StatementKind::aspect);
+        if (statement == nullptr) {
+            return;
+        }
+        const auto value = stages_.constant(statement->value, "the aspect of a camera");
+        if (value && !(*value > 0.0)) {
+            error(tree_[statement->value].span,
+                  fmt::format("the aspect of a camera must be above 0, but is {:.6g}", *value),
+                  "it is the width of the picture divided by its height, such as 16/9");
+        } else if (value) {
+            parts.aspect = *value;
+        }
+    }
+
+    void axes(camera::Camera::Parts& parts) {
+        const Statement* statement = statements_.find(StatementKind::axes);
+        if (statement == nullptr) {
+            return;
+        }
+        const Identifier& name = statement->name;
+        if (name.text != "z_up" && name.text != "y_up") {
+            error(name.span, fmt::format("there are no axes '{}'", name.text),
+                  suggestion(name.text, {"z_up", "y_up"}, "write"));
+        }
+        parts.axes = name.text == "y_up" ? Axes::y_up : Axes::z_up;
+    }
+
+    // ------------------------------------------------------------------------------------- map
+
+    // Null without an error if there is no map statement.
+    camera::PictureMapperPointer mapper(const Statements& statements) {
+        const Statement* statement = statements.find(StatementKind::map);
+        if (statement == nullptr) {
+            return nullptr;
+        }
+        const MapRange* u = nullptr;
+        const MapRange* v = nullptr;
+        for (const MapRange& range : statement->ranges) {
+            const std::string_view name = range.coordinate.text;
+            if (name != "u" && name != "v") {
+                error(range.coordinate.span,
+                      fmt::format("the picture is mapped to u and v; '{}' is neither", name));
+                return nullptr;
+            }
+            const MapRange*& slot = name == "u" ? u : v;
+            if (slot != nullptr) {
+                report_duplicate(range.coordinate, tree_.at(range.coordinate.span),
+                                 tree_.at(slot->coordinate.span), reporter_);
+                return nullptr;
+            }
+            slot = &range;
+        }
+        if (u == nullptr || v == nullptr) {
+            const char* missing = u == nullptr ? "u" : "v";
+            error(statement->span, fmt::format("this map has no range for {}", missing),
+                  fmt::format("add {0} = -1 .. 1, or {0} = square for square pixels", missing));
+            return nullptr;
+        }
+        return mapper(*statement, *u, *v);
+    }
+
+    camera::PictureMapperPointer mapper(const Statement& statement, const MapRange& u,
+                                        const MapRange& v) {
+        const bool u_square = !u.first.valid();
+        const bool v_square = !v.first.valid();
+        if (u_square && v_square) {
+            error(statement.span, "u and v cannot both be square",
+                  "give one of them a range; the other follows from the picture's shape");
+            return nullptr;
+        }
+        std::vector<ExpressionId> values;
+        for (const MapRange* range : {&u, &v}) {
+            if (range->first.valid()) {
+                values.push_back(range->first);
+                values.push_back(range->last);
+            }
+        }
+        const char* name = u_square ? "square_u" : v_square ? "square_v" : "range";
+        return stages_.make_mapper(name, values, statement.span);
+    }
+
+    // ----------------------------------------------------------------------------------- paths
+
+    void paths(camera::Camera::Parts& parts) {
+        const Statement* eye = statements_.find(StatementKind::eye);
+        const Statement* toward = statements_.find(StatementKind::toward);
+        if (statements_.lacks(StatementKind::eye)) {
+            error(camera_.name.span,
+                  fmt::format("the camera '{}' has no eye object", camera_.name.text),
+                  "say where rays start, such as eye sphere(1)");
+        }
+        bool shared_map_used = false;
+        if (eye != nullptr) {
+            parts.eye = path(*eye, shared_map_used);
+        }
+        if (toward != nullptr) {
+            parts.toward = path(*toward, shared_map_used);
+        }
+        const Statement* map = statements_.find(StatementKind::map);
+        if (map != nullptr && eye != nullptr && !shared_map_used) {
+            reporter_.warning(tree_.at(map->keyword), "this map has no effect",
+                              "every path of the camera has a map of its own");
+        }
+    }
+
+    // A path's own warps come behind the camera's, its own moves before the camera's.
+    camera::Path path(const Statement& statement, bool& shared_map_used) {
+        camera::Path made = shared_;
+        if (!statement.stages.empty()) {
+            made.generator = generator(statement.stages.front());
+            shared_map_used = true;
+            require_map(statement);
+            return made;
+        }
+        const Statements own(tree_, statement.block, reporter_);
+        if (const Statement* object = own.find(StatementKind::object)) {
+            made.generator = generator(object->stages.front());
+        } else if (own.lacks(StatementKind::object)) {
+            error(statement.keyword,
+                  fmt::format("this '{}' has no object", keyword(statement.kind)),
+                  "add one to its block, such as object sphere(1)");
+        }
+        if (own.lacks(StatementKind::map)) {
+            shared_map_used = true;
+            require_map(statement);
+        } else {
+            made.mapper = mapper(own);
+        }
+        const auto warps = list<camera::ParameterTransformer>(own, StatementKind::warp,
+                                                              StageKind::parameter_transformer);
+        made.parameter_transformers.insert(made.parameter_transformers.end(), warps.begin(),
+                                           warps.end());
+        const auto moves = list<camera::ObjectTransformer>(own, StatementKind::move,
+                                                           StageKind::object_transformer);
+        made.object_transformers.insert(made.object_transformers.begin(), moves.begin(),
+                                        moves.end());
+        return made;
+    }
+
+    void require_map(const Statement& path) {
+        if (statements_.lacks(StatementKind::map) && !map_missed_) {
+            map_missed_ = true;
+            error(camera_.name.span,
+                  fmt::format("the camera '{}' has no map for its '{}'", camera_.name.text,
+                              keyword(path.kind)),
+                  "say what part of the object the picture shows, such as map u = -1 .. 1, v = "
+                  "square");
+        }
+    }
+
+    camera::ObjectGeneratorPointer generator(ExpressionId call) {
+        return stages_.make<camera::ObjectGenerator>(StageKind::object_generator, call);
+    }
+
+    // ------------------------------------------------------------------------------------ look
+
+    void look(camera::Camera::Parts& parts) {
+        const Statement* statement = statements_.find(StatementKind::look);
+        const Statement* toward = statements_.find(StatementKind::toward);
+        const Span span = statement != nullptr ? statement->span : camera_.name.span;
+        if (statement != nullptr) {
+            parts.look = stages_.make<camera::DirectionRule>(StageKind::direction_rule,
+                                                             statement->stages.front());
+        } else if (statements_.lacks(StatementKind::look)) {
+            parts.look = stages_.make_default_rule(toward != nullptr ? "relative" : "normal", span);
+        }
+        if (!parts.look) {
+            return;
+        }
+        if (parts.look->needs_direction_object() && statements_.lacks(StatementKind::toward)) {
+            error(span, "this direction rule needs a direction object",
+                  "add one with toward, such as toward sphere(10)");
+        }
+        if (parts.look->needs_eye_surface() && parts.eye.generator &&
+            parts.eye.generator->dimension() < 2) {
+            error(span,
+                  fmt::format("rays along the normals need a surface, but the eye object is a {}",
+                              parts.eye.generator->dimension() == 0 ? "point" : "curve"),
+                  "add a direction object with toward, or make the eye object a surface");
+        }
+    }
+
+    std::optional<camera::Camera> finish(camera::Camera::Parts parts) {
+        Result<camera::Camera> made = camera::Camera::make(std::move(parts));
+        for (Diagnostic& diagnostic : made.diagnostics) {
+            if (!diagnostic.span.source) {
+                diagnostic.span = tree_.at(camera_.name.span);
+            }
+            reporter_.add(std::move(diagnostic));
+        }
+        return made.value;
+    }
+
+    const SyntaxTree& tree_;
+    const CameraSyntax& camera_;
+    Reporter& reporter_;
+    StageBuilder stages_;
+    Statements statements_;
+    camera::Path shared_;  // What stands at camera level.
+    bool map_missed_ = false;
+};
+
+}  // namespace
+
+std::optional<camera::Camera> build_camera(const CameraPlace& place,
+                                           const std::vector<Override>& overrides,
+                                           Session& session) {
+    const std::size_t errors_before = session.reporter().error_count();
+    CameraScope scope(place, overrides, session);
+    std::optional<camera::Camera> made = CameraBuilder(place, scope.names(), session).run();
+    if (session.reporter().error_count() > errors_before) {
+        return std::nullopt;
+    }
+    scope.warn_of_unused();
+    return made;
+}
+
+}  // namespace balcony::lang

@@ -1,0 +1,219 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "lang/evaluate.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "balcony/camera.hpp"
+
+namespace balcony::lang {
+
+namespace {
+
+constexpr double radians_per_degree = std::numbers::pi / 180.0;
+
+// Walks the nodes of one expression in their order, operands first, so that deep ones need no
+// stack.
+class Evaluator {
+public:
+    Evaluator(const SyntaxTree& tree, Scope& scope, expr::Graph& graph, Reporter& reporter)
+        : tree_(tree), scope_(scope), graph_(graph), reporter_(reporter) {}
+
+    Value run(ExpressionId id) {
+        first_ = tree_[id].first.value();
+        const std::size_t last = id.value();
+        for (std::size_t i = first_; i <= last; ++i) {
+            if (!belongs_to_an_expression(tree_.expressions[i])) {
+                return {};
+            }
+        }
+        for (std::size_t i = first_; i <= last; ++i) {
+            values_.push_back(value_of(tree_.expressions[i]));
+        }
+        Value result = values_.back();
+        if (result.problem) {
+            reporter_.add(*result.problem);
+            return {};
+        }
+        return result;
+    }
+
+private:
+    void error(Span span, std::string message, std::string remedy = {}) {
+        reporter_.error(tree_.at(span), std::move(message), std::move(remedy));
+    }
+
+    // Catches stages, tuples and formulas in the place of a number before their parts give rise to
+    // errors of their own.
+    bool belongs_to_an_expression(const Expression& node) {
+        switch (node.kind) {
+            case ExpressionKind::tuple:
+                error(node.span, fmt::format("expected one number, but this is {} in parentheses",
+                                             node.arguments.size()));
+                return false;
+            case ExpressionKind::formula:
+                error(node.span, "expected a number, but this is a formula of its own");
+                return false;
+            case ExpressionKind::call: return is_function_call(node);
+            default: return true;
+        }
+    }
+
+    bool is_function_call(const Expression& node) {
+        const Function* function = find_function(node.name.text);
+        if (function == nullptr) {
+            unknown_function(node.name);
+            return false;
+        }
+        for (const Argument& argument : node.arguments) {
+            if (argument.name) {
+                error(argument.name->span,
+                      fmt::format("the function '{}' has no arguments with names",
+                                  node.name.text));
+                return false;
+            }
+        }
+        if (node.arguments.size() != function->arity) {
+            error(node.span, fmt::format("'{}' takes {} argument{}, but is given {}", node.name.text,
+                                         function->arity, function->arity == 1 ? "" : "s",
+                                         node.arguments.size()));
+            return false;
+        }
+        return true;
+    }
+
+    void unknown_function(const Identifier& name) {
+        for (const camera::StageEntry& row : camera::catalogue()) {
+            if (row.name == name.text) {
+                error(name.span, fmt::format("expected a number, but '{}' is a stage ({})",
+                                             name.text, camera::name_of(row.kind)));
+                return;
+            }
+        }
+        if (scope_.find(name.text) != nullptr) {
+            error(name.span, fmt::format("'{}' is a number and cannot be called", name.text),
+                  fmt::format("for a product write {} * ( ... )", name.text));
+            return;
+        }
+        error(name.span, fmt::format("there is no function '{}'", name.text),
+              suggestion(name.text, function_names(), "the functions are"));
+    }
+
+    Value value_of(const Expression& node) {
+        switch (node.kind) {
+            case ExpressionKind::number: return number(node);
+            case ExpressionKind::name: return named(node);
+            case ExpressionKind::operation:
+                return applied(node, *find_operator(node.name.text, node.arguments.size()));
+            default: return applied(node, *find_function(node.name.text));
+        }
+    }
+
+    Value number(const Expression& node) {
+        const double factor = node.unit == NumberUnit::degrees ? radians_per_degree : 1.0;
+        return {graph_.constant(node.value * factor),
+                node.unit == NumberUnit::none ? Dimension::number : Dimension::angle, nullptr};
+    }
+
+    Value named(const Expression& node) {
+        if (Definition* definition = scope_.find(node.name.text)) {
+            definition->used = true;
+            return definition->value;
+        }
+        if (const auto why = scope_.announced(node.name.text); !why.empty()) {
+            error(node.span, fmt::format("'{}' cannot be used here", node.name.text),
+                  std::string(why));
+            return {};
+        }
+        if (find_function(node.name.text) != nullptr) {
+            error(node.span, fmt::format("'{}' is a function", node.name.text),
+                  fmt::format("give it its arguments: {}( ... )", node.name.text));
+            return {};
+        }
+        if (node.name.text == "deg" || node.name.text == "rad") {
+            error(node.span, fmt::format("the unit '{}' stands alone", node.name.text),
+                  fmt::format("attach it to a number, such as 30{0}; an expression takes a factor, "
+                              "such as x*1{0}",
+                              node.name.text));
+            return {};
+        }
+        if (scope_.incomplete()) {
+            return {};
+        }
+        error(node.span, fmt::format("there is nothing named '{}' here", node.name.text),
+              suggestion(node.name.text, scope_.names(), "the names known here are"));
+        return {};
+    }
+
+    Value applied(const Expression& node, const Function& function) {
+        std::vector<Value> operands;
+        std::vector<expr::Expr> arguments;
+        Value result;
+        for (const Argument& argument : node.arguments) {
+            operands.push_back(values_[argument.value.value() - first_]);
+            if (operands.back().failed()) {
+                return {};
+            }
+            arguments.push_back(operands.back().expr);
+        }
+        const DimensionResult dimension = dimension_of(function, operands);
+        if (!dimension.error.empty()) {
+            error(node.span, dimension.error, dimension.remedy);
+            return {};
+        }
+        result.dimension = dimension.dimension;
+        result.problem = inherited_problem(function, operands);
+        if (!result.problem && function.op == expr::Op::divide && operands[1].is_zero()) {
+            const Span divisor = tree_[node.arguments[1].value].span;
+            result.problem = problem(divisor, "division by 0");
+        }
+        result.expr = function.apply(arguments, function.op);
+        if (!result.problem && result.is_constant() && !std::isfinite(result.constant())) {
+            result.problem = problem(
+                node.span, std::isnan(result.constant()) ? "this has no real value"
+                                                         : "this is not a finite number");
+        }
+        return result;
+    }
+
+    std::shared_ptr<const Diagnostic> problem(Span span, std::string message) const {
+        return std::make_shared<const Diagnostic>(
+            balcony::error(std::move(message), tree_.at(span)));
+    }
+
+    // A constant condition makes the branch that is not taken irrelevant.
+    static std::shared_ptr<const Diagnostic> inherited_problem(const Function& function,
+                                                               std::span<const Value> operands) {
+        const bool decided = function.op == expr::Op::select && operands[0].is_constant() &&
+                             !operands[0].problem;
+        if (decided) {
+            return operands[operands[0].constant() != 0.0 ? 1 : 2].problem;
+        }
+        for (const Value& operand : operands) {
+            if (operand.problem) {
+                return operand.problem;
+            }
+        }
+        return nullptr;
+    }
+
+    const SyntaxTree& tree_;
+    Scope& scope_;
+    expr::Graph& graph_;
+    Reporter& reporter_;
+    std::size_t first_ = 0;
+    std::vector<Value> values_;
+};
+
+}  // namespace
+
+Value evaluate(const SyntaxTree& tree, ExpressionId id, Scope& scope, expr::Graph& graph,
+               Reporter& reporter) {
+    return Evaluator(tree, scope, graph, reporter).run(id);
+}
+
+}  // namespace balcony::lang

@@ -1,0 +1,193 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "balcony/lang.hpp"
+#include "lang/build_camera.hpp"
+#include "lang/session.hpp"
+#include "lang/standard_cameras.hpp"
+
+namespace balcony::lang {
+
+namespace {
+
+// A file without a camera is an error wherever a camera is wanted.
+bool require_cameras(const Module& module, Reporter& reporter) {
+    if (!own_cameras(module).empty() || reporter.error_count() > 0) {
+        return !own_cameras(module).empty();
+    }
+    const SourceText& source = *module.tree.source;
+    std::vector<std::string> imported;
+    for (const CameraPlace& place : visible_cameras(module)) {
+        imported.emplace_back(place.camera->name.text);
+    }
+    const bool empty = module.tree.items.empty();
+    reporter.error({module.tree.source, 0, 0},
+                   fmt::format("'{}' {}", source.name(),
+                               empty ? "is empty" : "has no camera of its own"),
+                   imported.empty() ? "a camera begins with camera name { ... }"
+                                    : fmt::format("name one that it imports: {}", one_of(imported)));
+    return false;
+}
+
+const CameraPlace* choose(const std::vector<CameraPlace>& cameras, std::string_view name,
+                          const Module& module, Reporter& reporter) {
+    std::vector<std::string> known;
+    for (const CameraPlace& place : cameras) {
+        if (place.camera->name.text == name) {
+            return &place;
+        }
+        known.emplace_back(place.camera->name.text);
+    }
+    reporter.error({}, fmt::format("'{}' has no camera '{}'", module.tree.source->name(), name),
+                   suggestion(name, known, "its cameras are"));
+    return nullptr;
+}
+
+// Lets outside of cameras, of which some may be for files that import this one: those are warned of
+// only if nothing in this file uses them though it has cameras that could.
+void warn_of_unused_lets(const Module& module, Reporter& reporter) {
+    std::set<std::string_view> used;
+    for (const Expression& node : module.tree.expressions) {
+        if (node.kind == ExpressionKind::name) {
+            used.insert(node.name.text);
+        }
+    }
+    for (const Item& item : module.tree.items) {
+        const auto* let = std::get_if<Statement>(&item);
+        if (let != nullptr && !used.contains(let->name.text)) {
+            reporter.warning(module.tree.at(let->name.span),
+                             fmt::format("the let '{}' is not used", let->name.text));
+        }
+    }
+}
+
+Result<camera::Camera> make(Session& session, const Module* module, std::string_view name,
+                            const std::vector<Override>& overrides) {
+    Reporter& reporter = session.reporter();
+    std::optional<camera::Camera> made;
+    if (module != nullptr && (!name.empty() || require_cameras(*module, reporter))) {
+        const std::vector<CameraPlace> own = own_cameras(*module);
+        const std::vector<CameraPlace> visible = visible_cameras(*module);
+        const CameraPlace* place =
+            name.empty() ? &own.back() : choose(visible, name, *module, reporter);
+        if (place != nullptr) {
+            made = build_camera(*place, overrides, session);
+        }
+    }
+    const bool failed = reporter.error_count() > 0;
+    if (!failed) {
+        warn_of_unused_lets(*module, reporter);
+    }
+    Diagnostics said = reporter.take();
+    return failed ? Result<camera::Camera>(std::move(said))
+                  : Result<camera::Camera>(std::move(*made), std::move(said));
+}
+
+// A comment as text: without its marks, and without the space behind // of each line.
+std::string comment_text(std::string_view comment) {
+    if (comment.starts_with("//")) {
+        comment.remove_prefix(comment.starts_with("// ") ? 3 : 2);
+        return std::string(comment);
+    }
+    comment.remove_prefix(2);
+    comment.remove_suffix(2);
+    const std::size_t begin = comment.find_first_not_of(" \t\r\n");
+    const std::size_t end = comment.find_last_not_of(" \t\r\n");
+    return begin == std::string_view::npos ? std::string()
+                                           : std::string(comment.substr(begin, end + 1 - begin));
+}
+
+// The comments that stand directly above an offset, with nothing but a line break between.
+std::string comment_above(const SyntaxTree& tree, std::size_t offset) {
+    std::vector<std::string> lines;
+    const std::string_view text = tree.source->text();
+    for (auto comment = tree.comments.rbegin(); comment != tree.comments.rend(); ++comment) {
+        if (comment->end > offset) {
+            continue;
+        }
+        const std::string_view between = text.substr(comment->end, offset - comment->end);
+        const bool touches = between.find_first_not_of(" \t\r\n") == std::string_view::npos &&
+                             std::count(between.begin(), between.end(), '\n') <= 1;
+        if (!touches) {
+            break;
+        }
+        lines.push_back(comment_text(text.substr(comment->begin, comment->end - comment->begin)));
+        offset = comment->begin;
+    }
+    std::string joined;
+    for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
+        joined += (joined.empty() ? "" : "\n") + *line;
+    }
+    return joined;
+}
+
+CameraDescription description_of(const SyntaxTree& tree, const CameraSyntax& camera) {
+    CameraDescription made;
+    made.name = std::string(camera.name.text);
+    made.comment = comment_above(tree, camera.span.begin);
+    for (const CameraParameter& parameter : camera.parameters) {
+        made.parameters.push_back({std::string(parameter.name.text),
+                                   std::string(tree.text(tree[parameter.default_value].span))});
+    }
+    return made;
+}
+
+}  // namespace
+
+Result<std::vector<CameraDescription>> describe(const std::filesystem::path& file) {
+    Session session;
+    const Module* module = session.load(file);
+    if (session.reporter().error_count() > 0) {
+        return session.reporter().take();
+    }
+    std::vector<CameraDescription> made;
+    for (const CameraPlace& place : own_cameras(*module)) {
+        made.push_back(description_of(module->tree, *place.camera));
+    }
+    return {std::move(made), session.reporter().take()};
+}
+
+Result<camera::Camera> load_camera(const std::filesystem::path& file, std::string_view name,
+                                   const std::vector<Override>& overrides) {
+    Session session;
+    return make(session, session.load(file), name, overrides);
+}
+
+Result<camera::Camera> make_camera(std::shared_ptr<const SourceText> source, std::string_view name,
+                                   const std::vector<Override>& overrides,
+                                   const std::filesystem::path& folder) {
+    Session session;
+    return make(session, session.load(std::move(source), folder), name, overrides);
+}
+
+Diagnostics check(const std::filesystem::path& file) {
+    Session session;
+    const Module* module = session.load(file);
+    if (module != nullptr && require_cameras(*module, session.reporter())) {
+        for (const CameraPlace& place : own_cameras(*module)) {
+            (void)build_camera(place, {}, session);
+        }
+    }
+    if (module != nullptr && session.reporter().error_count() == 0) {
+        warn_of_unused_lets(*module, session.reporter());
+    }
+    return session.reporter().take();
+}
+
+const std::vector<std::string>& standard_cameras() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> made;
+        for (const StandardCamera& camera : standard_camera_files()) {
+            made.emplace_back(camera.name);
+        }
+        return made;
+    }();
+    return names;
+}
+
+}  // namespace balcony::lang

@@ -1,0 +1,47 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "lang/read_source.hpp"
+
+#include <fstream>
+
+#include <fmt/format.h>
+
+namespace balcony::lang {
+
+namespace fs = std::filesystem;
+
+Result<std::shared_ptr<const SourceText>> read_source(const fs::path& file,
+                                                      const std::string& name,
+                                                      const SourceSpan& asked) {
+    std::error_code failure;
+    const fs::file_status status = fs::status(file, failure);
+    if (!fs::exists(status)) {
+        return error(fmt::format("there is no file '{}'", name), asked);
+    }
+    if (fs::is_directory(status)) {
+        return error(fmt::format("'{}' is a folder, not a file", name), asked,
+                     "name a .cam file in it");
+    }
+    const auto too_large = [&] {
+        return error(fmt::format("'{}' is larger than 1 MB, which no camera file is", name), asked,
+                     "check that it is the file you mean");
+    };
+    if (fs::is_regular_file(status) && fs::file_size(file, failure) > largest_file && !failure) {
+        return too_large();
+    }
+    std::ifstream stream(file, std::ios::binary);
+    std::string text(largest_file + 1, '\0');
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    if (!stream.is_open() || stream.bad()) {
+        return error(fmt::format("'{}' cannot be read", name), asked,
+                     "check that you have the right to read it");
+    }
+    text.resize(static_cast<std::size_t>(stream.gcount()));
+    if (text.size() > largest_file) {
+        return too_large();
+    }
+    return std::make_shared<const SourceText>(name, std::move(text));
+}
+
+}  // namespace balcony::lang

@@ -1,0 +1,86 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "lang/reporter.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace balcony::lang {
+
+void Reporter::add(Diagnostic diagnostic) {
+    if (diagnostic.severity == Severity::error) {
+        if (full()) {
+            left_out_ = true;
+            return;
+        }
+        ++errors_;
+    }
+    diagnostics_.push_back(std::move(diagnostic));
+}
+
+void Reporter::add(const Diagnostics& diagnostics) {
+    for (const Diagnostic& diagnostic : diagnostics) {
+        add(diagnostic);
+    }
+}
+
+void Reporter::error(SourceSpan span, std::string message, std::string remedy) {
+    add(balcony::error(std::move(message), std::move(span), std::move(remedy)));
+}
+
+void Reporter::warning(SourceSpan span, std::string message, std::string remedy) {
+    add(balcony::warning(std::move(message), std::move(span), std::move(remedy)));
+}
+
+Diagnostics Reporter::take() {
+    // Sources stay in the order in which they were first spoken of.
+    std::vector<const SourceText*> sources;
+    const auto rank = [&sources](const Diagnostic& diagnostic) {
+        const SourceText* source = diagnostic.span.source.get();
+        const auto found = std::find(sources.begin(), sources.end(), source);
+        if (found == sources.end()) {
+            sources.push_back(source);
+            return sources.size() - 1;
+        }
+        return static_cast<std::size_t>(found - sources.begin());
+    };
+    std::vector<std::pair<std::size_t, std::size_t>> keys;
+    std::vector<std::size_t> order;
+    for (const Diagnostic& diagnostic : diagnostics_) {
+        keys.emplace_back(rank(diagnostic), diagnostic.span.begin);
+        order.push_back(order.size());
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [&keys](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
+    Diagnostics sorted;
+    for (const std::size_t i : order) {
+        sorted.push_back(std::move(diagnostics_[i]));
+    }
+    if (left_out_) {
+        sorted.push_back(balcony::error(
+            fmt::format("there are more errors; these are the first {}", most_errors)));
+    }
+    diagnostics_.clear();
+    return sorted;
+}
+
+std::string one_of(const std::vector<std::string>& names) {
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        text += i == 0 ? "" : i + 1 == names.size() ? " or " : ", ";
+        text += fmt::format("'{}'", names[i]);
+    }
+    return text;
+}
+
+std::string suggestion(std::string_view name, const std::vector<std::string>& known,
+                       std::string_view otherwise) {
+    if (const auto nearest = nearest_name(name, known)) {
+        return fmt::format("did you mean '{}'?", *nearest);
+    }
+    return known.empty() ? std::string() : fmt::format("{} {}", otherwise, one_of(known));
+}
+
+}  // namespace balcony::lang

@@ -1,0 +1,79 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// What one call of the library's functions works on: the files it has read, with their names
+// resolved, and what there is to say about them.
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "balcony/expr.hpp"
+#include "lang/parser.hpp"
+#include "lang/scope.hpp"
+
+namespace balcony::lang {
+
+/// A file that was read.
+struct Module {
+    SyntaxTree tree;
+    std::filesystem::path folder;     ///< Where its imports are looked for first.
+    bool standard = false;            ///< One of the standard cameras' files.
+    std::vector<Module*> imports;
+    std::unique_ptr<Scope> scope;     ///< Its lets and those of its imports.
+};
+
+/// A camera and the file that it is in.
+struct CameraPlace {
+    const Module* module = nullptr;
+    const CameraSyntax* camera = nullptr;
+};
+
+class Session {
+public:
+    Session();
+
+    [[nodiscard]] Reporter& reporter() { return reporter_; }
+    [[nodiscard]] const std::shared_ptr<expr::Graph>& graph() const { return graph_; }
+
+    /// Reads a file or a standard camera, as the user names it, and what it imports; null, with the
+    /// reason reported, if there is none. Other errors are reported and leave a module behind.
+    Module* load(const std::filesystem::path& file);
+    Module* load(std::shared_ptr<const SourceText> source, const std::filesystem::path& folder);
+
+    /// Keeps the tree of an override, whose texts others refer to.
+    const SyntaxTree& keep(SyntaxTree tree);
+
+private:
+    struct Opened {
+        const Module* module;
+        std::string key;  // Tells whether two names mean one file.
+    };
+
+    Module* open_file(const std::filesystem::path& file, const std::string& name,
+                      const SourceSpan& asked);
+    Module* open_standard(std::string_view name);
+    Module* resolve(std::shared_ptr<const SourceText> source, std::filesystem::path folder,
+                    bool standard, const std::string& key);
+    void import(Module& module, const Import& import);
+    Module* find_import(const Module& module, const Import& import);
+    void check_duplicate_cameras(const Module& module);
+    /// A module read before; reports an import that leads back to itself.
+    bool known(const std::string& key, const SourceSpan& asked, Module*& found);
+
+    Reporter reporter_;
+    std::shared_ptr<expr::Graph> graph_;
+    std::unique_ptr<Scope> constants_;
+    std::map<std::string, std::unique_ptr<Module>> modules_;
+    std::vector<Opened> opened_;  // The chain of imports that is being read.
+    std::vector<std::unique_ptr<SyntaxTree>> overrides_;
+};
+
+/// The cameras that a file makes visible: its own in their order, then those of its imports.
+[[nodiscard]] std::vector<CameraPlace> visible_cameras(const Module& module);
+[[nodiscard]] std::vector<CameraPlace> own_cameras(const Module& module);
+
+}  // namespace balcony::lang

@@ -1,0 +1,123 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The syntax tree of a camera file: what is written, in the order of the file, with nothing
+// resolved. Comments are kept beside it with their places, so that a file can be printed again.
+
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "balcony/base.hpp"
+#include "lang/token.hpp"
+
+namespace balcony::lang {
+
+/// A name where it is written.
+struct Identifier {
+    std::string_view text;
+    Span span;
+};
+
+using ExpressionId = StrongIndex<struct ExpressionTag>;
+
+enum class ExpressionKind : std::uint8_t {
+    number,
+    name,
+    operation,  ///< Unary or binary; `text` is the operator.
+    call,       ///< name(arguments): a function or a stage.
+    tuple,      ///< (a, b) or (a, b, c).
+    formula,    ///< name(parameters) = [results].
+};
+
+struct Argument {
+    std::optional<Identifier> name;
+    ExpressionId value;
+};
+
+/// One node. Operands stand before the node in the file's list, so that the nodes [first, id] are
+/// the whole expression in the order of evaluation, and a walk needs no recursion.
+struct Expression {
+    ExpressionKind kind = ExpressionKind::number;
+    Span span;
+    ExpressionId first;
+    Identifier name;                     ///< The name or operator, where it is written.
+    double value = 0.0;                  ///< Of a number, its unit aside.
+    NumberUnit unit = NumberUnit::none;
+    std::vector<Argument> arguments;     ///< Operands, arguments, elements, results.
+    std::vector<Identifier> parameters;  ///< Of a formula.
+};
+
+enum class StatementKind : std::uint8_t {
+    let,
+    aspect,
+    axes,
+    map,
+    eye,
+    toward,
+    object,
+    warp,
+    move,
+    look,
+    place,
+    unknown,
+};
+
+/// u = first .. last, or u = square.
+struct MapRange {
+    Identifier coordinate;
+    Span span;
+    ExpressionId first, last;  ///< Both invalid for square.
+};
+
+struct Statement {
+    StatementKind kind = StatementKind::unknown;
+    Span keyword;
+    Span span;
+    bool broken = false;               ///< It had a syntax error, which is reported.
+    Identifier name;                   ///< Of a let, and the word after axes.
+    ExpressionId value;                ///< Of let and aspect.
+    std::vector<MapRange> ranges;      ///< Of map.
+    std::vector<ExpressionId> stages;  ///< Of eye, toward and object one; of warp, move, ... more.
+    std::vector<Statement> block;      ///< Of eye { ... } and toward { ... }.
+};
+
+struct Import {
+    Span span;
+    Identifier file;  ///< What the quotes hold, and the place of the quotes.
+};
+
+struct CameraParameter {
+    Identifier name;
+    ExpressionId default_value;  ///< Invalid if it had a syntax error.
+};
+
+struct CameraSyntax {
+    Identifier name;
+    Span span;
+    std::vector<CameraParameter> parameters;
+    std::vector<Statement> statements;
+};
+
+/// A file-level let is a Statement.
+using Item = std::variant<Import, Statement, CameraSyntax>;
+
+struct SyntaxTree {
+    std::shared_ptr<const SourceText> source;
+    std::vector<Expression> expressions;
+    std::vector<Item> items;
+    std::vector<Span> comments;
+
+    [[nodiscard]] const Expression& operator[](ExpressionId id) const {
+        return expressions[id.value()];
+    }
+    [[nodiscard]] SourceSpan at(Span span) const { return {source, span.begin, span.end}; }
+    [[nodiscard]] std::string_view text(Span span) const {
+        return source->text().substr(span.begin, span.end - span.begin);
+    }
+};
+
+}  // namespace balcony::lang

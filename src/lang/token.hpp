@@ -1,0 +1,43 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace balcony::lang {
+
+/// Bytes [begin, end) of the source that is being read.
+struct Span {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+};
+
+enum class TokenKind : std::uint8_t {
+    end,
+    name,
+    number,
+    text,    ///< A file name in double quotes.
+    symbol,  ///< An operator, a bracket, ...
+    stray,   ///< Something that the lexer has reported.
+};
+
+enum class NumberUnit : std::uint8_t { none, degrees, radians };
+
+struct Token {
+    TokenKind kind = TokenKind::end;
+    Span span;
+    std::string_view text;  ///< As written; of a text, what the quotes hold.
+    double value = 0.0;     ///< Of a number, its unit aside.
+    NumberUnit unit = NumberUnit::none;
+
+    [[nodiscard]] bool is(std::string_view symbol) const {
+        return kind == TokenKind::symbol && text == symbol;
+    }
+    [[nodiscard]] bool is_name(std::string_view name) const {
+        return kind == TokenKind::name && text == name;
+    }
+};
+
+}  // namespace balcony::lang
