@@ -42,9 +42,7 @@ M44d y_up_from(Axes axes) {
     return axes == Axes::y_up ? M44d() : M44d(1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1);
 }
 
-json array_of(const V3d& v) {
-    return json::array({v.x, v.y, v.z});
-}
+json array_of(const V3d& v) { return json::array({v.x, v.y, v.z}); }
 
 class Writer {
 public:
@@ -104,19 +102,21 @@ private:
         for (const scene::Texture& texture : scene_.textures) {
             assert(!texture.bytes.empty());
             const std::size_t view = add_view(texture.bytes.data(), texture.bytes.size(), 0);
-            const std::size_t image = append(
-                "images", {{"name", texture.name}, {"mimeType", "image/png"}, {"bufferView", view}});
-            const std::size_t sampler = append(
-                "samplers", {{"wrapS", wrap_mode(texture.wrap_u)}, {"wrapT", wrap_mode(texture.wrap_v)}});
+            const std::size_t image =
+                append("images",
+                       {{"name", texture.name}, {"mimeType", "image/png"}, {"bufferView", view}});
+            const std::size_t sampler = append("samplers", {{"wrapS", wrap_mode(texture.wrap_u)},
+                                                            {"wrapT", wrap_mode(texture.wrap_v)}});
             append("textures", {{"source", image}, {"sampler", sampler}});
         }
     }
 
     void add_material(const Material& material) {
-        json surface = {{"baseColorFactor", {material.base_color.x, material.base_color.y,
-                                             material.base_color.z, material.alpha}},
-                        {"metallicFactor", material.metallic},
-                        {"roughnessFactor", material.roughness}};
+        json surface = {
+            {"baseColorFactor",
+             {material.base_color.x, material.base_color.y, material.base_color.z, material.alpha}},
+            {"metallicFactor", material.metallic},
+            {"roughnessFactor", material.roughness}};
         if (material.base_color_texture.valid()) {
             surface["baseColorTexture"] = {{"index", material.base_color_texture.value()}};
         }
@@ -179,9 +179,8 @@ private:
                                                          {"componentType", component_unsigned_int},
                                                          {"count", mesh.triangles.size() * 3},
                                                          {"type", "SCALAR"}});
-        const json primitive = {{"attributes", attributes},
-                                {"indices", indices},
-                                {"material", mesh.material.value()}};
+        const json primitive = {
+            {"attributes", attributes}, {"indices", indices}, {"material", mesh.material.value()}};
         append("meshes", {{"name", mesh.name}, {"primitives", json::array({primitive})}});
     }
 
@@ -189,7 +188,8 @@ private:
     // keeps them row by row for row vectors.
     std::size_t add_instance(const scene::Instance& instance) {
         const M44d placed = turned_.transposed() * instance.world_from_mesh * turned_;
-        json node = {{"name", scene_.objects[instance.object].name}, {"mesh", instance.mesh.value()}};
+        json node = {{"name", scene_.objects[instance.object].name},
+                     {"mesh", instance.mesh.value()}};
         const V3d translation = placed.translation();
         if (placed != M44d().setTranslation(translation)) {
             node["matrix"] = std::vector<double>(&placed[0][0], &placed[0][0] + 16);
@@ -206,8 +206,9 @@ private:
         json written = {{"name", light.name},
                         {"type", kinds[static_cast<std::size_t>(light.kind)]},
                         {"intensity", strength},
-                        {"color", {light.intensity.x / strength, light.intensity.y / strength,
-                                   light.intensity.z / strength}}};
+                        {"color",
+                         {light.intensity.x / strength, light.intensity.y / strength,
+                          light.intensity.z / strength}}};
         if (light.range > 0.0F) {
             written["range"] = light.range;
         }
@@ -281,8 +282,6 @@ private:
 
 }  // namespace
 
-std::vector<std::uint8_t> to_glb(const scene::Scene& scene) {
-    return Writer(scene).write();
-}
+std::vector<std::uint8_t> to_glb(const scene::Scene& scene) { return Writer(scene).write(); }
 
 }  // namespace balcony::plates

@@ -34,9 +34,7 @@ constexpr double pitch_z = 2.0 * room_half_z / steps_z;
 constexpr double cylinder_radius = 0.35;
 constexpr double box_chamfer = 0.14;
 
-Color3f tint(std::uint32_t rrggbb) {
-    return Color3f(from_srgb(rrggbb));
-}
+Color3f tint(std::uint32_t rrggbb) { return Color3f(from_srgb(rrggbb)); }
 
 // The squares of a parquet: four planks each, laid by turns along and across. One tile of it is
 // four squares wide and high and fits its own copies.
@@ -53,7 +51,8 @@ Color parquet(const Sample& sample) {
     const int number = (row * 4 + column) * 4 + plank;
     const double shade = lattice_noise(number, 0, 17);
     const double grain = noise(V2d(in.x * 3.0 + number * 9.0, in.y * 90.0), 18);
-    const double to_joint = std::min({in.x, 1.0 - in.x, in.y * 4.0 - plank, plank + 1 - in.y * 4.0});
+    const double to_joint =
+        std::min({in.x, 1.0 - in.x, in.y * 4.0 - plank, plank + 1 - in.y * 4.0});
     return wood(shade + 0.14 * grain) * (0.45 + 0.55 * smooth_step(0.0, 0.035, to_joint));
 }
 
@@ -115,7 +114,7 @@ private:
 
     // Walls, floor and ceiling.
     void add_shell() {
-        const MaterialIndex plaster = add_material("plaster", tint(0xe6d8c3), 0.95F);
+        const MaterialIndex plaster = add_material("plaster", tint(0xf0e5d3), 0.95F);
         const MeshIndex long_wall =
             add_mesh("long wall", rectangle(2 * room_half_x, 2 * room_half_z), plaster);
         const MeshIndex short_wall =
@@ -129,9 +128,9 @@ private:
         const TextureIndex wood = add_texture(
             "parquet", paint(parquet_pixels, parquet_pixels, parquet), scene::Wrap::repeat);
         const MaterialIndex boards = add_material("parquet", Color3f(1.0F), 0.6F, wood);
-        const MeshIndex floor =
-            add_mesh("floor", rectangle(2 * room_half_x, 2 * room_half_y, steps_x / 2.0, steps_y / 2.0),
-                     boards);
+        const MeshIndex floor = add_mesh(
+            "floor", rectangle(2 * room_half_x, 2 * room_half_y, steps_x / 2.0, steps_y / 2.0),
+            boards);
         place("floor", floor, M44d().setTranslation(V3d(0, 0, -room_half_z)));
 
         const MaterialIndex white = add_material("ceiling", tint(0xdfd9cd), 0.95F);
@@ -147,12 +146,11 @@ private:
         const TextureIndex painted = add_texture(
             hanging.title, paint_hanging(hanging, content_.painting_scale), scene::Wrap::clamp);
         const MaterialIndex canvas = add_material(picture.c_str(), Color3f(1.0F), 0.9F, painted);
-        const MaterialIndex moulding =
-            number % 2 == 0 ? add_material(frame.c_str(), tint(0x3a2a22), 0.5F)
-                            : add_material(frame.c_str(), tint(0xc79a45), 0.4F);
-        const M44d placed =
-            M44d().setTranslation(V3d(hanging.right, hanging.up, picture_offset)) *
-            room_from_wall(hanging.wall);
+        const MaterialIndex moulding = number % 2 == 0
+                                           ? add_material(frame.c_str(), tint(0x3a2a22), 0.5F)
+                                           : add_material(frame.c_str(), tint(0xc79a45), 0.4F);
+        const M44d placed = M44d().setTranslation(V3d(hanging.right, hanging.up, picture_offset)) *
+                            room_from_wall(hanging.wall);
         place(picture, add_mesh(picture, rectangle(hanging.width, hanging.height), canvas), placed);
         place(frame,
               add_mesh(frame, picture_frame(hanging.width, hanging.height, frame_width), moulding),
@@ -161,12 +159,12 @@ private:
 
     void add_grid() {
         const MaterialIndex stone = add_material("terracotta", tint(0xb9653f), 0.85F);
-        const MaterialIndex iron = add_material("iron", tint(0x4b4f58), 0.5F);
+        const MaterialIndex iron = add_material("iron", tint(0x5a606b), 0.5F);
         box_ = add_mesh("box", chamfered_cube(box_size, box_chamfer), stone);
         const std::array<double, 3> pitch{pitch_x, pitch_y, pitch_z};
         for (unsigned axis = 0; axis < 3; ++axis) {
             const double length = pitch[axis] - box_size + box_chamfer;
-            cylinders_[axis] = add_mesh(fmt::format("cylinder {}", "xyz"[axis]),
+            cylinders_[axis] = add_mesh(fmt::format("cylinder along {}", "xyz"[axis]),
                                         cylinder(axis, length, cylinder_radius), iron);
         }
         for (const double side : {-1.0, 1.0}) {
@@ -174,8 +172,8 @@ private:
                 add_column(-room_half_x + i * pitch_x, side * room_half_y, 0, i < steps_x);
             }
             for (int j = 0; j <= steps_y; ++j) {
-                add_column(side * room_half_x, -room_half_y + j * pitch_y, 1, j < steps_y,
-                           j > 0 && j < steps_y);
+                add_column(side * room_half_x, -room_half_y + j * pitch_y, 1,
+                           j<steps_y, j> 0 && j < steps_y);
             }
         }
     }
@@ -235,10 +233,10 @@ private:
 
 M44d room_from_wall(Wall wall) {
     switch (wall) {
-    case Wall::y_plus: return {1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, room_half_y, 0, 1};
-    case Wall::x_plus: return {0, -1, 0, 0, 0, 0, 1, 0, -1, 0, 0, 0, room_half_x, 0, 0, 1};
-    case Wall::y_minus: return {-1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, -room_half_y, 0, 1};
-    case Wall::x_minus: return {0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, -room_half_x, 0, 0, 1};
+        case Wall::y_plus: return {1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, room_half_y, 0, 1};
+        case Wall::x_plus: return {0, -1, 0, 0, 0, 0, 1, 0, -1, 0, 0, 0, room_half_x, 0, 0, 1};
+        case Wall::y_minus: return {-1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, -room_half_y, 0, 1};
+        case Wall::x_minus: return {0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, -room_half_x, 0, 0, 1};
     }
     return {};
 }
@@ -268,8 +266,6 @@ Painting paint_hanging(const Hanging& hanging, double scale) {
     return paint(scaled(hanging.pixels_x), scaled(hanging.pixels_y), hanging.painter);
 }
 
-Result<Scene> make_gallery(const GalleryContent& content) {
-    return Builder(content).build();
-}
+Result<Scene> make_gallery(const GalleryContent& content) { return Builder(content).build(); }
 
 }  // namespace balcony::plates

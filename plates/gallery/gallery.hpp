@@ -38,9 +38,9 @@ enum class Wall : std::uint8_t { y_plus, x_plus, y_minus, x_minus };
 struct Hanging {
     std::string title;
     Wall wall;
-    double right;   ///< Of its middle, from the middle of the wall.
-    double up;      ///< Of its middle.
-    double width;   ///< Without the frame.
+    double right;  ///< Of its middle, from the middle of the wall.
+    double up;     ///< Of its middle.
+    double width;  ///< Without the frame.
     double height;
     int pixels_x;
     int pixels_y;

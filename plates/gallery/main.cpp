@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <system_error>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "common/glb_writer.hpp"
 #include "common/output_file.hpp"

@@ -28,7 +28,8 @@ void add_polygon(Mesh& mesh, std::span<const V3d> corners, const V3d& outward) {
         mesh.normals.push_back(normal);
     }
     for (std::uint32_t k = 2; k < corners.size(); ++k) {
-        mesh.triangles.push_back({first, first + (turned ? k : k - 1), first + (turned ? k - 1 : k)});
+        mesh.triangles.push_back(
+            {first, first + (turned ? k : k - 1), first + (turned ? k - 1 : k)});
     }
 }
 
@@ -105,8 +106,9 @@ Mesh cylinder(unsigned axis, double length, double radius) {
 
 Mesh rectangle(double width, double height, double repeat_x, double repeat_y) {
     Mesh mesh;
-    const std::array<V3d, 4> corners{V3d(-width / 2, -height / 2, 0), V3d(width / 2, -height / 2, 0),
-                                     V3d(width / 2, height / 2, 0), V3d(-width / 2, height / 2, 0)};
+    const std::array<V3d, 4> corners{V3d(-width / 2, -height / 2, 0),
+                                     V3d(width / 2, -height / 2, 0), V3d(width / 2, height / 2, 0),
+                                     V3d(-width / 2, height / 2, 0)};
     add_polygon(mesh, corners, V3d(0, 0, 1));
     const auto right = static_cast<float>(repeat_x);
     const auto bottom = static_cast<float>(repeat_y);
@@ -116,8 +118,8 @@ Mesh rectangle(double width, double height, double repeat_x, double repeat_y) {
 
 Mesh picture_frame(double width, double height, double frame_width) {
     // Profile of the moulding: distance from the rectangle's edge, in frame widths, and height.
-    const std::array<std::array<double, 2>, 6> profile{{{0.0, 0.0}, {0.18, 0.10}, {0.30, 0.06},
-                                                        {0.75, 0.42}, {1.0, 0.34}, {1.0, -0.25}}};
+    const std::array<std::array<double, 2>, 6> profile{
+        {{0.0, 0.0}, {0.18, 0.10}, {0.30, 0.06}, {0.75, 0.42}, {1.0, 0.34}, {1.0, -0.25}}};
     Mesh mesh;
     for (int side = 0; side < 4; ++side) {
         const auto corner = [&](int which, const std::array<double, 2>& at) {
@@ -126,7 +128,13 @@ Mesh picture_frame(double width, double height, double frame_width) {
             const int k = (side + which) % 4;  // Counter-clockwise from the lower left.
             return V3d(k == 1 || k == 2 ? x : -x, k >= 2 ? y : -y, at[1]);
         };
-        const V3d away = V3d(side == 1 ? 1 : side == 3 ? -1 : 0, side == 0 ? -1 : side == 2 ? 1 : 0, 0);
+        const V3d away = V3d(side == 1   ? 1
+                             : side == 3 ? -1
+                                         : 0,
+                             side == 0   ? -1
+                             : side == 2 ? 1
+                                         : 0,
+                             0);
         for (std::size_t k = 0; k + 1 < profile.size(); ++k) {
             const std::array<V3d, 4> strip{corner(0, profile[k]), corner(1, profile[k]),
                                            corner(1, profile[k + 1]), corner(0, profile[k + 1])};

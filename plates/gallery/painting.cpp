@@ -70,7 +70,8 @@ Painting paint(int width, int height, const Painter& painter) {
                 }
             }
             const auto at = (static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
-                             static_cast<std::size_t>(column)) * 3;
+                             static_cast<std::size_t>(column)) *
+                            3;
             for (unsigned channel = 0; channel < 3; ++channel) {
                 painting.pixels[at + channel] = srgb_byte(sum[channel] / samples_per_pixel);
             }

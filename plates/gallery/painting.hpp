@@ -19,9 +19,9 @@ using Imath::V3d;
 using Color = V3d;
 
 struct Painting {
-    int width = 0;                    ///< Pixels.
-    int height = 0;                   ///< Pixels.
-    std::vector<std::uint8_t> pixels; ///< sRGB, three bytes a pixel, rows from the top.
+    int width = 0;                     ///< Pixels.
+    int height = 0;                    ///< Pixels.
+    std::vector<std::uint8_t> pixels;  ///< sRGB, three bytes a pixel, rows from the top.
 };
 
 /// One of the sub-samples of a pixel.

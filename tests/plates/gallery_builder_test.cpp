@@ -39,9 +39,7 @@ GlbFile gallery_file(bool pictures_and_walls = true) {
     return file;
 }
 
-bool begins(const std::string& name, const char* with) {
-    return name.rfind(with, 0) == 0;
-}
+bool begins(const std::string& name, const char* with) { return name.rfind(with, 0) == 0; }
 
 std::vector<json> nodes_named(const GlbFile& file, const char* begin) {
     std::vector<json> found;
@@ -56,7 +54,7 @@ std::vector<json> nodes_named(const GlbFile& file, const char* begin) {
 // Of a box before a wall: which wall, and the extent along it.
 struct OnWall {
     std::string wall;
-    double nearest;   // Distances from the wall's plane.
+    double nearest;  // Distances from the wall's plane.
     double furthest;
     double low_along, high_along, low_up, high_up;
     double half_length;
@@ -72,7 +70,10 @@ OnWall on_wall(const Box3d& box) {
     return {std::string(plus ? "+" : "-") + (long_wall ? "y" : "x"),
             plane - (plus ? box.max[across] : -box.min[across]),
             plane - (plus ? box.min[across] : -box.max[across]),
-            box.min[along], box.max[along], box.min.z, box.max.z,
+            box.min[along],
+            box.max[along],
+            box.min.z,
+            box.max.z,
             long_wall ? room_half_x : room_half_y};
 }
 
@@ -106,8 +107,8 @@ TEST(Gallery, MeshesAreWoundAsTheirNormalsPoint) {
         const json& attributes = primitive["attributes"];
         const auto at = elements_of<V3f>(file, attributes["POSITION"].get<std::size_t>());
         const auto normals = elements_of<V3f>(file, attributes["NORMAL"].get<std::size_t>());
-        const auto triangles =
-            elements_of<std::array<std::uint32_t, 3>>(file, primitive["indices"].get<std::size_t>());
+        const auto triangles = elements_of<std::array<std::uint32_t, 3>>(
+            file, primitive["indices"].get<std::size_t>());
         ASSERT_EQ(at.size(), normals.size());
         for (const auto& [a, b, c] : triangles) {
             ASSERT_LT(std::max({a, b, c}), at.size());
@@ -188,8 +189,8 @@ TEST(Gallery, NothingOfTheGridReachesAPicture) {
             const double x = std::max(std::abs(box.min.x), std::abs(box.max.x));
             const double y = std::max(std::abs(box.min.y), std::abs(box.max.y));
             // Of the walls that it stands in, if any: as far as it stands out.
-            furthest = std::max(furthest, std::min(std::abs(x - room_half_x),
-                                                   std::abs(y - room_half_y)));
+            furthest =
+                std::max(furthest, std::min(std::abs(x - room_half_x), std::abs(y - room_half_y)));
         }
     }
     EXPECT_GT(furthest, 1.0);
@@ -211,7 +212,8 @@ TEST(Gallery, NoPictureIsMirroredOrUpsideDown) {
         ASSERT_EQ(uv.size(), 4U);
         const Box3d box = bounds_z_up(file, node);
         const V3d forward = V3d(box.size().x < 1e-9 ? box.center().x : 0.0,
-                                box.size().y < 1e-9 ? box.center().y : 0.0, 0.0).normalized();
+                                box.size().y < 1e-9 ? box.center().y : 0.0, 0.0)
+                                .normalized();
         const V3d right = forward.cross(V3d(0, 0, 1));
         for (std::size_t i = 0; i < 4; ++i) {
             const V3d from_middle = at[i] - box.center();
@@ -232,9 +234,9 @@ TEST(Gallery, PaintingsHaveTheShapeOfTheirPictures) {
 TEST(Gallery, WallsFloorAndCeilingCloseTheRoom) {
     const GlbFile file = gallery_file();
     const std::map<std::string, Box3d> sides{
-        {"wall +y", {{-49, 29, -24}, {49, 29, 24}}},   {"wall -y", {{-49, -29, -24}, {49, -29, 24}}},
-        {"wall +x", {{49, -29, -24}, {49, 29, 24}}},   {"wall -x", {{-49, -29, -24}, {-49, 29, 24}}},
-        {"floor", {{-49, -29, -24}, {49, 29, -24}}},   {"ceiling", {{-49, -29, 24}, {49, 29, 24}}}};
+        {"wall +y", {{-49, 29, -24}, {49, 29, 24}}}, {"wall -y", {{-49, -29, -24}, {49, -29, 24}}},
+        {"wall +x", {{49, -29, -24}, {49, 29, 24}}}, {"wall -x", {{-49, -29, -24}, {-49, 29, 24}}},
+        {"floor", {{-49, -29, -24}, {49, 29, -24}}}, {"ceiling", {{-49, -29, 24}, {49, 29, 24}}}};
     for (const auto& [name, expected] : sides) {
         const auto found = nodes_named(file, name.c_str());
         ASSERT_EQ(found.size(), 1U) << name;
@@ -263,7 +265,8 @@ TEST(Gallery, WallsAreLitEvenly) {
         for (const double s : {-0.5, -0.25, 0.0, 0.25, 0.5}) {
             for (const double t : {-0.5, -0.25, 0.0, 0.25, 0.5}) {
                 const V3d point = V3d(hanging.right + s * hanging.width,
-                                      hanging.up + t * hanging.height, picture_offset) * placed;
+                                      hanging.up + t * hanging.height, picture_offset) *
+                                  placed;
                 EXPECT_GT(white(point, normal), 0.38) << hanging.title << point;
                 EXPECT_LT(white(point, normal), 0.92) << hanging.title << point;
             }
@@ -271,9 +274,7 @@ TEST(Gallery, WallsAreLitEvenly) {
     }
 }
 
-TEST(Gallery, IsTheSameEachTime) {
-    EXPECT_EQ(gallery_bytes(true), gallery_bytes(true));
-}
+TEST(Gallery, IsTheSameEachTime) { EXPECT_EQ(gallery_bytes(true), gallery_bytes(true)); }
 
 TEST(Gallery, WithoutPicturesAndWallsOnlyTheGridAndLightsRemain) {
     const GlbFile whole = gallery_file();

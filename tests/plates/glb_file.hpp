@@ -62,7 +62,8 @@ std::vector<Element> elements_of(const GlbFile& file, std::size_t index) {
     const auto& view = file.document["bufferViews"][accessor["bufferView"].get<std::size_t>()];
     const auto bytes = view["byteLength"].get<std::size_t>();
     std::vector<Element> elements(bytes / sizeof(Element));
-    std::memcpy(static_cast<void*>(elements.data()), &file.binary[view["byteOffset"].get<std::size_t>()], bytes);
+    std::memcpy(static_cast<void*>(elements.data()),
+                &file.binary[view["byteOffset"].get<std::size_t>()], bytes);
     return elements;
 }
 
@@ -85,8 +86,8 @@ inline std::vector<Imath::V3d> vertices_z_up(const GlbFile& file, const nlohmann
         file.document["meshes"][node["mesh"].get<std::size_t>()]["primitives"][0];
     const Imath::M44d placed = placement(node);
     std::vector<Imath::V3d> vertices;
-    for (const Imath::V3f& position : elements_of<Imath::V3f>(
-             file, primitive["attributes"]["POSITION"].get<std::size_t>())) {
+    for (const Imath::V3f& position :
+         elements_of<Imath::V3f>(file, primitive["attributes"]["POSITION"].get<std::size_t>())) {
         const Imath::V3d p = Imath::V3d(position) * placed;
         vertices.emplace_back(p.x, -p.z, p.y);
     }

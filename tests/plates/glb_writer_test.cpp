@@ -69,8 +69,7 @@ TEST(GlbWriter, PlacesAMeshWhereTheSceneDoes) {
     const auto vertices = vertices_z_up(file, file.document["nodes"][0]);
     ASSERT_EQ(vertices.size(), 3U);
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-        const V3d expected =
-            V3d(scene.meshes[0].positions[i]) * scene.instances[0].world_from_mesh;
+        const V3d expected = V3d(scene.meshes[0].positions[i]) * scene.instances[0].world_from_mesh;
         // A few roundings of doubles of size 10.
         EXPECT_LT((vertices[i] - expected).length(), 1e-13);
     }
@@ -93,8 +92,8 @@ TEST(GlbWriter, StatesTheBoundsOfPositions) {
 }
 
 TEST(GlbWriter, AimsASpotLight) {
-    for (const V3d& direction : {V3d(0, 0, -1), V3d(0, 0, 1), V3d(0, 1, 0), V3d(0, -1, 0),
-                                 V3d(0.36, 0.48, -0.8)}) {
+    for (const V3d& direction :
+         {V3d(0, 0, -1), V3d(0, 0, 1), V3d(0, 1, 0), V3d(0, -1, 0), V3d(0.36, 0.48, -0.8)}) {
         scene::Scene scene = small_scene();
         scene.lights.push_back(spot(direction));
         const GlbFile file = written(scene);

@@ -13,7 +13,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int most_iterations = 600;
+constexpr int most_iterations = 450;
 constexpr double bailout = 1e4;
 
 struct Escape {
@@ -59,8 +59,8 @@ Escape escape(const Complex& c) {
 }  // namespace
 
 Color mandelbrot(const Sample& sample) {
-    static const Gradient palette({0x0b1340, 0x1d4e89, 0x59a5b8, 0xf3ecd2, 0xf0b64a, 0xc8441f,
-                                   0x5a1233}, true);
+    static const Gradient palette(
+        {0x0b1340, 0x1d4e89, 0x59a5b8, 0xf3ecd2, 0xf0b64a, 0xc8441f, 0x5a1233}, true);
     static const Color night = from_srgb(0x070b24);
 
     const Complex middle(-0.743030, 0.126433);

@@ -43,7 +43,8 @@ double stem(const V2d& p, double left) {
 
 double letter_b(const V2d& p) {
     constexpr double waist = 0.05;
-    return std::min({stem(p, low.x), ring(p, {low.x, waist - stroke / 2.0}, {high.x - 0.012, high.y}),
+    return std::min({stem(p, low.x),
+                     ring(p, {low.x, waist - stroke / 2.0}, {high.x - 0.012, high.y}),
                      ring(p, low, {high.x, waist + stroke / 2.0}),
                      rectangle(p, {low.x, high.y - stroke}, {0.0, high.y}),
                      rectangle(p, low, {0.0, low.y + stroke})});
@@ -62,14 +63,12 @@ double letter_c(const V2d& p) {
     return std::max(ring(p, low, high), -rectangle(p, {0.0, -0.24}, {1.0, 0.24}));
 }
 
-double letter_o(const V2d& p) {
-    return ring(p, low, high);
-}
+double letter_o(const V2d& p) { return ring(p, low, high); }
 
 double letter_n(const V2d& p) {
     const double slant = segment(p, {low.x + 0.02, high.y + 0.06}, {high.x - 0.02, low.y - 0.06});
-    return std::min({stem(p, low.x), stem(p, high.x - stroke),
-                     std::max(slant, rectangle(p, low, high))});
+    return std::min(
+        {stem(p, low.x), stem(p, high.x - stroke), std::max(slant, rectangle(p, low, high))});
 }
 
 double letter_y(const V2d& p) {
@@ -101,9 +100,7 @@ double zoom_height(const V2d& p) {
     return std::pow(std::max(0.0, 1.0 - q.length2() / (zoom_radius * zoom_radius)), 2);
 }
 
-V2d flat_from_zoomed(const V2d& p) {
-    return p * (1.0 - zoom_strength * zoom_height(p));
-}
+V2d flat_from_zoomed(const V2d& p) { return p * (1.0 - zoom_strength * zoom_height(p)); }
 
 // Two families of waving lines; where they meet, they make a moire.
 double guilloche(const V2d& q) {

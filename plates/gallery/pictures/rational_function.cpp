@@ -31,8 +31,8 @@ double relief(double t) {
 }  // namespace
 
 Color rational_function(const Sample& sample) {
-    static const Gradient wheel({0xd6402b, 0xf2a541, 0xf6e7b4, 0x6fb98f, 0x1f7a8c, 0x1b2a6b,
-                                 0x7b2d6d}, true);
+    static const Gradient wheel(
+        {0xd6402b, 0xf2a541, 0xf6e7b4, 0x6fb98f, 0x1f7a8c, 0x1b2a6b, 0x7b2d6d}, true);
     const Complex z = 1.80 * Complex(sample.point.x, sample.point.y);
     const Complex w = function(z);
     const double turns = std::arg(w) / (2.0 * std::numbers::pi);

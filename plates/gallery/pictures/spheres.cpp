@@ -75,18 +75,19 @@ const V3d sun = V3d(-0.62, -0.45, 0.64).normalized();
 
 // An evening: a pale horizon, deep blue above, a few long clouds and a glow about the sun.
 Color sky(const V3d& direction) {
-    static const Gradient air({0xfbe3b8, 0xf5b98a, 0xb98fae, 0x5f79b8, 0x2f559f, 0x1b3a80, 0x12265f, 0x0d1b4a});
+    static const Gradient air(
+        {0xfbe3b8, 0xf5b98a, 0xb98fae, 0x5f79b8, 0x2f559f, 0x1b3a80, 0x12265f, 0x0d1b4a});
     const double up = std::max(direction.z, 0.0);
     Color color = air(1.15 * std::sqrt(up) - 0.02);
     const V2d ceiling(direction.x / (up + 0.12), direction.y / (up + 0.12));
     const double cloud = fractal_noise(V2d(ceiling.x * 0.9, ceiling.y * 2.1), 5, 41);
     static const Color white = from_srgb(0xfff0dc);
-    color = mix(color, white, 0.6 * smooth_step(0.02, 0.5, cloud) *
-                                                smooth_step(0.015, 0.12, up));
+    color = mix(color, white, 0.6 * smooth_step(0.02, 0.5, cloud) * smooth_step(0.015, 0.12, up));
     return color + Color(1.0, 0.8, 0.5) * (2.5 * std::pow(std::max(0.0, direction.dot(sun)), 220));
 }
 
-// The share of the sun's disc that a point sees, from a few places on the disc, others for each sub-sample.
+// The share of the sun's disc that a point sees, from a few places on the disc, others for each
+// sub-sample.
 double sunlight(const V3d& point, int index) {
     constexpr double disc = 0.055;
     constexpr int places_per_sample = 2;
@@ -99,7 +100,8 @@ double sunlight(const V3d& point, int index) {
         const double radius = disc * std::sqrt((place + 0.5) / places);
         const double angle = 2.399963 * place;
         const V3d towards =
-            (sun + side * (radius * std::cos(angle)) + up * (radius * std::sin(angle))).normalized();
+            (sun + side * (radius * std::cos(angle)) + up * (radius * std::sin(angle)))
+                .normalized();
         const bool hidden = std::any_of(balls.begin(), balls.end(), [&](const Ball& ball) {
             return distance_to(ball, point, towards).has_value();
         });
@@ -131,9 +133,7 @@ Color floor_color(const V3d& point) {
     return (parity != 0 ? ivory : wine) * veins;
 }
 
-double fifth_power(double x) {
-    return x * x * x * x * x;
-}
+double fifth_power(double x) { return x * x * x * x * x; }
 
 // Follows a ray through its mirror images; what is matt adds its light on the way.
 Color radiance(V3d origin, V3d direction, int index) {
@@ -184,11 +184,13 @@ Color spheres(const Sample& sample) {
     const V3d right = forward.cross(V3d(0, 0, 1)).normalized();
     const V3d up = right.cross(forward);
     const double half_field = 0.33;
-    const V3d direction = forward + right * (half_field * sample.point.x) +
-                          up * (half_field * sample.point.y);
+    const V3d direction =
+        forward + right * (half_field * sample.point.x) + up * (half_field * sample.point.y);
     const Color color = radiance(eye, direction.normalized(), sample.index);
     // Highlights roll off gently instead of clipping.
-    const auto develop = [](double x) { return x < 0.6 ? x : 1.0 - 0.4 * std::exp(-(x - 0.6) / 0.4); };
+    const auto develop = [](double x) {
+        return x < 0.6 ? x : 1.0 - 0.4 * std::exp(-(x - 0.6) / 0.4);
+    };
     return {develop(color.x), develop(color.y), develop(color.z)};
 }
 

@@ -19,9 +19,7 @@ constexpr int seed_count = 900;
 constexpr double head_radius = 0.60;
 const double spacing = head_radius / std::sqrt(double(seed_count));
 
-double square(double x) {
-    return x * x;
-}
+double square(double x) { return x * x; }
 
 struct Seed {
     int number = -1;
@@ -59,8 +57,8 @@ Seed nearest_seed(const V2d& point) {
 
 // A seed is a little dome, lit from the upper left; families of 21 and 34 spirals tint it.
 Color seed_color(const Seed& seed) {
-    static const Gradient ripening({0x7d9a3c, 0x4d5a1f, 0x2b1b12, 0x4a2413, 0x8f3f14, 0xe08a1e,
-                                    0xf7c948});
+    static const Gradient ripening(
+        {0x7d9a3c, 0x4d5a1f, 0x2b1b12, 0x4a2413, 0x8f3f14, 0xe08a1e, 0xf7c948});
     static const Color gap = from_srgb(0x150a0c);
     const double ripeness = std::sqrt(double(seed.number) / seed_count);
     const double radius = 0.92;
@@ -72,7 +70,8 @@ Color seed_color(const Seed& seed) {
     const V3d normal(seed.offset.x / radius, seed.offset.y / radius, height);
     const V3d light = V3d(-0.5, 0.6, 0.65).normalized();
     const double diffuse = std::max(0.0, normal.dot(light));
-    const double gloss = std::pow(std::max(0.0, normal.dot((light + V3d(0, 0, 1)).normalized())), 40);
+    const double gloss =
+        std::pow(std::max(0.0, normal.dot((light + V3d(0, 0, 1)).normalized())), 40);
     const double tint = 0.82 + 0.18 * std::cos(2.0 * pi * (seed.number % 21) / 21.0) +
                         0.10 * std::cos(2.0 * pi * (seed.number % 34) / 34.0);
     return ripening(ripeness) * (tint * (0.25 + 0.95 * diffuse)) + Color(0.35) * gloss;
@@ -80,9 +79,9 @@ Color seed_color(const Seed& seed) {
 
 struct Petals {
     int count;
-    double turn;    // Radians by which the ring is turned.
-    double length;  // Radius of the tips.
-    double width;   // Half the width at the widest, radians.
+    double turn;           // Radians by which the ring is turned.
+    double length;         // Radius of the tips.
+    double width;          // Half the width at the widest, radians.
     const Gradient& tint;  // From the head to the tips.
 };
 
@@ -109,13 +108,14 @@ Color over(const Petals& ring, const V2d& point, Color below, std::uint32_t seed
         if (std::abs(away) > widest * ring.width) {
             continue;
         }
-        const double half = ring.width * std::pow(1.0 - std::pow(along, 2.6), 0.75) *
-                            (0.55 + 0.9 * along);
+        const double half =
+            ring.width * std::pow(1.0 - std::pow(along, 2.6), 0.75) * (0.55 + 0.9 * along);
         const double across = away / half;
         const double edge = std::abs(across);
         if (edge < 1.0) {
             const double vein = 0.93 + 0.07 * std::cos(across * 11.0);
-            const double fold = 0.80 + 0.28 * across * (std::sin(angle + ring.turn - 0.7) > 0 ? -1 : 1);
+            const double fold =
+                0.80 + 0.28 * across * (std::sin(angle + ring.turn - 0.7) > 0 ? -1 : 1);
             const double rim = 1.0 - 0.55 * smooth_step(0.86, 1.0, edge);
             below = ring.tint(0.18 + 0.8 * along) * (vein * fold * rim);
         } else if (edge < 1.35) {

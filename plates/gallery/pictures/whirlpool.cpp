@@ -87,8 +87,8 @@ int ground_parity(const Complex& p, double choice) {
 }  // namespace
 
 Color whirlpool(const Sample& sample) {
-    static const Gradient ribbons({0xfbe7b2, 0xf2a541, 0xd6402b, 0xf2a541, 0xfbe7b2, 0x8fc9b0,
-                                   0x1f8a94, 0x8fc9b0}, true);
+    static const Gradient ribbons(
+        {0xfbe7b2, 0xf2a541, 0xd6402b, 0xf2a541, 0xfbe7b2, 0x8fc9b0, 0x1f8a94, 0x8fc9b0}, true);
     static const Color night = from_srgb(0x14265a);
     static const Color wine = from_srgb(0x6b1f3a);
     static const Color line = from_srgb(0xfff3d6);

@@ -50,8 +50,8 @@ double crest(const Ridge& ridge, double x, int octaves) {
 
 // Graded bands of printed colour: paper warm at the horizon, indigo along the upper edge.
 Color sky(const V2d& point) {
-    static const Gradient graded({0xf7e3bf, 0xf6d5a4, 0xeec08f, 0xd9c9b0, 0x9fbcc0, 0x5b8da8, 0x1d4778,
-                                  0x122a5c});
+    static const Gradient graded(
+        {0xf7e3bf, 0xf6d5a4, 0xeec08f, 0xd9c9b0, 0x9fbcc0, 0x5b8da8, 0x1d4778, 0x122a5c});
     Color color = graded((point.y + 0.25) / 1.25);
     const double from_sun = (point - sun_middle).length();
     if (from_sun < sun_radius) {
@@ -82,8 +82,9 @@ Color with_bands(const V2d& point, Color color) {
     for (const Band& b : bands) {
         const double depth = band(point, b.middle, b.half_length, b.half_height);
         if (depth > 0.0) {
-            color = mix(paper, color, 0.35 * smooth_step(0.0, 2.0 * b.half_height,
-                                                        point.y - b.middle.y + b.half_height));
+            color = mix(
+                paper, color,
+                0.35 * smooth_step(0.0, 2.0 * b.half_height, point.y - b.middle.y + b.half_height));
         }
     }
     return color;
@@ -137,8 +138,8 @@ Color lake(const V2d& point) {
     const V2d mirrored(point.x + 0.03 * stroke * (0.3 + 2.0 * depth), shore + depth * 1.9);
     static const Gradient water({0xe9d3b4, 0x8fb3ba, 0x3d7796, 0x1b467a, 0x12295a});
     Color color = water(depth / 0.48 + 0.05 * stroke);
-    const double from_sun = std::abs(point.x - sun_middle.x + 0.05 * stroke) /
-                            (0.09 + 0.32 * depth);
+    const double from_sun =
+        std::abs(point.x - sun_middle.x + 0.05 * stroke) / (0.09 + 0.32 * depth);
     if (stroke > -0.05 + 0.35 * from_sun && from_sun < 1.0) {
         static const Color glow = from_srgb(0xe4583a);
         color = mix(color, glow, 0.85);
@@ -157,8 +158,8 @@ bool in_trunk(const V2d& p) {
         return true;
     }
     // Boughs that carry the needles.
-    for (const auto& [height, length] : {std::pair{0.60, 0.42}, {0.78, -0.34}, {0.97, 0.34},
-                                         {1.16, -0.24}}) {
+    for (const auto& [height, length] :
+         {std::pair{0.60, 0.42}, {0.78, -0.34}, {0.97, 0.34}, {1.16, -0.24}}) {
         const double start = 0.17 * std::sin(height * 2.6) - 0.05;
         const double along = (p.x - start) / length;
         const double rise = height + 0.05 * along - 0.03 * std::sin(along * 5.0);
@@ -229,14 +230,15 @@ bool in_bird(const V2d& point, const V2d& middle, double size) {
 Color woodcut(const Sample& sample) {
     const V2d point = sample.point;
     Color color = point.y > shore ? above_shore(point) : lake(point);
-    for (const auto& [middle, size] : {std::pair{V2d(0.02, 0.56), 0.052}, {V2d(0.16, 0.63), 0.040},
-                                       {V2d(0.13, 0.49), 0.034}}) {
+    for (const auto& [middle, size] :
+         {std::pair{V2d(0.02, 0.56), 0.052}, {V2d(0.16, 0.63), 0.040}, {V2d(0.13, 0.49), 0.034}}) {
         color = in_bird(point, middle, size) ? ink : color;
     }
     color = foreground(point, color);
 
     // The grain of the block, faint, along the picture.
-    const double grain = noise(V2d(point.x * 2.0, point.y * 85.0 + 3.0 * noise(point * 2.0, 91)), 90);
+    const double grain =
+        noise(V2d(point.x * 2.0, point.y * 85.0 + 3.0 * noise(point * 2.0, 91)), 90);
     return color * (1.0 + 0.025 * grain);
 }
 
