@@ -24,6 +24,11 @@ plate_title() {
     sed -n 's/^# *//p;T;q' "$1/README.md"
 }
 
+# plate_program FOLDER: the program that writes its scene, also the name of a build target.
+plate_program() {
+    plate_value "$1" scene | cut -d ' ' -f 1
+}
+
 # build_scene FOLDER: writes the scene of a plate, once for all plates that share it, and says where.
 build_scene() {
     local words file
