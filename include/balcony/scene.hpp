@@ -40,7 +40,7 @@ struct Mesh {
     std::string name;
     std::vector<V3f> positions;
     std::vector<V3f> normals;             ///< Unit length.
-    std::vector<V2f> texture_coordinates; ///< (0, 0) is the top left corner of the image, as in glTF.
+    std::vector<V2f> texture_coordinates; ///< (0, 0) is top left, as in glTF.
     std::vector<std::array<std::uint32_t, 3>> triangles;
     MaterialIndex material;  ///< Always valid.
 };
@@ -115,7 +115,7 @@ struct Scene {
     std::vector<Material> materials;
     std::vector<Texture> textures;
     std::vector<Light> lights;
-    bool default_light = false;     ///< The file lights nothing: shade with a light at the ray's origin.
+    bool default_light = false;     ///< The file lights nothing: use a light at the ray origin.
 
     [[nodiscard]] std::size_t triangle_count() const; ///< Instances counted each.
     [[nodiscard]] Box3f bounds() const;               ///< Of all instances, in the world.

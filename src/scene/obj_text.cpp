@@ -146,19 +146,21 @@ void Checker::read_vector(const char* keyword, std::size_t components, std::stri
 bool Checker::add_corner(std::string_view word) {
     Corner corner;
     const std::size_t first = word.find('/');
-    const std::size_t second = first == word.npos ? word.npos : word.find('/', first + 1);
+    const std::size_t second =
+        first == std::string_view::npos ? std::string_view::npos : word.find('/', first + 1);
     corner.position = resolve(word.substr(0, first), usable_.size());
     if (corner.position == 0) {
         return false;
     }
-    if (first != word.npos && first + 1 < word.size() && second != first + 1) {
-        const std::size_t length = second == word.npos ? word.npos : second - first - 1;
+    if (first != std::string_view::npos && first + 1 < word.size() && second != first + 1) {
+        const std::size_t length =
+            second == std::string_view::npos ? std::string_view::npos : second - first - 1;
         corner.texture_coordinate = resolve(word.substr(first + 1, length), texture_coordinates_);
         if (corner.texture_coordinate == 0) {
             return false;
         }
     }
-    if (second != word.npos && second + 1 < word.size()) {
+    if (second != std::string_view::npos && second + 1 < word.size()) {
         corner.normal = resolve(word.substr(second + 1), normals_);
         if (corner.normal == 0) {
             return false;
@@ -250,7 +252,7 @@ Statement take_statement(std::string_view& text, std::string& joined) {
         const std::size_t end = std::min(text.find('\n'), text.size());
         std::string_view line = text.substr(0, end);
         text.remove_prefix(std::min(end + 1, text.size()));
-        while (!line.empty() && blanks.find(line.back()) != blanks.npos) {
+        while (!line.empty() && blanks.find(line.back()) != std::string_view::npos) {
             line.remove_suffix(1);
         }
         return line;
