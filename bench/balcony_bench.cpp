@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Prints rays a second on one core: each camera on each instruction set and as a plain loop, all in
-// one run. Every figure is the best of several passes over the whole picture, as anything else that
-// runs on the machine only ever makes it slower.
+// one run. Every tile counts with the best of several passes over the picture, as anything else
+// that runs on the machine only ever makes it slower.
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <fmt/core.h>
 
@@ -39,45 +40,68 @@ private:
     std::vector<double*> pointers_;
 };
 
-template <class Function>
-void for_tiles(Function function) {
+std::vector<Tile> tiles_of_picture() {
     using program::max_tile_height;
     using program::max_tile_width;
+    std::vector<Tile> tiles;
     for (std::size_t y = 0; y < picture_height; y += max_tile_height) {
         for (std::size_t x = 0; x < picture_width; x += max_tile_width) {
-            function(Tile{.x = static_cast<double>(x) + 0.5,
-                          .y = static_cast<double>(y) + 0.5,
-                          .width = std::min(max_tile_width, picture_width - x),
-                          .height = std::min(max_tile_height, picture_height - y)});
+            tiles.push_back({.x = static_cast<double>(x) + 0.5,
+                             .y = static_cast<double>(y) + 0.5,
+                             .width = std::min(max_tile_width, picture_width - x),
+                             .height = std::min(max_tile_height, picture_height - y)});
         }
     }
+    return tiles;
 }
 
-template <class Function>
-double seconds_for_picture(Function run_tile) {
-    const auto start = std::chrono::steady_clock::now();
-    for_tiles(run_tile);
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
+// The least time of each tile.
+class Stopwatch {
+public:
+    explicit Stopwatch(std::size_t tiles)
+        : least_seconds_(tiles, std::numeric_limits<double>::infinity()) {}
+
+    template <class Function>
+    void time(std::size_t tile, Function function) {
+        const auto start = std::chrono::steady_clock::now();
+        function();
+        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+        least_seconds_[tile] = std::min(least_seconds_[tile], taken.count());
+    }
+
+    [[nodiscard]] double seconds() const {
+        return std::accumulate(least_seconds_.begin(), least_seconds_.end(), 0.0);
+    }
+
+private:
+    std::vector<double> least_seconds_;
+};
 
 // Seconds for the plain loop and then each instruction set. They take turns, so that whatever
 // disturbs the machine for a while disturbs all of them.
 std::vector<double> least_seconds(const Case& row) {
+    const std::vector<Tile> tiles = tiles_of_picture();
     const TileResults results;
     program::Scratch scratch;
     const std::size_t sets = program::instruction_sets().size();
-    std::vector<double> least(1 + sets, std::numeric_limits<double>::infinity());
+    std::vector<Stopwatch> stopwatches(1 + sets, Stopwatch(tiles.size()));
     for (int pass = 0; pass < passes; ++pass) {
-        least[0] = std::min(least[0], seconds_for_picture([&](const Tile& tile) {
-            row.plain_loop(tile, results.pointers());
-        }));
+        for (std::size_t t = 0; t < tiles.size(); ++t) {
+            stopwatches[0].time(t, [&] { row.plain_loop(tiles[t], results.pointers()); });
+        }
         for (std::size_t set = 0; set < sets; ++set) {
-            least[1 + set] = std::min(least[1 + set], seconds_for_picture([&](const Tile& tile) {
-                run_on(set, row.program, tile, scratch, results.pointers());
-            }));
+            for (std::size_t t = 0; t < tiles.size(); ++t) {
+                stopwatches[1 + set].time(t, [&] {
+                    run_on(set, row.program, tiles[t], scratch, results.pointers());
+                });
+            }
         }
     }
-    return least;
+    std::vector<double> seconds;
+    for (const Stopwatch& stopwatch : stopwatches) {
+        seconds.push_back(stopwatch.seconds());
+    }
+    return seconds;
 }
 
 // The largest difference between a camera and its plain loop, relative to the size of the value
@@ -87,7 +111,7 @@ double largest_difference(const Case& row) {
     const TileResults program;
     program::Scratch scratch;
     double largest = 0.0;
-    for_tiles([&](const Tile& tile) {
+    for (const Tile& tile : tiles_of_picture()) {
         row.plain_loop(tile, loop.pointers());
         run(row.program, tile, scratch, program.pointers());
         for (std::size_t root = 0; root < ray_roots; ++root) {
@@ -97,7 +121,7 @@ double largest_difference(const Case& row) {
                 largest = std::max(largest, difference / std::max(1.0, std::fabs(expected)));
             }
         }
-    });
+    }
     return largest;
 }
 
