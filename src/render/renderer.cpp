@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <OpenImageIO/sysutil.h>
 #include <tbb/enumerable_thread_specific.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -96,8 +97,10 @@ public:
           stop_(std::move(stop)) {}
 
     Summary run() {
-        tbb::task_arena arena(settings_.threads == 0 ? tbb::task_arena::automatic
-                                                     : static_cast<int>(settings_.threads));
+        // More threads than the machine has would not run at once.
+        const int all = tbb::info::default_concurrency();
+        tbb::task_arena arena(
+            settings_.threads == 0 ? all : std::min(static_cast<int>(settings_.threads), all));
         Summary summary;
         while (summary.passes < settings_.samples && render_pass(arena, summary.passes)) {
             ++summary.passes;

@@ -25,11 +25,11 @@ float linear_from_srgb(float value) {
 }
 
 // Embedded images have no file name to tell their format by; glTF allows these two.
-const char* name_by_content(const std::vector<std::uint8_t>& bytes) {
+const char* format_by_content(const std::vector<std::uint8_t>& bytes) {
     constexpr std::array<std::uint8_t, 4> png = {0x89, 'P', 'N', 'G'};
     return bytes.size() >= png.size() && std::equal(png.begin(), png.end(), bytes.begin())
-               ? "embedded.png"
-               : "embedded.jpg";
+               ? "png"
+               : "jpeg";
 }
 
 class TextureInput final : public OIIO::ImageInput {
@@ -92,18 +92,21 @@ private:
         OIIO::ImageSpec config;
         config.attribute("oiio:UnassociatedAlpha", 1);
         const scene::Texture& texture = *source_->texture;
-        std::string name = texture.file.string();
-        OIIO::Filesystem::IOProxy* proxy = nullptr;
-        if (texture.file.empty()) {
-            memory_ = std::make_unique<OIIO::Filesystem::IOMemReader>(texture.bytes.data(),
-                                                                      texture.bytes.size());
-            proxy = memory_.get();
-            name = name_by_content(texture.bytes);
-        }
-        encoded_ = OIIO::ImageInput::open(name, &config, proxy);
+        const bool embedded = texture.file.empty();
+        const std::string name = embedded ? "embedded image" : texture.file.string();
+        encoded_ = OIIO::ImageInput::create(embedded ? format_by_content(texture.bytes) : name);
         if (!encoded_) {
             errorfmt("{}", OIIO::geterror());
             return false;
+        }
+        if (embedded) {
+            memory_ = std::make_unique<OIIO::Filesystem::IOMemReader>(texture.bytes.data(),
+                                                                      texture.bytes.size());
+            encoded_->set_ioproxy(memory_.get());
+        }
+        OIIO::ImageSpec encoded;
+        if (!encoded_->open(name, encoded, config)) {
+            return fail();
         }
         if (encoded_->spec().depth != 1) {
             errorfmt("a volume is no texture");

@@ -1,0 +1,249 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// The direct integrator against the formulas of its lights and materials.
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "support.hpp"
+
+namespace balcony::render::test {
+namespace {
+
+constexpr float pi = std::numbers::pi_v<float>;
+
+// A float's relative rounding, times the few dozen roundings of a shading formula.
+constexpr float rounding = 64.0F * 6e-8F;
+
+// White, without highlight: what is left is Lambert's law times what Fresnel lets through.
+scene::Material matt() { return white(); }
+
+// 1 - Fresnel for light and viewer straight on, and the highlight of a surface of roughness 1.
+constexpr float matt_diffuse = 0.96F / pi;
+constexpr float matt_highlight = 0.04F / (4.0F * pi);
+constexpr float matt_straight_on = matt_diffuse + matt_highlight;
+
+scene::Light lamp_at(double x, double y, double z, float candela = 1.0F) {
+    scene::Light light;
+    light.position = V3d(x, y, z);
+    light.intensity = Color3f(candela);
+    return light;
+}
+
+// The radiance of the wall z = 0 at a point, seen straight on.
+float radiance_at(const scene::Scene& scene, double x, double y, Settings asked) {
+    View view = view_down_z(x, y, 0.5);
+    view.right *= 1e-6;
+    view.up *= 1e-6;
+    return render(scene, orthographic(view), asked).film.pixel(0, 0).g;
+}
+
+float radiance_at(const scene::Scene& scene, double x, double y) {
+    return radiance_at(scene, x, y, settings(1, 1, Integrator::direct));
+}
+
+TEST(Light, FallsWithTheSquareOfTheDistance) {
+    scene::Scene scene;
+    add(scene, wall(0.0F, 10.0F), matt());
+    for (const float distance : {1.0F, 2.0F, 5.0F}) {
+        scene.lights = {lamp_at(0.0, 0.0, static_cast<double>(distance), 3.0F)};
+        const float expected = 3.0F * matt_straight_on / (distance * distance);
+        EXPECT_NEAR(radiance_at(scene, 0.0, 0.0), expected, expected * rounding);
+    }
+}
+
+TEST(Light, CandelaCountByTheMetre) {
+    scene::Scene scene;
+    add(scene, wall(0.0F, 10.0F), matt());
+    scene.meters_per_unit = 0.1;
+    scene.lights = {lamp_at(0.0, 0.0, 2.0)};
+    const float expected = matt_straight_on / 0.04F;
+    EXPECT_NEAR(radiance_at(scene, 0.0, 0.0), expected, expected * rounding);
+}
+
+TEST(Light, SunHasItsIlluminanceEverywhere) {
+    scene::Scene scene;
+    add(scene, wall(0.0F, 10.0F), matt());
+    scene::Light sun;
+    sun.kind = scene::LightKind::directional;
+    sun.intensity = Color3f(7.0F);
+    scene.lights = {sun};
+    for (const double x : {-8.0, 0.0, 5.0}) {
+        EXPECT_NEAR(radiance_at(scene, x, 1.0), 7.0F * matt_straight_on, 7.0F * rounding);
+    }
+}
+
+TEST(Light, RangeEndsALight) {
+    scene::Scene scene;
+    add(scene, wall(0.0F, 10.0F), matt());
+    scene.lights = {lamp_at(0.0, 0.0, 2.0)};
+    scene.lights[0].range = 4.0F;
+    const float window = 1.0F - 1.0F / 16.0F;
+    EXPECT_NEAR(radiance_at(scene, 0.0, 0.0), window * matt_straight_on / 4.0F, rounding);
+    scene.lights[0].range = 1.9F;
+    EXPECT_EQ(radiance_at(scene, 0.0, 0.0), 0.0F);
+}
+
+TEST(Light, SpotShinesInItsCone) {
+    scene::Scene scene;
+    add(scene, wall(0.0F, 10.0F), matt());
+    scene.lights = {lamp_at(0.0, 0.0, 1.0)};
+    const float everywhere = radiance_at(scene, 0.5, 0.0);
+    scene.lights[0].kind = scene::LightKind::spot;
+    scene.lights[0].inner_cone = 0.5F;
+    scene.lights[0].outer_cone = 0.8F;
+    // Seen from the lamp, x lies atan(x) off the axis.
+    EXPECT_NEAR(radiance_at(scene, 0.5, 0.0), everywhere, rounding);
+    const float between = radiance_at(scene, std::tan(0.65), 0.0);
+    EXPECT_GT(between, 0.0F);
+    EXPECT_LT(between, everywhere);
+    EXPECT_EQ(radiance_at(scene, std::tan(0.81), 0.0), 0.0F);
+    scene.lights[0].direction = V3d(0.0, 0.0, 1.0);
+    EXPECT_EQ(radiance_at(scene, 0.0, 0.0), 0.0F);
+}
+
+// A plate from x = 0 at half the lamp's height throws its edge's shadow to x = 0 - the lamp's x.
+TEST(Light, ShadowOfAPlateEndsWhereTheLineThroughItsEdgeEnds) {
+    scene::Scene scene;
+    add(scene, wall(0.0F, 10.0F), matt());
+    add(scene, parallelogram({0.0F, -5.0F, 1.0F}, {5.0F, 0.0F, 0.0F}, {0.0F, 10.0F, 0.0F}),
+        matt());
+    scene.lights = {lamp_at(-0.5, 0.0, 2.0)};
+    constexpr double edge = 0.5;
+    constexpr double close = 1e-4;
+    EXPECT_GT(radiance_at(scene, edge - close, 0.0), 0.0F);
+    EXPECT_EQ(radiance_at(scene, edge + close, 0.0), 0.0F);
+}
+
+TEST(Light, WhatLiesBehindTheLampOrTheWallThrowsNoShadow) {
+    scene::Scene scene;
+    add(scene, wall(0.0F, 10.0F), matt());
+    scene.lights = {lamp_at(0.0, 0.0, 2.0)};
+    const float alone = radiance_at(scene, 0.0, 0.0);
+    add(scene, wall(2.001F, 10.0F), matt());
+    add(scene, wall(-0.001F, 10.0F), matt());
+    EXPECT_EQ(radiance_at(scene, 0.0, 0.0), alone);
+    scene.lights[0].position.z = -2.0;
+    EXPECT_EQ(radiance_at(scene, 0.0, 0.0), 0.0F);
+}
+
+// Far from the origin floats are coarse; a surface must not shadow itself there either.
+TEST(Light, NoSurfaceShadowsItself) {
+    for (const double away : {0.0, 1e3, 1e6}) {
+        scene::Scene scene;
+        scene::M44d placed;
+        placed.rotate(V3d(0.4, 0.3, 0.2));
+        placed[3][0] = away;
+        placed[3][1] = -away;
+        add(scene, wall(0.0F, 10.0F), matt(), placed);
+        scene::Light sun;
+        sun.kind = scene::LightKind::directional;
+        sun.direction = V3d(-0.6, 0.0, -0.8);
+        scene.lights = {sun};
+        View view = view_down_z(away, -away, 5.0);
+        const Picture picture =
+            render(scene, orthographic(view), settings(50, 50, Integrator::direct));
+        float least = 1.0F;
+        for (std::size_t i = 0; i < 50 * 50; ++i) {
+            least = std::min(least, picture.film.pixel(i % 50, i / 50).g);
+        }
+        EXPECT_GT(least, 0.5F / pi * 0.9F) << away;
+    }
+}
+
+TEST(Light, TransparentSurfacesLetLightThrough) {
+    scene::Scene scene;
+    add(scene, wall(0.0F, 10.0F), matt());
+    scene.lights = {lamp_at(0.0, 0.0, 2.0)};
+    constexpr double x = 0.5;  // Off the walls' diagonals, where a ray meets two triangles.
+    const float alone = radiance_at(scene, x, 0.0);
+    scene::Material glass = matt();
+    glass.alpha_mode = scene::AlphaMode::blend;
+    glass.alpha = 0.25F;
+    add(scene, wall(1.0F, 10.0F), glass);
+    add(scene, wall(1.5F, 10.0F), glass);
+    EXPECT_NEAR(radiance_at(scene, x, 0.0), alone * 0.75F * 0.75F, rounding);
+    scene.materials[1].alpha_mode = scene::AlphaMode::mask;
+    scene.materials[1].alpha_cutoff = 0.5F;
+    EXPECT_NEAR(radiance_at(scene, x, 0.0), alone * 0.75F, rounding);
+    scene.materials[1].alpha_cutoff = 0.2F;
+    EXPECT_EQ(radiance_at(scene, x, 0.0), 0.0F);
+}
+
+TEST(Light, BlendedSurfacesAreSeenThrough) {
+    scene::Scene scene;
+    scene::Material glow = matt();
+    glow.emission = Color3f(2.0F);
+    add(scene, wall(0.0F, 10.0F), glow);
+    scene::Material film = matt();
+    film.emission = Color3f(1.0F);
+    film.alpha_mode = scene::AlphaMode::blend;
+    film.alpha = 0.25F;
+    add(scene, wall(0.2F, 10.0F), film);
+    EXPECT_NEAR(radiance_at(scene, 0.0, 0.0), 0.25F + 0.75F * 2.0F, rounding);
+    scene.instances.erase(scene.instances.begin());
+    const Picture picture = render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)),
+                                   settings(1, 1, Integrator::direct));
+    EXPECT_NEAR(picture.film.pixel(0, 0).a, 0.25F, rounding);
+    EXPECT_EQ(picture.film.layers->object[0], 2U);
+}
+
+TEST(Light, AmbientLightAndDefaultLight) {
+    scene::Scene scene;
+    scene::Material grey = matt();
+    grey.base_color = Color3f(0.5F);
+    add(scene, wall(0.0F, 10.0F), grey);
+    Settings asked = settings(1, 1, Integrator::direct);
+    asked.ambient = Color3f(0.3F);
+    EXPECT_NEAR(radiance_at(scene, 0.0, 0.0, asked), 0.15F, rounding);
+    scene.default_light = true;
+    EXPECT_NEAR(radiance_at(scene, 0.0, 0.0), pi * (0.5F * matt_diffuse + matt_highlight), rounding);
+}
+
+// A mirror in the plane z = -x turns rays along -z to -x... the glowing wall stands there.
+TEST(Light, AMirrorShowsWhatTheReflectedRayMeets) {
+    scene::Scene scene;
+    scene::Material mirror;
+    mirror.base_color = Color3f(0.8F, 0.6F, 0.4F);
+    mirror.metallic = 1.0F;
+    mirror.roughness = 0.0F;
+    add(scene, parallelogram({-2.0F, -2.0F, 2.0F}, {4.0F, 0.0F, -4.0F}, {0.0F, 4.0F, 0.0F}),
+        mirror);
+    scene::Material glow;
+    glow.emission = Color3f(1.0F);
+    // Its upper half only, at x = 5.
+    add(scene, parallelogram({5.0F, 0.0F, 10.0F}, {0.0F, 0.0F, -20.0F}, {0.0F, 20.0F, 0.0F}), glow);
+    Settings asked = settings(2, 2, Integrator::direct);
+    asked.background = Color3f(0.25F);
+    const Picture picture = render(scene, orthographic(view_down_z(0.0, 0.0, 4.0)), asked);
+    // Schlick at 45 degrees, by colour.
+    const float tilt = std::pow(1.0F - std::sqrt(0.5F), 5.0F);
+    const auto reflectance = [tilt](float r) { return r + (1.0F - r) * tilt; };
+    for (std::size_t x = 0; x < 2; ++x) {
+        EXPECT_NEAR(picture.film.pixel(x, 0).r, reflectance(0.8F), rounding);
+        EXPECT_NEAR(picture.film.pixel(x, 0).b, reflectance(0.4F), rounding);
+        EXPECT_NEAR(picture.film.pixel(x, 1).g, 0.25F * reflectance(0.6F), rounding);
+        EXPECT_EQ(picture.film.layers->object[x], 1U);
+    }
+}
+
+TEST(Light, MirrorsFacingEachOtherEnd) {
+    scene::Scene scene;
+    scene::Material mirror = white();
+    mirror.metallic = 1.0F;
+    mirror.roughness = 0.0F;
+    mirror.emission = Color3f(1.0F);
+    add(scene, wall(0.0F, 10.0F), mirror);
+    add(scene, wall(1.0F, 10.0F), mirror);
+    Settings asked = settings(1, 1, Integrator::direct);
+    asked.mirror_depth = 5;
+    EXPECT_NEAR(radiance_at(scene, 0.0, 0.0, asked), 6.0F, 6.0F * rounding);
+    asked.mirror_depth = 0;
+    EXPECT_NEAR(radiance_at(scene, 0.0, 0.0, asked), 1.0F, rounding);
+}
+
+}  // namespace
+}  // namespace balcony::render::test

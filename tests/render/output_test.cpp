@@ -1,0 +1,207 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Films in files, read back.
+
+#include <csignal>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include <gtest/gtest.h>
+#include <OpenImageIO/imageio.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include "support.hpp"
+
+namespace balcony::render::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Output : public testing::Test {
+protected:
+    Output() {
+        std::string pattern = (fs::temp_directory_path() / "balcony-render-XXXXXX").string();
+        folder_ = ::mkdtemp(pattern.data());
+    }
+    ~Output() override { fs::remove_all(folder_); }
+
+    [[nodiscard]] std::size_t files() const {
+        return static_cast<std::size_t>(
+            std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+    }
+
+    fs::path folder_;
+};
+
+// Two objects, one hidden from half of the picture, rays in the upper part only.
+Picture two_objects() {
+    scene::Scene scene;
+    scene::Material red = white();
+    red.base_color = Color3f(0.8F, 0.1F, 0.05F);
+    add(scene, wall(-2.0F, 0.7F), red);
+    add(scene, parallelogram({0.0F, -0.5F, -1.0F}, {3.0F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}),
+        white());
+    return render(scene, orthographic(view_down_z(0.0, 0.0, 0.0)),
+                  settings(37, 83, Integrator::preview, 3));
+}
+
+std::vector<float> read(const fs::path& file, std::vector<std::string>* channels = nullptr,
+                        OIIO::ImageSpec* spec = nullptr) {
+    OIIO::ImageSpec config;
+    config.attribute("oiio:UnassociatedAlpha", 1);
+    const auto input = OIIO::ImageInput::open(file.string(), &config);
+    EXPECT_TRUE(input) << OIIO::geterror();
+    std::vector<float> values(static_cast<std::size_t>(input->spec().image_pixels()) *
+                              static_cast<std::size_t>(input->spec().nchannels));
+    EXPECT_TRUE(input->read_image(0, 0, 0, input->spec().nchannels, OIIO::TypeDesc::FLOAT,
+                                  values.data()));
+    if (channels != nullptr) {
+        *channels = input->spec().channelnames;
+    }
+    if (spec != nullptr) {
+        *spec = input->spec();
+    }
+    return values;
+}
+
+float srgb(float linear) {
+    return linear <= 0.0031308F ? 12.92F * linear
+                                : 1.055F * std::pow(linear, 1.0F / 2.4F) - 0.055F;
+}
+
+TEST_F(Output, PngHoldsSrgbAndStraightAlpha) {
+    const Film film = two_objects().film;
+    for (const int bits : {8, 16}) {
+        const fs::path file = folder_ / "picture.png";
+        ASSERT_TRUE(write_png(film, file, {-1.0, bits}).empty());
+        const std::vector<float> values = read(file);
+        ASSERT_EQ(values.size(), 37U * 83U * 4U);
+        const float half_step = 0.5F / static_cast<float>((1 << bits) - 1) + 1e-6F;
+        bool partial = false;
+        for (std::size_t i = 0; i < 37 * 83; ++i) {
+            const Color4f mean = film.pixel(i % 37, i / 37);
+            partial = partial || (mean.a > 0.0F && mean.a < 1.0F);
+            ASSERT_NEAR(values[4 * i + 3], mean.a, half_step);
+            ASSERT_NEAR(values[4 * i], mean.a > 0.0F ? srgb(0.5F * mean.r / mean.a) : 0.0F,
+                        half_step);
+        }
+        EXPECT_TRUE(partial);
+    }
+    EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(Output, ExrHoldsEveryLayerUnderItsName) {
+    const Film film = two_objects().film;
+    const fs::path file = folder_ / "picture.exr";
+    ASSERT_TRUE(write_exr(film, file).empty());
+    std::vector<std::string> channels;
+    OIIO::ImageSpec spec;
+    const std::vector<float> values = read(file, &channels, &spec);
+    const DataLayers& layers = *film.layers;
+    using Value = std::function<float(std::size_t)>;
+    const std::vector<std::pair<std::string, Value>> expected = {
+        {"R", [&](std::size_t i) { return film.pixel(i % 37, i / 37).r; }},
+        {"A", [&](std::size_t i) { return film.pixel(i % 37, i / 37).a; }},
+        {"ray_length.Z", [&](std::size_t i) { return layers.ray_length[i]; }},
+        {"position.Z", [&](std::size_t i) { return layers.position[i].z; }},
+        {"normal.Y", [&](std::size_t i) { return layers.normal[i].y; }},
+        {"albedo.G", [&](std::size_t i) { return layers.albedo[i].y; }},
+        {"object.ID", [&](std::size_t i) { return static_cast<float>(layers.object[i]); }},
+        {"origin.X", [&](std::size_t i) { return layers.origin[i].x; }},
+        {"direction.Z", [&](std::size_t i) { return layers.direction[i].z; }},
+        {"parameters.U", [&](std::size_t i) { return layers.parameters[i].x; }},
+        {"valid.A", [&](std::size_t i) { return static_cast<float>(layers.valid[i]); }},
+    };
+    EXPECT_EQ(channels.size(), 24U);
+    for (const auto& [name, value] : expected) {
+        const auto found = std::find(channels.begin(), channels.end(), name);
+        ASSERT_NE(found, channels.end()) << name;
+        const auto c = static_cast<std::size_t>(found - channels.begin());
+        for (std::size_t i = 0; i < 37 * 83; ++i) {
+            // An id is an integer, which OpenImageIO scales to 0 .. 1.
+            const float read = name == "object.ID" ? values[i * channels.size() + c] * 4294967295.0F
+                                                   : values[i * channels.size() + c];
+            ASSERT_EQ(read, value(i)) << name << ' ' << i;
+        }
+    }
+    const OIIO::ParamValue* names = spec.find_attribute("objects");
+    ASSERT_NE(names, nullptr);
+    EXPECT_EQ(names->get_string_indexed(0), "object 0");
+    EXPECT_EQ(names->get_string_indexed(1), "object 1");
+}
+
+TEST_F(Output, ExrWithoutLayersHasThePictureAlone) {
+    Film film = two_objects().film;
+    film.layers.reset();
+    ASSERT_TRUE(write(film, folder_ / "picture.EXR").empty());
+    std::vector<std::string> channels;
+    static_cast<void>(read(folder_ / "picture.EXR", &channels));
+    EXPECT_EQ(channels, (std::vector<std::string>{"R", "G", "B", "A"}));
+}
+
+TEST_F(Output, NoFileHoldsWhatIsNoNumber) {
+    Film film = two_objects().film;
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    film.sum[5] = Color4f(nan, nan, nan, nan);
+    film.layers->position[5].x = nan;
+    ASSERT_TRUE(write(film, folder_ / "a.png").empty());
+    ASSERT_TRUE(write(film, folder_ / "a.exr").empty());
+    EXPECT_EQ(read(folder_ / "a.png")[20], 0.0F);
+    for (const float value : read(folder_ / "a.exr")) {
+        ASSERT_FALSE(std::isnan(value));
+    }
+}
+
+TEST_F(Output, WhatCannotBeWrittenIsKnownBefore) {
+    EXPECT_TRUE(check_output(folder_ / "a.png").empty());
+    EXPECT_TRUE(check_output("a.exr").empty());
+    EXPECT_TRUE(has_errors(check_output(folder_ / "a.gif")));
+    EXPECT_TRUE(has_errors(check_output(folder_ / "a")));
+    EXPECT_TRUE(has_errors(check_output(folder_ / "missing" / "a.png")));
+    fs::create_directory(folder_ / "b.png");
+    EXPECT_TRUE(has_errors(check_output(folder_ / "b.png")));
+    const Film film = two_objects().film;
+    EXPECT_TRUE(has_errors(write(film, folder_ / "missing" / "a.png")));
+    EXPECT_TRUE(has_errors(write_png(film, folder_ / "missing" / "a.png")));
+    EXPECT_TRUE(has_errors(write_exr(film, folder_ / "missing" / "a.exr")));
+    EXPECT_TRUE(has_errors(write_png(film, folder_ / "a.png", {0.0, 12})));
+    EXPECT_EQ(files(), 1U);
+}
+
+// A limit on the size of files stands in for a full disk.
+TEST_F(Output, AFullDiskLeavesTheOldFileAndNothingElse) {
+    const Film film = two_objects().film;
+    for (const char* name : {"a.png", "a.exr"}) {
+        std::ofstream(folder_ / name) << "old";
+        struct rlimit before {};
+        ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+        auto* handler = std::signal(SIGXFSZ, SIG_IGN);
+        struct rlimit tight = before;
+        tight.rlim_cur = 100;
+        ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &tight), 0);
+        const Diagnostics said = write(film, folder_ / name);
+        ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+        std::signal(SIGXFSZ, handler);
+        EXPECT_TRUE(has_errors(said)) << name;
+        std::string text;
+        std::ifstream(folder_ / name) >> text;
+        EXPECT_EQ(text, "old");
+    }
+    EXPECT_EQ(files(), 2U);
+}
+
+TEST_F(Output, ALinkStaysAndWhatItPointsToIsReplaced) {
+    fs::create_directory(folder_ / "real");
+    std::ofstream(folder_ / "real" / "a.png") << "old";
+    fs::create_symlink(folder_ / "real" / "a.png", folder_ / "a.png");
+    ASSERT_TRUE(write(two_objects().film, folder_ / "a.png").empty());
+    EXPECT_TRUE(fs::is_symlink(folder_ / "a.png"));
+    EXPECT_GT(fs::file_size(folder_ / "real" / "a.png"), 100U);
+}
+
+}  // namespace
+}  // namespace balcony::render::test

@@ -1,0 +1,78 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+// Small scenes and cameras made by hand.
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "balcony/camera.hpp"
+#include "balcony/render.hpp"
+#include "balcony/scene.hpp"
+
+namespace balcony::render::test {
+
+using Imath::V3d;
+
+// ------------------------------------------------------------------------------------ cameras
+
+/// A ray of a test camera as formulas of u = -1 .. 1 (left to right), v = -1 .. 1 (bottom to top).
+struct RayFormula {
+    std::function<camera::ObjectPoint(const camera::ParameterPoint&, camera::Emitter&)> origin;
+    std::function<camera::ObjectVector(const camera::ParameterPoint&, camera::Emitter&)> direction;
+};
+
+[[nodiscard]] camera::Camera make_camera(RayFormula formula, Axes axes = Axes::y_up);
+
+/// Where a camera stands, whose picture spans -1 .. 1 along right and up.
+struct View {
+    V3d eye;
+    V3d forward;
+    V3d right;
+    V3d up;
+};
+
+/// Looks along -z from (x, y, z).
+[[nodiscard]] View view_down_z(double x, double y, double z);
+
+/// Rays through eye + forward + u right + v up.
+[[nodiscard]] camera::Camera pinhole(const View& view, Axes axes = Axes::y_up);
+/// Rays from eye + u right + v up along forward.
+[[nodiscard]] camera::Camera orthographic(const View& view, Axes axes = Axes::y_up);
+
+// ------------------------------------------------------------------------------------- scenes
+
+/// A parallelogram: corner, corner + right, corner + up, texture upright as seen from the side
+/// where right × up points.
+[[nodiscard]] scene::Mesh parallelogram(V3f corner, V3f right, V3f up);
+
+/// Adds a mesh as an object of its own with a material of its own; gives the object's id.
+std::uint32_t add(scene::Scene& scene, scene::Mesh mesh, scene::Material material,
+                  const scene::M44d& world_from_mesh = {});
+
+/// A wall in the plane z = z, from -half to half in x and y.
+[[nodiscard]] scene::Mesh wall(float z, float half);
+
+[[nodiscard]] scene::Material white();
+
+/// An image as PNG, 3 or 4 channels of 8 bits.
+using Pixels = std::function<std::vector<std::uint8_t>(int x, int y)>;
+[[nodiscard]] std::vector<std::uint8_t> encode_png(int width, int height, int channels,
+                                                   const Pixels& pixels);
+scene::TextureIndex add_texture(scene::Scene& scene, std::vector<std::uint8_t> bytes);
+
+// ------------------------------------------------------------------------------------ pictures
+
+[[nodiscard]] Settings settings(std::size_t width, std::size_t height, Integrator integrator,
+                                std::size_t samples = 1);
+
+/// Renders; fails the test on any diagnostic.
+[[nodiscard]] Picture render(const scene::Scene& scene, const camera::Camera& camera,
+                             const Settings& settings);
+
+}  // namespace balcony::render::test

@@ -1,0 +1,165 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Textures: which way up, how filtered, what happens without.
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "support.hpp"
+
+namespace balcony::render::test {
+namespace {
+
+using Pixel = std::vector<std::uint8_t>;
+
+// Half a step of 8 bits on its way through a half float of 11 bits.
+constexpr float texel_rounding = 1.0F / 255.0F;
+
+Pixel checker(int x, int y) {
+    return (x + y) % 2 == 0 ? Pixel{255, 255, 255} : Pixel{0, 0, 0};
+}
+
+scene::Scene textured_wall(std::vector<std::uint8_t> png, float half = 1.0F) {
+    scene::Scene scene;
+    scene::Material material = white();
+    material.base_color_texture = add_texture(scene, std::move(png));
+    add(scene, wall(0.0F, half), material);
+    return scene;
+}
+
+TEST(Texture, CornersOfTheImageAreCornersOfThePicture) {
+    const scene::Scene scene = textured_wall(encode_png(64, 64, 3, [](int x, int y) {
+        return Pixel{static_cast<std::uint8_t>(x < 32 ? 0 : 255),
+                     static_cast<std::uint8_t>(y < 32 ? 0 : 255), 255};
+    }));
+    const Picture picture = render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)),
+                                   settings(64, 64, Integrator::preview));
+    for (const std::size_t y : {10U, 50U}) {
+        for (const std::size_t x : {10U, 50U}) {
+            EXPECT_EQ(picture.film.pixel(x, y),
+                      Color4f(x < 32 ? 0.0F : 1.0F, y < 32 ? 0.0F : 1.0F, 1.0F, 1.0F))
+                << x << ' ' << y;
+        }
+    }
+}
+
+TEST(Texture, ColourIsDecodedFromSrgbAndMultipliedWithTheFactor) {
+    scene::Scene scene =
+        textured_wall(encode_png(16, 16, 3, [](int, int) { return Pixel{188, 128, 64}; }));
+    scene.materials[0].base_color = Color3f(0.5F);
+    const Picture picture = render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)),
+                                   settings(4, 4, Integrator::preview));
+    const auto linear = [](float code) {
+        return 0.5F * std::pow((code / 255.0F + 0.055F) / 1.055F, 2.4F);
+    };
+    EXPECT_NEAR(picture.film.pixel(1, 1).r, linear(188.0F), texel_rounding);
+    EXPECT_NEAR(picture.film.pixel(1, 1).g, linear(128.0F), texel_rounding);
+    EXPECT_NEAR(picture.film.layers->albedo[5].z, linear(64.0F), texel_rounding);
+}
+
+// 512 x 512 texels in 16 x 16 pixels: each pixel sees half white, half black, also at its border.
+TEST(Texture, AFineCheckerFromAfarIsGrey) {
+    const scene::Scene scene = textured_wall(encode_png(512, 512, 3, checker));
+    const Picture straight = render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)),
+                                    settings(16, 16, Integrator::preview));
+    for (std::size_t i = 0; i < 256; ++i) {
+        EXPECT_NEAR(straight.film.pixel(i % 16, i / 16).r, 0.5F, texel_rounding) << i;
+    }
+}
+
+// Only the footprint's long side is blurred: stripes along it stay.
+TEST(Texture, FilteringIsAnisotropic) {
+    const scene::Scene scene = textured_wall(encode_png(256, 256, 3, [](int x, int) {
+        return (x / 16) % 2 == 0 ? Pixel{255, 255, 255} : Pixel{0, 0, 0};
+    }));
+    View wide = view_down_z(0.0, 0.0, 1.0);
+    const Picture picture = render(scene, orthographic(wide), settings(256, 16, Integrator::preview));
+    for (std::size_t stripe = 0; stripe < 16; ++stripe) {
+        EXPECT_NEAR(picture.film.pixel(16 * stripe + 8, 7).r, stripe % 2 == 0 ? 1.0F : 0.0F, 0.1F)
+            << stripe;
+    }
+}
+
+TEST(Texture, AMagnifiedEdgeStaysWithinATexel) {
+    const scene::Scene scene = textured_wall(encode_png(8, 8, 3, [](int x, int) {
+        return x < 4 ? Pixel{255, 255, 255} : Pixel{0, 0, 0};
+    }));
+    const Picture picture = render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)),
+                                   settings(800, 4, Integrator::preview));
+    // A texel is 100 pixels wide; bilinear filtering goes from centre to centre.
+    EXPECT_EQ(picture.film.pixel(345, 1).r, 1.0F);
+    EXPECT_EQ(picture.film.pixel(455, 1).r, 0.0F);
+}
+
+TEST(Texture, FootprintsInAMirrorAreThoseOfTheReflectedRays) {
+    scene::Scene scene;
+    scene::Material mirror = white();
+    mirror.metallic = 1.0F;
+    mirror.roughness = 0.0F;
+    add(scene, wall(-2.0F, 10.0F), mirror);
+    scene::Material screen;
+    screen.base_color = Color3f(0.0F);
+    screen.emission = Color3f(1.0F);
+    screen.emission_texture = add_texture(scene, encode_png(512, 512, 3, checker));
+    add(scene, wall(3.0F, 2.0F), screen);
+    const Picture picture = render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)),
+                                   settings(16, 16, Integrator::direct));
+    for (std::size_t i = 0; i < 256; ++i) {
+        EXPECT_NEAR(picture.film.pixel(i % 16, i / 16).r, 0.5F, texel_rounding) << i;
+    }
+}
+
+TEST(Texture, AlphaCutsOut) {
+    scene::Scene scene = textured_wall(encode_png(64, 64, 4, [](int x, int) {
+        return Pixel{255, 255, 255, static_cast<std::uint8_t>(x < 32 ? 255 : 0)};
+    }));
+    scene.materials[0].alpha_mode = scene::AlphaMode::mask;
+    scene.materials[0].alpha_cutoff = 0.5F;
+    const std::uint32_t behind = add(scene, wall(-1.0F, 1.0F), white());
+    const Picture picture = render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)),
+                                   settings(64, 64, Integrator::preview));
+    EXPECT_EQ(picture.film.layers->object[32 * 64 + 20], 1U);
+    EXPECT_EQ(picture.film.layers->object[32 * 64 + 44], behind);
+    EXPECT_EQ(picture.film.layers->ray_length[32 * 64 + 44], 2.0F);
+}
+
+TEST(Texture, WithoutItsTextureAMaterialHasItsFactors) {
+    scene::Scene scene = textured_wall({1, 2, 3, 4});
+    scene.textures[0].name = "broken.png";
+    scene.materials[0].base_color = Color3f(0.25F);
+    scene.materials[0].emission_texture = scene.materials[0].base_color_texture;
+    const Result<Renderer> renderer = Renderer::make(std::make_shared<scene::Scene>(scene));
+    ASSERT_TRUE(renderer);
+    ASSERT_EQ(renderer.diagnostics.size(), 1U);
+    EXPECT_NE(renderer.diagnostics[0].message.find("broken.png"), std::string::npos);
+    const Result<Picture> picture = renderer->render(
+        orthographic(view_down_z(0.0, 0.0, 1.0)), settings(4, 4, Integrator::preview));
+    ASSERT_TRUE(picture);
+    EXPECT_TRUE(picture.diagnostics.empty());
+    EXPECT_EQ(picture->film.pixel(1, 1).r, 0.25F);
+}
+
+// The header is whole, the pixels are not.
+TEST(Texture, PixelsThatCannotBeReadAreAWarningOnce) {
+    std::vector<std::uint8_t> png = encode_png(256, 256, 3, [](int x, int y) {
+        return Pixel{static_cast<std::uint8_t>(x * 7 ^ y * 13), static_cast<std::uint8_t>(x * y),
+                     static_cast<std::uint8_t>(x + 3 * y)};
+    });
+    png.resize(png.size() / 2);
+    const scene::Scene scene = textured_wall(png);
+    const Result<Renderer> renderer = Renderer::make(std::make_shared<scene::Scene>(scene));
+    ASSERT_TRUE(renderer);
+    EXPECT_TRUE(renderer.diagnostics.empty());
+    const camera::Camera camera = orthographic(view_down_z(0.0, 0.0, 1.0));
+    const Settings asked = settings(256, 256, Integrator::preview);
+    const Result<Picture> first = renderer->render(camera, asked);
+    ASSERT_TRUE(first);
+    EXPECT_EQ(first.diagnostics.size(), 1U);
+    EXPECT_FALSE(has_errors(first.diagnostics));
+    EXPECT_TRUE(renderer->render(camera, asked).diagnostics.empty());
+}
+
+}  // namespace
+}  // namespace balcony::render::test
