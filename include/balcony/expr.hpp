@@ -10,10 +10,12 @@
 //
 // Semantics. Values are IEEE doubles, conditions are 1 or 0. The graph's algebra is that of real
 // numbers: a rewriting may assume that values are finite (0*x is 0, x - x is 0) and may regroup
-// sums and products. Whether a value exists is never hidden in a NaN: who can fail states a
-// condition, and the camera collects these in its validity root. Outside its domain an operation
-// gives NaN or an infinity as IEEE 754 and C say; min(a, b) is b if b < a, else a (max alike);
-// comparisons with NaN are false; sign(0) is 0; mod(a, b) is a - b*floor(a/b).
+// sums and products. It never makes a sum of squares finite where one of the squared values is
+// not, so that a test of the sum speaks for all of them. Whether a value exists is never hidden in
+// a NaN: who can fail states a condition, and the camera collects these in its validity root.
+// Outside its domain an operation gives NaN or an infinity as IEEE 754 and C say; min(a, b) is b if
+// b < a, else a (max alike); comparisons with NaN are false; sign(0) is 0; mod(a, b) is
+// a - b*floor(a/b).
 
 #include <array>
 #include <cstdint>
@@ -155,7 +157,7 @@ struct Table {
 
 class Graph {
 public:
-    Graph();
+    Graph() = default;
     Graph(const Graph&) = delete;
     Graph& operator=(const Graph&) = delete;
 
@@ -167,7 +169,10 @@ public:
     [[nodiscard]] Expr variable(std::uint32_t number);
     /// A variable that nobody has used yet.
     [[nodiscard]] Expr fresh_variable();
+    /// The table's value at x.
     [[nodiscard]] Expr lookup(std::shared_ptr<const Table> table, Expr x);
+    /// An operation on nodes of this graph, folded if they are constant and rewritten where looking
+    /// at the arguments' own arguments shows something simpler. Not for leaves and look-ups.
     [[nodiscard]] Expr apply(Op op, std::span<const Expr> arguments);
 
     [[nodiscard]] std::size_t size() const { return nodes_.size(); }
@@ -178,10 +183,10 @@ public:
     /// The table whose values are the slopes of this one.
     [[nodiscard]] std::shared_ptr<const Table> derivative_table(TableId id);
 
-    /// The node as it stands, without local simplification: for the simplifier.
+private:
+    /// The one node that equals this one, made if there is none.
     [[nodiscard]] Expr intern(Node node);
 
-private:
     struct Hash {
         std::size_t operator()(const Node& node) const;
     };
@@ -253,6 +258,9 @@ Expr sign(Expr a);
 Expr floor(Expr a);
 Expr sqrt(Expr a);
 Expr pow(Expr a, Expr b);
+/// An exponent that is a multiple of 1/8 and at most 64 in size becomes products and square roots:
+/// within |b| + 3 units in the last place wherever neither the result nor its reciprocal leaves the
+/// range of normal numbers.
 Expr pow(Expr a, double b);
 Expr exp(Expr a);
 Expr log(Expr a);

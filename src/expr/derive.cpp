@@ -1,6 +1,8 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
+
 #include "balcony/expr.hpp"
 
 namespace balcony::expr {
@@ -36,8 +38,10 @@ std::vector<NodeId> reachable(const Graph& graph, std::span<const Expr> expressi
 
 // Forward mode: one walk from the leaf up gives every node its slope.
 std::vector<Expr> derive(std::span<const Expr> expressions, Expr leaf) {
-    assert(operation(leaf.op()).arity == 0);
+    assert(operation(leaf.op()).arity == 0 && !leaf.is_constant());
     Graph& graph = leaf.graph();
+    assert(std::all_of(expressions.begin(), expressions.end(),
+                       [&](Expr root) { return &root.graph() == &graph; }));
     const Expr zero = graph.constant(0.0);
     const std::vector<NodeId> nodes = reachable(graph, expressions);
     std::vector<Expr> slopes(graph.size(), zero);

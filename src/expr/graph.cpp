@@ -1,6 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
 #include <bit>
 
 #include "balcony/expr.hpp"
@@ -41,8 +42,6 @@ std::size_t Graph::Hash::operator()(const Node& node) const {
     }
     return hash;
 }
-
-Graph::Graph() = default;
 
 Expr Graph::intern(Node node) {
     node.depends = leaf_dependency(node.op);
@@ -124,6 +123,7 @@ std::shared_ptr<const Table> Graph::derivative_table(TableId id) {
 }
 
 Expr Graph::apply(Op op, std::span<const Expr> arguments) {
+    assert(operation(op).scalar != nullptr && "leaves and look-ups have functions of their own");
     assert(static_cast<int>(arguments.size()) == operation(op).arity);
     if (const Expr simpler = apply_local_rules(*this, op, arguments); simpler.valid()) {
         return simpler;

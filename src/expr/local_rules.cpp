@@ -153,8 +153,9 @@ Expr divide_rules(Graph& graph, Expr a, Expr b) {
     return {};
 }
 
-// x^p for p a multiple of 1/8 by squarings and square roots. Each step rounds once, so that the
-// relative error is at most about |p| + 3 units in the last place; 64 keeps it below 1e-14.
+// x^p for p a multiple of 1/8 by squarings and square roots. Each product rounds once and doubles
+// what a square carries on, which sums up to |p| + 3 units in the last place at most: 64 keeps it
+// below 1.5e-14.
 constexpr double largest_expanded_exponent = 64.0;
 
 bool expands(double p) {

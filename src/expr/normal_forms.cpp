@@ -4,6 +4,7 @@
 #include "expr/normal_forms.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 namespace balcony::expr {
@@ -63,6 +64,8 @@ Expr scale(double coefficient, Expr value) {
     return coefficient * value;
 }
 
+constexpr std::size_t rate_count = static_cast<std::size_t>(Rate::pixel) + 1;
+
 // A running sum that writes a - b where it can.
 class Sum {
 public:
@@ -77,9 +80,13 @@ public:
             total_ = total_ + scale(coefficient, value);
         }
     }
-    [[nodiscard]] Expr plus(double constant) const {
-        return total_.valid() ? total_ + constant : graph_->constant(constant);
+    void add_constant(double constant) { total_ = value() + constant; }
+    void join(const Sum& other) {
+        if (other.total_.valid()) {
+            total_ = total_.valid() ? total_ + other.total_ : other.total_;
+        }
     }
+    [[nodiscard]] Expr value() const { return total_.valid() ? total_ : graph_->constant(0.0); }
 
 private:
     Graph* graph_;
@@ -228,7 +235,7 @@ std::vector<LinearForm::Term> LinearForm::factored_terms(Graph& graph, bool by_r
             }
         }
         std::erase_if(rest, shares);
-        factored.push_back({inner.plus(0.0) * common, 1.0});
+        factored.push_back({inner.value() * common, 1.0});
     }
     rest.insert(rest.end(), factored.begin(), factored.end());
     return rest;
@@ -238,23 +245,23 @@ Expr LinearForm::build(Graph& graph) const {
     LinearForm factored;
     factored.terms_ = factored_terms(graph, true);
     factored.terms_ = factored.factored_terms(graph, false);
-    std::stable_sort(
-        factored.terms_.begin(), factored.terms_.end(),
-        [](const Term& a, const Term& b) { return a.value.rate() < b.value.rate(); });
-
-    Sum total(graph);
-    bool constant_added = constant_ == 0.0;
-    Rate last_rate = Rate::pixel;
+    // One sum for each rate, the constant with the slowest, where it costs least; then these.
+    std::array<Sum, rate_count> sums{Sum(graph), Sum(graph), Sum(graph), Sum(graph)};
+    std::size_t slowest = rate_count;
     for (const auto& [value, coefficient] : factored.terms_) {
-        // The constant joins the group of the slowest rate, where it costs least.
-        if (!constant_added && last_rate < value.rate()) {
-            total.add(1.0, graph.constant(constant_));
-            constant_added = true;
-        }
-        last_rate = value.rate();
-        total.add(coefficient, value);
+        const auto rate = static_cast<std::size_t>(value.rate());
+        sums[rate].add(coefficient, value);
+        slowest = std::min(slowest, rate);
     }
-    return total.plus(constant_added ? 0.0 : constant_);
+    if (slowest == rate_count) {
+        return graph.constant(constant_);
+    }
+    sums[slowest].add_constant(constant_);
+    Sum total(graph);
+    for (const Sum& sum : sums) {
+        total.join(sum);
+    }
+    return total.value();
 }
 
 }  // namespace balcony::expr

@@ -1,6 +1,8 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "balcony/expr.hpp"
@@ -10,7 +12,7 @@ namespace balcony::expr {
 namespace {
 
 // How tightly a text binds, so that only needed parentheses are written.
-enum class Binding : std::uint8_t { logical, comparison, sum, product, prefix, atom };
+enum class Binding : std::uint8_t { disjunction, conjunction, comparison, sum, product, prefix, atom };
 
 struct Text {
     std::string text;
@@ -19,8 +21,8 @@ struct Text {
 
 Binding binding_of(Op op) {
     switch (op) {
-        case Op::logical_and:
-        case Op::logical_or: return Binding::logical;
+        case Op::logical_or: return Binding::disjunction;
+        case Op::logical_and: return Binding::conjunction;
         case Op::less:
         case Op::less_equal:
         case Op::equal: return Binding::comparison;
@@ -39,7 +41,7 @@ std::string enclosed(const Text& operand, bool enclose) {
 Text print_node(const Node& node, std::span<const Text> arguments) {
     const Operation& row = operation(node.op);
     if (node.op == Op::constant) {
-        return {fmt::format("{}", node.value), node.value < 0 ? Binding::prefix : Binding::atom};
+        return {fmt::format("{}", node.value), std::signbit(node.value) ? Binding::prefix : Binding::atom};
     }
     if (node.op == Op::variable) {
         return {fmt::format("v{}", node.detail)};
@@ -87,6 +89,9 @@ std::string print(std::span<const Expr> expressions, std::span<const std::string
                 ++uses[argument.value()];
             }
         }
+    }
+    for (const Expr root : expressions) {
+        ++uses[root.id().value()];
     }
     // A long single formula is cut as well: nobody reads more than a line.
     constexpr std::size_t longest = 160;

@@ -23,6 +23,7 @@ public:
           made_(graph.size()),
           uses_(graph.size(), 0),
           linear_(graph.size()),
+          built_from_(graph.size()),
           product_(graph.size()) {
         for (const NodeId id : nodes_) {
             for (const NodeId argument : graph[id].arguments) {
@@ -54,7 +55,7 @@ private:
         switch (node.op) {
             case Op::add: return rewrite_sum(id, node, 1.0);
             case Op::subtract: return rewrite_sum(id, node, -1.0);
-            case Op::negate: return keep_linear(id, linear(node.arguments[0]).scaled(-1.0));
+            case Op::negate: return rewrite_multiple(id, node.arguments[0], -1.0);
             case Op::multiply: return rewrite_product(id, node);
             case Op::divide: return rewrite_quotient(id, node);
             case Op::lookup:
@@ -96,13 +97,26 @@ private:
         return built;
     }
 
+    // A multiple of a sum that others need too is made from that sum, but a sum above may dissolve
+    // it all the same.
+    Expr rewrite_multiple(NodeId id, NodeId of, double factor) {
+        LinearForm form = linear(of).scaled(factor);
+        if (uses_[of.value()] == 1 || form.term_count() <= 1) {
+            return keep_linear(id, std::move(form));
+        }
+        LinearForm kept = LinearForm(made(of)).scaled(factor);
+        const Expr built = kept.build(graph_);
+        linear_[id.value()] = std::move(form);
+        built_from_[id.value()] = std::move(kept);
+        return built;
+    }
+
     Expr rewrite_product(NodeId id, const Node& node) {
         const NodeId a = node.arguments[0];
         const NodeId b = node.arguments[1];
         for (const auto& [constant, other] : {std::pair(a, b), std::pair(b, a)}) {
             if (made(constant).is_constant()) {
-                const double factor = made(constant).node().value;
-                return keep_linear(id, linear(other).scaled(factor));
+                return rewrite_multiple(id, other, made(constant).node().value);
             }
         }
         const ProductForm kept =
@@ -139,8 +153,14 @@ private:
 
     LinearForm linear_or_term(NodeId id) const {
         const auto& form = linear_[id.value()];
-        const bool cheap = form && (uses_[id.value()] == 1 || form->term_count() <= 1);
-        return cheap ? *form : LinearForm(made(id));
+        if (form && form->term_count() <= 1) {
+            return *form;
+        }
+        if (uses_[id.value()] > 1) {
+            return LinearForm(made(id));
+        }
+        const auto& built_from = built_from_[id.value()];
+        return built_from ? *built_from : linear(id);
     }
 
     ProductForm product(NodeId id) const {
@@ -153,6 +173,7 @@ private:
     std::vector<Expr> made_;
     std::vector<std::uint32_t> uses_;
     std::vector<std::optional<LinearForm>> linear_;
+    std::vector<std::optional<LinearForm>> built_from_;  ///< Where the node was made from another.
     std::vector<std::optional<ProductForm>> product_;
 };
 

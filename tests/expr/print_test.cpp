@@ -1,0 +1,191 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Printed formulas are read back by a reader that knows only the usual precedences.
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <random>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "random_formula.hpp"
+
+namespace balcony::expr {
+
+namespace {
+
+// From the loosest to the tightest; operators of one level group from the left.
+const std::vector<std::vector<Op>> levels{
+    {Op::logical_or},
+    {Op::logical_and},
+    {Op::less_equal, Op::less, Op::equal},
+    {Op::add, Op::subtract},
+    {Op::multiply, Op::divide},
+};
+
+class Reader {
+public:
+    explicit Reader(Graph& graph) : graph_(&graph) {}
+
+    /// The formula of the last line.
+    Expr read(const std::string& text) {
+        std::istringstream lines(text);
+        Expr last;
+        for (std::string line; std::getline(lines, line);) {
+            const std::size_t equals = line.find(" = ");
+            rest_ = std::string_view(line).substr(equals + 3);
+            last = binary(0);
+            EXPECT_TRUE(rest_.empty()) << line;
+            named_[line.substr(0, equals)] = last;
+        }
+        return last;
+    }
+
+private:
+    bool take(std::string_view token) {
+        while (rest_.starts_with(' ')) {
+            rest_.remove_prefix(1);
+        }
+        if (!rest_.starts_with(token)) {
+            return false;
+        }
+        rest_.remove_prefix(token.size());
+        return true;
+    }
+
+    Expr binary(std::size_t level) {
+        if (level == levels.size()) {
+            return prefix();
+        }
+        Expr left = binary(level + 1);
+        for (bool found = true; found;) {
+            found = false;
+            for (const Op op : levels[level]) {
+                if (take(operation(op).infix)) {
+                    left = graph_->apply(op, std::array{left, binary(level + 1)});
+                    found = true;
+                    break;
+                }
+            }
+        }
+        return left;
+    }
+
+    Expr prefix() {
+        if (take("-")) {
+            return -prefix();
+        }
+        if (take("!")) {
+            return !prefix();
+        }
+        if (take("(")) {
+            const Expr inner = binary(0);
+            EXPECT_TRUE(take(")"));
+            return inner;
+        }
+        return word();
+    }
+
+    Expr word() {
+        (void)take(" ");
+        std::size_t length = 0;
+        while (length < rest_.size() &&
+               (std::isalnum(static_cast<unsigned char>(rest_[length])) != 0 ||
+                rest_[length] == '_' || rest_[length] == '.' ||
+                (length > 0 && rest_[length - 1] == 'e' && std::isdigit(rest_[0]) != 0))) {
+            ++length;
+        }
+        const std::string text(rest_.substr(0, length));
+        rest_.remove_prefix(length);
+        if (!text.empty() && std::isdigit(static_cast<unsigned char>(text[0])) != 0) {
+            return graph_->constant(std::stod(text));
+        }
+        if (const auto known = named_.find(text); known != named_.end()) {
+            return known->second;
+        }
+        return text == "picture_x"   ? graph_->picture_x()
+               : text == "picture_y" ? graph_->picture_y()
+               : text == "t"         ? graph_->time()
+               : text == "nan"       ? graph_->constant(std::nan(""))
+               : text == "inf"       ? graph_->constant(HUGE_VAL)
+                                     : call(text);
+    }
+
+    Expr call(const std::string& name) {
+        for (const Operation& row : operations()) {
+            if (row.name == name && row.scalar != nullptr) {
+                std::vector<Expr> arguments;
+                EXPECT_TRUE(take("("));
+                for (int i = 0; i < row.arity; ++i) {
+                    EXPECT_TRUE(i == 0 || take(","));
+                    arguments.push_back(binary(0));
+                }
+                EXPECT_TRUE(take(")"));
+                return graph_->apply(row.op, arguments);
+            }
+        }
+        ADD_FAILURE() << "unknown word '" << name << "'";
+        return graph_->constant(0.0);
+    }
+
+    Graph* graph_;
+    std::string_view rest_;
+    std::map<std::string, Expr> named_;
+};
+
+std::string printed(Expr e) {
+    const std::string text = print(e);
+    return text.substr(text.rfind("f = ") + 4, text.size() - text.rfind("f = ") - 5);
+}
+
+}  // namespace
+
+TEST(Print, RandomFormulasReadBackAsWhatTheyAre) {
+    std::mt19937_64 random(61);
+    std::uniform_real_distribution<double> range(-3.0, 3.0);
+    std::size_t compared = 0;
+    for (int i = 0; i < 3000; ++i) {
+        Graph graph;
+        const Expr formula = build(graph, random_formula(random, 2 + static_cast<std::size_t>(i) % 30));
+        Graph other;
+        const Expr read = Reader(other).read(print(formula));
+        ASSERT_FALSE(HasFailure()) << print(formula);
+        const Point point{range(random), range(random), range(random), {}};
+        const Bounded wanted = evaluate_bounded(formula, point);
+        const Bounded found = evaluate_bounded(read, point);
+        if (wanted.error < 1e-6 && found.error < 1e-6) {
+            ++compared;
+            // a + (b + c) is printed as a sum of three, which groups otherwise.
+            EXPECT_NEAR(found.value, wanted.value, 2.0 * (wanted.error + found.error)) << print(formula);
+        }
+    }
+    EXPECT_GT(compared, 1500U);
+}
+
+TEST(Print, WritesOnlyParenthesesThatAreNeeded) {
+    Graph graph;
+    const Expr x = graph.picture_x();
+    const Expr y = graph.picture_y();
+    EXPECT_EQ(printed((x + y) * x), "picture_x * (picture_x + picture_y)");
+    EXPECT_EQ(printed(x - (y - 1.0 / x)), "picture_x - (picture_y - 1 / picture_x)");
+    EXPECT_EQ(printed(x / (y / x)), "picture_x / (picture_y / picture_x)");
+    EXPECT_EQ(printed(-(x * y)), "-(picture_x * picture_y)");
+    EXPECT_EQ(printed((x < y || y < x) && x < 1.0),
+              "(picture_x < picture_y || picture_y < picture_x) && picture_x < 1");
+    EXPECT_EQ(printed(!(x < y)), "!(picture_x < picture_y)");
+    EXPECT_EQ(printed(select(x < y, sin(x + y), -2.0 * x)),
+              "select(picture_x < picture_y, sin(picture_x + picture_y), picture_x * -2)");
+}
+
+TEST(Print, NamesWhatIsSharedFirst) {
+    Graph graph;
+    const Expr shared = sin(graph.picture_x());
+    const std::array roots{shared, shared * graph.time()};
+    const std::array names{std::string("a"), std::string("b")};
+    EXPECT_EQ(print(roots, names), "s1 = sin(picture_x)\na = s1\nb = s1 * t\n");
+}
+
+}  // namespace balcony::expr

@@ -1,0 +1,183 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "random_formula.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace balcony::expr {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double rounding = std::numeric_limits<double>::epsilon();
+
+constexpr std::size_t most_arguments = 3;
+
+std::size_t arity_of(Op op) {
+    return std::min(static_cast<std::size_t>(operation(op).arity), most_arguments);
+}
+
+double leaf_value(Op op, double constant, const Point& point) {
+    switch (op) {
+        case Op::picture_x: return point.x;
+        case Op::picture_y: return point.y;
+        case Op::time: return point.time;
+        default: return constant;
+    }
+}
+
+Bounded apply_bounded(Op op, std::span<const Bounded> arguments) {
+    const Operation& row = operation(op);
+    std::array<double, 3> values{};
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        values[i] = arguments[i].value;
+        if (!std::isfinite(arguments[i].error)) {
+            return {row.scalar(values.data()), infinity};
+        }
+    }
+    const double value = row.scalar(values.data());
+    double error = (row.max_ulp + 1.0) * rounding * std::fabs(value) +
+                   std::numeric_limits<double>::min();
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        // More than twice the bound: two arguments that move towards each other must be seen to
+        // meet. No round number: a jump by 2 pi must not look like none to a sine.
+        // 0 is tried by itself, since it alone counts as false.
+        const double reach = 2.3 * arguments[i].error;
+        const double to_zero = std::fabs(values[i]) <= reach ? -values[i] : 0.0;
+        for (const double change : {-reach, reach, to_zero}) {
+            std::array<double, 3> moved = values;
+            moved[i] += change;
+            const double difference = std::fabs(row.scalar(moved.data()) - value);
+            error += std::isfinite(difference) ? difference : infinity;
+        }
+    }
+    if (op == Op::equal && std::fabs(values[0] - values[1]) <=
+                               2.0 * (arguments[0].error + arguments[1].error)) {
+        error += 1.0;
+    }
+    return {value, std::isfinite(value) ? error : infinity};
+}
+
+}  // namespace
+
+Formula random_formula(std::mt19937_64& random, std::size_t operations_wanted) {
+    const auto below = [&](std::size_t count) {
+        return std::uniform_int_distribution<std::size_t>(0, count - 1)(random);
+    };
+    Formula formula;
+    auto& steps = formula.steps;
+    for (const Op leaf : {Op::picture_x, Op::picture_y, Op::time}) {
+        steps.push_back({leaf, {}, 0.0});
+    }
+    for (const double value : {0.0, 1.0, -1.0, 2.0, 0.5, -3.0, 0.125, 1.75, 0.1}) {
+        steps.push_back({Op::constant, {}, value});
+    }
+    const auto push = [&](Op op, std::array<std::size_t, 3> arguments) {
+        steps.push_back({op, arguments, 0.0});
+        return steps.size() - 1;
+    };
+    // Half of the operations are those that the simplifier rearranges.
+    constexpr std::array arithmetic{Op::add, Op::subtract, Op::multiply, Op::divide, Op::negate};
+    constexpr std::size_t first_operation = static_cast<std::size_t>(Op::negate);
+    constexpr std::size_t operation_kinds = static_cast<std::size_t>(Op::lookup) - first_operation;
+    while (operations_wanted-- > 0) {
+        const Op op = below(2) == 0 ? arithmetic[below(arithmetic.size())]
+                                    : static_cast<Op>(first_operation + below(operation_kinds));
+        std::array<std::size_t, 3> arguments{};
+        for (std::size_t i = 0; i < arity_of(op); ++i) {
+            // Recent steps are the likelier ones, so that the formula grows deep.
+            arguments[i] = below(3) == 0 ? below(steps.size())
+                                         : steps.size() - 1 - below(std::min<std::size_t>(6, steps.size()));
+        }
+        const bool function = op >= Op::square_root && op <= Op::inverse_hyperbolic_tangent;
+        if (function && below(4) != 0) {
+            // Into (-1, 1) or, for roots, logarithms and the like, (1, 3).
+            arguments[0] = push(Op::sine, {arguments[0], 0, 0});
+            if (op == Op::square_root || op == Op::power || op == Op::logarithm ||
+                op == Op::inverse_hyperbolic_cosine) {
+                arguments[0] = push(Op::add, {arguments[0], 6, 0});
+            }
+        }
+        push(op, arguments);
+    }
+    return formula;
+}
+
+Expr build(Graph& graph, const Formula& formula) {
+    std::vector<Expr> made;
+    made.reserve(formula.steps.size());
+    for (const Formula::Step& step : formula.steps) {
+        std::array<Expr, 3> arguments;
+        const std::size_t arity = arity_of(step.op);
+        for (std::size_t i = 0; i < arity; ++i) {
+            arguments[i] = made[step.arguments[i]];
+        }
+        switch (step.op) {
+            case Op::constant: made.push_back(graph.constant(step.value)); break;
+            case Op::picture_x: made.push_back(graph.picture_x()); break;
+            case Op::picture_y: made.push_back(graph.picture_y()); break;
+            case Op::time: made.push_back(graph.time()); break;
+            default: made.push_back(graph.apply(step.op, std::span(arguments).first(arity)));
+        }
+    }
+    return made.back();
+}
+
+Bounded evaluate_bounded(const Formula& formula, const Point& point) {
+    std::vector<Bounded> values;
+    values.reserve(formula.steps.size());
+    for (const Formula::Step& step : formula.steps) {
+        std::array<Bounded, 3> arguments;
+        const std::size_t arity = arity_of(step.op);
+        for (std::size_t i = 0; i < arity; ++i) {
+            arguments[i] = values[step.arguments[i]];
+        }
+        values.push_back(arity == 0
+                             ? Bounded{leaf_value(step.op, step.value, point), 0.0}
+                             : apply_bounded(step.op, std::span(arguments).first(arity)));
+    }
+    return values.back();
+}
+
+Bounded evaluate_bounded(Expr expression, const Point& point) {
+    const Graph& graph = expression.graph();
+    std::vector<Bounded> values(graph.size());
+    for (const NodeId id : reachable(graph, std::span(&expression, 1))) {
+        const Node& node = graph[id];
+        std::array<Bounded, 3> arguments;
+        const std::size_t arity = arity_of(node.op);
+        for (std::size_t i = 0; i < arity; ++i) {
+            arguments[i] = values[node.arguments[i].value()];
+        }
+        if (arity == 0) {
+            // A constant may have been folded from others.
+            const double value = leaf_value(node.op, node.value, point);
+            values[id.value()] = {value, node.op == Op::constant ? rounding * std::fabs(value) : 0.0};
+        } else {
+            values[id.value()] = apply_bounded(node.op, std::span(arguments).first(arity));
+        }
+    }
+    return values[expression.id().value()];
+}
+
+std::string to_text(const Formula& formula) {
+    std::ostringstream text;
+    for (std::size_t i = 0; i < formula.steps.size(); ++i) {
+        const Formula::Step& step = formula.steps[i];
+        text << '#' << i << " = " << operation(step.op).name;
+        for (std::size_t k = 0; k < arity_of(step.op); ++k) {
+            text << " #" << step.arguments[k];
+        }
+        if (step.op == Op::constant) {
+            text << ' ' << step.value;
+        }
+        text << '\n';
+    }
+    return text.str();
+}
+
+}  // namespace balcony::expr

@@ -1,0 +1,67 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "balcony/expr.hpp"
+
+namespace balcony::expr {
+
+/// A value with a bound on how far rounding may have carried it from the true one.
+struct Bounded {
+    double value = 0.0;
+    double error = 0.0;
+};
+
+/// A formula as a list of steps outside any graph, so that no rule of the graph has touched it.
+struct Formula {
+    struct Step {
+        Op op = Op::constant;
+        std::array<std::size_t, 3> arguments{};  ///< Numbers of earlier steps.
+        double value = 0.0;                      ///< Of a constant.
+    };
+    std::vector<Step> steps;  ///< The last one is the result.
+};
+
+/// x, y, t and some constants, then random operations on them, most of them inside their domains.
+[[nodiscard]] Formula random_formula(std::mt19937_64& random, std::size_t operations_wanted);
+
+/// The formula in a graph.
+[[nodiscard]] Expr build(Graph& graph, const Formula& formula);
+
+/// Both follow each operation's scalar definition and sum up what a change of its arguments within
+/// their bounds does to its value, plus its own rounding. Near a jump the bound is as high as the
+/// jump. A value that depends on one that is not finite gets an infinite bound.
+[[nodiscard]] Bounded evaluate_bounded(const Formula& formula, const Point& point);
+[[nodiscard]] Bounded evaluate_bounded(Expr expression, const Point& point);
+
+/// For messages: one step a line.
+[[nodiscard]] std::string to_text(const Formula& formula);
+
+/// The smallest formula found that still fails, by leaving steps out.
+template <class Fails>
+Formula minimised(Formula formula, const Fails& fails) {
+    for (std::size_t size = 1; size < formula.steps.size(); ++size) {
+        Formula shorter = formula;
+        shorter.steps.resize(size);
+        if (fails(shorter)) {
+            formula = shorter;
+        }
+    }
+    for (std::size_t i = 0; i < formula.steps.size(); ++i) {
+        for (const Op leaf : {Op::picture_x, Op::picture_y, Op::time}) {
+            Formula simpler = formula;
+            simpler.steps[i] = {leaf, {}, 0.0};
+            if (operation(formula.steps[i].op).arity > 0 && fails(simpler)) {
+                formula = simpler;
+            }
+        }
+    }
+    return formula;
+}
+
+}  // namespace balcony::expr
