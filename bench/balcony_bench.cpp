@@ -91,9 +91,8 @@ std::vector<double> least_seconds(const Case& row) {
         }
         for (std::size_t set = 0; set < sets; ++set) {
             for (std::size_t t = 0; t < tiles.size(); ++t) {
-                stopwatches[1 + set].time(t, [&] {
-                    run_on(set, row.program, tiles[t], scratch, results.pointers());
-                });
+                stopwatches[1 + set].time(
+                    t, [&] { run_on(set, row.program, tiles[t], scratch, results.pointers()); });
             }
         }
     }
@@ -127,10 +126,10 @@ double largest_difference(const Case& row) {
 
 void print_row(const Case& row) {
     using program::Rate;
-    fmt::print("{:<28}{:>6}/{:<5}", row.name,
-               row.program.instruction_count(Rate::column) +
-                   row.program.instruction_count(Rate::row),
-               row.program.instruction_count(Rate::pixel));
+    fmt::print(
+        "{:<28}{:>6}/{:<5}", row.name,
+        row.program.instruction_count(Rate::column) + row.program.instruction_count(Rate::row),
+        row.program.instruction_count(Rate::pixel));
     constexpr double million_rays = 1e-6 * static_cast<double>(picture_width * picture_height);
     const std::vector<double> seconds = least_seconds(row);
     fmt::print("{:>9.1f}", million_rays / seconds[0]);

@@ -20,14 +20,12 @@ struct Parameters {
 };
 
 std::array<Expr, 2> superellipse(Expr angle, double a, double b, double exponent) {
-    const Expr r = pow(pow(abs(cos(angle)), exponent) + pow(abs(sin(angle)), exponent),
-                       -1.0 / exponent);
+    const Expr r =
+        pow(pow(abs(cos(angle)), exponent) + pow(abs(sin(angle)), exponent), -1.0 / exponent);
     return {a * r * cos(angle), b * r * sin(angle)};
 }
 
-Expr across(Expr x, double size, double limit) {
-    return (2.0 * x / size - 1.0) * limit;
-}
+Expr across(Expr x, double size, double limit) { return (2.0 * x / size - 1.0) * limit; }
 
 Vector cross(const Vector& a, const Vector& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -60,8 +58,8 @@ program::Program superelliptic(Graph& graph, const Superelliptic& camera, Parame
     const Vector point{g[0] * h[0], g[1] * h[0], h[1]};
     const std::vector<Expr> along_u = derive(point, u);
     const std::vector<Expr> along_v = derive(point, v);
-    const Vector normal = cross({along_u[0], along_u[1], along_u[2]},
-                                {along_v[0], along_v[1], along_v[2]});
+    const Vector normal =
+        cross({along_u[0], along_u[1], along_u[2]}, {along_v[0], along_v[1], along_v[2]});
     const std::array<expr::Substitution, 2> parameters{{{u, at.u}, {v, at.v}}};
     return program::Program(substitute(graph, ray(point, normal), parameters));
 }
@@ -89,10 +87,9 @@ std::vector<Case> cases() {
     Graph graph;
     const Superelliptic camera;
     const Parameters map = superelliptic_map(graph, camera);
-    rows.push_back({"superelliptic (plate 2)", superelliptic(graph, camera, map),
-                    plain_superelliptic});
-    rows.push_back({"superelliptic, local zoom",
-                    superelliptic(graph, camera, zoomed(map, Zoom{})),
+    rows.push_back(
+        {"superelliptic (plate 2)", superelliptic(graph, camera, map), plain_superelliptic});
+    rows.push_back({"superelliptic, local zoom", superelliptic(graph, camera, zoomed(map, Zoom{})),
                     plain_zoomed_superelliptic});
     rows.push_back({"pinhole", pinhole(graph, Pinhole{}), plain_pinhole});
     return rows;

@@ -70,9 +70,7 @@ void for_points(const program::Tile& tile, std::span<double* const> results, Cam
     }
 }
 
-double across(double x, double size, double limit) {
-    return (2.0 * x / size - 1.0) * limit;
-}
+double across(double x, double size, double limit) { return (2.0 * x / size - 1.0) * limit; }
 
 }  // namespace
 

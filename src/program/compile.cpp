@@ -26,21 +26,15 @@ Rate rate_of(const Node& node) {
     return on_y ? Rate::row : Rate::uniform;
 }
 
-std::size_t index(Rate rate) {
-    return static_cast<std::size_t>(rate);
-}
+std::size_t index(Rate rate) { return static_cast<std::size_t>(rate); }
 
 // Doubles that one register of a rate takes.
 constexpr std::array<std::uint32_t, 4> register_doubles{register_alignment, max_tile_width,
                                                         max_tile_height, max_tile_width};
 
-bool is_coordinate(Op op) {
-    return op == Op::picture_x || op == Op::picture_y || op == Op::time;
-}
+bool is_coordinate(Op op) { return op == Op::picture_x || op == Op::picture_y || op == Op::time; }
 
-bool is_leaf(Op op) {
-    return op == Op::constant || is_coordinate(op);
-}
+bool is_leaf(Op op) { return op == Op::constant || is_coordinate(op); }
 
 // The nodes below the roots in depth-first order, arguments first, so that a value is used soon
 // after it is made and few registers are alive at a time.

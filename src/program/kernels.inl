@@ -46,8 +46,7 @@ static_assert(lanes::MaxLanes(tag) > 1 && register_alignment % lanes::MaxLanes(t
 #else
 #error "There are no SLEEF functions for this instruction set here"
 #endif
-#define BALCONY_SLEEF_1(function) \
-    [](Vector a) { return Vector{BALCONY_SLEEF(function)(a.raw)}; }
+#define BALCONY_SLEEF_1(function) [](Vector a) { return Vector{BALCONY_SLEEF(function)(a.raw)}; }
 #define BALCONY_SLEEF_2(function) \
     [](Vector a, Vector b) { return Vector{BALCONY_SLEEF(function)(a.raw, b.raw)}; }
 
@@ -138,9 +137,7 @@ inline Vector truth(Mask condition) {
 }
 
 // As in C, where a NaN counts as true.
-inline Mask holds(Vector condition) {
-    return lanes::Not(lanes::Eq(condition, lanes::Zero(tag)));
-}
+inline Mask holds(Vector condition) { return lanes::Not(lanes::Eq(condition, lanes::Zero(tag))); }
 
 inline Vector sign(Vector a) {
     const Vector zero = lanes::Zero(tag);
@@ -168,8 +165,8 @@ void lookup(const Instruction& in, const double* registers, double* to, std::siz
     const Vector zero = lanes::Zero(tag);
     for (std::size_t i = 0; i < count; i += lanes::Lanes(tag)) {
         const Vector x = first(i);
-        const Vector position = lanes::Mul(lanes::Sub(x, lanes::Set(tag, table.first)),
-                                           lanes::Set(tag, table.scale));
+        const Vector position =
+            lanes::Mul(lanes::Sub(x, lanes::Set(tag, table.first)), lanes::Set(tag, table.scale));
         const Vector floored = lanes::Floor(position);
         const Vector last = lanes::Set(tag, table.last_cell);
         const Vector within = lanes::IfThenElse(lanes::Lt(last, floored), last, floored);

@@ -11,17 +11,11 @@ namespace balcony::program {
 
 Program::Program(std::span<const expr::Expr> roots) : tape_(compile(expr::simplify(roots))) {}
 
-std::size_t Program::root_count() const {
-    return tape_->roots.size();
-}
+std::size_t Program::root_count() const { return tape_->roots.size(); }
 
-Rate Program::rate(std::size_t root) const {
-    return tape_->roots[root].rate;
-}
+Rate Program::rate(std::size_t root) const { return tape_->roots[root].rate; }
 
-std::size_t Program::instruction_count(Rate rate) const {
-    return tape_->section(rate).size();
-}
+std::size_t Program::instruction_count(Rate rate) const { return tape_->section(rate).size(); }
 
 namespace {
 
@@ -29,9 +23,7 @@ constexpr std::align_val_t alignment{register_alignment * sizeof(double)};
 
 }  // namespace
 
-void Scratch::Free::operator()(double* memory) const {
-    ::operator delete[](memory, alignment);
-}
+void Scratch::Free::operator()(double* memory) const { ::operator delete[](memory, alignment); }
 
 double* Scratch::reserve(std::size_t doubles) {
     if (doubles > size_) {

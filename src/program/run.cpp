@@ -147,9 +147,7 @@ private:
 
 }  // namespace
 
-std::span<const InstructionSet> instruction_sets() {
-    return runners().sets;
-}
+std::span<const InstructionSet> instruction_sets() { return runners().sets; }
 
 void run_on(std::size_t set, const Program& program, const Tile& tile, Scratch& scratch,
             std::span<double* const> results) {

@@ -32,12 +32,43 @@ const std::vector<double>& odd_values() {
     static const std::vector<double> values = [] {
         std::vector<double> made{std::numeric_limits<double>::quiet_NaN()};
         const double next_to_one = std::nextafter(1.0, 2.0);
-        for (const double magnitude :
-             {0.0, 5e-324, 1e-310, std::numeric_limits<double>::min(), 1e-300, 1e-17, 1e-9, 0.25,
-              0.5, std::nextafter(1.0, 0.0), 1.0, next_to_one, 1.5, 2.0, 2.5, 3.0, pi / 4.0,
-              pi / 2.0, pi, 2.0 * pi, 22.0, 708.5, 709.5, 709.9, 710.3, 745.5, 1000.5, 1e7, 1e15,
-              4503599627370497.5, 9007199254740993.0, 1e22, 1e150, 2e154, 1e300,
-              std::numeric_limits<double>::max(), infinity}) {
+        for (const double magnitude : {0.0,
+                                       5e-324,
+                                       1e-310,
+                                       std::numeric_limits<double>::min(),
+                                       1e-300,
+                                       1e-17,
+                                       1e-9,
+                                       0.25,
+                                       0.5,
+                                       std::nextafter(1.0, 0.0),
+                                       1.0,
+                                       next_to_one,
+                                       1.5,
+                                       2.0,
+                                       2.5,
+                                       3.0,
+                                       pi / 4.0,
+                                       pi / 2.0,
+                                       pi,
+                                       2.0 * pi,
+                                       22.0,
+                                       708.5,
+                                       709.5,
+                                       709.9,
+                                       710.3,
+                                       745.5,
+                                       1000.5,
+                                       1e7,
+                                       1e15,
+                                       4503599627370497.5,
+                                       9007199254740993.0,
+                                       1e22,
+                                       1e150,
+                                       2e154,
+                                       1e300,
+                                       std::numeric_limits<double>::max(),
+                                       infinity}) {
             made.push_back(magnitude);
             made.push_back(-magnitude);
         }
@@ -148,9 +179,7 @@ std::vector<const Operation*> defined_operations() {
 
 class Conformance : public testing::TestWithParam<std::tuple<std::size_t, const Operation*>> {};
 
-std::size_t set_count() {
-    return instruction_sets().size();
-}
+std::size_t set_count() { return instruction_sets().size(); }
 
 std::string conformance_name(
     const testing::TestParamInfo<std::tuple<std::size_t, const Operation*>>& info) {

@@ -60,8 +60,12 @@ std::vector<Expr> random_expressions(Graph& graph, Random& random, std::size_t n
 Tile random_tile(Random& random) {
     std::uniform_real_distribution<double> place(-40.0, 40.0);
     std::uniform_real_distribution<double> step(0.01, 3.0);
-    return {place(random), place(random), step(random), 1 + random() % max_tile_width,
-            1 + random() % max_tile_height, place(random)};
+    return {place(random),
+            place(random),
+            step(random),
+            1 + random() % max_tile_width,
+            1 + random() % max_tile_height,
+            place(random)};
 }
 
 void expect_identical(const Results& a, const Results& b, const Program& program,
@@ -96,7 +100,9 @@ void expect_reference_equals_graph(const Program& program, std::span<const Expr>
     for (std::size_t j = 0; j < tile.height; ++j) {
         for (std::size_t i = 0; i < tile.width; ++i) {
             const expr::Point point{tile.x + static_cast<double>(i) * tile.step,
-                                    tile.y + static_cast<double>(j) * tile.step, tile.time, {}};
+                                    tile.y + static_cast<double>(j) * tile.step,
+                                    tile.time,
+                                    {}};
             const std::vector<double> values = expr::evaluate(simplified, point);
             for (std::size_t r = 0; r < values.size(); ++r) {
                 ASSERT_TRUE(identical(results[r][j * tile.width + i], values[r])) << "root " << r;
@@ -163,8 +169,8 @@ TEST(Tiles, RootsOfEveryKindAreWritten) {
     const Expr x = graph.picture_x();
     const Expr y = graph.picture_y();
     const Expr product = x * y;
-    const std::vector<Expr> roots{product, graph.constant(7.5), x,       y, graph.time(),
-                                  product, x < y,               x + 1.0, graph.constant(7.5)};
+    const std::vector<Expr> roots{product, graph.constant(7.5), x, y, graph.time(), product, x < y,
+                                  x + 1.0, graph.constant(7.5)};
     const Program program(roots);
     const Tile tile{.x = 2.0, .y = 3.0, .step = 0.25, .width = 13, .height = 5, .time = 11.0};
     Scratch scratch;
@@ -175,8 +181,9 @@ TEST(Tiles, RootsOfEveryKindAreWritten) {
             for (std::size_t i = 0; i < tile.width; ++i) {
                 const double at_x = 2.0 + 0.25 * static_cast<double>(i);
                 const double at_y = 3.0 + 0.25 * static_cast<double>(j);
-                const double expected[]{at_x * at_y, 7.5, at_x, at_y, 11.0, at_x * at_y,
-                                        at_x < at_y ? 1.0 : 0.0, at_x + 1.0, 7.5};
+                const double expected[]{
+                    at_x * at_y, 7.5, at_x, at_y, 11.0, at_x * at_y, at_x < at_y ? 1.0 : 0.0,
+                    at_x + 1.0,  7.5};
                 for (std::size_t r = 0; r < roots.size(); ++r) {
                     ASSERT_EQ(results[r][j * tile.width + i], expected[r]) << "root " << r;
                 }
