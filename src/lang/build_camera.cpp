@@ -34,7 +34,7 @@ public:
             if (!is_first && stands_once(statement.kind)) {
                 const std::string_view word = keyword(statement.kind);
                 Diagnostic diagnostic =
-                    error(fmt::format("a second '{}'", word), tree.at(statement.keyword),
+                    error(fmt::format("'{}' stands here a second time", word), tree.at(statement.keyword),
                           "remove one of the two");
                 diagnostic.notes.push_back(
                     {tree.at(earlier->second->keyword), fmt::format("the first '{}'", word)});
@@ -92,10 +92,10 @@ public:
             statements_, StatementKind::move, StageKind::object_transformer);
         paths(parts);
         look(parts);
-        if (reporter_.error_count() > errors_before) {
-            return std::nullopt;
-        }
-        return finish(std::move(parts));
+        // What failed in silence has been reported where it began.
+        return reporter_.error_count() == errors_before && complete(parts)
+                   ? finish(std::move(parts))
+                   : std::nullopt;
     }
 
 private:
@@ -139,6 +139,20 @@ private:
                   suggestion(name.text, {"z_up", "y_up"}, "write"));
         }
         parts.axes = name.text == "y_up" ? Axes::y_up : Axes::z_up;
+    }
+
+    [[nodiscard]] bool complete(const camera::Camera::Parts& parts) const {
+        const auto all = [](const auto& stages) {
+            return std::all_of(stages.begin(), stages.end(),
+                               [](const auto& stage) { return stage != nullptr; });
+        };
+        const auto whole = [&all](const camera::Path& path) {
+            return path.mapper && path.generator && all(path.parameter_transformers) &&
+                   all(path.object_transformers);
+        };
+        const bool has_toward = !statements_.lacks(StatementKind::toward);
+        return parts.look && whole(parts.eye) && all(parts.arrangers) &&
+               has_toward == parts.toward.has_value() && (!parts.toward || whole(*parts.toward));
     }
 
     // ------------------------------------------------------------------------------------- map
@@ -277,7 +291,8 @@ private:
         if (statement != nullptr) {
             parts.look = stages_.make<camera::DirectionRule>(StageKind::direction_rule,
                                                              statement->stages.front());
-        } else if (statements_.lacks(StatementKind::look)) {
+        } else if (statements_.lacks(StatementKind::look) &&
+                   (toward != nullptr || statements_.lacks(StatementKind::toward))) {
             parts.look = stages_.make_default_rule(toward != nullptr ? "relative" : "normal", span);
         }
         if (!parts.look) {

@@ -52,7 +52,7 @@ private:
     bool belongs_to_an_expression(const Expression& node) {
         switch (node.kind) {
             case ExpressionKind::tuple:
-                error(node.span, fmt::format("expected one number, but this is {} in parentheses",
+                error(node.span, fmt::format("expected one number, but these are {} in parentheses",
                                              node.arguments.size()));
                 return false;
             case ExpressionKind::formula:
@@ -145,7 +145,7 @@ private:
             return {};
         }
         error(node.span, fmt::format("there is nothing named '{}' here", node.name.text),
-              suggestion(node.name.text, scope_.names(), "the names known here are"));
+              suggestion(node.name.text, scope_.names(), "known here are"));
         return {};
     }
 
@@ -174,10 +174,22 @@ private:
         result.expr = function.apply(arguments, function.op);
         if (!result.problem && result.is_constant() && !std::isfinite(result.constant())) {
             result.problem = problem(
-                node.span, std::isnan(result.constant()) ? "this has no real value"
-                                                         : "this is not a finite number");
+                node.span, fmt::format("{} {}", with_values(node, operands),
+                                       std::isnan(result.constant()) ? "has no real value"
+                                                                     : "is not finite"));
         }
         return result;
+    }
+
+    // sqrt(-1), 0 ^ -1
+    static std::string with_values(const Expression& node, std::span<const Value> operands) {
+        std::string text;
+        const bool call = node.kind == ExpressionKind::call;
+        const std::string join = call ? ", " : fmt::format(" {} ", node.name.text);
+        for (const Value& operand : operands) {
+            text += fmt::format("{}{:.6g}", text.empty() ? "" : join, operand.constant());
+        }
+        return call ? fmt::format("{}({})", node.name.text, text) : text;
     }
 
     std::shared_ptr<const Diagnostic> problem(Span span, std::string message) const {

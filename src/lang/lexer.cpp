@@ -53,6 +53,8 @@ public:
             while (at_ < text_.size()) {
                 step();
             }
+        } else {
+            tokens_.cut_short = true;
         }
         // The end lies behind the last token, so that a message about it points at a line with
         // something on it.
@@ -129,6 +131,7 @@ private:
         const std::size_t close = text_.find("*/", at_ + 2);
         if (close == std::string_view::npos) {
             error(begin, begin + 2, "this comment is not closed", "end it with */");
+            tokens_.cut_short = true;
             at_ = text_.size();
             return;
         }
@@ -173,6 +176,13 @@ private:
                 at_ += 1 + sign;
                 skip_digits();
             }
+        }
+        if (peek() == '.' && is_digit(peek(1))) {
+            ++at_;
+            skip_digits();
+            push(TokenKind::stray, begin);
+            error(begin, at_, "this number has two decimal points");
+            return;
         }
         const std::size_t digits_end = at_;
         skip_name();

@@ -13,6 +13,7 @@ namespace balcony::lang {
 struct Tokens {
     std::vector<Token> tokens;   ///< The last one is the end.
     std::vector<Span> comments;  ///< With their // or /* */, in order.
+    bool cut_short = false;      ///< What follows the tokens is no text or an unclosed comment.
 };
 
 /// Cuts a text into tokens. What is no text at all (other than UTF-8, zero bytes) is reported once

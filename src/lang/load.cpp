@@ -21,15 +21,15 @@ bool require_cameras(const Module& module, Reporter& reporter) {
         return !own_cameras(module).empty();
     }
     const SourceText& source = *module.tree.source;
+    const bool blank = source.text().find_first_not_of(" \t\r\n") == std::string_view::npos;
     std::vector<std::string> imported;
     for (const CameraPlace& place : visible_cameras(module)) {
         imported.emplace_back(place.camera->name.text);
     }
-    const bool empty = module.tree.items.empty();
-    reporter.error({module.tree.source, 0, 0},
+    reporter.error({},
                    fmt::format("'{}' {}", source.name(),
-                               empty ? "is empty" : "has no camera of its own"),
-                   imported.empty() ? "a camera begins with camera name { ... }"
+                               blank ? "is empty" : "has no camera of its own"),
+                   imported.empty() ? "a camera is written camera name { ... }"
                                     : fmt::format("name one that it imports: {}", one_of(imported)));
     return false;
 }

@@ -103,10 +103,10 @@ public:
     }
 
 private:
-    static std::vector<Token> read_tokens(SyntaxTree& tree, Reporter& reporter) {
+    static Tokens read_tokens(SyntaxTree& tree, Reporter& reporter) {
         Tokens read = tokenize(tree.source, reporter);
         tree.comments = std::move(read.comments);
-        return std::move(read.tokens);
+        return read;
     }
 
     // ------------------------------------------------------------------------- the file itself
@@ -114,6 +114,7 @@ private:
     void stray_item() {
         const Token& token = tokens_.peek();
         const Keyword* statement_keyword = find_keyword(token);
+        const bool camera_follows = looks_like_camera();
         if (statement_keyword != nullptr) {
             tokens_.error(token.span,
                           fmt::format("'{}' stands outside of any camera", token.text),
@@ -124,14 +125,25 @@ private:
         } else {
             tokens_.expected("'import', 'let' or 'camera'");
         }
+        if (camera_follows) {
+            camera();
+            return;
+        }
         // One message for all that follows up to the next item.
         int braces = 0;
         do {
             braces += tokens_.peek().is("{") ? 1 : tokens_.peek().is("}") ? -1 : 0;
             tokens_.next();
         } while (!tokens_.at_end() &&
-                 !(is_file_keyword(tokens_.peek()) ||
+                 !(is_file_keyword(tokens_.peek()) || looks_like_camera() ||
                    (braces <= 0 && tokens_.peek().is_name("let"))));
+    }
+
+    // word name { or word name (, with a word that should be camera.
+    [[nodiscard]] bool looks_like_camera() const {
+        return tokens_.peek().kind == TokenKind::name && tokens_.peek(1).kind == TokenKind::name &&
+               (tokens_.peek(2).is("{") || tokens_.peek(2).is("(")) &&
+               find_keyword(tokens_.peek()) == nullptr;
     }
 
     void import() {
@@ -141,11 +153,12 @@ private:
             tokens_.expected("a file name in quotation marks after 'import'",
                              "such as import \"lengths.cam\"");
             skip_to_item();
+            tree_.items.emplace_back(Import{begin, {}, true});
             return;
         }
         tokens_.next();
         tree_.items.emplace_back(
-            Import{{begin.begin, token.span.end}, {token.text, token.span}});
+            Import{{begin.begin, token.span.end}, {token.text, token.span}, false});
     }
 
     void skip_to_item() {
@@ -155,23 +168,25 @@ private:
         }
     }
 
-    // A name that is being defined.
+    // A name that is being defined. One that is taken is reported and read all the same.
     std::optional<Identifier> new_name(std::string_view what) {
         const Token& token = tokens_.peek();
-        if (token.kind != TokenKind::name) {
+        const bool constant =
+            std::find(constants.begin(), constants.end(), token.text) != constants.end();
+        const bool opens_statement = find_keyword(token) != nullptr || is_file_keyword(token);
+        const Token& after = tokens_.peek(1);
+        const bool meant_as_name = after.is("=") || after.is("{") || after.is("(");
+        if (token.kind != TokenKind::name || (opens_statement && !meant_as_name)) {
             tokens_.expected(what);
             return std::nullopt;
         }
-        const bool constant =
-            std::find(constants.begin(), constants.end(), token.text) != constants.end();
-        if (constant || find_keyword(token) != nullptr || is_file_keyword(token)) {
+        if (constant || opens_statement) {
             tokens_.error(token.span,
                           fmt::format("'{}' is taken: it {}", token.text,
                                       token.text == "t"    ? "is time"
                                       : token.text == "pi" ? "is the number 3.14159..."
                                                            : "opens a statement"),
                           "choose another name");
-            return std::nullopt;
         }
         tokens_.next();
         return Identifier{token.text, token.span};
@@ -185,8 +200,6 @@ private:
         camera.name = {"", camera.span};
         if (const auto name = new_name("a name for the camera")) {
             camera.name = *name;
-        } else if (tokens_.peek().kind == TokenKind::name) {
-            tokens_.next();
         }
         if (tokens_.peek().is("(")) {
             parameters(camera);
@@ -258,8 +271,14 @@ private:
                !reporter_.full()) {
             read.push_back(statement(in_path));
         }
+        const bool hidden = tokens_.at_end() && tokens_.at_reported();
         if (!reporter_.full()) {
             tokens_.expect_closing("}", opening);
+        }
+        if (hidden || reporter_.full()) {
+            Statement unread;
+            unread.broken = true;
+            read.push_back(std::move(unread));
         }
         return read;
     }
@@ -293,12 +312,17 @@ private:
     StatementKind unknown_statement(bool in_path) {
         const Token& token = tokens_.peek();
         const std::vector<std::string> known = keywords_for(in_path);
+        if (token.is(")") || token.is("]")) {
+            tokens_.error(token.span, fmt::format("this '{}' closes nothing", token.text),
+                          "remove it, or add what opens it");
+            return StatementKind::unknown;
+        }
         if (token.kind != TokenKind::name) {
             tokens_.expected(fmt::format("a statement ({})", one_of(known)));
             return StatementKind::unknown;
         }
         tokens_.error(token.span, fmt::format("there is no statement '{}'", token.text),
-                      suggestion(token.text, known, "a statement begins with"));
+                      suggestion(token.text, known, "the statements are"));
         const auto nearest = nearest_name(token.text, known);
         const auto row =
             std::find_if(keywords.begin(), keywords.end(),

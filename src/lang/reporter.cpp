@@ -66,21 +66,28 @@ Diagnostics Reporter::take() {
     return sorted;
 }
 
-std::string one_of(const std::vector<std::string>& names) {
+namespace {
+
+std::string listed(const std::vector<std::string>& names, std::string_view last_join) {
     std::string text;
     for (std::size_t i = 0; i < names.size(); ++i) {
-        text += i == 0 ? "" : i + 1 == names.size() ? " or " : ", ";
+        text += i == 0 ? "" : i + 1 == names.size() ? last_join : ", ";
         text += fmt::format("'{}'", names[i]);
     }
     return text;
 }
+
+}  // namespace
+
+std::string one_of(const std::vector<std::string>& names) { return listed(names, " or "); }
+std::string all_of(const std::vector<std::string>& names) { return listed(names, " and "); }
 
 std::string suggestion(std::string_view name, const std::vector<std::string>& known,
                        std::string_view otherwise) {
     if (const auto nearest = nearest_name(name, known)) {
         return fmt::format("did you mean '{}'?", *nearest);
     }
-    return known.empty() ? std::string() : fmt::format("{} {}", otherwise, one_of(known));
+    return known.empty() ? std::string() : fmt::format("{} {}", otherwise, all_of(known));
 }
 
 }  // namespace balcony::lang

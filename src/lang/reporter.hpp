@@ -30,6 +30,8 @@ private:
 
 /// 'a', 'b' or 'c'; the empty string for no names.
 [[nodiscard]] std::string one_of(const std::vector<std::string>& names);
+/// 'a', 'b' and 'c'.
+[[nodiscard]] std::string all_of(const std::vector<std::string>& names);
 
 /// What to say when a name is unknown: the nearest one there is, or `otherwise` and all of them.
 [[nodiscard]] std::string suggestion(std::string_view name, const std::vector<std::string>& known,

@@ -105,11 +105,13 @@ public:
             return;
         }
         const SourceSpan place = tree_.at(let.name.span);
-        if (const Definition* earlier = scope_.find_here(let.name.text)) {
+        if (Definition* earlier = scope_.find_here(let.name.text)) {
             report_duplicate(let.name, place, earlier->place, reporter_);
+            earlier->value = {};
         } else if (const auto known = numbers_.find(let.name.text); known != numbers_.end()) {
             report_duplicate(let.name, place, tree_.at(lets_[known->second].let->name.span),
                              reporter_);
+            lets_[known->second].failed = true;
         } else {
             numbers_.emplace(let.name.text, lets_.size());
             lets_.push_back({&let, State::fresh, let.value.valid() ? first_node(let) : 0});
@@ -128,7 +130,7 @@ private:
         const Statement* let;
         State state;
         std::size_t next_node;  // Where the search for names in its expression goes on.
-        bool circular = false;
+        bool failed = false;     // A definition of its own is reported to be wrong.
     };
 
     [[nodiscard]] std::size_t first_node(const Statement& let) const {
@@ -175,7 +177,7 @@ private:
         const Statement& let = *lets_[i].let;
         lets_[i].state = State::done;
         Value value;
-        if (!lets_[i].circular && let.value.valid() && !let.broken) {
+        if (!lets_[i].failed && let.value.valid() && !let.broken) {
             value = evaluate(tree_, let.value, scope_, graph_, reporter_);
         }
         scope_.define(let.name.text, {value, tree_.at(let.name.span), "let", false});
@@ -186,7 +188,7 @@ private:
         std::string circle;
         std::size_t shown = 0;
         for (auto i = first; i != path.end(); ++i) {
-            lets_[*i].circular = true;
+            lets_[*i].failed = true;
             if (shown <= most_shown) {
                 circle += shown < most_shown
                               ? fmt::format("{} -> ", lets_[*i].let->name.text)

@@ -143,6 +143,10 @@ Module* Session::resolve(std::shared_ptr<const SourceText> source, fs::path fold
 
 void Session::import(Module& module, const Import& import) {
     const SourceSpan place = module.tree.at(import.file.span);
+    if (import.broken) {
+        module.scope->mark_incomplete();
+        return;
+    }
     if (opened_.size() >= deepest_imports) {
         reporter_.error(place, fmt::format("imports nest more than {} files deep",
                                            deepest_imports));

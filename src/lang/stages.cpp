@@ -23,17 +23,21 @@ using camera::StageKind;
 using camera::StageParameter;
 using camera::Unit;
 
-// The statement that a stage of a kind belongs to.
+// The statements that stages of a kind belong to.
 std::string_view statement_for(StageKind kind) {
     switch (kind) {
         case StageKind::picture_arranger: return "place";
         case StageKind::picture_mapper: return "map";
         case StageKind::parameter_transformer: return "warp";
-        case StageKind::object_generator: return "eye or toward";
+        case StageKind::object_generator: return "eye', 'toward' and 'object";
         case StageKind::object_transformer: return "move";
         case StageKind::direction_rule: return "look";
     }
     return {};
+}
+
+std::string_view article(StageKind kind) {
+    return camera::name_of(kind).starts_with('o') ? "an" : "a";
 }
 
 std::vector<std::string> names_of_kind(StageKind kind) {
@@ -86,11 +90,14 @@ std::string formula_signature(const StageEntry& row) {
         names += fmt::format("{}{}", i == 0 ? "" : ", ",
                              in_space ? space[std::min(i, space.size() - 1)] : parameter[i]);
     }
-    std::string results;
-    for (std::size_t i = 0; i < row.formula->results_most; ++i) {
-        results += i == 0 ? "..." : ", ...";
+    static constexpr std::array<std::string_view, 4> forms = {"[]", "[a]", "[a, b]", "[a, b, c]"};
+    const auto form = [](std::size_t count) { return forms[std::min(count, forms.size() - 1)]; };
+    std::string text = fmt::format("{}({}) = {}", row.name, names,
+                                   form(row.formula->results_least));
+    if (row.formula->results_most > row.formula->results_least) {
+        text += fmt::format(" or {}", form(row.formula->results_most));
     }
-    return fmt::format("{}({}) = [{}]", row.name, names, results);
+    return text;
 }
 
 std::string numbers_in_words(std::size_t least, std::size_t most) {
@@ -165,9 +172,11 @@ const StageEntry* StageBuilder::find_row(StageKind kind, const Identifier& name)
     for (const StageEntry& row : camera::catalogue()) {
         if (row.name == name.text) {
             error(name.span,
-                  fmt::format("'{}' is a stage of another kind ({}); expected one of the kind {}",
-                              name.text, camera::name_of(row.kind), camera::name_of(kind)),
-                  fmt::format("it belongs to '{}'", statement_for(row.kind)));
+                  fmt::format("'{}' is {} {}, but this is the place of {} {}", name.text,
+                              article(row.kind), camera::name_of(row.kind), article(kind),
+                              camera::name_of(kind)),
+                  fmt::format("{}s belong to '{}'", camera::name_of(row.kind),
+                              statement_for(row.kind)));
             return nullptr;
         }
     }
@@ -285,7 +294,7 @@ std::optional<std::string> StageBuilder::choice(const StageEntry& row,
     const Expression& node = tree_[given];
     const std::vector<std::string> words(parameter.choices.begin(), parameter.choices.end());
     if (node.kind != ExpressionKind::name) {
-        error(node.span, fmt::format("'{}' of '{}' is one of some words", parameter.name, row.name),
+        error(node.span, fmt::format("'{}' of '{}' is a word", parameter.name, row.name),
               fmt::format("write {}", one_of(words)));
         return std::nullopt;
     }
@@ -356,9 +365,11 @@ std::optional<std::vector<Scalar>> StageBuilder::numbers(const StageEntry& row,
                                  : count == 2 ? "two numbers, (a, b)"
                                               : "three numbers, (a, b, c)";
         error(node.span,
-              fmt::format("'{}' of '{}' is {}{}{}", parameter.name, row.name, form,
+              fmt::format("'{}' of '{}' is {}{}{}, but {}", parameter.name, row.name, form,
                           parameter.type == ParameterType::axis ? ", or x, y or z" : "",
-                          parameter.type == ParameterType::size ? ", or one for both" : ""));
+                          parameter.type == ParameterType::size ? ", or one for both" : "",
+                          one ? "this is one number"
+                              : fmt::format("these are {}", node.arguments.size())));
         return std::nullopt;
     }
     std::vector<Scalar> values;
@@ -394,7 +405,7 @@ bool StageBuilder::fits(const StageEntry& row, const StageParameter& parameter, 
         const bool literal = tree_.text(span).find_first_not_of("0123456789.") == std::string::npos;
         error(span, fmt::format("{} is an angle, but this is a plain number", what),
               literal ? fmt::format("write {0}deg or {0}rad", tree_.text(span))
-                      : "multiply it by 1deg or 1rad");
+                      : "multiply it by 1rad if it counts radians, by 1deg if degrees");
         return false;
     }
     if (!value.is_constant()) {

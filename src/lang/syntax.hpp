@@ -87,7 +87,8 @@ struct Statement {
 
 struct Import {
     Span span;
-    Identifier file;  ///< What the quotes hold, and the place of the quotes.
+    Identifier file;      ///< What the quotes hold, and the place of the quotes.
+    bool broken = false;  ///< It had a syntax error, which is reported.
 };
 
 struct CameraParameter {

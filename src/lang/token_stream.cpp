@@ -11,7 +11,7 @@ std::string TokenStream::found() const {
     constexpr std::size_t longest_shown = 40;
     const Token& token = peek();
     if (token.kind == TokenKind::end) {
-        return "the file ends here";
+        return "the text ends here";
     }
     if (token.kind == TokenKind::text) {
         return "found a text in quotation marks";
@@ -25,7 +25,7 @@ void TokenStream::error(Span span, std::string message, std::string remedy) cons
 }
 
 void TokenStream::expected(std::string_view what, std::string remedy) const {
-    if (peek().kind != TokenKind::stray) {
+    if (!at_reported()) {
         error(peek().span, fmt::format("expected {}, but {}", what, found()), std::move(remedy));
     }
 }
@@ -42,7 +42,7 @@ bool TokenStream::expect_closing(std::string_view symbol, Span opening) {
     if (accept(symbol)) {
         return true;
     }
-    if (peek().kind != TokenKind::stray) {
+    if (!at_reported()) {
         const char* or_comma = symbol == "}" ? "" : "',' or ";
         Diagnostic diagnostic = balcony::error(
             fmt::format("expected {}'{}', but {}", or_comma, symbol, found()), at(peek().span));

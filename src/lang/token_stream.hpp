@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -14,14 +15,20 @@ namespace balcony::lang {
 /// What parsers read from, with the messages that all of them give.
 class TokenStream {
 public:
-    TokenStream(std::shared_ptr<const SourceText> source, std::vector<Token> tokens,
-                Reporter& reporter)
-        : source_(std::move(source)), tokens_(std::move(tokens)), reporter_(&reporter) {}
+    TokenStream(std::shared_ptr<const SourceText> source, Tokens read, Reporter& reporter)
+        : source_(std::move(source)),
+          tokens_(std::move(read.tokens)),
+          cut_short_(read.cut_short),
+          reporter_(&reporter) {}
 
     [[nodiscard]] const Token& peek(std::size_t ahead = 0) const {
         return tokens_[std::min(at_ + ahead, tokens_.size() - 1)];
     }
     [[nodiscard]] const Token& previous() const { return tokens_[at_ == 0 ? 0 : at_ - 1]; }
+    /// Whether the next token is, or hides, something that the lexer has reported.
+    [[nodiscard]] bool at_reported() const {
+        return peek().kind == TokenKind::stray || (cut_short_ && at_end());
+    }
     [[nodiscard]] bool at_end() const { return peek().kind == TokenKind::end; }
     const Token& next() {
         const Token& token = peek();
@@ -38,8 +45,8 @@ public:
     }
 
     void error(Span span, std::string message, std::string remedy = {}) const;
-    /// Says what should stand here instead of the next token; silent about a stray one, which the
-    /// lexer has reported.
+    /// Says what should stand here instead of the next token; silent where the lexer has
+    /// reported something.
     void expected(std::string_view what, std::string remedy = {}) const;
     /// Steps over a symbol or says that it is missing.
     bool expect(std::string_view symbol, std::string_view where);
@@ -52,6 +59,7 @@ public:
 private:
     std::shared_ptr<const SourceText> source_;
     std::vector<Token> tokens_;
+    bool cut_short_;
     Reporter* reporter_;
     std::size_t at_ = 0;
 };

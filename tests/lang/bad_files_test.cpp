@@ -1,0 +1,148 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Every file bad/NN-name.cam has what Balcony says of it in bad/NN-name.expected, to the letter.
+// After a change of messages, BALCONY_WRITE_EXPECTED=1 lang_test writes the expected files anew;
+// read each difference before it is committed.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+
+#include "support.hpp"
+
+namespace balcony::lang {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> bad_files() {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(BALCONY_BAD_FILES)) {
+        if (entry.path().extension() == ".cam") {
+            files.push_back(entry.path());
+        }
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+// The messages with file names in the place of paths.
+std::string said_of(const fs::path& file) {
+    std::string text = to_text(check(file));
+    for (const std::string_view path : {BALCONY_BAD_FILES "/", BALCONY_BAD_FILES}) {
+        for (std::size_t at = text.find(path); at != std::string::npos; at = text.find(path, at)) {
+            text.replace(at, path.size(), path.ends_with('/') ? "" : "bad");
+        }
+    }
+    return text;
+}
+
+class BadFile : public testing::TestWithParam<fs::path> {};
+
+TEST_P(BadFile, SaysWhatIsExpected) {
+    const fs::path expected_file = fs::path(GetParam()).replace_extension(".expected");
+    const std::string said = said_of(GetParam());
+    EXPECT_FALSE(said.empty());
+    if (std::getenv("BALCONY_WRITE_EXPECTED") != nullptr) {
+        std::ofstream(expected_file, std::ios::binary) << said;
+    }
+    EXPECT_EQ(said, test::read_file(expected_file));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BadFile, testing::ValuesIn(bad_files()), [](const auto& file) {
+    std::string name = file.param.stem().string();
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return std::isalnum(c) == 0; }, '_');
+    return name;
+});
+
+std::string name(int i) {
+    return test::joined({"a", std::to_string(i)});
+}
+
+std::string let(int i, std::string_view value) {
+    return test::joined({"let ", name(i), " = ", value, "\n"});
+}
+
+// Files that nobody wants in a repository.
+
+TEST(GeneratedBadFile, FiftyMegabytesAreRefusedUnread) {
+    const test::TemporaryFolder folder;
+    const fs::path file = folder.write("large.cam", "");
+    fs::resize_file(file, 50'000'000);
+    EXPECT_EQ(to_text(check(file)),
+              test::joined({"error: '", file.string(),
+                            "' is larger than 1 MB, which no camera file is\n"
+                            "  help: check that it is the file you mean\n"}));
+}
+
+TEST(GeneratedBadFile, ZeroBytesGiveOneError) {
+    const test::TemporaryFolder folder;
+    const fs::path file = folder.write("binary.cam", test::joined({"camera a {", std::string(5000, '\0')}));
+    const Diagnostics said = check(file);
+    ASSERT_EQ(said.size(), 1U);
+    EXPECT_EQ(said[0].message, test::joined({"'", file.string(), "' is not a text file: byte 11 of it is zero"}));
+}
+
+TEST(GeneratedBadFile, RubbishGivesOneError) {
+    const test::TemporaryFolder folder;
+    std::string rubbish;
+    for (int i = 0; i < 10000; ++i) {
+        rubbish += static_cast<char>(i * 37 % 255 + 1);
+    }
+    EXPECT_EQ(check(folder.write("rubbish.cam", rubbish)).size(), 1U);
+}
+
+TEST(GeneratedBadFile, AFolderIsNoFile) {
+    const test::TemporaryFolder folder;
+    const Diagnostics said = check(folder.path());
+    ASSERT_EQ(said.size(), 1U);
+    EXPECT_EQ(said[0].message, test::joined({"'", folder.path().string(), "' is a folder, not a file"}));
+}
+
+TEST(GeneratedBadFile, NestingIsBounded) {
+    for (const char* bracket : {"(", "-", "2^", "sin(", "if(1, 2, "}) {
+        std::string text = "let a = ";
+        for (int i = 0; i < 20000; ++i) {
+            text += bracket;
+        }
+        const Result<camera::Camera> made = test::make(text);
+        ASSERT_FALSE(made) << bracket;
+        EXPECT_EQ(made.diagnostics.size(), 1U) << to_text(made.diagnostics);
+    }
+}
+
+TEST(GeneratedBadFile, LongChainsNeedNoStack) {
+    std::string sum = "let a = 1";
+    for (int i = 0; i < 100'000; ++i) {
+        sum += " + t";
+    }
+    constexpr int last = 20'000;
+    std::string chain;
+    std::string circle = let(0, name(last));
+    for (int i = last; i > 0; --i) {
+        chain += let(i, test::joined({name(i - 1), " + t"}));
+        circle += let(i, name(i - 1));
+    }
+    chain += let(0, "1");
+    const std::string camera = "\ncamera c { map u = 0 .. 1, v = square eye sphere(1) }";
+    EXPECT_TRUE(test::make(sum + camera));
+    EXPECT_TRUE(test::make(chain + camera));
+    EXPECT_EQ(test::make(circle + camera).diagnostics.size(), 1U);
+}
+
+TEST(GeneratedBadFile, ErrorsAreCountedUpToABound) {
+    std::string text;
+    for (int i = 0; i < 100; ++i) {
+        text += let(i, "nothing");
+    }
+    const Diagnostics said = test::make(text).diagnostics;
+    ASSERT_EQ(said.size(), 21U);
+    EXPECT_EQ(said.back().message, "there are more errors; these are the first 20");
+}
+
+}  // namespace
+}  // namespace balcony::lang

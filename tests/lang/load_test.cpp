@@ -1,0 +1,149 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Files, imports, names of cameras and values from outside.
+
+#include <gtest/gtest.h>
+
+#include "support.hpp"
+
+namespace balcony::lang {
+namespace {
+
+const std::string plain = "{ map u = 0 .. 1, v = square eye sphere(r) }\n";
+
+std::string first_error(const Diagnostics& said) {
+    return said.empty() ? "" : said.front().message;
+}
+
+double radius_of(const Result<camera::Camera>& made) {
+    EXPECT_TRUE(made) << to_text(made.diagnostics);
+    return made ? test::ray(*made, 0, 1, 2, 2).origin[0] : 0.0;
+}
+
+TEST(Load, AnEmptyNameMeansTheLastCamera) {
+    const std::string text = "camera a(r = 1) " + plain + "camera b(r = 2) " + plain;
+    EXPECT_EQ(test::make(text)->name(), "b");
+    EXPECT_EQ(test::make(text, {}, "a")->name(), "a");
+    EXPECT_EQ(first_error(test::make(text, {}, "bb").diagnostics), "'test.cam' has no camera 'bb'");
+}
+
+TEST(Load, ErrorsOfOtherCamerasDoNotMatter) {
+    const std::string text = "camera a(r = nothing) " + plain + "camera b(r = 2) " + plain;
+    EXPECT_TRUE(test::make(text));
+    EXPECT_FALSE(test::make(text, {}, "a"));
+}
+
+TEST(Load, OverridesReplaceDefaults) {
+    const std::string text = "let k = 5 camera a(r = 1, s = 2*r) "
+                             "{ map u = 0 .. 1, v = square eye sphere(s) }";
+    EXPECT_EQ(radius_of(test::make(text)), 2.0);
+    EXPECT_EQ(radius_of(test::make(text, {{"r", "1/2"}})), 1.0);
+    EXPECT_EQ(radius_of(test::make(text, {{"s", "r + k"}})), 6.0);
+    EXPECT_EQ(radius_of(test::make(text, {{"r", "1"}, {"r", "3"}})), 6.0);
+}
+
+TEST(Load, WrongOverridesAreErrors) {
+    const std::string text = "camera a(radius = 1, turn = 30deg, free = 0) "
+                             "{ map u = 0 .. 1, v = square eye sphere(radius) "
+                             "move rotate(z, turn), rotate(x, free) }";
+    const auto error_of = [&text](const char* name, const char* value) {
+        const Result<camera::Camera> made = test::make(text, {{name, value}});
+        EXPECT_FALSE(made);
+        EXPECT_EQ(made.diagnostics.size(), 1U) << to_text(made.diagnostics);
+        return made ? "" : to_text(made.diagnostics);
+    };
+    EXPECT_EQ(error_of("raduis", "2"),
+              "--set:1:1: error: the camera 'a' has no parameter 'raduis'\n"
+              "    1 | raduis=2\n"
+              "      | ^~~~~~\n"
+              "  help: did you mean 'radius'?\n");
+    EXPECT_EQ(error_of("turn", "30"),
+              "--set:1:6: error: 'turn' is an angle, but this is a plain number\n"
+              "    1 | turn=30\n"
+              "      |      ^~\n"
+              "  help: attach deg or rad: 30deg, 0.5rad\n");
+    EXPECT_EQ(error_of("radius", "1deg"),
+              "--set:1:8: error: 'radius' is a plain number, but this is an angle\n"
+              "    1 | radius=1deg\n"
+              "      |        ^~~~\n"
+              "  help: leave out deg or rad\n");
+    EXPECT_EQ(error_of("radius", "1/0"),
+              "--set:1:10: error: division by 0\n"
+              "    1 | radius=1/0\n"
+              "      |          ^\n");
+    EXPECT_EQ(error_of("radius", "2 3"),
+              "--set:1:10: error: expected the end of the value, but found '3'\n"
+              "    1 | radius=2 3\n"
+              "      |          ^\n");
+    EXPECT_EQ(error_of("radius", ""),
+              "--set:1:8: error: expected a number, a name or '(', but the text ends here\n"
+              "    1 | radius=\n"
+              "      |        ^\n");
+    EXPECT_TRUE(test::make(text, {{"free", "30deg"}}));
+}
+
+TEST(Load, ImportsBringLetsAndCameras) {
+    const test::TemporaryFolder folder;
+    folder.write("lengths.cam", "let k = 3");
+    folder.write("more.cam", "import \"lengths.cam\" let m = k + 1 camera more(r = m) " + plain);
+    const auto file = folder.write("main.cam", "import \"more.cam\" import \"lengths.cam\" "
+                                               "import \"pinhole.cam\" camera a(r = k + m) " +
+                                                   plain);
+    EXPECT_EQ(radius_of(load_camera(file, "")), 7.0);
+    EXPECT_EQ(radius_of(load_camera(file, "more")), 4.0);
+    EXPECT_TRUE(load_camera(file, "pinhole"));
+    EXPECT_EQ(describe(file)->size(), 1U);
+}
+
+TEST(Load, TextsFindImportsInTheirFolder) {
+    const test::TemporaryFolder folder;
+    folder.write("lengths.cam", "let k = 3");
+    const auto source = std::make_shared<const SourceText>(
+        "text", "import \"lengths.cam\" camera a(r = k) " + plain);
+    EXPECT_EQ(radius_of(make_camera(source, "", {}, folder.path())), 3.0);
+    EXPECT_FALSE(make_camera(source, ""));
+}
+
+TEST(Load, AFileThatOnlyImportsNamesWhatItCould) {
+    const Diagnostics said = test::make("import \"pinhole.cam\"").diagnostics;
+    ASSERT_EQ(said.size(), 1U);
+    EXPECT_EQ(said[0].remedy, "name one that it imports: 'pinhole'");
+}
+
+TEST(Load, UnknownFilesGetASuggestion) {
+    const Diagnostics said = load_camera("pinhol", "").diagnostics;
+    ASSERT_EQ(said.size(), 1U);
+    EXPECT_EQ(said[0].message, "there is no file 'pinhol' and no standard camera of that name");
+    EXPECT_EQ(said[0].remedy, "did you mean 'pinhole'?");
+}
+
+TEST(Load, DescribesCameras) {
+    const test::TemporaryFolder folder;
+    const auto file = folder.write("a.cam", "// Not this.\n\n// First line,\n// second line.\n"
+                                            "camera a(r = 1 + 2, turn = 30deg) " +
+                                                plain + "\ncamera b " + plain);
+    const auto said = describe(file);
+    ASSERT_TRUE(said);
+    ASSERT_EQ(said->size(), 2U);
+    const CameraDescription& a = (*said)[0];
+    EXPECT_EQ(a.comment, "First line,\nsecond line.");
+    ASSERT_EQ(a.parameters.size(), 2U);
+    EXPECT_EQ(a.parameters[0].default_text, "1 + 2");
+    EXPECT_EQ(a.parameters[1].name, "turn");
+    EXPECT_EQ((*said)[1].comment, "");
+}
+
+TEST(Load, AByteOrderMarkIsNoError) {
+    EXPECT_TRUE(test::make("\xef\xbb\xbf" "camera a(r = 1) " + plain));
+}
+
+TEST(Load, WarningsComeWithTheCamera) {
+    const Result<camera::Camera> made = test::make("camera a(r = 1, unused = 2) " + plain);
+    ASSERT_TRUE(made);
+    ASSERT_EQ(made.diagnostics.size(), 1U);
+    EXPECT_EQ(made.diagnostics[0].severity, Severity::warning);
+}
+
+}  // namespace
+}  // namespace balcony::lang

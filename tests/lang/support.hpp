@@ -1,0 +1,78 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <initializer_list>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "balcony/lang.hpp"
+
+namespace balcony::lang::test {
+
+inline Result<camera::Camera> make(std::string text, const std::vector<Override>& overrides = {},
+                                   std::string_view name = "") {
+    return make_camera(std::make_shared<const SourceText>("test.cam", std::move(text)), name,
+                       overrides);
+}
+
+inline std::string read_file(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+inline std::string joined(std::initializer_list<std::string_view> parts) {
+    std::string text;
+    for (const std::string_view part : parts) {
+        text += part;
+    }
+    return text;
+}
+
+struct Ray {
+    std::array<double, 3> origin;
+    std::array<double, 3> direction;
+    bool valid;
+};
+
+/// The ray through a point of a picture, by the scalar definitions.
+inline Ray ray(const camera::Camera& camera, double x, double y, double width, double height,
+               double time = 0.0) {
+    expr::Graph graph;
+    const camera::RayExpressions made = camera.emit(graph, width, height);
+    const std::array roots{made.origin.x,    made.origin.y,    made.origin.z, made.direction.x,
+                           made.direction.y, made.direction.z, made.valid};
+    const std::vector<double> v = expr::evaluate(roots, {x, y, time, {}});
+    return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, v[6] != 0.0};
+}
+
+/// A folder of its own that goes away with the test.
+class TemporaryFolder {
+public:
+    TemporaryFolder() {
+        std::string pattern = (std::filesystem::temp_directory_path() / "balcony-XXXXXX").string();
+        path_ = mkdtemp(pattern.data());
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+    std::filesystem::path write(const std::string& name, const std::string& text) const {
+        std::ofstream(path_ / name, std::ios::binary) << text;
+        return path_ / name;
+    }
+
+private:
+    std::filesystem::path path_;
+};
+
+}  // namespace balcony::lang::test
