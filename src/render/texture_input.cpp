@@ -17,7 +17,7 @@ namespace balcony::render {
 
 namespace {
 
-constexpr int channels = 4;
+constexpr std::size_t channels = 4;
 
 // IEC 61966-2-1.
 float linear_from_srgb(float value) {
@@ -32,6 +32,8 @@ const char* format_by_content(const std::vector<std::uint8_t>& bytes) {
                : "jpeg";
 }
 
+// Decodes the whole image when its first row is asked for and lets go of it when each row has been
+// given: the formats in use can only be read from top to bottom, the cache reads in any order.
 class TextureInput final : public OIIO::ImageInput {
 public:
     const char* format_name() const override { return "balcony texture"; }
@@ -41,106 +43,110 @@ public:
     }
 
     bool open(const std::string&, OIIO::ImageSpec& spec, const OIIO::ImageSpec& config) override {
-        const OIIO::ParamValue* attribute = config.find_attribute("balcony:source", OIIO::TypeDesc::PTR);
+        const OIIO::ParamValue* attribute =
+            config.find_attribute("balcony:source", OIIO::TypeDesc::PTR);
         if (attribute == nullptr) {
             errorfmt("no source");
             return false;
         }
         source_ = static_cast<const TextureSource*>(*static_cast<void* const*>(attribute->data()));
-        if (!open_encoded()) {
+        const Encoded encoded = open_encoded();
+        if (!encoded.input) {
             return false;
         }
-        const OIIO::ImageSpec& encoded = encoded_->spec();
-        m_spec = OIIO::ImageSpec(encoded.width, encoded.height, channels, OIIO::TypeDesc::HALF);
-        m_spec.tile_width = encoded.tile_width;
-        m_spec.tile_height = encoded.tile_height;
-        m_spec.tile_depth = encoded.tile_depth;
+        const OIIO::ImageSpec& found = encoded.input->spec();
+        m_spec = OIIO::ImageSpec(found.width, found.height, static_cast<int>(channels),
+                                 OIIO::TypeDesc::HALF);
         spec = m_spec;
         return true;
     }
 
     bool close() override {
-        encoded_.reset();
+        texels_.clear();
         return true;
     }
 
-    bool read_native_scanline(int subimage, int miplevel, int y, int z, void* data) override {
-        const OIIO::ImageSpec& encoded = encoded_->spec();
-        buffer_.resize(static_cast<std::size_t>(encoded.width) *
-                       static_cast<std::size_t>(encoded.nchannels));
-        if (subimage != 0 || miplevel != 0 ||
-            !encoded_->read_scanline(y + encoded.y, z, OIIO::TypeDesc::FLOAT, buffer_.data())) {
-            return fail();
+    bool read_native_scanline(int subimage, int miplevel, int y, int, void* data) override {
+        if (subimage != 0 || miplevel != 0 || (texels_.empty() && !decode())) {
+            return false;
         }
-        return decode(data);
-    }
-
-    bool read_native_tile(int subimage, int miplevel, int x, int y, int z, void* data) override {
-        const OIIO::ImageSpec& encoded = encoded_->spec();
-        buffer_.resize(static_cast<std::size_t>(encoded.tile_pixels()) *
-                       static_cast<std::size_t>(encoded.nchannels));
-        if (subimage != 0 || miplevel != 0 ||
-            !encoded_->read_tile(x + encoded.x, y + encoded.y, z, OIIO::TypeDesc::FLOAT,
-                                 buffer_.data())) {
-            return fail();
+        const std::size_t row = row_size();
+        std::copy_n(texels_.begin() + static_cast<std::ptrdiff_t>(row) * y, row,
+                    static_cast<Imath::half*>(data));
+        if (--rows_to_give_ == 0) {
+            texels_ = {};
         }
-        return decode(data);
+        return true;
     }
 
 private:
-    bool open_encoded() {
-        OIIO::ImageSpec config;
-        config.attribute("oiio:UnassociatedAlpha", 1);
+    struct Encoded {
+        std::unique_ptr<OIIO::Filesystem::IOProxy> memory;  // Outlives the input that reads it.
+        std::unique_ptr<OIIO::ImageInput> input;            // Null if it cannot be read.
+    };
+
+    Encoded open_encoded() {
+        Encoded encoded;
         const scene::Texture& texture = *source_->texture;
         const bool embedded = texture.file.empty();
         const std::string name = embedded ? "embedded image" : texture.file.string();
-        encoded_ = OIIO::ImageInput::create(embedded ? format_by_content(texture.bytes) : name);
-        if (!encoded_) {
+        encoded.input =
+            OIIO::ImageInput::create(embedded ? format_by_content(texture.bytes) : name);
+        if (!encoded.input) {
             errorfmt("{}", OIIO::geterror());
-            return false;
+            return {};
         }
         if (embedded) {
-            memory_ = std::make_unique<OIIO::Filesystem::IOMemReader>(texture.bytes.data(),
-                                                                      texture.bytes.size());
-            encoded_->set_ioproxy(memory_.get());
+            encoded.memory = std::make_unique<OIIO::Filesystem::IOMemReader>(texture.bytes.data(),
+                                                                             texture.bytes.size());
+            encoded.input->set_ioproxy(encoded.memory.get());
         }
-        OIIO::ImageSpec encoded;
-        if (!encoded_->open(name, encoded, config)) {
-            return fail();
+        OIIO::ImageSpec config;
+        config.attribute("oiio:UnassociatedAlpha", 1);
+        OIIO::ImageSpec found;
+        if (!encoded.input->open(name, found, config) || found.depth != 1) {
+            errorfmt("{}", found.depth != 1 ? "it is a volume" : encoded.input->geterror());
+            return {};
         }
-        if (encoded_->spec().depth != 1) {
-            errorfmt("a volume is no texture");
+        return encoded;
+    }
+
+    [[nodiscard]] std::size_t row_size() const {
+        return static_cast<std::size_t>(m_spec.width) * channels;
+    }
+
+    // Reads the image as four linear channels.
+    bool decode() {
+        const Encoded encoded = open_encoded();
+        if (!encoded.input) {
             return false;
         }
-        return true;
-    }
-
-    bool fail() {
-        errorfmt("{}", encoded_->geterror());
-        return false;
-    }
-
-    // What was read into the buffer, as four linear channels.
-    bool decode(void* data) {
-        const auto count = static_cast<std::size_t>(encoded_->spec().nchannels);
-        const bool grey = count < 3;
-        auto* out = static_cast<Imath::half*>(data);
-        for (std::size_t i = 0; i < buffer_.size(); i += count) {
+        const auto count = static_cast<std::size_t>(encoded.input->spec().nchannels);
+        const std::size_t rows = static_cast<std::size_t>(m_spec.height);
+        std::vector<float> values(static_cast<std::size_t>(m_spec.width) * rows * count);
+        if (!encoded.input->read_image(0, 0, 0, static_cast<int>(count), OIIO::TypeDesc::FLOAT,
+                                       values.data())) {
+            errorfmt("{}", encoded.input->geterror());
+            return false;
+        }
+        texels_.reserve(row_size() * rows);
+        for (std::size_t i = 0; i < values.size(); i += count) {
             for (std::size_t c = 0; c < 3; ++c) {
-                const float value = buffer_[i + (grey ? 0 : c)];
-                *out++ = Imath::half(source_->encoding == TextureEncoding::srgb
+                const float value = values[i + (count < 3 ? 0 : c)];
+                texels_.emplace_back(source_->encoding == TextureEncoding::srgb
                                          ? linear_from_srgb(value)
                                          : value);
             }
-            *out++ = Imath::half(count == 2 || count >= 4 ? buffer_[i + count - 1] : 1.0F);
+            texels_.emplace_back(count == 2 || count >= 4 ? values[i + (count == 2 ? 1 : 3)]
+                                                          : 1.0F);
         }
+        rows_to_give_ = rows;
         return true;
     }
 
     const TextureSource* source_ = nullptr;
-    std::unique_ptr<OIIO::Filesystem::IOProxy> memory_;
-    std::unique_ptr<OIIO::ImageInput> encoded_;
-    std::vector<float> buffer_;
+    std::vector<Imath::half> texels_;  // Empty unless rows of it have yet to be given.
+    std::size_t rows_to_give_ = 0;
 };
 
 }  // namespace

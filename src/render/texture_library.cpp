@@ -32,6 +32,7 @@ Diagnostic unreadable(const scene::Texture& texture, const std::string& reason) 
 TextureLibrary::TextureLibrary(const scene::Scene& scene, Diagnostics& warnings)
     : entries_(scene.textures.size()), system_(OIIO::TextureSystem::create(false)) {
     system_->attribute("max_memory_MB", texture_cache_megabytes);
+    system_->attribute("max_open_files", texture_images_decoded);
     system_->attribute("autotile", 64);
     system_->attribute("automip", 1);
     system_->attribute("accept_untiled", 1);

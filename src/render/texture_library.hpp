@@ -20,8 +20,10 @@
 
 namespace balcony::render {
 
-/// What the pixels of all textures may take of memory; more of them are read again when needed.
+/// What the pixels of all textures may take of memory, but for those images that are just being
+/// read; what does not fit is read again when needed.
 inline constexpr float texture_cache_megabytes = 1024.0F;
+inline constexpr int texture_images_decoded = 8;
 
 enum class TextureEncoding : std::uint8_t { linear, srgb };
 
