@@ -6,7 +6,7 @@
 #   README.md    a heading and a paragraph on what it shows
 #   plate        lines of a key and its value; a # opens a comment:
 #       scene   PROGRAM [OPTION...]   a program of plates/ that writes the scene to the file named last
-#       render  [OPTION...]           options for balcony render
+#       render  [--OPTION VALUE...]   options for balcony render, each with a value
 build=build/release
 
 # plate_folder NUMBER: the folder of a plate, whether it was called 2 or 02.
@@ -41,11 +41,17 @@ build_scene() {
     printf '%s\n' "$file"
 }
 
-# render_plate FOLDER PICTURE [OPTION...]: renders a plate; the options come after its own.
+# render_plate FOLDER PICTURE [OPTION...]: renders a plate; the options replace its own of that name.
 render_plate() {
-    local folder=$1 picture=$2 options scene
-    read -ra options <<< "$(plate_value "$folder" render)"
+    local folder=$1 picture=$2 given=("${@:3}") own options=() scene i
+    read -ra own <<< "$(plate_value "$folder" render)"
+    for ((i = 0; i < ${#own[@]}; i += 2)); do
+        if [[ " ${given[*]} " != *" ${own[i]} "* ]]; then
+            options+=("${own[@]:i:2}")
+        fi
+    done
     scene=$(build_scene "$folder")
     mkdir -p "$(dirname "$picture")"
-    "$build/balcony" render "$scene" --camera "$folder/camera.cam" -o "$picture" "${options[@]}" "${@:3}"
+    "$build/balcony" render "$scene" --camera "$folder/camera.cam" -o "$picture" \
+        "${options[@]}" "${given[@]}"
 }
