@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "lang/camera_scope.hpp"
+#include "lang/keywords.hpp"
 #include "lang/stages.hpp"
 
 namespace balcony::lang {
@@ -33,9 +34,8 @@ public:
             const auto [earlier, is_first] = first_.emplace(statement.kind, &statement);
             if (!is_first && stands_once(statement.kind)) {
                 const std::string_view word = keyword(statement.kind);
-                Diagnostic diagnostic =
-                    error(fmt::format("'{}' stands here a second time", word), tree.at(statement.keyword),
-                          "remove one of the two");
+                Diagnostic diagnostic = error(fmt::format("'{}' stands here a second time", word),
+                                              tree.at(statement.keyword), "remove one of the two");
                 diagnostic.notes.push_back(
                     {tree.at(earlier->second->keyword), fmt::format("the first '{}'", word)});
                 reporter.add(std::move(diagnostic));
@@ -80,9 +80,8 @@ public:
         const std::size_t errors_before = reporter_.error_count();
         camera::Camera::Parts parts;
         parts.name = std::string(camera_.name.text);
-        parts.arrangers =
-            list<camera::PictureArranger>(statements_, StatementKind::place,
-                                          StageKind::picture_arranger);
+        parts.arrangers = list<camera::PictureArranger>(statements_, StatementKind::place,
+                                                        StageKind::picture_arranger);
         aspect(parts);
         axes(parts);
         shared_.mapper = mapper(statements_);
@@ -342,7 +341,9 @@ std::optional<camera::Camera> build_camera(const CameraPlace& place,
     if (session.reporter().error_count() > errors_before) {
         return std::nullopt;
     }
-    scope.warn_of_unused();
+    if (session.reporter().error_count() == 0) {
+        scope.warn_of_unused();
+    }
     return made;
 }
 

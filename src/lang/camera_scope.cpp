@@ -40,12 +40,12 @@ void CameraScope::read_overrides(const std::vector<Override>& overrides) {
         const auto source = std::make_shared<const SourceText>(
             "--set", fmt::format("{}={}", given.name, given.expression));
         if (std::find(known.begin(), known.end(), given.name) == known.end()) {
-            session_.reporter().error(
-                {source, 0, given.name.size()},
-                fmt::format("the camera '{}' has no parameter '{}'", place_.camera->name.text,
-                            given.name),
-                known.empty() ? "it has no parameters"
-                              : suggestion(given.name, known, "its parameters are"));
+            session_.reporter().error({source, 0, given.name.size()},
+                                      fmt::format("the camera '{}' has no parameter '{}'",
+                                                  place_.camera->name.text, given.name),
+                                      known.empty()
+                                          ? "it has no parameters"
+                                          : suggestion(given.name, known, "its parameters are"));
             continue;
         }
         const std::size_t errors_before = session_.reporter().error_count();
@@ -82,8 +82,7 @@ void CameraScope::define_parameter(const CameraParameter& parameter) {
     }
     const SourceSpan place = tree_.at(parameter.name.span);
     if (!scope_.define(name, {value, place, "parameter", false})) {
-        report_duplicate(parameter.name, place, scope_.find_here(name)->place,
-                         session_.reporter());
+        report_duplicate(parameter.name, place, scope_.find_here(name)->place, session_.reporter());
     }
 }
 
@@ -93,21 +92,20 @@ Value CameraScope::overridden(const Given& given, const Value& default_value,
         return {};
     }
     const ExpressionId id(given.tree->expressions.size() - 1);
-    const Value value =
-        evaluate(*given.tree, id, scope_, *session_.graph(), session_.reporter());
+    const Value value = evaluate(*given.tree, id, scope_, *session_.graph(), session_.reporter());
     if (value.failed() || default_value.failed()) {
         return value;
     }
     const SourceSpan span = given.tree->at((*given.tree)[id].span);
     if (default_value.is_angle() && value.is_plain_number()) {
-        session_.reporter().error(span, fmt::format("'{}' is an angle, but this is a plain number",
-                                                    name),
+        session_.reporter().error(span,
+                                  fmt::format("'{}' is an angle, but this is a plain number", name),
                                   "attach deg or rad: 30deg, 0.5rad");
         return {};
     }
     if (default_value.is_plain_number() && value.is_angle()) {
-        session_.reporter().error(span, fmt::format("'{}' is a plain number, but this is an angle",
-                                                    name),
+        session_.reporter().error(span,
+                                  fmt::format("'{}' is a plain number, but this is an angle", name),
                                   "leave out deg or rad");
         return {};
     }
@@ -118,8 +116,8 @@ void CameraScope::warn_of_unused() {
     const auto warn = [this](const Identifier& name, std::string_view what) {
         const Definition* definition = scope_.find_here(name.text);
         if (definition != nullptr && !definition->used) {
-            session_.reporter().warning(
-                tree_.at(name.span), fmt::format("the {} '{}' is not used", what, name.text));
+            session_.reporter().warning(tree_.at(name.span),
+                                        fmt::format("the {} '{}' is not used", what, name.text));
         }
     };
     for (const CameraParameter& parameter : place_.camera->parameters) {

@@ -12,8 +12,7 @@ namespace balcony::lang {
 /// The names of one camera: its parameters, with values from outside or their defaults, and lets.
 class CameraScope {
 public:
-    CameraScope(const CameraPlace& place, const std::vector<Override>& overrides,
-                Session& session);
+    CameraScope(const CameraPlace& place, const std::vector<Override>& overrides, Session& session);
 
     [[nodiscard]] Scope& names() { return scope_; }
     /// For a camera without errors: names that nothing uses.

@@ -72,15 +72,14 @@ private:
         for (const Argument& argument : node.arguments) {
             if (argument.name) {
                 error(argument.name->span,
-                      fmt::format("the function '{}' has no arguments with names",
-                                  node.name.text));
+                      fmt::format("the function '{}' has no arguments with names", node.name.text));
                 return false;
             }
         }
         if (node.arguments.size() != function->arity) {
-            error(node.span, fmt::format("'{}' takes {} argument{}, but is given {}", node.name.text,
-                                         function->arity, function->arity == 1 ? "" : "s",
-                                         node.arguments.size()));
+            error(node.span, fmt::format("'{}' takes {} argument{}, but is given {}",
+                                         node.name.text, function->arity,
+                                         function->arity == 1 ? "" : "s", node.arguments.size()));
             return false;
         }
         return true;
@@ -174,9 +173,9 @@ private:
         result.expr = function.apply(arguments, function.op);
         if (!result.problem && result.is_constant() && !std::isfinite(result.constant())) {
             result.problem = problem(
-                node.span, fmt::format("{} {}", with_values(node, operands),
-                                       std::isnan(result.constant()) ? "has no real value"
-                                                                     : "is not finite"));
+                node.span,
+                fmt::format("{} {}", with_values(node, operands),
+                            std::isnan(result.constant()) ? "has no real value" : "is not finite"));
         }
         return result;
     }
@@ -200,8 +199,8 @@ private:
     // A constant condition makes the branch that is not taken irrelevant.
     static std::shared_ptr<const Diagnostic> inherited_problem(const Function& function,
                                                                std::span<const Value> operands) {
-        const bool decided = function.op == expr::Op::select && operands[0].is_constant() &&
-                             !operands[0].problem;
+        const bool decided =
+            function.op == expr::Op::select && operands[0].is_constant() && !operands[0].problem;
         if (decided) {
             return operands[operands[0].constant() != 0.0 ? 1 : 2].problem;
         }

@@ -86,9 +86,7 @@ std::optional<ExpressionId> ExpressionParser::add_operation(const Token& symbol,
     return add(std::move(node), first);
 }
 
-std::optional<ExpressionId> ExpressionParser::expression() {
-    return binary(1);
-}
+std::optional<ExpressionId> ExpressionParser::expression() { return binary(1); }
 
 // Precedence climbing: operands of one level are joined from the left.
 std::optional<ExpressionId> ExpressionParser::binary(int least_precedence) {
@@ -217,10 +215,10 @@ std::optional<ExpressionId> ExpressionParser::formula(Expression call) {
     for (const Argument& argument : call.arguments) {
         const Expression& parameter = nodes_[argument.value.value()];
         if (argument.name || parameter.kind != ExpressionKind::name) {
-            tokens_.error(parameter.span,
-                          fmt::format("the parameters of the formula '{}' are plain names",
-                                      node.name.text),
-                          fmt::format("such as {}(u, v) = [ ... ]", node.name.text));
+            tokens_.error(
+                parameter.span,
+                fmt::format("the parameters of the formula '{}' are plain names", node.name.text),
+                fmt::format("such as {}(u, v) = [ ... ]", node.name.text));
             return std::nullopt;
         }
         node.parameters.push_back(parameter.name);
@@ -266,7 +264,8 @@ std::optional<std::vector<Argument>> ExpressionParser::arguments(Span opening) {
 
 std::optional<ExpressionId> ExpressionParser::stage(std::string_view what) {
     if (tokens_.peek().kind != TokenKind::name) {
-        tokens_.expected(what);
+        const bool assigned = tokens_.peek().is("=") || tokens_.peek().is(":");
+        tokens_.expected(what, assigned ? fmt::format("remove the '{}'", tokens_.peek().text) : "");
         return std::nullopt;
     }
     return name_or_call();

@@ -229,7 +229,8 @@ private:
         const std::size_t begin = at_;
         if (peek() == ';') {
             ++at_;
-            error(begin, at_, "';' is not needed", "remove it: a statement ends where the next begins");
+            error(begin, at_, "';' is not needed",
+                  "remove it: a statement ends where the next begins");
             return;
         }
         const bool ascii = is_ascii(peek());
@@ -245,16 +246,18 @@ private:
         struct Instead {
             std::string_view written, meant;
         };
-        constexpr std::array<Instead, 10> instead = {{{"&", "'&&'"},
-                                                     {"|", "'||'"},
-                                                     {"\xc2\xb0", "30deg for an angle"},
-                                                     {"\xe2\x88\x92", "'-'"},
-                                                     {"\xe2\x80\x93", "'-'"},
-                                                     {"\xc3\x97", "'*'"},
-                                                     {"\xc2\xb7", "'*'"},
-                                                     {"\xcf\x80", "'pi'"},
-                                                     {"\xe2\x80\xa6", "'..'"},
-                                                     {"'", "\" around a file name"}}};
+        constexpr std::array<Instead, 11> instead = {
+            {{"#", "// for a comment, import \"file.cam\" for a file"},
+             {"&", "'&&'"},
+             {"|", "'||'"},
+             {"\xc2\xb0", "30deg for an angle"},
+             {"\xe2\x88\x92", "'-'"},
+             {"\xe2\x80\x93", "'-'"},
+             {"\xc3\x97", "'*'"},
+             {"\xc2\xb7", "'*'"},
+             {"\xcf\x80", "'pi'"},
+             {"\xe2\x80\xa6", "'..'"},
+             {"'", "\" around a file name"}}};
         for (const Instead& row : instead) {
             if (row.written == what) {
                 return fmt::format("write {}", row.meant);

@@ -26,11 +26,10 @@ bool require_cameras(const Module& module, Reporter& reporter) {
     for (const CameraPlace& place : visible_cameras(module)) {
         imported.emplace_back(place.camera->name.text);
     }
-    reporter.error({},
-                   fmt::format("'{}' {}", source.name(),
-                               blank ? "is empty" : "has no camera of its own"),
-                   imported.empty() ? "a camera is written camera name { ... }"
-                                    : fmt::format("name one that it imports: {}", one_of(imported)));
+    reporter.error(
+        {}, fmt::format("'{}' {}", source.name(), blank ? "is empty" : "has no camera of its own"),
+        imported.empty() ? "a camera is written camera name { ... }"
+                         : fmt::format("name one that it imports: {}", one_of(imported)));
     return false;
 }
 

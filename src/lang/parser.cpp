@@ -9,59 +9,15 @@
 #include <fmt/format.h>
 
 #include "lang/expression_parser.hpp"
+#include "lang/keywords.hpp"
 #include "lang/token_stream.hpp"
 
 namespace balcony::lang {
 
 namespace {
 
-struct Keyword {
-    StatementKind kind;
-    std::string_view text;
-    bool in_path;    // May stand in eye { ... } and toward { ... }.
-    bool in_camera;  // May stand in a camera itself.
-};
-
-constexpr std::array<Keyword, 11> keywords = {{{StatementKind::let, "let", false, true},
-                                               {StatementKind::aspect, "aspect", false, true},
-                                               {StatementKind::axes, "axes", false, true},
-                                               {StatementKind::map, "map", true, true},
-                                               {StatementKind::eye, "eye", false, true},
-                                               {StatementKind::toward, "toward", false, true},
-                                               {StatementKind::object, "object", true, false},
-                                               {StatementKind::warp, "warp", true, true},
-                                               {StatementKind::move, "move", true, true},
-                                               {StatementKind::look, "look", false, true},
-                                               {StatementKind::place, "place", false, true}}};
-
-constexpr std::array<std::string_view, 2> file_keywords = {"import", "camera"};
-
 // Names that mean something everywhere.
 constexpr std::array<std::string_view, 2> constants = {"pi", "t"};
-
-const Keyword* find_keyword(const Token& token) {
-    for (const Keyword& row : keywords) {
-        if (token.is_name(row.text)) {
-            return &row;
-        }
-    }
-    return nullptr;
-}
-
-bool is_file_keyword(const Token& token) {
-    return std::any_of(file_keywords.begin(), file_keywords.end(),
-                       [&token](std::string_view word) { return token.is_name(word); });
-}
-
-std::vector<std::string> keywords_for(bool in_path) {
-    std::vector<std::string> names;
-    for (const Keyword& row : keywords) {
-        if (in_path ? row.in_path : row.in_camera) {
-            names.emplace_back(row.text);
-        }
-    }
-    return names;
-}
 
 class Parser {
 public:
@@ -116,8 +72,7 @@ private:
         const Keyword* statement_keyword = find_keyword(token);
         const bool camera_follows = looks_like_camera();
         if (statement_keyword != nullptr) {
-            tokens_.error(token.span,
-                          fmt::format("'{}' stands outside of any camera", token.text),
+            tokens_.error(token.span, fmt::format("'{}' stands outside of any camera", token.text),
                           "put it between the braces of camera name { ... }");
         } else if (token.kind == TokenKind::name) {
             tokens_.expected("'import', 'let' or 'camera'",
@@ -134,9 +89,8 @@ private:
         do {
             braces += tokens_.peek().is("{") ? 1 : tokens_.peek().is("}") ? -1 : 0;
             tokens_.next();
-        } while (!tokens_.at_end() &&
-                 !(is_file_keyword(tokens_.peek()) || looks_like_camera() ||
-                   (braces <= 0 && tokens_.peek().is_name("let"))));
+        } while (!tokens_.at_end() && !(is_file_keyword(tokens_.peek()) || looks_like_camera() ||
+                                        (braces <= 0 && tokens_.peek().is_name("let"))));
     }
 
     // word name { or word name (, with a word that should be camera.
@@ -324,10 +278,12 @@ private:
         tokens_.error(token.span, fmt::format("there is no statement '{}'", token.text),
                       suggestion(token.text, known, "the statements are"));
         const auto nearest = nearest_name(token.text, known);
-        const auto row =
-            std::find_if(keywords.begin(), keywords.end(),
-                         [&](const Keyword& keyword) { return nearest && keyword.text == *nearest; });
-        return row == keywords.end() ? StatementKind::unknown : row->kind;
+        for (const Keyword& row : keywords()) {
+            if (nearest && row.text == *nearest) {
+                return row.kind;
+            }
+        }
+        return StatementKind::unknown;
     }
 
     void misplaced_statement(const Keyword& row, bool in_path) {
@@ -435,6 +391,10 @@ private:
             tokens_.next();
             return true;
         }
+        if (tokens_.peek().is("[")) {
+            tokens_.expected("a range", "a range is written -1 .. 1");
+            return false;
+        }
         const auto first = expressions_.expression();
         if (!first || !tokens_.expect("..", "between the two ends of the range")) {
             return false;
@@ -450,8 +410,8 @@ private:
 
     bool stages(Statement& made, std::string_view what, bool several) {
         do {
-            const bool opens_next = find_keyword(tokens_.peek()) != nullptr &&
-                                    !tokens_.peek(1).is("(");
+            const bool opens_next =
+                find_keyword(tokens_.peek()) != nullptr && !tokens_.peek(1).is("(");
             if (opens_next) {
                 tokens_.expected(what);
                 return false;
@@ -487,15 +447,6 @@ SyntaxTree parse_override(std::shared_ptr<const SourceText> source, Reporter& re
         tree.expressions.clear();
     }
     return tree;
-}
-
-std::string_view keyword(StatementKind kind) {
-    for (const Keyword& row : keywords) {
-        if (row.kind == kind) {
-            return row.text;
-        }
-    }
-    return {};
 }
 
 }  // namespace balcony::lang

@@ -19,7 +19,4 @@ namespace balcony::lang {
 [[nodiscard]] SyntaxTree parse_override(std::shared_ptr<const SourceText> source,
                                         Reporter& reporter);
 
-/// How a statement is written; empty for an unknown one.
-[[nodiscard]] std::string_view keyword(StatementKind kind);
-
 }  // namespace balcony::lang

@@ -11,8 +11,7 @@ namespace balcony::lang {
 
 namespace fs = std::filesystem;
 
-Result<std::shared_ptr<const SourceText>> read_source(const fs::path& file,
-                                                      const std::string& name,
+Result<std::shared_ptr<const SourceText>> read_source(const fs::path& file, const std::string& name,
                                                       const SourceSpan& asked) {
     std::error_code failure;
     const fs::file_status status = fs::status(file, failure);

@@ -87,7 +87,10 @@ std::string suggestion(std::string_view name, const std::vector<std::string>& kn
     if (const auto nearest = nearest_name(name, known)) {
         return fmt::format("did you mean '{}'?", *nearest);
     }
-    return known.empty() ? std::string() : fmt::format("{} {}", otherwise, all_of(known));
+    constexpr std::size_t most_listed = 40;
+    return known.empty() || known.size() > most_listed
+               ? std::string()
+               : fmt::format("{} {}", otherwise, all_of(known));
 }
 
 }  // namespace balcony::lang

@@ -55,8 +55,8 @@ void Scope::copy_from(const Scope& other,
     for (const auto& [name, definition] : sorted) {
         const auto [found, is_new] = definitions_.try_emplace(name, *definition);
         const SourceSpan& place = found->second.place;
-        const bool same = place.source == definition->place.source &&
-                          place.begin == definition->place.begin;
+        const bool same =
+            place.source == definition->place.source && place.begin == definition->place.begin;
         if (!is_new && !same) {
             on_conflict(name, found->second, *definition);
         }
@@ -77,17 +77,17 @@ std::vector<std::string> Scope::names() const {
 
 std::unique_ptr<Scope> constants(expr::Graph& graph) {
     auto scope = std::make_unique<Scope>();
-    scope->define("pi", {{graph.constant(std::numbers::pi), Dimension::number, nullptr},
-                         {}, "constant", true});
+    scope->define(
+        "pi",
+        {{graph.constant(std::numbers::pi), Dimension::number, nullptr}, {}, "constant", true});
     scope->define("t", {{graph.time(), Dimension::number, nullptr}, {}, "time", true});
     return scope;
 }
 
 void report_duplicate(const Identifier& name, SourceSpan place, const SourceSpan& earlier,
                       Reporter& reporter) {
-    Diagnostic diagnostic =
-        error(fmt::format("'{}' is defined twice", name.text), std::move(place),
-              "rename one of the two");
+    Diagnostic diagnostic = error(fmt::format("'{}' is defined twice", name.text), std::move(place),
+                                  "rename one of the two");
     diagnostic.notes.push_back({earlier, "it is defined here first"});
     reporter.add(std::move(diagnostic));
 }
@@ -130,7 +130,7 @@ private:
         const Statement* let;
         State state;
         std::size_t next_node;  // Where the search for names in its expression goes on.
-        bool failed = false;     // A definition of its own is reported to be wrong.
+        bool failed = false;    // A definition of its own is reported to be wrong.
     };
 
     [[nodiscard]] std::size_t first_node(const Statement& let) const {
@@ -190,9 +190,8 @@ private:
         for (auto i = first; i != path.end(); ++i) {
             lets_[*i].failed = true;
             if (shown <= most_shown) {
-                circle += shown < most_shown
-                              ? fmt::format("{} -> ", lets_[*i].let->name.text)
-                              : std::string("... -> ");
+                circle += shown < most_shown ? fmt::format("{} -> ", lets_[*i].let->name.text)
+                                             : std::string("... -> ");
             }
             ++shown;
         }

@@ -27,9 +27,7 @@ std::vector<std::string> standard_names(std::string_view suffix) {
     return names;
 }
 
-std::string standard_key(std::string_view name) {
-    return fmt::format("standard/{}.cam", name);
-}
+std::string standard_key(std::string_view name) { return fmt::format("standard/{}.cam", name); }
 
 }  // namespace
 
@@ -60,9 +58,9 @@ Module* Session::load(const fs::path& file) {
         return open_standard(standard->name);
     }
     if (!fs::exists(file, failure)) {
-        reporter_.error({}, fmt::format("there is no file '{}' and no standard camera of that name",
-                                        name),
-                        suggestion(name, standard_names(""), "the standard cameras are"));
+        reporter_.error(
+            {}, fmt::format("there is no file '{}' and no standard camera of that name", name),
+            suggestion(name, standard_names(""), "the standard cameras are"));
         return nullptr;
     }
     return open_file(file, name, {});
@@ -91,8 +89,7 @@ bool Session::known(const std::string& key, const SourceSpan& asked, Module*& fo
     return found != nullptr;
 }
 
-Module* Session::open_file(const fs::path& file, const std::string& name,
-                           const SourceSpan& asked) {
+Module* Session::open_file(const fs::path& file, const std::string& name, const SourceSpan& asked) {
     std::error_code failure;
     const fs::path canonical = fs::weakly_canonical(file, failure);
     const std::string key = failure ? name : canonical.string();
@@ -148,8 +145,8 @@ void Session::import(Module& module, const Import& import) {
         return;
     }
     if (opened_.size() >= deepest_imports) {
-        reporter_.error(place, fmt::format("imports nest more than {} files deep",
-                                           deepest_imports));
+        reporter_.error(place,
+                        fmt::format("imports nest more than {} files deep", deepest_imports));
         module.scope->mark_incomplete();
         return;
     }
@@ -158,8 +155,7 @@ void Session::import(Module& module, const Import& import) {
         module.scope->mark_incomplete();
     }
     if (imported == nullptr ||
-        std::find(module.imports.begin(), module.imports.end(), imported) !=
-            module.imports.end()) {
+        std::find(module.imports.begin(), module.imports.end(), imported) != module.imports.end()) {
         return;
     }
     module.imports.push_back(imported);

@@ -20,10 +20,10 @@ namespace balcony::lang {
 /// A file that was read.
 struct Module {
     SyntaxTree tree;
-    std::filesystem::path folder;     ///< Where its imports are looked for first.
-    bool standard = false;            ///< One of the standard cameras' files.
+    std::filesystem::path folder;  ///< Where its imports are looked for first.
+    bool standard = false;         ///< One of the standard cameras' files.
     std::vector<Module*> imports;
-    std::unique_ptr<Scope> scope;     ///< Its lets and those of its imports.
+    std::unique_ptr<Scope> scope;  ///< Its lets and those of its imports.
 };
 
 /// A camera and the file that it is in.

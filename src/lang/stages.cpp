@@ -4,12 +4,9 @@
 #include "lang/stages.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
+#include <array>
 
 #include <fmt/format.h>
-
-#include "lang/evaluate.hpp"
 
 namespace balcony::lang {
 
@@ -21,7 +18,6 @@ using camera::Scalar;
 using camera::StageEntry;
 using camera::StageKind;
 using camera::StageParameter;
-using camera::Unit;
 
 // The statements that stages of a kind belong to.
 std::string_view statement_for(StageKind kind) {
@@ -50,37 +46,6 @@ std::vector<std::string> names_of_kind(StageKind kind) {
     return names;
 }
 
-std::size_t count_of(ParameterType type) {
-    switch (type) {
-        case ParameterType::pair:
-        case ParameterType::size: return 2;
-        case ParameterType::triple:
-        case ParameterType::axis: return 3;
-        default: return 1;
-    }
-}
-
-// A number as a user would write it.
-std::string written(double value, Unit unit) {
-    if (unit == Unit::angle) {
-        return fmt::format("{:.6g}deg", value * 180.0 / std::numbers::pi);
-    }
-    return fmt::format("{:.6g}", value);
-}
-
-std::string range_text(const StageParameter& parameter) {
-    const bool has_least = std::isfinite(parameter.least);
-    const bool has_most = std::isfinite(parameter.most);
-    const std::string least = written(parameter.least, parameter.unit);
-    const std::string most = written(parameter.most, parameter.unit);
-    const char* from = parameter.above_least ? "above" : "at least";
-    if (has_least && has_most) {
-        return parameter.above_least ? fmt::format("above {} and at most {}", least, most)
-                                     : fmt::format("from {} to {}", least, most);
-    }
-    return has_least ? fmt::format("{} {}", from, least) : fmt::format("at most {}", most);
-}
-
 std::string formula_signature(const StageEntry& row) {
     static constexpr std::array<std::string_view, 3> space = {"x", "y", "z"};
     static constexpr std::array<std::string_view, 2> parameter = {"u", "v"};
@@ -92,16 +57,12 @@ std::string formula_signature(const StageEntry& row) {
     }
     static constexpr std::array<std::string_view, 4> forms = {"[]", "[a]", "[a, b]", "[a, b, c]"};
     const auto form = [](std::size_t count) { return forms[std::min(count, forms.size() - 1)]; };
-    std::string text = fmt::format("{}({}) = {}", row.name, names,
-                                   form(row.formula->results_least));
+    std::string text =
+        fmt::format("{}({}) = {}", row.name, names, form(row.formula->results_least));
     if (row.formula->results_most > row.formula->results_least) {
         text += fmt::format(" or {}", form(row.formula->results_most));
     }
     return text;
-}
-
-std::string numbers_in_words(std::size_t least, std::size_t most) {
-    return least == most ? fmt::format("{}", least) : fmt::format("{} or {}", least, most);
 }
 
 }  // namespace
@@ -112,8 +73,8 @@ std::string signature(const StageEntry& row) {
     }
     std::string text = fmt::format("{}(", row.name);
     for (const StageParameter& parameter : row.parameters) {
-        text += fmt::format("{}{}", &parameter == &row.parameters.front() ? "" : ", ",
-                            parameter.name);
+        text +=
+            fmt::format("{}{}", &parameter == &row.parameters.front() ? "" : ", ", parameter.name);
     }
     return text + ")";
 }
@@ -232,8 +193,7 @@ bool StageBuilder::assign(const StageEntry& row, const Expression& call,
     return good;
 }
 
-const StageParameter* StageBuilder::named_parameter(const StageEntry& row,
-                                                    const Identifier& name) {
+const StageParameter* StageBuilder::named_parameter(const StageEntry& row, const Identifier& name) {
     std::vector<std::string> known;
     for (const StageParameter& parameter : row.parameters) {
         if (parameter.name == name.text) {
@@ -245,24 +205,6 @@ const StageParameter* StageBuilder::named_parameter(const StageEntry& row,
           known.empty() ? fmt::format("'{}' takes no arguments", row.name)
                         : suggestion(name.text, known, "its arguments are"));
     return nullptr;
-}
-
-bool StageBuilder::set_default(const StageEntry& row, const StageParameter& parameter, Span call,
-                               Arguments& arguments) {
-    if (parameter.type == ParameterType::choice) {
-        arguments.set(parameter.name, std::string(parameter.choices.front()));
-        return true;
-    }
-    if (parameter.default_value.empty()) {
-        error(call, fmt::format("'{}' is not given its '{}' ({})", row.name, parameter.name,
-                                parameter.meaning),
-              fmt::format("it is written {}", signature(row)));
-        return false;
-    }
-    std::vector<Scalar> values(parameter.default_value.begin(), parameter.default_value.end());
-    values.resize(count_of(parameter.type), values.back());
-    arguments.set(parameter.name, std::move(values));
-    return true;
 }
 
 bool StageBuilder::set_argument(const StageEntry& row, const StageParameter& parameter,
@@ -313,9 +255,9 @@ camera::ObjectGeneratorPointer StageBuilder::curve(const StageEntry& row,
     const Expression& node = tree_[given];
     if (node.kind != ExpressionKind::name && node.kind != ExpressionKind::call &&
         node.kind != ExpressionKind::formula) {
-        error(node.span, fmt::format("'{}' of '{}' is a curve, but this is {}", parameter.name,
-                                     row.name,
-                                     node.kind == ExpressionKind::tuple ? "a tuple" : "a number"),
+        error(node.span,
+              fmt::format("'{}' of '{}' is a curve, but this is {}", parameter.name, row.name,
+                          node.kind == ExpressionKind::tuple ? "a tuple" : "a number"),
               "write a curve such as circle(1) or curve(u) = [cos(u), sin(u)]");
         return nullptr;
     }
@@ -327,212 +269,6 @@ camera::ObjectGeneratorPointer StageBuilder::curve(const StageEntry& row,
         return nullptr;
     }
     return made;
-}
-
-// --------------------------------------------------------------------------------------- numbers
-
-std::optional<std::vector<double>> StageBuilder::named_axis(const Expression& node) {
-    const bool negative = node.kind == ExpressionKind::operation && node.name.text == "-" &&
-                          node.arguments.size() == 1;
-    const Expression& named = negative ? tree_[node.arguments[0].value] : node;
-    const std::string_view axes = "xyz";
-    if (named.kind != ExpressionKind::name || named.name.text.size() != 1 ||
-        axes.find(named.name.text) == std::string_view::npos) {
-        return std::nullopt;
-    }
-    std::vector<double> direction(3, 0.0);
-    direction[axes.find(named.name.text)] = negative ? -1.0 : 1.0;
-    return direction;
-}
-
-std::optional<std::vector<Scalar>> StageBuilder::numbers(const StageEntry& row,
-                                                         const StageParameter& parameter,
-                                                         ExpressionId given) {
-    const Expression& node = tree_[given];
-    const std::size_t count = count_of(parameter.type);
-    if (parameter.type == ParameterType::axis) {
-        if (const auto direction = named_axis(node)) {
-            return std::vector<Scalar>(direction->begin(), direction->end());
-        }
-    }
-    const bool one = node.kind != ExpressionKind::tuple;
-    if (one && (count == 1 || parameter.type == ParameterType::size)) {
-        const std::optional<Scalar> value = number(row, parameter, given);
-        return value ? std::optional(std::vector<Scalar>(count, *value)) : std::nullopt;
-    }
-    if (one || node.arguments.size() != count) {
-        const std::string form = count == 1   ? "one number"
-                                 : count == 2 ? "two numbers, (a, b)"
-                                              : "three numbers, (a, b, c)";
-        error(node.span,
-              fmt::format("'{}' of '{}' is {}{}{}, but {}", parameter.name, row.name, form,
-                          parameter.type == ParameterType::axis ? ", or x, y or z" : "",
-                          parameter.type == ParameterType::size ? ", or one for both" : "",
-                          one ? "this is one number"
-                              : fmt::format("these are {}", node.arguments.size())));
-        return std::nullopt;
-    }
-    std::vector<Scalar> values;
-    for (const Argument& element : node.arguments) {
-        if (const std::optional<Scalar> value = number(row, parameter, element.value)) {
-            values.push_back(*value);
-        }
-    }
-    return values.size() == count ? std::optional(std::move(values)) : std::nullopt;
-}
-
-std::optional<Scalar> StageBuilder::number(const StageEntry& row, const StageParameter& parameter,
-                                           ExpressionId given) {
-    const Value value = evaluate(tree_, given, scope_, *graph_, reporter_);
-    if (value.failed() || !fits(row, parameter, value, tree_[given].span)) {
-        return std::nullopt;
-    }
-    if (value.is_constant()) {
-        return Scalar(value.constant());
-    }
-    return Scalar(camera::Formula(graph_, {}, {value.expr}));
-}
-
-bool StageBuilder::fits(const StageEntry& row, const StageParameter& parameter, const Value& value,
-                        Span span) {
-    const std::string what = fmt::format("'{}' of '{}'", parameter.name, row.name);
-    if (parameter.unit == Unit::number && value.is_angle()) {
-        error(span, fmt::format("{} is a plain number, but this is an angle", what),
-              "leave out deg or rad, or divide the angle by 1rad");
-        return false;
-    }
-    if (parameter.unit == Unit::angle && value.is_plain_number()) {
-        const bool literal = tree_.text(span).find_first_not_of("0123456789.") == std::string::npos;
-        error(span, fmt::format("{} is an angle, but this is a plain number", what),
-              literal ? fmt::format("write {0}deg or {0}rad", tree_.text(span))
-                      : "multiply it by 1rad if it counts radians, by 1deg if degrees");
-        return false;
-    }
-    if (!value.is_constant()) {
-        return true;
-    }
-    const double number = value.constant();
-    const bool too_small =
-        parameter.above_least ? number <= parameter.least : number < parameter.least;
-    if (too_small || number > parameter.most) {
-        error(span, fmt::format("{} must be {}, but is {}", what, range_text(parameter),
-                                written(number, parameter.unit)));
-        return false;
-    }
-    return true;
-}
-
-camera::PictureMapperPointer StageBuilder::make_mapper(std::string_view name,
-                                                       std::span<const ExpressionId> values,
-                                                       Span span) {
-    const StageEntry* row = camera::find_stage(StageKind::picture_mapper, name);
-    assert(row != nullptr && row->parameters.size() == values.size());
-    Arguments arguments;
-    bool good = true;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        good = set_argument(*row, row->parameters[i], values[i], arguments) && good;
-    }
-    return good ? std::static_pointer_cast<const camera::PictureMapper>(
-                      make_from_row(*row, arguments, span))
-                : nullptr;
-}
-
-camera::DirectionRulePointer StageBuilder::make_default_rule(std::string_view name, Span span) {
-    const StageEntry* row = camera::find_stage(StageKind::direction_rule, name);
-    assert(row != nullptr);
-    Arguments arguments;
-    bool good = true;
-    for (const StageParameter& parameter : row->parameters) {
-        good = set_default(*row, parameter, span, arguments) && good;
-    }
-    return good ? std::static_pointer_cast<const camera::DirectionRule>(
-                      make_from_row(*row, arguments, span))
-                : nullptr;
-}
-
-std::optional<double> StageBuilder::constant(ExpressionId id, std::string_view what) {
-    const Value value = evaluate(tree_, id, scope_, *graph_, reporter_);
-    if (value.failed()) {
-        return std::nullopt;
-    }
-    if (value.is_angle()) {
-        error(tree_[id].span, fmt::format("{} is a plain number, but this is an angle", what));
-        return std::nullopt;
-    }
-    if (!value.is_constant()) {
-        error(tree_[id].span, fmt::format("{} cannot change with time", what));
-        return std::nullopt;
-    }
-    return value.constant();
-}
-
-// -------------------------------------------------------------------------------------- formulas
-
-std::optional<camera::Formula> StageBuilder::formula(const StageEntry& row,
-                                                     const Expression& node) {
-    const camera::FormulaShape& shape = *row.formula;
-    if (node.kind != ExpressionKind::formula) {
-        error(node.span, fmt::format("'{}' is made from a formula", row.name),
-              fmt::format("it is written {}", signature(row)));
-        return std::nullopt;
-    }
-    if (node.parameters.size() != shape.parameters) {
-        error(node.name.span,
-              fmt::format("the formula '{}' has {} parameter{}, but this one has {}", row.name,
-                          shape.parameters, shape.parameters == 1 ? "" : "s",
-                          node.parameters.size()),
-              fmt::format("it is written {}", signature(row)));
-        return std::nullopt;
-    }
-    if (node.arguments.size() < shape.results_least || node.arguments.size() > shape.results_most) {
-        error(node.span,
-              fmt::format("the formula '{}' has {} results, but this one has {}", row.name,
-                          numbers_in_words(shape.results_least, shape.results_most),
-                          node.arguments.size()),
-              fmt::format("it is written {}", signature(row)));
-        return std::nullopt;
-    }
-    Scope scope(&scope_);
-    std::vector<expr::Expr> variables;
-    for (const Identifier& name : node.parameters) {
-        const SourceSpan place = tree_.at(name.span);
-        if (name.text == "t" || name.text == "pi") {
-            error(name.span, fmt::format("'{}' is taken: it is {}", name.text,
-                                         name.text == "t" ? "time" : "the number 3.14159..."),
-                  "choose another name, such as u");
-            return std::nullopt;
-        }
-        variables.push_back(graph_->fresh_variable());
-        const Value value{variables.back(), Dimension::either, nullptr};
-        if (!scope.define(name.text, {value, place, "parameter", true})) {
-            report_duplicate(name, place, scope.find_here(name.text)->place, reporter_);
-            return std::nullopt;
-        }
-    }
-    const auto results = formula_results(row, node, scope);
-    return results ? std::optional(camera::Formula(graph_, std::move(variables), *results))
-                   : std::nullopt;
-}
-
-std::optional<std::vector<expr::Expr>> StageBuilder::formula_results(const StageEntry& row,
-                                                                     const Expression& node,
-                                                                     Scope& scope) {
-    std::vector<expr::Expr> results;
-    for (const Argument& result : node.arguments) {
-        const Value value = evaluate(tree_, result.value, scope, *graph_, reporter_);
-        if (value.failed()) {
-            continue;
-        }
-        if (value.is_angle() && row.kind != StageKind::parameter_transformer) {
-            error(tree_[result.value].span,
-                  fmt::format("the results of '{}' are lengths, but this is an angle", row.name),
-                  "divide it by 1rad for the number of radians");
-            continue;
-        }
-        results.push_back(value.expr);
-    }
-    return results.size() == node.arguments.size() ? std::optional(std::move(results))
-                                                   : std::nullopt;
 }
 
 }  // namespace balcony::lang

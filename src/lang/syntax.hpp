@@ -44,8 +44,8 @@ struct Expression {
     ExpressionKind kind = ExpressionKind::number;
     Span span;
     ExpressionId first;
-    Identifier name;                     ///< The name or operator, where it is written.
-    double value = 0.0;                  ///< Of a number, its unit aside.
+    Identifier name;     ///< The name or operator, where it is written.
+    double value = 0.0;  ///< Of a number, its unit aside.
     NumberUnit unit = NumberUnit::none;
     std::vector<Argument> arguments;     ///< Operands, arguments, elements, results.
     std::vector<Identifier> parameters;  ///< Of a formula.

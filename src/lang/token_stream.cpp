@@ -47,7 +47,8 @@ bool TokenStream::expect_closing(std::string_view symbol, Span opening) {
         Diagnostic diagnostic = balcony::error(
             fmt::format("expected {}'{}', but {}", or_comma, symbol, found()), at(peek().span));
         const char* bracket = symbol == "}" ? "{" : symbol == "]" ? "[" : "(";
-        diagnostic.notes.push_back({at(opening), fmt::format("this is the '{}' to close", bracket)});
+        diagnostic.notes.push_back(
+            {at(opening), fmt::format("this is the '{}' to close", bracket)});
         reporter_->add(std::move(diagnostic));
     }
     return false;

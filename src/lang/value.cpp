@@ -71,16 +71,17 @@ DimensionResult mismatch(std::string error, std::string remedy = as_a_number) {
 
 // The common unit of operands that must agree; a zero and a formula's parameter agree with all.
 DimensionResult common(const Function& function, std::span<const Value> operands) {
-    const bool angle = std::any_of(operands.begin(), operands.end(),
-                                   [](const Value& v) { return v.is_angle(); });
+    const bool angle =
+        std::any_of(operands.begin(), operands.end(), [](const Value& v) { return v.is_angle(); });
     const bool number = std::any_of(operands.begin(), operands.end(),
                                     [](const Value& v) { return v.is_plain_number(); });
     if (angle && number) {
         const bool call = std::all_of(function.name.begin(), function.name.end(),
                                       [](char c) { return c >= 'a' && c <= 'z'; });
-        return mismatch(fmt::format("'{}' {} an angle and a plain number", function.name,
-                                    call ? "is given" : "stands between"),
-                        "write the number as an angle (30deg, 0.5rad), or divide the angle by 1rad");
+        return mismatch(
+            fmt::format("'{}' {} an angle and a plain number", function.name,
+                        call ? "is given" : "stands between"),
+            "write the number as an angle (30deg, 0.5rad), or divide the angle by 1rad");
     }
     if (angle) {
         return {Dimension::angle, {}, {}};
@@ -111,11 +112,11 @@ DimensionResult quotient(const Value& a, const Value& b) {
 }
 
 DimensionResult plain(const Function& function, std::span<const Value> operands, Dimension made) {
-    const bool angle = std::any_of(operands.begin(), operands.end(),
-                                   [](const Value& v) { return v.is_angle(); });
+    const bool angle =
+        std::any_of(operands.begin(), operands.end(), [](const Value& v) { return v.is_angle(); });
     if (angle) {
-        return mismatch(fmt::format("'{}' takes plain numbers, and this is an angle",
-                                    function.name));
+        return mismatch(
+            fmt::format("'{}' takes plain numbers, and this is an angle", function.name));
     }
     return {made, {}, {}};
 }
@@ -136,8 +137,9 @@ DimensionResult dimension_of(const Function& function, std::span<const Value> op
         case Op::select: return common(function, operands.subspan(1));
         case Op::less:
         case Op::less_equal:
-        case Op::equal: return {Dimension::number, common(function, operands).error,
-                                common(function, operands).remedy};
+        case Op::equal:
+            return {Dimension::number, common(function, operands).error,
+                    common(function, operands).remedy};
         case Op::sign:
         case Op::is_finite:
         case Op::sine:
@@ -162,10 +164,9 @@ const Function* find_function(std::string_view name) {
 }
 
 const Function* find_operator(std::string_view symbol, std::size_t arity) {
-    const auto row =
-        std::find_if(operators().begin(), operators().end(), [symbol, arity](const Function& f) {
-            return f.name == symbol && f.arity == arity;
-        });
+    const auto row = std::find_if(
+        operators().begin(), operators().end(),
+        [symbol, arity](const Function& f) { return f.name == symbol && f.arity == arity; });
     return row == operators().end() ? nullptr : &*row;
 }
 

@@ -59,9 +59,7 @@ INSTANTIATE_TEST_SUITE_P(All, BadFile, testing::ValuesIn(bad_files()), [](const 
     return name;
 });
 
-std::string name(int i) {
-    return test::joined({"a", std::to_string(i)});
-}
+std::string name(int i) { return test::joined({"a", std::to_string(i)}); }
 
 std::string let(int i, std::string_view value) {
     return test::joined({"let ", name(i), " = ", value, "\n"});
@@ -73,18 +71,19 @@ TEST(GeneratedBadFile, FiftyMegabytesAreRefusedUnread) {
     const test::TemporaryFolder folder;
     const fs::path file = folder.write("large.cam", "");
     fs::resize_file(file, 50'000'000);
-    EXPECT_EQ(to_text(check(file)),
-              test::joined({"error: '", file.string(),
-                            "' is larger than 1 MB, which no camera file is\n"
-                            "  help: check that it is the file you mean\n"}));
+    EXPECT_EQ(to_text(check(file)), test::joined({"error: '", file.string(),
+                                                  "' is larger than 1 MB, which no camera file is\n"
+                                                  "  help: check that it is the file you mean\n"}));
 }
 
 TEST(GeneratedBadFile, ZeroBytesGiveOneError) {
     const test::TemporaryFolder folder;
-    const fs::path file = folder.write("binary.cam", test::joined({"camera a {", std::string(5000, '\0')}));
+    const fs::path file =
+        folder.write("binary.cam", test::joined({"camera a {", std::string(5000, '\0')}));
     const Diagnostics said = check(file);
     ASSERT_EQ(said.size(), 1U);
-    EXPECT_EQ(said[0].message, test::joined({"'", file.string(), "' is not a text file: byte 11 of it is zero"}));
+    EXPECT_EQ(said[0].message,
+              test::joined({"'", file.string(), "' is not a text file: byte 11 of it is zero"}));
 }
 
 TEST(GeneratedBadFile, RubbishGivesOneError) {
@@ -100,7 +99,8 @@ TEST(GeneratedBadFile, AFolderIsNoFile) {
     const test::TemporaryFolder folder;
     const Diagnostics said = check(folder.path());
     ASSERT_EQ(said.size(), 1U);
-    EXPECT_EQ(said[0].message, test::joined({"'", folder.path().string(), "' is a folder, not a file"}));
+    EXPECT_EQ(said[0].message,
+              test::joined({"'", folder.path().string(), "' is a folder, not a file"}));
 }
 
 TEST(GeneratedBadFile, NestingIsBounded) {

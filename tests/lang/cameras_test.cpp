@@ -209,9 +209,10 @@ TEST(Statements, LookDefaultsToRelativeOrNormal) {
 }
 
 TEST(Statements, AStageWithoutParenthesesTakesItsDefaults) {
-    const Ray front = test::ray(made("map u = 0 .. 1, v = square eye plane look normal"), 1, 1, 2, 2);
-    const Ray back =
-        test::ray(made("map u = 0 .. 1, v = square eye plane look normal(side = back)"), 1, 1, 2, 2);
+    const Ray front =
+        test::ray(made("map u = 0 .. 1, v = square eye plane look normal"), 1, 1, 2, 2);
+    const Ray back = test::ray(
+        made("map u = 0 .. 1, v = square eye plane look normal(side = back)"), 1, 1, 2, 2);
     expect_near(front.direction, {1, 0, 0});
     expect_near(back.direction, {-1, 0, 0});
 }
@@ -223,8 +224,9 @@ TEST(Statements, FormulasDependOnParametersLetsAndTime) {
 }
 
 TEST(Statements, PlaceGivesACameraAPart) {
-    const camera::Camera camera = made("place place(from = (0.5, 0), to = (1, 1)) "
-                                       "map u = 0 .. 1, v = 0 .. 1 eye plane");
+    const camera::Camera camera = made(
+        "place place(from = (0.5, 0), to = (1, 1)) "
+        "map u = 0 .. 1, v = 0 .. 1 eye plane");
     EXPECT_FALSE(test::ray(camera, 40, 50, 100, 100).valid);
     expect_near(test::ray(camera, 75, 50, 100, 100).origin, {0, 0.5, 0.5});
 }

@@ -48,17 +48,19 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"2^3^2", 512}, Case{"-3^2", -9}, Case{"(-3)^2", 9}, Case{"2^-1", 0.5},
         Case{"-2 * -3", 6}, Case{"2*3^2", 18}, Case{"1e-3 * 1e3", 1}, Case{".5 + 1.", 1.5},
         // Conditions.
-        Case{"1 < 2", 1}, Case{"2 <= 1", 0}, Case{"2 > 1 && 3 >= 3", 1}, Case{"1 == 2 || !(1 != 2)", 0},
-        Case{"1 + 1 == 2 && 2 < 3", 1}, Case{"if(1 < 2, 10, 20)", 10}, Case{"select(0, 10, 20)", 20},
-        Case{"if(0 == 0, 5, 1/0)", 5}, Case{"if(1 == 0, sqrt(-1), 6)", 6},
+        Case{"1 < 2", 1}, Case{"2 <= 1", 0}, Case{"2 > 1 && 3 >= 3", 1},
+        Case{"1 == 2 || !(1 != 2)", 0}, Case{"1 + 1 == 2 && 2 < 3", 1},
+        Case{"if(1 < 2, 10, 20)", 10}, Case{"select(0, 10, 20)", 20}, Case{"if(0 == 0, 5, 1/0)", 5},
+        Case{"if(1 == 0, sqrt(-1), 6)", 6},
         // Angles.
         Case{"180deg / 1rad", pi}, Case{"90deg / 30deg", 3}, Case{"sin(30deg)", 0.5},
         Case{"cos(pi)", -1}, Case{"atan2(1, 1) / 1deg", 45}, Case{"acos(0.5) / 1deg", 60},
         Case{"(0 + 30deg) / 1deg", 30}, Case{"tan(pi/8 * 1rad)", std::tan(pi / 8)},
         Case{"max(30deg, 1rad) / 1rad", 1}, Case{"mod(370deg, 360deg) / 1deg", 10},
         // Functions.
-        Case{"sqrt(2)", std::sqrt(2.0)}, Case{"exp(1)", std::exp(1.0)}, Case{"log(10)", std::log(10)},
-        Case{"pow(2, 0.5)", std::sqrt(2.0)}, Case{"spow(-8, 1/3)", -2}, Case{"spow(4, 0.5)", 2},
+        Case{"sqrt(2)", std::sqrt(2.0)}, Case{"exp(1)", std::exp(1.0)},
+        Case{"log(10)", std::log(10)}, Case{"pow(2, 0.5)", std::sqrt(2.0)},
+        Case{"spow(-8, 1/3)", -2}, Case{"spow(4, 0.5)", 2},
         Case{"abs(-2) + sign(-3) + floor(-0.5)", 0}, Case{"min(1, 2) + max(3, 4)", 5},
         Case{"mod(-1, 3)", 2}, Case{"sinh(1) + cosh(1) - exp(1)", 0}, Case{"asinh(sinh(2))", 2},
         Case{"atanh(tanh(0.5)) + acosh(cosh(2))", 2.5}, Case{"is_finite(1)", 1}));
@@ -81,8 +83,8 @@ TEST(Expression, EveryOperationOfTheGraphCanBeWritten) {
             text += "1.0";
         }
         text += row.name == "atanh" ? "/2)" : ")";
-        const bool angle = row.name == "asin" || row.name == "acos" || row.name == "atan" ||
-                           row.name == "atan2";
+        const bool angle =
+            row.name == "asin" || row.name == "acos" || row.name == "atan" || row.name == "atan2";
         value_of(angle ? text + "/1rad" : text);
     }
 }

@@ -35,8 +35,9 @@ TEST(Load, ErrorsOfOtherCamerasDoNotMatter) {
 }
 
 TEST(Load, OverridesReplaceDefaults) {
-    const std::string text = "let k = 5 camera a(r = 1, s = 2*r) "
-                             "{ map u = 0 .. 1, v = square eye sphere(s) }";
+    const std::string text =
+        "let k = 5 camera a(r = 1, s = 2*r) "
+        "{ map u = 0 .. 1, v = square eye sphere(s) }";
     EXPECT_EQ(radius_of(test::make(text)), 2.0);
     EXPECT_EQ(radius_of(test::make(text, {{"r", "1/2"}})), 1.0);
     EXPECT_EQ(radius_of(test::make(text, {{"s", "r + k"}})), 6.0);
@@ -44,9 +45,10 @@ TEST(Load, OverridesReplaceDefaults) {
 }
 
 TEST(Load, WrongOverridesAreErrors) {
-    const std::string text = "camera a(radius = 1, turn = 30deg, free = 0) "
-                             "{ map u = 0 .. 1, v = square eye sphere(radius) "
-                             "move rotate(z, turn), rotate(x, free) }";
+    const std::string text =
+        "camera a(radius = 1, turn = 30deg, free = 0) "
+        "{ map u = 0 .. 1, v = square eye sphere(radius) "
+        "move rotate(z, turn), rotate(x, free) }";
     const auto error_of = [&text](const char* name, const char* value) {
         const Result<camera::Camera> made = test::make(text, {{name, value}});
         EXPECT_FALSE(made);
@@ -87,9 +89,10 @@ TEST(Load, ImportsBringLetsAndCameras) {
     const test::TemporaryFolder folder;
     folder.write("lengths.cam", "let k = 3");
     folder.write("more.cam", "import \"lengths.cam\" let m = k + 1 camera more(r = m) " + plain);
-    const auto file = folder.write("main.cam", "import \"more.cam\" import \"lengths.cam\" "
-                                               "import \"pinhole.cam\" camera a(r = k + m) " +
-                                                   plain);
+    const auto file = folder.write("main.cam",
+                                   "import \"more.cam\" import \"lengths.cam\" "
+                                   "import \"pinhole.cam\" camera a(r = k + m) " +
+                                       plain);
     EXPECT_EQ(radius_of(load_camera(file, "")), 7.0);
     EXPECT_EQ(radius_of(load_camera(file, "more")), 4.0);
     EXPECT_TRUE(load_camera(file, "pinhole"));
@@ -120,9 +123,10 @@ TEST(Load, UnknownFilesGetASuggestion) {
 
 TEST(Load, DescribesCameras) {
     const test::TemporaryFolder folder;
-    const auto file = folder.write("a.cam", "// Not this.\n\n// First line,\n// second line.\n"
-                                            "camera a(r = 1 + 2, turn = 30deg) " +
-                                                plain + "\ncamera b " + plain);
+    const auto file = folder.write("a.cam",
+                                   "// Not this.\n\n// First line,\n// second line.\n"
+                                   "camera a(r = 1 + 2, turn = 30deg) " +
+                                       plain + "\ncamera b " + plain);
     const auto said = describe(file);
     ASSERT_TRUE(said);
     ASSERT_EQ(said->size(), 2U);
@@ -135,7 +139,10 @@ TEST(Load, DescribesCameras) {
 }
 
 TEST(Load, AByteOrderMarkIsNoError) {
-    EXPECT_TRUE(test::make("\xef\xbb\xbf" "camera a(r = 1) " + plain));
+    EXPECT_TRUE(
+        test::make("\xef\xbb\xbf"
+                   "camera a(r = 1) " +
+                   plain));
 }
 
 TEST(Load, WarningsComeWithTheCamera) {

@@ -59,8 +59,8 @@ private:
 
     void change(std::string& text) {
         static constexpr std::array<std::string_view, 22> pieces = {
-            "(", ")", "{", "}", "[", "]", ",", "=", "..", "\"", "/*", "*/", "//",
-            "-", "^", "0", "1e308", "t", "deg", "\xcf\x80", "camera ", "map "};
+            "(",  ")",  "{", "}", "[", "]",     ",", "=",   "..",       "\"",      "/*",
+            "*/", "//", "-", "^", "0", "1e308", "t", "deg", "\xcf\x80", "camera ", "map "};
         const std::size_t at = below(text.size() + 1);
         switch (below(5)) {
             case 0: text.insert(at, pieces[below(pieces.size())]); break;
