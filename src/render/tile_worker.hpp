@@ -24,7 +24,7 @@ struct PixelTile {
 };
 
 /// The largest tile. Its grid of rays has a column and a row more, for differences.
-inline constexpr std::size_t tile_width = 31;
+inline constexpr std::size_t tile_width = 63;
 inline constexpr std::size_t tile_height = 31;
 static_assert(tile_width < program::max_tile_width && tile_height < program::max_tile_height);
 

@@ -43,6 +43,12 @@ void record_error(void* user, RTCError, const char* message) {
     }
 }
 
+// Geometries of the world are numbered as the scene's instances are; inside an instance of a shared
+// mesh the instance has the number.
+Hit to_hit(unsigned instance, unsigned geometry, unsigned triangle, float u, float v) {
+    return {instance != RTC_INVALID_GEOMETRY_ID ? instance : geometry, triangle, u, v};
+}
+
 struct ShadowQuery {
     RTCIntersectContext context;  // First, so that a filter can find the rest from it.
     const OpacitySource* opacities;
@@ -57,12 +63,10 @@ void pass_transparent(const RTCFilterFunctionNArguments* arguments) {
         if (arguments->valid[i] != -1) {
             continue;
         }
-        const unsigned instance = RTCHitN_instID(arguments->hit, count, i, 0);
-        const Hit hit{instance != RTC_INVALID_GEOMETRY_ID
-                          ? instance
-                          : RTCHitN_geomID(arguments->hit, count, i),
-                      RTCHitN_primID(arguments->hit, count, i), RTCHitN_u(arguments->hit, count, i),
-                      RTCHitN_v(arguments->hit, count, i)};
+        const Hit hit = to_hit(
+            RTCHitN_instID(arguments->hit, count, i, 0), RTCHitN_geomID(arguments->hit, count, i),
+            RTCHitN_primID(arguments->hit, count, i), RTCHitN_u(arguments->hit, count, i),
+            RTCHitN_v(arguments->hit, count, i));
         query->transmittance *= 1.0F - query->opacities->opacity(hit);
         if (query->transmittance > 0.0F) {
             arguments->valid[i] = 0;
@@ -135,6 +139,44 @@ RTCRayHit to_ray_hit(const Ray& ray) {
     return query;
 }
 
+// Rays that are traced together: a square of pixels.
+constexpr std::size_t packet_side = 4;
+constexpr std::size_t packet_size = packet_side * packet_side;
+
+void intersect_packet(RTCScene world, std::span<const std::size_t> indices,
+                      std::span<const Ray> rays, std::span<Hit> hits) {
+    if (indices.empty()) {
+        return;
+    }
+    alignas(64) std::array<int, packet_size> valid{};
+    RTCRayHit16 packet{};
+    for (std::size_t lane = 0; lane < indices.size(); ++lane) {
+        const Ray& ray = rays[indices[lane]];
+        valid[lane] = -1;
+        packet.ray.org_x[lane] = ray.origin.x;
+        packet.ray.org_y[lane] = ray.origin.y;
+        packet.ray.org_z[lane] = ray.origin.z;
+        packet.ray.dir_x[lane] = ray.direction.x;
+        packet.ray.dir_y[lane] = ray.direction.y;
+        packet.ray.dir_z[lane] = ray.direction.z;
+        packet.ray.tfar[lane] = ray.farthest;
+        packet.ray.mask[lane] = 0xffffffffU;
+        packet.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
+        packet.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
+    }
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcIntersect16(valid.data(), world, &context, &packet);
+    for (std::size_t lane = 0; lane < indices.size(); ++lane) {
+        if (packet.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID) {
+            hits[indices[lane]] = to_hit(packet.hit.instID[0][lane], packet.hit.geomID[lane],
+                                         packet.hit.primID[lane], packet.hit.u[lane],
+                                         packet.hit.v[lane]);
+        }
+    }
+}
+
 }  // namespace
 
 struct Accelerator::State {
@@ -155,8 +197,7 @@ Result<Accelerator> Accelerator::build(const scene::Scene& scene) {
 
     state->world = make_scene(device);
     state->meshes.resize(scene.meshes.size());
-    // A mesh with one instance goes into the world directly, which is faster to trace. Geometries
-    // of the world are numbered as the instances are.
+    // A mesh with one instance goes into the world directly, which is faster to trace.
     const std::vector<std::size_t> uses = count_uses(scene);
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const scene::Instance& instance = scene.instances[i];
@@ -196,15 +237,28 @@ Hit Accelerator::intersect(const Ray& ray) const {
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
         return {};
     }
-    const unsigned instance = query.hit.instID[0];
-    return {instance != RTC_INVALID_GEOMETRY_ID ? instance : query.hit.geomID, query.hit.primID,
-            query.hit.u, query.hit.v};
+    return to_hit(query.hit.instID[0], query.hit.geomID, query.hit.primID, query.hit.u,
+                  query.hit.v);
 }
 
-void Accelerator::intersect(std::span<const Ray> rays, std::span<const std::uint8_t> active,
-                            std::span<Hit> hits) const {
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        hits[i] = active[i] != 0 ? intersect(rays[i]) : Hit{};
+void Accelerator::intersect_grid(std::size_t width, std::span<const Ray> rays,
+                                 std::span<const std::uint8_t> active,
+                                 std::span<Hit> hits) const {
+    const std::size_t height = rays.size() / width;
+    std::array<std::size_t, packet_size> indices{};
+    for (std::size_t y = 0; y < height; y += packet_side) {
+        for (std::size_t x = 0; x < width; x += packet_side) {
+            std::size_t count = 0;
+            for (std::size_t j = y; j < std::min(y + packet_side, height); ++j) {
+                for (std::size_t i = x; i < std::min(x + packet_side, width); ++i) {
+                    const std::size_t ray = j * width + i;
+                    hits[ray] = {};
+                    indices[count] = ray;
+                    count += active[ray] != 0 ? 1 : 0;
+                }
+            }
+            intersect_packet(state_->world.get(), std::span(indices).first(count), rays, hits);
+        }
     }
 }
 
