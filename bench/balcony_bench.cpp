@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <numeric>
 
@@ -144,8 +145,11 @@ void print_row(const Case& row) {
 
 }  // namespace balcony::bench
 
-int main() {
-    using namespace balcony;
+namespace {
+
+using namespace balcony;
+
+void print_rays() {
     fmt::print("million rays a second, one core, {} x {} points in tiles of {} x {}\n\n",
                bench::picture_width, bench::picture_height, program::max_tile_width,
                program::max_tile_height);
@@ -156,5 +160,17 @@ int main() {
     fmt::print("{:>11}\n", "difference");
     for (const bench::Case& row : bench::cases()) {
         bench::print_row(row);
+    }
+}
+
+}  // namespace
+
+int main() {
+    try {
+        print_rays();
+        bench::print_frames();
+    } catch (const std::exception& problem) {
+        fmt::print(stderr, "error: {}\n", problem.what());
+        return 1;
     }
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "balcony/camera.hpp"
 #include "balcony/program.hpp"
 
 namespace balcony::bench {
@@ -23,8 +24,14 @@ inline constexpr std::size_t picture_width = 1920;
 inline constexpr std::size_t picture_height = 1080;
 inline constexpr std::size_t ray_roots = 7;
 
-/// The rows of the table.
+/// The rows of the table of rays.
 [[nodiscard]] std::vector<Case> cases();
+
+/// The camera of a text in the camera language; throws what is wrong with it.
+[[nodiscard]] camera::Camera make_camera(const std::string& text);
+
+/// Prints whole frames: what an extended camera adds to the time of a picture.
+void print_frames();
 
 // The constants of the cameras, for the graph and for the loop.
 
