@@ -37,7 +37,9 @@ struct CameraDescription {
 [[nodiscard]] Result<std::vector<CameraDescription>> describe(const std::filesystem::path& file);
 
 /// Makes a camera. `file` is a .cam file or the name of a standard camera; an empty `name` means
-/// the file's last camera. Overrides that the camera does not know are errors.
+/// the file's last camera. Overrides that the camera does not know are errors; of two for one
+/// parameter the last counts. Warnings may come with the camera; --set names the text of an
+/// override in what is said of it.
 [[nodiscard]] Result<camera::Camera> load_camera(const std::filesystem::path& file,
                                                  std::string_view name,
                                                  const std::vector<Override>& overrides = {});

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Good and bad files with random changes: there is a camera or there is an error, never a crash.
+// BALCONY_FUZZ_SEED and BALCONY_FUZZ_SECONDS make it look elsewhere and longer.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <random>
 
 #include "support.hpp"
@@ -78,14 +80,20 @@ private:
     std::mt19937 random_;
 };
 
+unsigned from_environment(const char* name, unsigned otherwise) {
+    const char* text = std::getenv(name);
+    return text == nullptr ? otherwise : static_cast<unsigned>(std::strtoul(text, nullptr, 10));
+}
+
 TEST(Mutation, ThereIsACameraOrAnError) {
     using Clock = std::chrono::steady_clock;
-    constexpr unsigned seed = 1996;
-    constexpr int most_texts = 20'000;
-    const auto end = Clock::now() + std::chrono::seconds(3);
+    const unsigned seed = from_environment("BALCONY_FUZZ_SEED", 1996);
+    const unsigned seconds = from_environment("BALCONY_FUZZ_SECONDS", 3);
+    const unsigned most_texts = 10'000 * seconds;
+    const auto end = Clock::now() + std::chrono::seconds(seconds);
     Mutator mutate(seeds(), seed);
     int made_count = 0;
-    for (int i = 0; i < most_texts && Clock::now() < end; ++i) {
+    for (unsigned i = 0; i < most_texts && Clock::now() < end; ++i) {
         const std::string text = mutate();
         const Result<camera::Camera> made = test::make(text);
         ASSERT_NE(made.value.has_value(), has_errors(made.diagnostics)) << text;
