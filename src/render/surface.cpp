@@ -22,6 +22,13 @@ V3f bent_towards(const V3f& normal, const V3f& to_viewer) {
                                   : (normal + (least_cosine - cosine) * to_viewer).normalized();
 }
 
+// Imath's own product divides by the last co-ordinate, which is 1 here.
+V3f placed(const V3f& p, const Imath::M44f& m) {
+    return {p.x * m[0][0] + p.y * m[1][0] + p.z * m[2][0] + m[3][0],
+            p.x * m[0][1] + p.y * m[1][1] + p.z * m[2][1] + m[3][1],
+            p.x * m[0][2] + p.y * m[1][2] + p.z * m[2][2] + m[3][2]};
+}
+
 bool is_finite(const V2f& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
 }  // namespace
@@ -86,9 +93,9 @@ Surface SurfaceFinder::find(const embree::Hit& hit, const V3f& direction) const 
     const scene::Mesh& m = mesh(hit);
     const Placement& placement = placements_[hit.instance];
     const auto& triangle = m.triangles[hit.triangle];
-    const V3f p0 = m.positions[triangle[0]] * placement.world_from_mesh;
-    const V3f p1 = m.positions[triangle[1]] * placement.world_from_mesh;
-    const V3f p2 = m.positions[triangle[2]] * placement.world_from_mesh;
+    const V3f p0 = placed(m.positions[triangle[0]], placement.world_from_mesh);
+    const V3f p1 = placed(m.positions[triangle[1]], placement.world_from_mesh);
+    const V3f p2 = placed(m.positions[triangle[2]], placement.world_from_mesh);
 
     Surface surface;
     surface.edge_1 = p1 - p0;
