@@ -285,6 +285,7 @@ public:
     using Value =
         std::variant<std::vector<Scalar>, std::string, ObjectGeneratorPointer>;
 
+    /// In the place of an earlier value; the name must outlive this, as a row's does.
     void set(std::string_view name, Value value);
     void set_formula(Formula formula) { formula_ = std::move(formula); }
 

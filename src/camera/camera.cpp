@@ -75,8 +75,9 @@ Result<Camera> Camera::make(Parts parts) {
         }
     }
     if (!(parts.aspect > 0.0 && std::isfinite(parts.aspect))) {
-        said.push_back(error(fmt::format("camera '{}' has the aspect {}, which is not positive",
-                                         parts.name, parts.aspect)));
+        said.push_back(error(fmt::format("camera '{}' has the aspect {}, which is no positive number",
+                                         parts.name, parts.aspect),
+                             {}, "write width by height of the picture, such as 16/9"));
     }
     if (has_errors(said)) {
         return said;
@@ -99,13 +100,14 @@ RayExpressions Camera::emit(Graph& graph, double width, double height) const {
     const ObjectVector direction =
         parts_->look->direction(eye, toward ? &*toward : nullptr, emit);
 
-    // Comparisons with NaN are false, so that these two sums speak for all six values.
+    // A sum of squares is finite only if every term is, so that one speaks for all six values.
+    // Directions so short that their squares lose digits cannot be brought to unit length.
+    constexpr double least_squared_length = 0x1p-960;
     const Expr squared_length = dot(direction, direction);
     const Expr origin_size = eye.point.x * eye.point.x + eye.point.y * eye.point.y +
                              eye.point.z * eye.point.z;
-    emit.require(0.0 < squared_length);
-    emit.require(is_finite(squared_length));
-    emit.require(is_finite(origin_size));
+    emit.require(least_squared_length < squared_length);
+    emit.require(is_finite(squared_length + origin_size));
     return {eye.point, (1.0 / sqrt(squared_length)) * direction, emit.valid(), eye.parameters};
 }
 

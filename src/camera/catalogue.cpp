@@ -47,7 +47,13 @@ const StageEntry* find_stage(StageKind kind, std::string_view name) {
 }
 
 void Arguments::set(std::string_view name, Value value) {
-    values_.emplace_back(name, std::move(value));
+    const auto known = std::find_if(values_.begin(), values_.end(),
+                                    [&](const auto& named) { return named.first == name; });
+    if (known != values_.end()) {
+        known->second = std::move(value);
+    } else {
+        values_.emplace_back(name, std::move(value));
+    }
 }
 
 const Arguments::Value& Arguments::value(std::string_view name) const {

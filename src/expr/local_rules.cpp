@@ -113,10 +113,12 @@ Expr multiply_rules(Graph& graph, Expr a, Expr b) {
             return (c * scaled.factor) * scaled.rest;
         }
     }
-    if (a.op() == Op::negate) {
+    // A sign goes to the outside unless it is changed less often where it is.
+    const Rate rate = rate_of(static_cast<std::uint8_t>(a.node().depends | b.node().depends));
+    if (a.op() == Op::negate && a.rate() == rate) {
         return -(a.argument(0) * b);
     }
-    if (b.op() == Op::negate) {
+    if (b.op() == Op::negate && b.rate() == rate) {
         return -(a * b.argument(0));
     }
     if (a.same(b) && a.op() == Op::absolute) {

@@ -49,19 +49,32 @@ std::optional<SeparatedTerm> separate(Expr term) {
     return std::nullopt;
 }
 
-// coefficient * value, with the coefficient taken into the factor that is computed less often.
-Expr scale(double coefficient, Expr value) {
-    if (value.op() == Op::multiply && coefficient != 1.0 && coefficient != -1.0) {
-        const Expr a = value.argument(0);
-        const Expr b = value.argument(1);
-        if (a.rate() < value.rate()) {
-            return scale(coefficient, a) * b;
-        }
-        if (b.rate() < value.rate()) {
-            return a * scale(coefficient, b);
+Expr scale(double coefficient, Expr value);
+
+// coefficient * value with the coefficient in a factor that is computed less often, if there is
+// one among the factors or, that many levels down, among their factors.
+Expr scaled_within(double coefficient, Expr value, int levels) {
+    if (value.op() != Op::multiply || levels == 0) {
+        return {};
+    }
+    for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+        if (value.argument(i).rate() < value.rate()) {
+            return scale(coefficient, value.argument(i)) * value.argument(1 - i);
         }
     }
-    return coefficient * value;
+    for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+        const Expr inner = scaled_within(coefficient, value.argument(i), levels - 1);
+        if (inner.valid()) {
+            return inner * value.argument(1 - i);
+        }
+    }
+    return {};
+}
+
+Expr scale(double coefficient, Expr value) {
+    constexpr int levels = 2;
+    const Expr within = coefficient != 1.0 ? scaled_within(coefficient, value, levels) : Expr{};
+    return within.valid() ? within : coefficient * value;
 }
 
 constexpr std::size_t rate_count = static_cast<std::size_t>(Rate::pixel) + 1;

@@ -207,7 +207,8 @@ Result<std::shared_ptr<const Stage>> make_superhyperbola(const Arguments& a) {
     return make_superconic<AngleCentreSuperhyperbola>(a);
 }
 
-// Below the least gamma the corners are sharper than the arc-length table resolves.
+// Below the least gamma the corners are sharper than the arc-length table resolves, above the most
+// the points reach the centre.
 StageParameter gamma_parameter() {
     return {.name = "gamma", .default_value = {1.0}, .least = 0.05, .most = 20.0,
             .meaning = "superconic parameter: 1 is the conic, less is more square"};
@@ -229,7 +230,8 @@ std::vector<StageEntry> superconics() {
           {.name = "by", .type = choice,
            .choices = {"angle_centre", "trigonometric", "arc_length"},
            .meaning = "the parametrisation: u is the polar angle before a and b are applied, the "
-                      "classical parameter, or proportional to the length (the whole is 360deg)"}},
+                      "classical parameter, or proportional to the length (the whole is 360deg; "
+                      "off by less than 1e-7 of the whole in proportions of up to 10, gamma <= 2)"}},
          make_superellipse,
          {}, 1},
         {kind, "superhyperbola",

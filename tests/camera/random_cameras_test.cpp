@@ -1,0 +1,112 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Cameras put together at random from the whole catalogue.
+
+#include <random>
+
+#include "support.hpp"
+
+namespace balcony::camera {
+
+namespace {
+
+class Random {
+public:
+    explicit Random(unsigned seed) : engine_(seed) {}
+
+    Camera camera() {
+        Camera::Parts parts;
+        parts.name = "random";
+        parts.look = std::dynamic_pointer_cast<const DirectionRule>(stage(StageKind::direction_rule));
+        parts.eye = path(parts.look->needs_eye_surface());
+        if (parts.look->needs_direction_object()) {
+            parts.toward = path(false);
+        }
+        return camera::camera(std::move(parts));
+    }
+
+private:
+    std::size_t below(std::size_t count) {
+        return std::uniform_int_distribution<std::size_t>(0, count - 1)(engine_);
+    }
+
+    // Any stage of a kind, its numbers within their ranges and otherwise at will.
+    std::shared_ptr<const Stage> stage(StageKind kind) {
+        std::vector<const StageEntry*> rows;
+        for (const StageEntry& row : catalogue()) {
+            if (row.kind == kind) {
+                rows.push_back(&row);
+            }
+        }
+        const StageEntry& row = *rows[below(rows.size())];
+        Given given;
+        for (const StageParameter& parameter : row.parameters) {
+            if (parameter.type == ParameterType::choice) {
+                given[parameter.name] = std::string(parameter.choices[below(parameter.choices.size())]);
+            } else if (parameter.type != ParameterType::curve) {
+                given[parameter.name] = numbers({number(parameter), number(parameter), number(parameter)});
+            }
+        }
+        auto made = row.make(arguments_for(row, given));
+        return made ? *made : stage(kind);
+    }
+
+    double number(const StageParameter& parameter) {
+        const double least = std::max(parameter.least, -4.0);
+        const double most = std::min(parameter.most, 4.0);
+        return std::uniform_real_distribution<double>(least, most)(engine_);
+    }
+
+    Path path(bool surface) {
+        Path path;
+        path.mapper = std::dynamic_pointer_cast<const PictureMapper>(stage(StageKind::picture_mapper));
+        do {
+            path.generator =
+                std::dynamic_pointer_cast<const ObjectGenerator>(stage(StageKind::object_generator));
+        } while (surface && path.generator->dimension() < 2);
+        for (std::size_t i = below(4); i > 0; --i) {
+            path.parameter_transformers.push_back(std::dynamic_pointer_cast<const ParameterTransformer>(
+                stage(StageKind::parameter_transformer)));
+        }
+        for (std::size_t i = below(4); i > 0; --i) {
+            path.object_transformers.push_back(std::dynamic_pointer_cast<const ObjectTransformer>(
+                stage(StageKind::object_transformer)));
+        }
+        return path;
+    }
+
+    std::mt19937_64 engine_;
+};
+
+bool finite(const Vector& v) {
+    return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+}
+
+}  // namespace
+
+TEST(RandomCameras, WhereThereIsARayItIsFiniteAndOfUnitDirection) {
+    Random random(81);
+    std::size_t rays_seen = 0;
+    std::size_t without = 0;
+    for (int i = 0; i < 1500; ++i) {
+        const CameraProbe rays(random.camera(), 20.0, 12.0);
+        for (double x = 0.0; x <= 20.0; x += 2.5) {
+            for (double y = 0.0; y <= 12.0; y += 2.0) {
+                const Ray ray = rays(x, y);
+                if (!ray.valid) {
+                    ++without;
+                    continue;
+                }
+                ++rays_seen;
+                ASSERT_TRUE(finite(ray.origin) && finite(ray.direction)) << "camera " << i;
+                // The sum of three squares, a root, a division and three products.
+                ASSERT_NEAR(length(ray.direction), 1.0, 2e-15) << "camera " << i;
+            }
+        }
+    }
+    EXPECT_GT(rays_seen, 2 * without);
+    EXPECT_GT(without, 0U);
+}
+
+}  // namespace balcony::camera

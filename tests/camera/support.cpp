@@ -1,0 +1,171 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "support.hpp"
+
+namespace balcony::camera {
+
+double dot(const Vector& a, const Vector& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Vector cross(const Vector& a, const Vector& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+double length(const Vector& a) {
+    return std::sqrt(dot(a, a));
+}
+
+Vector operator-(const Vector& a, const Vector& b) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+Vector operator*(double factor, const Vector& a) {
+    return {factor * a[0], factor * a[1], factor * a[2]};
+}
+
+void expect_near(const Vector& found, const Vector& wanted, double tolerance) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_NEAR(found[i], wanted[i], tolerance) << "co-ordinate " << i;
+    }
+}
+
+Arguments::Value numbers(std::vector<double> values) {
+    return std::vector<Scalar>(values.begin(), values.end());
+}
+
+namespace {
+
+Arguments::Value default_of(const StageParameter& parameter) {
+    if (!parameter.default_value.empty()) {
+        return numbers(parameter.default_value);
+    }
+    switch (parameter.type) {
+        case ParameterType::number: return numbers({0.7});
+        case ParameterType::pair:
+        case ParameterType::size: return numbers({0.6, 0.4});
+        case ParameterType::triple: return numbers({0.6, 0.4, 0.3});
+        case ParameterType::axis: return numbers({0.0, 0.6, 0.8});
+        case ParameterType::choice: return std::string(parameter.choices.front());
+        case ParameterType::curve: return object("circle");
+    }
+    return {};
+}
+
+// Curved in every parameter, and of full rank.
+Formula some_formula(const FormulaShape& shape) {
+    return formula(shape.parameters, [&](Graph& graph, const std::vector<Expr>& p) {
+        std::vector<Expr> results;
+        for (std::size_t i = 0; i < shape.results_most; ++i) {
+            const Expr own = i < p.size() ? p[i] : graph.constant(0.0);
+            results.push_back(own + 0.1 * sin(p[0] + static_cast<double>(i)));
+        }
+        return results;
+    });
+}
+
+}  // namespace
+
+Arguments arguments_for(const StageEntry& row, const Given& given) {
+    Arguments arguments;
+    for (const StageParameter& parameter : row.parameters) {
+        const auto value = given.find(parameter.name);
+        arguments.set(parameter.name, value != given.end() ? value->second : default_of(parameter));
+    }
+    if (row.formula) {
+        arguments.set_formula(some_formula(*row.formula));
+    }
+    return arguments;
+}
+
+Result<std::shared_ptr<const Stage>> try_stage(StageKind kind, std::string_view name,
+                                               const Given& given) {
+    const StageEntry* row = find_stage(kind, name);
+    if (row == nullptr) {
+        return error("no such stage");
+    }
+    return row->make(arguments_for(*row, given));
+}
+
+ObjectGeneratorPointer object(std::string_view name, const Given& given) {
+    return stage<ObjectGenerator>(StageKind::object_generator, name, given);
+}
+
+ObjectTransformerPointer move(std::string_view name, const Given& given) {
+    return stage<ObjectTransformer>(StageKind::object_transformer, name, given);
+}
+
+ParameterTransformerPointer warp(std::string_view name, const Given& given) {
+    return stage<ParameterTransformer>(StageKind::parameter_transformer, name, given);
+}
+
+PictureMapperPointer range(double u_first, double u_last, double v_first, double v_last) {
+    return stage<PictureMapper>(StageKind::picture_mapper, "range",
+                                {{"u_first", numbers({u_first})},
+                                 {"u_last", numbers({u_last})},
+                                 {"v_first", numbers({v_first})},
+                                 {"v_last", numbers({v_last})}});
+}
+
+DirectionRulePointer look(std::string_view name, const Given& given) {
+    return stage<DirectionRule>(StageKind::direction_rule, name, given);
+}
+
+GeneratorProbe::GeneratorProbe(const ObjectGeneratorPointer& generator) {
+    Emitter emit(*graph_);
+    const Expr u = graph_->picture_x();
+    const Expr v = graph_->picture_y();
+    const ObjectPoint p = generator->generate({u, v}, emit);
+    roots_ = {p.x, p.y, p.z};
+    for (const Expr leaf : {u, v}) {
+        const std::array coordinates{p.x, p.y, p.z};
+        for (const Expr slope : expr::derive(coordinates, leaf)) {
+            roots_.push_back(slope);
+        }
+    }
+    roots_.push_back(emit.valid());
+}
+
+Sample GeneratorProbe::operator()(double u, double v, double time) const {
+    const std::vector<double> r = expr::evaluate(roots_, {u, v, time, {}});
+    return {{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, {r[6], r[7], r[8]}, r[9] != 0.0};
+}
+
+Vector transformed(const ObjectTransformerPointer& transformer, const Vector& point) {
+    Graph graph;
+    Emitter emit(graph);
+    const ObjectPoint p =
+        transformer->transform({graph.variable(0), graph.variable(1), graph.variable(2)}, emit);
+    const std::vector<double> r = expr::evaluate(std::array{p.x, p.y, p.z}, {0.0, 0.0, 0.0, point});
+    return {r[0], r[1], r[2]};
+}
+
+std::array<double, 2> warped(const ParameterTransformerPointer& transformer, double u, double v) {
+    Graph graph;
+    Emitter emit(graph);
+    const ParameterPoint p = transformer->transform({graph.picture_x(), graph.picture_y()}, emit);
+    const std::vector<double> r = expr::evaluate(std::array{p.u, p.v}, {u, v, 0.0, {}});
+    return {r[0], r[1]};
+}
+
+CameraProbe::CameraProbe(const Camera& camera, double width, double height) {
+    const RayExpressions ray = camera.emit(*graph_, width, height);
+    const std::array roots{ray.origin.x,    ray.origin.y,    ray.origin.z,
+                           ray.direction.x, ray.direction.y, ray.direction.z,
+                           ray.valid,       ray.parameters.u, ray.parameters.v};
+    roots_ = expr::simplify(roots);
+}
+
+Ray CameraProbe::operator()(double x, double y, double time) const {
+    const std::vector<double> r = expr::evaluate(roots_, {x, y, time, {}});
+    return {{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, r[6] != 0.0, {r[7], r[8]}};
+}
+
+Camera camera(Camera::Parts parts) {
+    Result<Camera> made = Camera::make(std::move(parts));
+    EXPECT_TRUE(made) << to_text(made.diagnostics);
+    return *made;
+}
+
+}  // namespace balcony::camera
