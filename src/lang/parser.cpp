@@ -271,6 +271,12 @@ private:
                           "remove it, or add what opens it");
             return StatementKind::unknown;
         }
+        if (token.is(",")) {
+            tokens_.error(token.span, "this ',' separates nothing",
+                          "it stands between the ranges of map and between the stages of warp, "
+                          "move and place");
+            return StatementKind::unknown;
+        }
         if (token.kind != TokenKind::name) {
             tokens_.expected(fmt::format("a statement ({})", one_of(known)));
             return StatementKind::unknown;
@@ -369,7 +375,7 @@ private:
     bool map(Statement& made) {
         do {
             const Token& coordinate = tokens_.peek();
-            if (coordinate.kind != TokenKind::name) {
+            if (coordinate.kind != TokenKind::name || find_keyword(coordinate) != nullptr) {
                 tokens_.expected("'u' or 'v'", "such as map u = -1 .. 1, v = square");
                 return false;
             }

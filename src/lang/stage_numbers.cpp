@@ -176,9 +176,20 @@ camera::PictureMapperPointer StageBuilder::make_mapper(std::string_view name,
     for (std::size_t i = 0; i < values.size(); ++i) {
         good = set_argument(*row, row->parameters[i], values[i], arguments) && good;
     }
-    return good ? std::static_pointer_cast<const camera::PictureMapper>(
-                      make_from_row(*row, arguments, span))
-                : nullptr;
+    if (!good) {
+        return nullptr;
+    }
+    for (std::size_t i = 0; i + 1 < values.size(); i += 2) {
+        const auto first = arguments.number(row->parameters[i].name).constant();
+        const auto last = arguments.number(row->parameters[i + 1].name).constant();
+        if (first && last && *first == *last) {
+            const Span range = {tree_[values[i]].span.begin, tree_[values[i + 1]].span.end};
+            reporter_.warning(tree_.at(range), "this range begins and ends at the same value",
+                              "the picture does not change in this direction");
+        }
+    }
+    return std::static_pointer_cast<const camera::PictureMapper>(
+        make_from_row(*row, arguments, span));
 }
 
 camera::DirectionRulePointer StageBuilder::make_default_rule(std::string_view name, Span span) {
