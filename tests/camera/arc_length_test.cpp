@@ -31,7 +31,9 @@ double length_between(const GeneratorProbe& curve, double from, double to) {
 }
 
 Given parts(double a, double b, double gamma, std::string_view by) {
-    return {{"a", numbers({a})}, {"b", numbers({b})}, {"gamma", numbers({gamma})},
+    return {{"a", numbers({a})},
+            {"b", numbers({b})},
+            {"gamma", numbers({gamma})},
             {"by", std::string(by)}};
 }
 
@@ -42,9 +44,12 @@ Given parts(double a, double b, double gamma, std::string_view by) {
 // is 2.2e-8, at gamma 0.05 and proportions of 10.
 TEST(ArcLength, EqualStepsOfUAreEqualLengths) {
     for (const double gamma : {0.05, 0.1, 0.25, 0.7, 0.98, 1.0, 1.02, 1.3, 1.7, 1.99, 2.0}) {
-        for (const auto& [a, b] : {std::pair(1.0, 1.0), std::pair(10.0, 1.0), std::pair(1.0, 10.0)}) {
-            const GeneratorProbe by_length(object("superellipse", parts(a, b, gamma, "arc_length")));
-            const GeneratorProbe by_angle(object("superellipse", parts(a, b, gamma, "angle_centre")));
+        for (const auto& [a, b] :
+             {std::pair(1.0, 1.0), std::pair(10.0, 1.0), std::pair(1.0, 10.0)}) {
+            const GeneratorProbe by_length(
+                object("superellipse", parts(a, b, gamma, "arc_length")));
+            const GeneratorProbe by_angle(
+                object("superellipse", parts(a, b, gamma, "angle_centre")));
             constexpr int steps = 97;
             std::vector<double> lengths{0.0};
             double last = 0.0;
@@ -84,20 +89,20 @@ TEST(ArcLength, TangentsAreThoseOfTheExactCurve) {
     for (double u = 0.05; u < 6.0; u += 0.1) {
         const Sample s = by_length(u);
         const Sample exact = by_angle(std::atan2(s.point[1] / 2.0, s.point[0] / 3.0));
-        EXPECT_NEAR(length(cross(s.along_u, exact.along_u)) /
-                        (length(s.along_u) * length(exact.along_u)), 0.0, 1e-13);
+        EXPECT_NEAR(
+            length(cross(s.along_u, exact.along_u)) / (length(s.along_u) * length(exact.along_u)),
+            0.0, 1e-13);
     }
 }
 
 TEST(ArcLength, NeedsConstantsAndAGammaItResolves) {
-    const Formula time = formula(0, [](Graph& graph, const std::vector<Expr>&) {
-        return std::vector{1.0 + graph.time()};
-    });
+    const Formula time = formula(
+        0, [](Graph& graph, const std::vector<Expr>&) { return std::vector{1.0 + graph.time()}; });
     Given moving = parts(1.0, 1.0, 1.0, "arc_length");
     moving["a"] = std::vector<Scalar>{Scalar(time)};
     EXPECT_FALSE(try_stage(StageKind::object_generator, "superellipse", moving));
-    EXPECT_FALSE(try_stage(StageKind::object_generator, "superellipse",
-                           parts(1.0, 1.0, 2.1, "arc_length")));
+    EXPECT_FALSE(
+        try_stage(StageKind::object_generator, "superellipse", parts(1.0, 1.0, 2.1, "arc_length")));
 }
 
 // A table is made in about 1 ms; ten times that is left for a slow or instrumented build.

@@ -28,24 +28,28 @@ Camera::Parts normal_camera(ObjectGeneratorPointer eye, PictureMapperPointer map
 Camera::Parts with_direction_object(const char* rule) {
     Camera::Parts parts;
     parts.name = "test";
-    parts.eye = {range(0.0, 1.5, -3.0, 3.0), {}, object("circle", {{"radius", numbers({10.0})}}), {}};
-    parts.toward = Path{range(0.0, 1.5, -3.0, 3.0), {},
-                        object("torus", {{"major", numbers({10.0})}, {"minor", numbers({2.0})}}), {}};
+    parts.eye = {
+        range(0.0, 1.5, -3.0, 3.0), {}, object("circle", {{"radius", numbers({10.0})}}), {}};
+    parts.toward = Path{range(0.0, 1.5, -3.0, 3.0),
+                        {},
+                        object("torus", {{"major", numbers({10.0})}, {"minor", numbers({2.0})}}),
+                        {}};
     parts.look = look(rule);
     return parts;
 }
 
 ObjectGeneratorPointer superellipsoid() {
     const auto half_axes = [](double a, double b) {
-        return object("superellipse", {{"a", numbers({a})}, {"b", numbers({b})},
-                                       {"gamma", numbers({0.25})}});
+        return object("superellipse",
+                      {{"a", numbers({a})}, {"b", numbers({b})}, {"gamma", numbers({0.25})}});
     };
     return object("product", {{"g", half_axes(1.0, 25.0 / 45.0)}, {"h", half_axes(45.0, 25.0)}});
 }
 
 std::vector<ObjectTransformerPointer> some_moves() {
-    return {move("rotate", {{"axis", numbers({1.0, 2.0, -1.0})}, {"angle", numbers({0.7})}}),
-            move("translate", {{"x", numbers({3.0})}, {"y", numbers({-2.0})}, {"z", numbers({5.0})}})};
+    return {
+        move("rotate", {{"axis", numbers({1.0, 2.0, -1.0})}, {"angle", numbers({0.7})}}),
+        move("translate", {{"x", numbers({3.0})}, {"y", numbers({-2.0})}, {"z", numbers({5.0})}})};
 }
 
 void at_pixels(const std::function<void(double x, double y)>& check) {
@@ -77,7 +81,8 @@ TEST(NormalRule, IsOrthogonalToBothTangentsOfTheEyeObject) {
     for (const ObjectGeneratorPointer& eye :
          {object("sphere"), object("torus", {{"major", numbers({3.0})}}), superellipsoid()}) {
         const GeneratorProbe surface(eye);
-        const CameraProbe rays(camera(normal_camera(eye, range(-3.0, 3.0, -1.4, 1.4))), width, height);
+        const CameraProbe rays(camera(normal_camera(eye, range(-3.0, 3.0, -1.4, 1.4))), width,
+                               height);
         at_pixels([&](double x, double y) {
             const Ray ray = rays(x, y);
             ASSERT_TRUE(ray.valid);
@@ -95,7 +100,8 @@ TEST(NormalRule, IsOrthogonalToBothTangentsOfTheEyeObject) {
 TEST(NormalRule, IsOfTheObjectWhateverTheWarp) {
     Camera::Parts parts = normal_camera(object("sphere"), range(-3.0, 3.0, -1.4, 1.4));
     parts.eye.parameter_transformers = {
-        warp("zoom", {{"strength", numbers({0.35})}, {"radius", numbers({1.0, 1.0})}}), warp("shear")};
+        warp("zoom", {{"strength", numbers({0.35})}, {"radius", numbers({1.0, 1.0})}}),
+        warp("shear")};
     const CameraProbe rays(camera(parts), width, height);
     at_pixels([&](double x, double y) {
         // On a sphere of radius 1 the outward normal is the point, even where the zoom folds.
@@ -143,7 +149,8 @@ TEST(AbsoluteRule, IsLeftByTranslationAndTurnsWithRotation) {
     const CameraProbe still(camera(parts), width, height);
     parts.toward->object_transformers = {move("translate", {{"x", numbers({7.0})}})};
     const CameraProbe translated(camera(parts), width, height);
-    const auto rotate = move("rotate", {{"axis", numbers({1.0, 2.0, -1.0})}, {"angle", numbers({0.7})}});
+    const auto rotate =
+        move("rotate", {{"axis", numbers({1.0, 2.0, -1.0})}, {"angle", numbers({0.7})}});
     parts.toward->object_transformers = {rotate};
     const CameraProbe rotated(camera(parts), width, height);
     at_pixels([&](double x, double y) {
@@ -182,9 +189,9 @@ TEST(Camera, APointAndAPlaneAreThePinhole) {
     const double tangent = std::tan(0.5);
     Camera::Parts parts;
     parts.name = "pinhole";
-    const auto square = stage<PictureMapper>(
-        StageKind::picture_mapper, "square_v",
-        {{"u_first", numbers({tangent})}, {"u_last", numbers({-tangent})}});
+    const auto square =
+        stage<PictureMapper>(StageKind::picture_mapper, "square_v",
+                             {{"u_first", numbers({tangent})}, {"u_last", numbers({-tangent})}});
     parts.eye = {square, {}, object("point"), {}};
     parts.toward = Path{square, {}, object("plane", {{"at", numbers({1.0, 0.0, 0.0})}}), {}};
     parts.look = look("relative");
@@ -198,8 +205,8 @@ TEST(Camera, APointAndAPlaneAreThePinhole) {
 }
 
 TEST(Camera, APlaneAndItsNormalsAreTheOrthographicCamera) {
-    const CameraProbe rays(camera(normal_camera(object("plane"), range(8.0, -8.0, -4.5, 4.5))), width,
-                           height);
+    const CameraProbe rays(camera(normal_camera(object("plane"), range(8.0, -8.0, -4.5, 4.5))),
+                           width, height);
     at_pixels([&](double x, double y) {
         expect_near(rays(x, y).direction, {1.0, 0.0, 0.0}, 0.0);
         expect_near(rays(x, y).origin, {0.0, 8.0 - 0.1 * x, 4.5 - 0.1 * y}, 1e-14);
@@ -224,8 +231,8 @@ TEST(Camera, HasNoRayWhereACoordinateDoesNotExist) {
         return std::vector{p[0], p[1], sqrt(1.0 - (p[0] * p[0] + p[1] * p[1]))};
     }));
     const auto made = find_stage(StageKind::object_generator, "surface")->make(arguments);
-    Camera::Parts parts =
-        normal_camera(std::dynamic_pointer_cast<const ObjectGenerator>(*made), range(-2.0, 2.0, -2.0, 2.0));
+    Camera::Parts parts = normal_camera(std::dynamic_pointer_cast<const ObjectGenerator>(*made),
+                                        range(-2.0, 2.0, -2.0, 2.0));
     for (const bool relative : {false, true}) {
         if (relative) {
             parts.toward = Path{range(0.0, 1.0, 0.0, 1.0), {}, object("point"), {}};
@@ -250,8 +257,8 @@ TEST(Camera, HasNoRayOfNoDirection) {
 TEST(Camera, DirectionsAreOfUnitLengthHoweverSmallTheObject) {
     for (const double size : {1e-150, 1e-140, 1e-30, 1e30, 1e150}) {
         Camera::Parts parts = normal_camera(object("plane"), range(-1.0, 1.0, -1.0, 1.0));
-        parts.toward = Path{range(-1.0, 1.0, -1.0, 1.0), {},
-                            object("sphere", {{"radius", numbers({size})}}), {}};
+        parts.toward = Path{
+            range(-1.0, 1.0, -1.0, 1.0), {}, object("sphere", {{"radius", numbers({size})}}), {}};
         parts.look = look("absolute");
         const CameraProbe rays(camera(parts), width, height);
         at_pixels([&](double x, double y) {
@@ -268,12 +275,15 @@ TEST(Camera, DirectionsAreOfUnitLengthHoweverSmallTheObject) {
 TEST(Camera, OfNormalsOfASuperellipsoidCostsLittleAtAPoint) {
     for (const char* by : {"angle_centre", "arc_length"}) {
         const auto half_axes = [&](double a, double b) {
-            return object("superellipse", {{"a", numbers({a})}, {"b", numbers({b})},
-                                           {"gamma", numbers({0.25})}, {"by", std::string(by)}});
+            return object("superellipse", {{"a", numbers({a})},
+                                           {"b", numbers({b})},
+                                           {"gamma", numbers({0.25})},
+                                           {"by", std::string(by)}});
         };
-        const auto eye = object("product", {{"g", half_axes(1.0, 25.0 / 45.0)},
-                                            {"h", half_axes(45.0, 25.0)}});
-        const CameraProbe rays(camera(normal_camera(eye, range(-3.0, 3.0, -1.4, 1.4))), width, height);
+        const auto eye =
+            object("product", {{"g", half_axes(1.0, 25.0 / 45.0)}, {"h", half_axes(45.0, 25.0)}});
+        const CameraProbe rays(camera(normal_camera(eye, range(-3.0, 3.0, -1.4, 1.4))), width,
+                               height);
         EXPECT_LE(pixel_operations(rays.roots()), 19U) << by;
     }
 }

@@ -8,8 +8,8 @@ namespace balcony::camera {
 namespace {
 
 template <class Build>
-std::shared_ptr<const Stage> by_formula(StageKind kind, std::string_view name, std::size_t parameters,
-                                        const Build& build) {
+std::shared_ptr<const Stage> by_formula(StageKind kind, std::string_view name,
+                                        std::size_t parameters, const Build& build) {
     Arguments arguments;
     arguments.set_formula(formula(parameters, build));
     return *find_stage(kind, name)->make(arguments);
@@ -47,9 +47,8 @@ TEST(Scalar, IsAConstantOrAFormulaInTime) {
         return Expressions{sqrt(graph.constant(9.0))};
     }));
     EXPECT_EQ(folded.constant(), 3.0);
-    const Scalar moving(formula(0, [](Graph& graph, const Expressions&) {
-        return Expressions{2.0 * graph.time()};
-    }));
+    const Scalar moving(formula(
+        0, [](Graph& graph, const Expressions&) { return Expressions{2.0 * graph.time()}; }));
     EXPECT_EQ(moving.constant(), std::nullopt);
     Graph graph;
     EXPECT_EQ(expr::evaluate(std::array{moving.emit(graph)}, {0.0, 0.0, 4.0, {}})[0], 8.0);
@@ -57,9 +56,8 @@ TEST(Scalar, IsAConstantOrAFormulaInTime) {
 
 TEST(Scalar, InTimeMovesAnObject) {
     Given radius;
-    radius["radius"] = std::vector<Scalar>{Scalar(formula(0, [](Graph& graph, const Expressions&) {
-        return Expressions{1.0 + graph.time()};
-    }))};
+    radius["radius"] = std::vector<Scalar>{Scalar(formula(
+        0, [](Graph& graph, const Expressions&) { return Expressions{1.0 + graph.time()}; }))};
     const GeneratorProbe sphere(object("sphere", radius));
     EXPECT_NEAR(length(sphere(0.3, 0.4, 0.0).point), 1.0, 1e-15);
     EXPECT_NEAR(length(sphere(0.3, 0.4, 2.0).point), 3.0, 1e-15);

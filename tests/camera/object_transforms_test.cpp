@@ -21,9 +21,7 @@ std::array<Vector, 3> linear_part(const ObjectTransformerPointer& transformer) {
             transformed(transformer, {0.0, 0.0, 1.0}) - origin};
 }
 
-double determinant(const std::array<Vector, 3>& m) {
-    return dot(cross(m[0], m[1]), m[2]);
-}
+double determinant(const std::array<Vector, 3>& m) { return dot(cross(m[0], m[1]), m[2]); }
 
 void expect_orthonormal(const std::array<Vector, 3>& m) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -34,8 +32,9 @@ void expect_orthonormal(const std::array<Vector, 3>& m) {
 }
 
 ObjectTransformerPointer rotation(const std::vector<double>& axis, double angle) {
-    return move("rotate", {{"axis", numbers(axis)}, {"angle", numbers({angle})},
-                           {"at", numbers({0.3, 0.2, -0.5})}});
+    return move(
+        "rotate",
+        {{"axis", numbers(axis)}, {"angle", numbers({angle})}, {"at", numbers({0.3, 0.2, -0.5})}});
 }
 
 }  // namespace
@@ -69,8 +68,8 @@ TEST(Rotate, AnglesOfOneAxisAddUp) {
 }
 
 TEST(Mirror, TwiceIsTheIdentityAndOnceTurnsSpaceOver) {
-    const auto mirror = move("mirror", {{"axis", numbers({1.0, -2.0, 0.5})},
-                                        {"at", numbers({0.3, 0.2, -0.5})}});
+    const auto mirror =
+        move("mirror", {{"axis", numbers({1.0, -2.0, 0.5})}, {"at", numbers({0.3, 0.2, -0.5})}});
     expect_near(transformed(mirror, transformed(mirror, p)), p, tolerance);
     expect_orthonormal(linear_part(mirror));
     EXPECT_NEAR(determinant(linear_part(mirror)), -1.0, tolerance);
@@ -82,14 +81,18 @@ TEST(ObjectAffine, EachIsItsFormula) {
     const auto go = [&](const char* name, const Given& given) {
         return transformed(move(name, given), p);
     };
-    expect_near(go("translate", {{"x", numbers({1.0})}, {"y", numbers({2.0})}, {"z", numbers({3.0})}}),
-                {1.7, 0.7, 5.1}, tolerance);
+    expect_near(
+        go("translate", {{"x", numbers({1.0})}, {"y", numbers({2.0})}, {"z", numbers({3.0})}}),
+        {1.7, 0.7, 5.1}, tolerance);
     expect_near(go("scale", {{"factor", numbers({2.0})}, {"at", at}}), {1.2, -3.1, 3.2}, tolerance);
-    expect_near(go("stretch", {{"x", numbers({2.0})}, {"y", numbers({-1.0})}, {"z", numbers({3.0})},
-                               {"at", at}}),
-                {1.2, 2.3, 4.3}, tolerance);
-    expect_near(go("affine", {{"x", numbers({1.0, 2.0, 3.0})}, {"y", numbers({4.0, 5.0, 6.0})},
-                              {"z", numbers({7.0, 8.0, 10.0})}, {"at", at}}),
+    expect_near(
+        go("stretch",
+           {{"x", numbers({2.0})}, {"y", numbers({-1.0})}, {"z", numbers({3.0})}, {"at", at}}),
+        {1.2, 2.3, 4.3}, tolerance);
+    expect_near(go("affine", {{"x", numbers({1.0, 2.0, 3.0})},
+                              {"y", numbers({4.0, 5.0, 6.0})},
+                              {"z", numbers({7.0, 8.0, 10.0})},
+                              {"at", at}}),
                 {0.2 + 0.7 - 1.3 * 4.0 + 2.1 * 7.0, 0.5 + 0.7 * 2.0 - 1.3 * 5.0 + 2.1 * 8.0,
                  1.0 + 0.7 * 3.0 - 1.3 * 6.0 + 2.1 * 10.0},
                 tolerance);
@@ -103,8 +106,8 @@ TEST(ObjectAffine, DefaultsChangeNothing) {
 
 TEST(ObjectAffine, AnAxisNeedsALength) {
     for (const char* name : {"rotate", "mirror"}) {
-        const auto made = try_stage(StageKind::object_transformer, name,
-                                    {{"axis", numbers({0.0, 0.0, 0.0})}});
+        const auto made =
+            try_stage(StageKind::object_transformer, name, {{"axis", numbers({0.0, 0.0, 0.0})}});
         ASSERT_FALSE(made);
         EXPECT_NE(made.diagnostics.front().message.find("axis"), std::string::npos);
     }

@@ -26,8 +26,8 @@ void at_random_parameters(const std::function<void(double u, double v)>& check) 
 }  // namespace
 
 TEST(Point, StandsStill) {
-    const GeneratorProbe point(object("point", {{"x", numbers({1.0})}, {"y", numbers({2.0})},
-                                                {"z", numbers({-3.0})}}));
+    const GeneratorProbe point(
+        object("point", {{"x", numbers({1.0})}, {"y", numbers({2.0})}, {"z", numbers({-3.0})}}));
     at_random_parameters([&](double u, double v) {
         expect_near(point(u, v).point, {1.0, 2.0, -3.0}, 0.0);
     });
@@ -67,7 +67,7 @@ TEST(Sphere, IsAtItsRadiusLongitudeAndLatitude) {
         const double latitude = v / 2.0;
         const Vector p = sphere(u, latitude).point;
         EXPECT_NEAR(length(p), 3.0, tolerance);
-        EXPECT_NEAR(std::atan2(p[1], p[0]), u, 1e-12);  // near a pole the angle loses digits
+        EXPECT_NEAR(std::atan2(p[1], p[0]), u, 1e-12);       // near a pole the angle loses digits
         EXPECT_NEAR(std::asin(p[2] / 3.0), latitude, 1e-7);  // and at it the arcsine loses half
     });
 }
@@ -129,8 +129,8 @@ TEST(SphericalProduct, TakesOnlyPlaneCurves) {
 TEST(Normals, PointOutwardOnClosedObjects) {
     const auto ellipse = object("superellipse", {{"a", numbers({3.0})}, {"b", numbers({2.0})}});
     const GeneratorProbe sphere(object("sphere"));
-    const GeneratorProbe ellipsoid(
-        object("product", {{"g", object("superellipse", {{"b", numbers({0.4})}})}, {"h", ellipse}}));
+    const GeneratorProbe ellipsoid(object(
+        "product", {{"g", object("superellipse", {{"b", numbers({0.4})}})}, {"h", ellipse}}));
     const GeneratorProbe cylinder(object("cylinder"));
     const GeneratorProbe torus(
         object("torus", {{"major", numbers({5.0})}, {"minor", numbers({2.0})}}));

@@ -21,7 +21,8 @@ void expect_pair(const Pair& found, const Pair& wanted, double tolerance) {
 constexpr double tolerance = 1e-14;
 
 ParameterTransformerPointer zoom(double strength) {
-    return warp("zoom", {{"at", numbers({0.6, -0.2})}, {"radius", numbers({0.5, 0.25})},
+    return warp("zoom", {{"at", numbers({0.6, -0.2})},
+                         {"radius", numbers({0.5, 0.25})},
                          {"strength", numbers({strength})}});
 }
 
@@ -52,13 +53,15 @@ TEST(ParameterAffine, EachIsItsFormula) {
     const auto go = [&](const char* name, const Given& given) {
         return warped(warp(name, given), p[0], p[1]);
     };
-    expect_pair(go("translate", {{"u", numbers({2.0})}, {"v", numbers({3.0})}}), {2.7, 1.7}, tolerance);
+    expect_pair(go("translate", {{"u", numbers({2.0})}, {"v", numbers({3.0})}}), {2.7, 1.7},
+                tolerance);
     expect_pair(go("scale", {{"factor", numbers({2.0, -3.0})}, {"at", at}}),
                 {0.2 + 2.0 * 0.5, 0.5 - 3.0 * -1.8}, tolerance);
     const double angle = 0.4;
     expect_pair(go("rotate", {{"angle", numbers({angle})}, {"at", at}}),
                 {0.2 + 0.5 * std::cos(angle) + 1.8 * std::sin(angle),
-                 0.5 + 0.5 * std::sin(angle) - 1.8 * std::cos(angle)}, tolerance);
+                 0.5 + 0.5 * std::sin(angle) - 1.8 * std::cos(angle)},
+                tolerance);
     expect_pair(go("shear", {{"u", numbers({2.0})}, {"v", numbers({3.0})}}),
                 {0.7 + 2.0 * -1.3, -1.3 + 3.0 * 0.7}, tolerance);
     expect_pair(go("affine", {{"u", numbers({1.0, 2.0})}, {"v", numbers({3.0, 4.0})}, {"at", at}}),
@@ -75,7 +78,8 @@ TEST(LocalZoom, MagnifiesByItsStrengthInTheMiddle) {
     constexpr double h = 1e-4;
     for (const double strength : {0.5, 1.0, 2.5, 10.0}) {
         for (const double angle : {0.0, 0.8, 2.0, 4.0}) {
-            const double slope = (pulled(strength, h, angle) - pulled(strength, -h, angle)) / (2.0 * h);
+            const double slope =
+                (pulled(strength, h, angle) - pulled(strength, -h, angle)) / (2.0 * h);
             // The slope changes with the square of the offset, by less than 30 h^2.
             EXPECT_NEAR(slope, 1.0 / strength, 30.0 * h * h);
         }

@@ -19,8 +19,8 @@ struct Mapped {
 Mapped mapped(const PictureMapperPointer& mapper, double x, double y, double width, double height) {
     Graph graph;
     Emitter emit(graph);
-    const ParameterPoint p = mapper->map({{graph.picture_x(), graph.picture_y()},
-                                          {emit(width), emit(height)}}, emit);
+    const ParameterPoint p =
+        mapper->map({{graph.picture_x(), graph.picture_y()}, {emit(width), emit(height)}}, emit);
     const std::vector<double> r = expr::evaluate(std::array{p.u, p.v}, {x, y, 0.0, {}});
     return {r[0], r[1]};
 }
@@ -39,8 +39,8 @@ Arranged placed(std::vector<double> from, std::vector<double> to, double x, doub
         {{"from", numbers(std::move(from))}, {"to", numbers(std::move(to))}});
     Graph graph;
     Emitter emit(graph);
-    const ArrangedPoint p = place->arrange(
-        {{graph.picture_x(), graph.picture_y()}, {emit(200.0), emit(100.0)}}, emit);
+    const ArrangedPoint p =
+        place->arrange({{graph.picture_x(), graph.picture_y()}, {emit(200.0), emit(100.0)}}, emit);
     const std::array roots{p.point.x, p.point.y, p.size.width, p.size.height, emit.valid()};
     const std::vector<double> r = expr::evaluate(roots, {x, y, 0.0, {}});
     return {r[0], r[1], r[2], r[3], r[4] != 0.0};
@@ -77,8 +77,8 @@ TEST(SquareMapper, HasSquarePixelsInPicturesOfAnyProportion) {
                 EXPECT_NEAR(given_u ? centre.u : centre.v, 0.5 * (first + last), tolerance);
                 EXPECT_NEAR(given_u ? centre.v : centre.u, 0.0, tolerance);
                 EXPECT_NEAR(std::fabs(right.u - centre.u), std::fabs(up.v - centre.v), tolerance);
-                const double edge = given_u ? mapped(mapper, w, 0.0, w, h).u
-                                            : mapped(mapper, 0.0, 0.0, w, h).v;
+                const double edge =
+                    given_u ? mapped(mapper, w, 0.0, w, h).u : mapped(mapper, 0.0, 0.0, w, h).v;
                 EXPECT_NEAR(edge, last, tolerance);
             }
         }

@@ -18,7 +18,8 @@ public:
     Camera camera() {
         Camera::Parts parts;
         parts.name = "random";
-        parts.look = std::dynamic_pointer_cast<const DirectionRule>(stage(StageKind::direction_rule));
+        parts.look =
+            std::dynamic_pointer_cast<const DirectionRule>(stage(StageKind::direction_rule));
         parts.eye = path(parts.look->needs_eye_surface());
         if (parts.look->needs_direction_object()) {
             parts.toward = path(false);
@@ -43,9 +44,11 @@ private:
         Given given;
         for (const StageParameter& parameter : row.parameters) {
             if (parameter.type == ParameterType::choice) {
-                given[parameter.name] = std::string(parameter.choices[below(parameter.choices.size())]);
+                given[parameter.name] =
+                    std::string(parameter.choices[below(parameter.choices.size())]);
             } else if (parameter.type != ParameterType::curve) {
-                given[parameter.name] = numbers({number(parameter), number(parameter), number(parameter)});
+                given[parameter.name] =
+                    numbers({number(parameter), number(parameter), number(parameter)});
             }
         }
         auto made = row.make(arguments_for(row, given));
@@ -60,14 +63,16 @@ private:
 
     Path path(bool surface) {
         Path path;
-        path.mapper = std::dynamic_pointer_cast<const PictureMapper>(stage(StageKind::picture_mapper));
+        path.mapper =
+            std::dynamic_pointer_cast<const PictureMapper>(stage(StageKind::picture_mapper));
         do {
-            path.generator =
-                std::dynamic_pointer_cast<const ObjectGenerator>(stage(StageKind::object_generator));
+            path.generator = std::dynamic_pointer_cast<const ObjectGenerator>(
+                stage(StageKind::object_generator));
         } while (surface && path.generator->dimension() < 2);
         for (std::size_t i = below(4); i > 0; --i) {
-            path.parameter_transformers.push_back(std::dynamic_pointer_cast<const ParameterTransformer>(
-                stage(StageKind::parameter_transformer)));
+            path.parameter_transformers.push_back(
+                std::dynamic_pointer_cast<const ParameterTransformer>(
+                    stage(StageKind::parameter_transformer)));
         }
         for (std::size_t i = below(4); i > 0; --i) {
             path.object_transformers.push_back(std::dynamic_pointer_cast<const ObjectTransformer>(

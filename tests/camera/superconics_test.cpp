@@ -15,14 +15,14 @@ constexpr double pi = std::numbers::pi;
 constexpr std::array gammas{0.05, 0.25, 0.3, 0.5, 1.0, 1.5, 2.0};
 
 Given parts(double gamma, std::string_view by) {
-    return {{"a", numbers({3.0})}, {"b", numbers({0.5})}, {"gamma", numbers({gamma})},
+    return {{"a", numbers({3.0})},
+            {"b", numbers({0.5})},
+            {"gamma", numbers({gamma})},
             {"by", std::string(by)}};
 }
 
 // x^e turns a relative error r of x into e r; e is at most 40, and r a few roundings.
-double tolerance(double gamma) {
-    return 1e-14 * (1.0 + 2.0 / gamma);
-}
+double tolerance(double gamma) { return 1e-14 * (1.0 + 2.0 / gamma); }
 
 double powers(const Vector& p, double gamma, double sign) {
     const double e = 2.0 / gamma;
@@ -38,7 +38,8 @@ TEST(Superellipse, SolvesItsImplicitEquationInEveryParametrisation) {
             for (double u = -7.0; u < 7.0; u += 0.0731) {
                 const Sample s = curve(u);
                 EXPECT_TRUE(s.valid);
-                EXPECT_NEAR(powers(s.point, gamma, 1.0), 1.0, tolerance(gamma)) << by << ' ' << gamma;
+                EXPECT_NEAR(powers(s.point, gamma, 1.0), 1.0, tolerance(gamma))
+                    << by << ' ' << gamma;
                 EXPECT_EQ(s.point[2], 0.0);
             }
         }

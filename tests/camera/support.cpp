@@ -5,17 +5,13 @@
 
 namespace balcony::camera {
 
-double dot(const Vector& a, const Vector& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 Vector cross(const Vector& a, const Vector& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-double length(const Vector& a) {
-    return std::sqrt(dot(a, a));
-}
+double length(const Vector& a) { return std::sqrt(dot(a, a)); }
 
 Vector operator-(const Vector& a, const Vector& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
@@ -151,8 +147,8 @@ std::array<double, 2> warped(const ParameterTransformerPointer& transformer, dou
 
 CameraProbe::CameraProbe(const Camera& camera, double width, double height) {
     const RayExpressions ray = camera.emit(*graph_, width, height);
-    const std::array roots{ray.origin.x,    ray.origin.y,    ray.origin.z,
-                           ray.direction.x, ray.direction.y, ray.direction.z,
+    const std::array roots{ray.origin.x,    ray.origin.y,     ray.origin.z,
+                           ray.direction.x, ray.direction.y,  ray.direction.z,
                            ray.valid,       ray.parameters.u, ray.parameters.v};
     roots_ = expr::simplify(roots);
 }

@@ -66,7 +66,8 @@ void compare(Expr expression, double at, Comparison& count) {
     ++count.compared;
     // Ten times what the method says of itself, and the rounding of the derivative.
     EXPECT_NEAR(value(derivative, at), wanted.value, 10.0 * wanted.error + 1e-12 * scale)
-        << print(expression) << "at " << at << ", derivative\n" << print(derivative);
+        << print(expression) << "at " << at << ", derivative\n"
+        << print(derivative);
 }
 
 class EveryDerivative : public testing::TestWithParam<Operation> {};
@@ -98,8 +99,8 @@ TEST_P(EveryDerivative, EqualsTheDifferenceOfNeighbours) {
             argument = constant(random) ? graph.constant(range(random))
                                         : range(random) + range(random) * sin(x + range(random));
         }
-        compare(graph.apply(GetParam().op, std::span(arguments).first(
-                                               static_cast<std::size_t>(GetParam().arity))),
+        compare(graph.apply(GetParam().op,
+                            std::span(arguments).first(static_cast<std::size_t>(GetParam().arity))),
                 range(random), count);
     }
     // The narrowest domain, that of the inverse sine, is hit about one time in three.

@@ -36,7 +36,8 @@ const Reference references[] = {
     {Op::minimum, [](const Arguments& a) { return std::min(a[0], a[1]); }},
     {Op::maximum, [](const Arguments& a) { return std::max(a[0], a[1]); }},
     {Op::absolute, [](const Arguments& a) { return std::abs(a[0]); }},
-    {Op::sign, [](const Arguments& a) {
+    {Op::sign,
+     [](const Arguments& a) {
          return a[0] == 0.0 || std::isnan(a[0]) ? std::abs(a[0]) : std::copysign(1.0, a[0]);
      }},
     {Op::floor, [](const Arguments& a) { return std::floor(a[0]); }},
@@ -119,7 +120,8 @@ TEST_P(EveryOperation, IsWhatTheStandardLibrarySays) {
 TEST_P(EveryOperation, FoldsConstantsToItsScalarValue) {
     for (const Arguments& a : odd_and_random_arguments()) {
         Graph graph;
-        const std::array arguments{graph.constant(a[0]), graph.constant(a[1]), graph.constant(a[2])};
+        const std::array arguments{graph.constant(a[0]), graph.constant(a[1]),
+                                   graph.constant(a[2])};
         const Expr folded = graph.apply(
             GetParam().op, std::span(arguments).first(static_cast<std::size_t>(GetParam().arity)));
         ASSERT_TRUE(folded.is_constant());

@@ -21,9 +21,7 @@ bool contains(Expr root, Op op) {
     return false;
 }
 
-double value(Expr e, double x) {
-    return evaluate(std::span(&e, 1), {x, 0.0, 0.0, {}})[0];
-}
+double value(Expr e, double x) { return evaluate(std::span(&e, 1), {x, 0.0, 0.0, {}})[0]; }
 
 }  // namespace
 
@@ -38,9 +36,10 @@ TEST(Power, EighthsUpTo64BecomeProductsAndRootsWithinTheirBound) {
         for (int i = 0; i < 50; ++i) {
             const double x = std::exp(logarithm(random));
             // 64 bits of mantissa: its own error is 2^-11 of a unit in the last place.
-            const long double wanted = powl(static_cast<long double>(x), static_cast<long double>(p));
-            const double unit = std::nextafter(static_cast<double>(wanted), HUGE_VAL) -
-                                static_cast<double>(wanted);
+            const long double wanted =
+                powl(static_cast<long double>(x), static_cast<long double>(p));
+            const double unit =
+                std::nextafter(static_cast<double>(wanted), HUGE_VAL) - static_cast<double>(wanted);
             EXPECT_LE(std::fabs(static_cast<double>(value(power, x) - wanted)),
                       (std::fabs(p) + 3.0) * unit)
                 << x << '^' << p;

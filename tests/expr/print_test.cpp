@@ -19,11 +19,8 @@ namespace {
 
 // From the loosest to the tightest; operators of one level group from the left.
 const std::vector<std::vector<Op>> levels{
-    {Op::logical_or},
-    {Op::logical_and},
-    {Op::less_equal, Op::less, Op::equal},
-    {Op::add, Op::subtract},
-    {Op::multiply, Op::divide},
+    {Op::logical_or},        {Op::logical_and},          {Op::less_equal, Op::less, Op::equal},
+    {Op::add, Op::subtract}, {Op::multiply, Op::divide},
 };
 
 class Reader {
@@ -149,7 +146,8 @@ TEST(Print, RandomFormulasReadBackAsWhatTheyAre) {
     std::size_t compared = 0;
     for (int i = 0; i < 3000; ++i) {
         Graph graph;
-        const Expr formula = build(graph, random_formula(random, 2 + static_cast<std::size_t>(i) % 30));
+        const Expr formula =
+            build(graph, random_formula(random, 2 + static_cast<std::size_t>(i) % 30));
         Graph other;
         const Expr read = Reader(other).read(print(formula));
         ASSERT_FALSE(HasFailure()) << print(formula);
@@ -159,7 +157,8 @@ TEST(Print, RandomFormulasReadBackAsWhatTheyAre) {
         if (wanted.error < 1e-6 && found.error < 1e-6) {
             ++compared;
             // a + (b + c) is printed as a sum of three, which groups otherwise.
-            EXPECT_NEAR(found.value, wanted.value, 2.0 * (wanted.error + found.error)) << print(formula);
+            EXPECT_NEAR(found.value, wanted.value, 2.0 * (wanted.error + found.error))
+                << print(formula);
         }
     }
     EXPECT_GT(compared, 1500U);

@@ -40,8 +40,8 @@ Bounded apply_bounded(Op op, std::span<const Bounded> arguments) {
         }
     }
     const double value = row.scalar(values.data());
-    double error = (row.max_ulp + 1.0) * rounding * std::fabs(value) +
-                   std::numeric_limits<double>::min();
+    double error =
+        (row.max_ulp + 1.0) * rounding * std::fabs(value) + std::numeric_limits<double>::min();
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         // More than twice the bound: two arguments that move towards each other must be seen to
         // meet. No round number: a jump by 2 pi must not look like none to a sine.
@@ -55,8 +55,8 @@ Bounded apply_bounded(Op op, std::span<const Bounded> arguments) {
             error += std::isfinite(difference) ? difference : infinity;
         }
     }
-    if (op == Op::equal && std::fabs(values[0] - values[1]) <=
-                               2.0 * (arguments[0].error + arguments[1].error)) {
+    if (op == Op::equal &&
+        std::fabs(values[0] - values[1]) <= 2.0 * (arguments[0].error + arguments[1].error)) {
         error += 1.0;
     }
     return {value, std::isfinite(value) ? error : infinity};
@@ -90,8 +90,9 @@ Formula random_formula(std::mt19937_64& random, std::size_t operations_wanted) {
         std::array<std::size_t, 3> arguments{};
         for (std::size_t i = 0; i < arity_of(op); ++i) {
             // Recent steps are the likelier ones, so that the formula grows deep.
-            arguments[i] = below(3) == 0 ? below(steps.size())
-                                         : steps.size() - 1 - below(std::min<std::size_t>(6, steps.size()));
+            arguments[i] = below(3) == 0
+                               ? below(steps.size())
+                               : steps.size() - 1 - below(std::min<std::size_t>(6, steps.size()));
         }
         const bool function = op >= Op::square_root && op <= Op::inverse_hyperbolic_tangent;
         if (function && below(4) != 0) {
@@ -136,9 +137,8 @@ Bounded evaluate_bounded(const Formula& formula, const Point& point) {
         for (std::size_t i = 0; i < arity; ++i) {
             arguments[i] = values[step.arguments[i]];
         }
-        values.push_back(arity == 0
-                             ? Bounded{leaf_value(step.op, step.value, point), 0.0}
-                             : apply_bounded(step.op, std::span(arguments).first(arity)));
+        values.push_back(arity == 0 ? Bounded{leaf_value(step.op, step.value, point), 0.0}
+                                    : apply_bounded(step.op, std::span(arguments).first(arity)));
     }
     return values.back();
 }
@@ -156,7 +156,8 @@ Bounded evaluate_bounded(Expr expression, const Point& point) {
         if (arity == 0) {
             // A constant may have been folded from others.
             const double value = leaf_value(node.op, node.value, point);
-            values[id.value()] = {value, node.op == Op::constant ? rounding * std::fabs(value) : 0.0};
+            values[id.value()] = {value,
+                                  node.op == Op::constant ? rounding * std::fabs(value) : 0.0};
         } else {
             values[id.value()] = apply_bounded(node.op, std::span(arguments).first(arity));
         }

@@ -57,7 +57,8 @@ Outcome check(const Formula& formula, std::span<const Point> points) {
             ++outcome.left_out;
             continue;
         }
-        for (const auto& [what, expression] : {std::pair("built", built), std::pair("simplified", simple)}) {
+        for (const auto& [what, expression] :
+             {std::pair("built", built), std::pair("simplified", simple)}) {
             const Bounded found = evaluate_bounded(expression, point);
             if (std::isfinite(found.value) && !(found.error < scale)) {
                 ++outcome.left_out;
@@ -65,7 +66,8 @@ Outcome check(const Formula& formula, std::span<const Point> points) {
             }
             ++outcome.compared;
             // The bounds are of first order: twice their sum leaves room for the second.
-            const double tolerance = 2.0 * (wanted.error + (std::isfinite(found.error) ? found.error : 0.0));
+            const double tolerance =
+                2.0 * (wanted.error + (std::isfinite(found.error) ? found.error : 0.0));
             if (!(std::fabs(found.value - wanted.value) <= tolerance)) {
                 outcome.failure = describe(what, point, wanted, found) + "\n" + print(expression);
                 return outcome;

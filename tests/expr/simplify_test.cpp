@@ -31,13 +31,9 @@ std::size_t operations_in(std::span<const Expr> roots) {
     return count;
 }
 
-Expr simplified(Expr e) {
-    return simplify(std::span(&e, 1)).front();
-}
+Expr simplified(Expr e) { return simplify(std::span(&e, 1)).front(); }
 
-std::size_t pixel_operations(Expr e) {
-    return pixel_operations(std::span(&e, 1));
-}
+std::size_t pixel_operations(Expr e) { return pixel_operations(std::span(&e, 1)); }
 
 }  // namespace
 
@@ -115,8 +111,6 @@ TEST(Simplify, KeepsWhatSeveralRootsShare) {
     EXPECT_LE(pixel_operations(simplify(roots)), 9U);
 }
 
-TEST(Simplify, GivesNothingForNothing) {
-    EXPECT_TRUE(simplify({}).empty());
-}
+TEST(Simplify, GivesNothingForNothing) { EXPECT_TRUE(simplify({}).empty()); }
 
 }  // namespace balcony::expr

@@ -75,7 +75,8 @@ TEST(Substitute, FoldsWhatBecomesConstant) {
     Graph graph;
     const Expr formula = sin(graph.variable(0)) + cos(graph.variable(0));
     const Substitution zero{graph.variable(0), graph.constant(0.0)};
-    EXPECT_TRUE(substitute(graph, std::span(&formula, 1), std::span(&zero, 1)).front().is_constant(1.0));
+    EXPECT_TRUE(
+        substitute(graph, std::span(&formula, 1), std::span(&zero, 1)).front().is_constant(1.0));
 }
 
 }  // namespace balcony::expr

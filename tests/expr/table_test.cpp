@@ -16,19 +16,16 @@ namespace {
 
 using Cubic = std::array<double, 4>;
 
-double value(const Cubic& c, double x) {
-    return ((c[3] * x + c[2]) * x + c[1]) * x + c[0];
-}
+double value(const Cubic& c, double x) { return ((c[3] * x + c[2]) * x + c[1]) * x + c[0]; }
 
-double slope(const Cubic& c, double x) {
-    return (3.0 * c[3] * x + 2.0 * c[2]) * x + c[1];
-}
+double slope(const Cubic& c, double x) { return (3.0 * c[3] * x + 2.0 * c[2]) * x + c[1]; }
 
 Table tabulated(const Cubic& c, double first, double last, std::size_t cells) {
     std::vector<double> values;
     std::vector<double> slopes;
     for (std::size_t i = 0; i <= cells; ++i) {
-        const double x = first + (last - first) * static_cast<double>(i) / static_cast<double>(cells);
+        const double x =
+            first + (last - first) * static_cast<double>(i) / static_cast<double>(cells);
         values.push_back(value(c, x));
         slopes.push_back(slope(c, x));
     }
@@ -83,7 +80,8 @@ TEST(Lookup, IsOneNodeATableAndArgument) {
     const auto table = std::make_shared<const Table>(tabulated({1.0, 2.0, 0.0, 0.0}, 0.0, 1.0, 4));
     const Expr x = graph.picture_x();
     EXPECT_TRUE(graph.lookup(table, x).same(graph.lookup(table, x)));
-    EXPECT_FALSE(graph.lookup(table, x).same(graph.lookup(std::make_shared<const Table>(*table), x)));
+    EXPECT_FALSE(
+        graph.lookup(table, x).same(graph.lookup(std::make_shared<const Table>(*table), x)));
     EXPECT_TRUE(graph.lookup(table, graph.constant(0.5)).is_constant(2.0));
 }
 
