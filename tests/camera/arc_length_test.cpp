@@ -51,10 +51,14 @@ TEST(ArcLength, EqualStepsOfUAreEqualLengths) {
             const GeneratorProbe by_angle(
                 object("superellipse", parts(a, b, gamma, "angle_centre")));
             constexpr int steps = 97;
+            // Closest at the ends of the quarter, where the curvature may be infinite.
+            const auto fraction = [](int i) {
+                return 0.5 - 0.5 * std::cos(2.0 * quarter * i / steps);
+            };
             std::vector<double> lengths{0.0};
             double last = 0.0;
             for (int i = 1; i <= steps; ++i) {
-                const Vector p = by_length(quarter * i / steps).point;
+                const Vector p = by_length(quarter * fraction(i)).point;
                 const double angle = i < steps ? std::atan2(p[1] / b, p[0] / a) : quarter;
                 lengths.push_back(lengths.back() + length_between(by_angle, last, angle));
                 last = angle;
@@ -62,7 +66,7 @@ TEST(ArcLength, EqualStepsOfUAreEqualLengths) {
             for (int i = 1; i <= steps; ++i) {
                 // The fraction of a quarter; of the whole it is a fourth of that.
                 EXPECT_NEAR(lengths[static_cast<std::size_t>(i)] / lengths.back() / 4.0,
-                            static_cast<double>(i) / steps / 4.0, 1e-7)
+                            fraction(i) / 4.0, 1e-7)
                     << "gamma " << gamma << ", half axes " << a << " and " << b;
             }
         }

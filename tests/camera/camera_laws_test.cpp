@@ -247,6 +247,18 @@ TEST(Camera, HasNoRayWhereACoordinateDoesNotExist) {
     }
 }
 
+TEST(Camera, HasNoRayWhereItsObjectStatesThatItEnds) {
+    Camera::Parts parts = with_direction_object("relative");
+    parts.eye = {range(-3.0, 3.0, 0.0, 1.0),
+                 {},
+                 object("superhyperbola", {{"by", std::string("trigonometric")}}),
+                 {}};
+    const CameraProbe rays(camera(parts), width, height);
+    at_pixels([&](double x, double y) {
+        EXPECT_EQ(rays(x, y).valid, std::cos(rays(x, y).parameters[0]) > 0.0);
+    });
+}
+
 TEST(Camera, HasNoRayOfNoDirection) {
     Camera::Parts parts = with_direction_object("relative");
     parts.toward = parts.eye;

@@ -26,14 +26,14 @@ constexpr std::size_t million = 1000000;
 // Chains of what the simplifier dissolves, what it leaves alone, and what it must cut into pieces
 // (the dearest: a shorter chain overflows a stack as well).
 const Shape shapes[] = {
-    {"affine", million,
+    {"affine", million / 4,
      [](Expr e, std::size_t i) { return (e + 0.5) * (i % 2 == 0 ? 0.75 : 1.25); }},
     {"nested", million, [](Expr e, std::size_t) { return sin(e); }},
     {"sum", million / 4,
      [](Expr e, std::size_t i) { return e + sin(static_cast<double>(i) * e.graph().picture_x()); }},
     {"product", million / 4,
      [](Expr e, std::size_t i) { return e * sin(static_cast<double>(i) * e.graph().picture_y()); }},
-    {"shared", million, [](Expr e, std::size_t) { return cos(e * e + e); }},
+    {"shared", million / 4, [](Expr e, std::size_t) { return cos(e * e + e); }},
 };
 
 Expr chain(Graph& graph, const Shape& shape, std::size_t nodes) {
