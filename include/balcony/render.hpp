@@ -50,12 +50,12 @@ struct Settings {
     std::size_t height = 720;
     std::size_t samples = 16;  ///< Rays a pixel: the number of passes.
     Integrator integrator = Integrator::direct;
-    std::size_t threads = 0;   ///< 0 is all of the machine's.
-    double time = 0.0;         ///< The t of the camera's formulas.
+    std::size_t threads = 0;              ///< 0 is all of the machine's.
+    double time = 0.0;                    ///< The t of the camera's formulas.
     Color3f ambient{0.1F, 0.1F, 0.1F};    ///< Radiance that comes from everywhere, unshadowed.
     std::optional<Color3f> background{};  ///< Radiance behind the scene; none is transparent.
     std::size_t mirror_depth = 8;         ///< Reflections after which a path ends.
-    bool data_layers = true;   ///< Fill Film::layers, at 77 bytes a pixel.
+    bool data_layers = true;              ///< Fill Film::layers, at 77 bytes a pixel.
 };
 
 // -------------------------------------------------------------------------------------- film
@@ -82,7 +82,7 @@ struct Film {
     std::vector<Color4f> sum;            ///< Linear radiance, alpha; colour is premultiplied.
     std::vector<std::uint32_t> samples;  ///< How many are in the sum; 0 where none was yet.
     std::optional<DataLayers> layers;
-    std::vector<std::string> objects;    ///< Names, by object id less 1.
+    std::vector<std::string> objects;  ///< Names, by object id less 1.
 
     /// The mean of the samples, premultiplied by alpha; nothing where there are none.
     [[nodiscard]] Color4f pixel(std::size_t x, std::size_t y) const;
@@ -92,7 +92,7 @@ struct Film {
 
 /// How far a render has come.
 struct Progress {
-    std::size_t pass = 0;        ///< The current one, from 0.
+    std::size_t pass = 0;  ///< The current one, from 0.
     std::size_t passes = 0;
     std::size_t tiles_done = 0;  ///< Over all passes.
     std::size_t tiles = 0;       ///< Over all passes.
@@ -124,7 +124,7 @@ struct Picture {
 class Renderer {
 public:
     struct Preparation {
-        double build_seconds = 0.0;    ///< Of the acceleration structure.
+        double build_seconds = 0.0;  ///< Of the acceleration structure.
         double texture_seconds = 0.0;
     };
 

@@ -24,9 +24,15 @@ class RayGrid {
 public:
     /// The values of a ray, in the order of the program's roots.
     enum Root : std::size_t {
-        origin_x, origin_y, origin_z,
-        direction_x, direction_y, direction_z,
-        valid, parameter_u, parameter_v,
+        origin_x,
+        origin_y,
+        origin_z,
+        direction_x,
+        direction_y,
+        direction_z,
+        valid,
+        parameter_u,
+        parameter_v,
         root_count
     };
 

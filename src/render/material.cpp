@@ -28,7 +28,8 @@ float opacity_of(const scene::Material& material, float texture_alpha) {
 // GGX's distribution of normals times the masking term, over four cosines.
 float highlight(float roughness, float n_l, float n_v, float n_h) {
     const float a2 = square(square(roughness));
-    const float distribution = a2 / (std::numbers::pi_v<float> * square(square(n_h) * (a2 - 1.0F) + 1.0F));
+    const float distribution =
+        a2 / (std::numbers::pi_v<float> * square(square(n_h) * (a2 - 1.0F) + 1.0F));
     const float masking = n_l * std::sqrt(square(n_v) * (1.0F - a2) + a2) +
                           n_v * std::sqrt(square(n_l) * (1.0F - a2) + a2);
     return distribution * 0.5F / masking;
@@ -62,8 +63,9 @@ Appearance look_up(const scene::Material& material, const TextureLibrary& textur
 
 float look_up_opacity(const scene::Material& material, const TextureLibrary& textures,
                       const TextureFootprint& footprint, TextureLibrary::ThreadCache cache) {
-    return opacity_of(material, textures.look_up(material.base_color_texture,
-                                                 TextureEncoding::srgb, footprint, cache).a);
+    return opacity_of(
+        material,
+        textures.look_up(material.base_color_texture, TextureEncoding::srgb, footprint, cache).a);
 }
 
 Color3f fresnel(const Color3f& normal_reflectance, float cosine) {
@@ -80,8 +82,7 @@ Color3f reflected(const Appearance& appearance, const V3f& normal, const V3f& to
     }
     const V3f halfway = (to_light + to_viewer).normalized();
     const Color3f mirrored = fresnel(appearance.normal_reflectance(), to_viewer.dot(halfway));
-    Color3f total =
-        (white - mirrored) * appearance.diffuse() / std::numbers::pi_v<float>;
+    Color3f total = (white - mirrored) * appearance.diffuse() / std::numbers::pi_v<float>;
     if (!appearance.smooth()) {
         total += highlight(appearance.roughness, n_l, n_v, normal.dot(halfway)) * mirrored;
     }

@@ -29,7 +29,8 @@ struct Appearance {
 
     [[nodiscard]] bool smooth() const { return roughness < smooth_roughness; }
     [[nodiscard]] Color3f diffuse() const { return (1.0F - metallic) * base_color; }
-    /// Reflectance at normal incidence: 4 % of an index of refraction of 1.5, or the metal's colour.
+    /// Reflectance at normal incidence: 4 % of an index of refraction of 1.5, or the metal's
+    /// colour.
     [[nodiscard]] Color3f normal_reflectance() const;
 };
 

@@ -9,8 +9,8 @@
 #include <mutex>
 #include <new>
 
-#include <fmt/format.h>
 #include <OpenImageIO/sysutil.h>
+#include <fmt/format.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
@@ -115,8 +115,7 @@ public:
         summary.repaired = counts.repaired;
         summary.interrupted = summary.passes < settings_.samples;
         summary.seconds = seconds_since(begin_);
-        summary.camera_share =
-            counts.seconds > 0.0 ? counts.camera_seconds / counts.seconds : 0.0;
+        summary.camera_share = counts.seconds > 0.0 ? counts.camera_seconds / counts.seconds : 0.0;
         return summary;
     }
 

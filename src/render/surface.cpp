@@ -56,7 +56,11 @@ TextureFootprint Surface::texture_footprint(const PositionDifferentials& moved) 
         const float u = along.cross(edge_2).dot(across) / square;
         const float v = edge_1.cross(along).dot(across) / square;
         const V2f slope = u * texture_edge_1 + v * texture_edge_2;
-        return is_finite(slope) ? slope : V2f(0.0F, 0.0F);
+        // A footprint of many images looks like one of some images, and keeps to safe numbers.
+        constexpr float widest = 64.0F;
+        const float width = std::max(std::abs(slope.x), std::abs(slope.y));
+        return !is_finite(slope) ? V2f(0.0F, 0.0F)
+                                 : slope * (width > widest ? widest / width : 1.0F);
     };
     return {texture_point, in_texture(moved.along_x), in_texture(moved.along_y)};
 }
@@ -103,10 +107,10 @@ Surface SurfaceFinder::find(const embree::Hit& hit, const V3f& direction) const 
     surface.position = p0 + hit.u * surface.edge_1 + hit.v * surface.edge_2;
     // Eight roundings of the largest number that takes part in finding the point or in meeting the
     // triangle from it.
-    surface.offset = 8.0F * std::numeric_limits<float>::epsilon() *
-                     std::max({largest_coordinate(p0), largest_coordinate(p1),
-                               largest_coordinate(p2), largest_coordinate(surface.edge_1),
-                               largest_coordinate(surface.edge_2)});
+    surface.offset =
+        8.0F * std::numeric_limits<float>::epsilon() *
+        std::max({largest_coordinate(p0), largest_coordinate(p1), largest_coordinate(p2),
+                  largest_coordinate(surface.edge_1), largest_coordinate(surface.edge_2)});
 
     surface.geometric_normal = surface.edge_1.cross(surface.edge_2).normalized();
     if (surface.geometric_normal.dot(direction) > 0.0F) {
@@ -118,8 +122,8 @@ Surface SurfaceFinder::find(const embree::Hit& hit, const V3f& direction) const 
                             hit.u * m.normals[triangle[1]] + hit.v * m.normals[triangle[2]]) *
                            placement.normal_from_mesh;
         if (const V3f unit = normal.normalized(); unit.length2() > 0.0F) {
-            surface.normal = bent_towards(
-                unit.dot(surface.geometric_normal) < 0.0F ? -unit : unit, -direction);
+            surface.normal =
+                bent_towards(unit.dot(surface.geometric_normal) < 0.0F ? -unit : unit, -direction);
         }
     }
     if (!m.texture_coordinates.empty()) {

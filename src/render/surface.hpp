@@ -46,7 +46,7 @@ struct Surface {
     V3f edge_1, edge_2;    ///< Of the triangle, from its first vertex.
     V2f texture_point;
     V2f texture_edge_1, texture_edge_2;
-    float offset = 0.0F;   ///< A distance from the surface that rounding cannot bridge.
+    float offset = 0.0F;  ///< A distance from the surface that rounding cannot bridge.
     const scene::Material* material = nullptr;
     std::uint32_t object = 0;
 

@@ -27,9 +27,8 @@ float linear_from_srgb(float value) {
 // Embedded images have no file name to tell their format by; glTF allows these two.
 const char* format_by_content(const std::vector<std::uint8_t>& bytes) {
     constexpr std::array<std::uint8_t, 4> png = {0x89, 'P', 'N', 'G'};
-    return bytes.size() >= png.size() && std::equal(png.begin(), png.end(), bytes.begin())
-               ? "png"
-               : "jpeg";
+    return bytes.size() >= png.size() && std::equal(png.begin(), png.end(), bytes.begin()) ? "png"
+                                                                                           : "jpeg";
 }
 
 // Decodes the whole image when its first row is asked for and lets go of it when each row has been
@@ -133,9 +132,8 @@ private:
         for (std::size_t i = 0; i < values.size(); i += count) {
             for (std::size_t c = 0; c < 3; ++c) {
                 const float value = values[i + (count < 3 ? 0 : c)];
-                texels_.emplace_back(source_->encoding == TextureEncoding::srgb
-                                         ? linear_from_srgb(value)
-                                         : value);
+                texels_.emplace_back(
+                    source_->encoding == TextureEncoding::srgb ? linear_from_srgb(value) : value);
             }
             texels_.emplace_back(count == 2 || count >= 4 ? values[i + (count == 2 ? 1 : 3)]
                                                           : 1.0F);

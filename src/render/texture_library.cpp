@@ -3,6 +3,8 @@
 
 #include "render/texture_library.hpp"
 
+#include <cmath>
+
 #include <OpenImageIO/imagecache.h>
 #include <fmt/format.h>
 
@@ -77,14 +79,18 @@ void TextureLibrary::open(const scene::Texture& texture, TextureEncoding encodin
 }
 
 Imath::Color4f TextureLibrary::look_up(scene::TextureIndex texture, TextureEncoding encoding,
-                                       const TextureFootprint& footprint,
-                                       ThreadCache cache) const {
+                                       const TextureFootprint& footprint, ThreadCache cache) const {
     Imath::Color4f color(1.0F, 1.0F, 1.0F, 1.0F);
     if (!texture.valid()) {
         return color;
     }
     const Entry& entry = entries_[texture.value()][static_cast<std::size_t>(encoding)];
     if (entry.handle == nullptr) {
+        return color;
+    }
+    // Beyond this a float does not tell the texels of an image apart.
+    constexpr float farthest = 1e6F;
+    if (!(std::abs(footprint.at.x) < farthest && std::abs(footprint.at.y) < farthest)) {
         return color;
     }
     OIIO::TextureOpt options;

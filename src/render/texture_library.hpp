@@ -56,8 +56,8 @@ public:
 
     [[nodiscard]] ThreadCache thread_cache() const { return system_->get_perthread_info(); }
 
-    /// The mean over the footprint: red, green, blue, alpha. White where there is no texture or it
-    /// cannot be read.
+    /// The mean over the footprint: red, green, blue, alpha. White where there is no texture, it
+    /// cannot be read, or the point is no sensible number.
     [[nodiscard]] Imath::Color4f look_up(scene::TextureIndex texture, TextureEncoding encoding,
                                          const TextureFootprint& footprint,
                                          ThreadCache cache) const;
@@ -75,9 +75,7 @@ private:
         mutable std::atomic<bool> reported = false;
     };
     struct DestroySystem {
-        void operator()(OIIO::TextureSystem* system) const {
-            OIIO::TextureSystem::destroy(system);
-        }
+        void operator()(OIIO::TextureSystem* system) const { OIIO::TextureSystem::destroy(system); }
     };
 
     void open(const scene::Texture& texture, TextureEncoding encoding, std::size_t index,

@@ -56,8 +56,7 @@ TileWorker::TileWorker(const TracedScene& traced, const program::Program& camera
       film_(&film),
       tracer_(traced, settings),
       // Many samples share the work of filtering; pbrt bounds the sharing alike.
-      footprint_scale_(
-          std::max(0.125, 1.0 / std::sqrt(static_cast<double>(settings.samples)))) {
+      footprint_scale_(std::max(0.125, 1.0 / std::sqrt(static_cast<double>(settings.samples)))) {
     const std::size_t points = (tile_width + 1) * (tile_height + 1);
     grid_.resize(points);
     traceable_.resize(points);
@@ -84,11 +83,11 @@ void TileWorker::make_rays(const PixelTile& tile, std::size_t pass) {
     const Imath::V2d offset = pass_offset(pass);
     grid_width_ = tile.width + 1;
     const Clock::time_point begin = Clock::now();
-    program::run(*camera_,
-                 {static_cast<double>(tile.x) + 0.5 + offset.x,
-                  static_cast<double>(tile.y) + 0.5 + offset.y, 1.0, grid_width_, tile.height + 1,
-                  settings_->time},
-                 scratch_, grid_.roots());
+    program::run(
+        *camera_,
+        {static_cast<double>(tile.x) + 0.5 + offset.x, static_cast<double>(tile.y) + 0.5 + offset.y,
+         1.0, grid_width_, tile.height + 1, settings_->time},
+        scratch_, grid_.roots());
     counts_.camera_seconds += seconds_between(begin, Clock::now());
     const std::size_t points = grid_width_ * (tile.height + 1);
     for (std::size_t i = 0; i < points; ++i) {

@@ -65,7 +65,7 @@ private:
 
     program::Scratch scratch_;
     RayGrid grid_;
-    std::size_t grid_width_ = 0;  // In points.
+    std::size_t grid_width_ = 0;           // In points.
     std::vector<std::uint8_t> traceable_;  // By point of the grid.
     std::vector<embree::Ray> rays_;        // By pixel of the tile, as are these two.
     std::vector<std::uint8_t> has_ray_;

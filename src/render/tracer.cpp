@@ -63,8 +63,7 @@ void Tracer::follow(const Pending& pending, const embree::Hit& hit, Result& resu
         footprint = surface.texture_footprint(moved);
     }
     const Appearance appearance = look_up(*surface.material, *traced_->textures, footprint, cache_);
-    const float opacity =
-        pending.crossings < most_crossings ? appearance.opacity : 1.0F;
+    const float opacity = pending.crossings < most_crossings ? appearance.opacity : 1.0F;
     if (opacity < 1.0F) {
         follow_through(pending, surface, moved, opacity);
     }
@@ -136,8 +135,8 @@ Color3f Tracer::light(const Ray& ray, const Surface& surface, const Appearance& 
     Color3f total(0.0F);
     if (traced_->scene->default_light) {
         // Such that a white wall seen straight on has radiance 1.
-        total += std::numbers::pi_v<float> *
-                 reflected(appearance, surface.normal, to_viewer, to_viewer);
+        total +=
+            std::numbers::pi_v<float> * reflected(appearance, surface.normal, to_viewer, to_viewer);
     }
     for (const scene::Light& lamp : traced_->scene->lights) {
         const Illumination arriving =
@@ -146,9 +145,8 @@ Color3f Tracer::light(const Ray& ray, const Surface& surface, const Appearance& 
             arriving.to_light.dot(surface.geometric_normal) <= 0.0F) {
             continue;
         }
-        const Color3f unshadowed =
-            arriving.irradiance *
-            reflected(appearance, surface.normal, to_viewer, arriving.to_light);
+        const Color3f unshadowed = arriving.irradiance * reflected(appearance, surface.normal,
+                                                                   to_viewer, arriving.to_light);
         if (largest(unshadowed) <= 0.0F) {
             continue;
         }

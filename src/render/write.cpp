@@ -26,9 +26,9 @@ std::string ending(const std::filesystem::path& file) {
 Diagnostics check_output(const std::filesystem::path& file) {
     const std::string format = ending(file);
     if (format != ".png" && format != ".exr") {
-        return {error(fmt::format("'{}' has no ending that says how to write a picture",
-                                  file.string()),
-                      {}, "let the file's name end in .png or .exr")};
+        return {
+            error(fmt::format("'{}' has no ending that says how to write a picture", file.string()),
+                  {}, "let the file's name end in .png or .exr")};
     }
     return OutputFile::check(file);
 }

@@ -153,9 +153,9 @@ Diagnostics write_exr(const Film& film, const std::filesystem::path& file) {
         Imf::OutputFile exr(stream, make_header(film, channels));
         write_pixels(film, channels, exr);
     } catch (const std::exception& failed) {
-        return {output.stream() ? error(fmt::format("'{}' cannot be made: {}", file.string(),
-                                                    failed.what()))
-                                : output.failure()};
+        return {output.stream()
+                    ? error(fmt::format("'{}' cannot be made: {}", file.string(), failed.what()))
+                    : output.failure()};
     }
     return output.commit();
 }

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include <fmt/format.h>
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
 
 #include "balcony/render.hpp"
 #include "render/output_file.hpp"

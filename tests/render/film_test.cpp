@@ -182,13 +182,13 @@ TEST(Film, ProgressCountsEveryTileOfEveryPass) {
     const Result<Renderer> renderer = Renderer::make(std::make_shared<scene::Scene>(scene));
     std::size_t calls = 0;
     Progress last;
-    const Result<Picture> picture = renderer->render(
-        orthographic(view_down_z(0.0, 0.0, 0.0)), settings(100, 70, Integrator::preview, 3),
-        [&](const Progress& progress) {
-            ++calls;
-            EXPECT_EQ(progress.tiles_done, calls);
-            last = progress;
-        });
+    const Result<Picture> picture =
+        renderer->render(orthographic(view_down_z(0.0, 0.0, 0.0)),
+                         settings(100, 70, Integrator::preview, 3), [&](const Progress& progress) {
+                             ++calls;
+                             EXPECT_EQ(progress.tiles_done, calls);
+                             last = progress;
+                         });
     EXPECT_EQ(calls, last.tiles);
     EXPECT_EQ(last.pass, 2U);
     EXPECT_EQ(last.passes, 3U);

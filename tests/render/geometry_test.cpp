@@ -126,6 +126,11 @@ TEST(Geometry, SharedMeshesAreSeenAsMeshesOfTheirOwn) {
         EXPECT_NEAR(a.film.layers->ray_length[i], b.film.layers->ray_length[i], 4.0 * rounding);
         EXPECT_LT((a.film.layers->normal[i] - b.film.layers->normal[i]).length(), 4.0 * rounding);
         EXPECT_LT(a.film.layers->normal[i].dot(a.film.layers->direction[i]), 0.0F);
+        for (const V3d& edge : {V3d(1.0, 0.0, 0.0), V3d(0.0, 1.0, 0.0)}) {
+            V3d placed_edge;
+            placed.multDirMatrix(edge, placed_edge);
+            EXPECT_NEAR(V3d(a.film.layers->normal[i]).dot(placed_edge), 0.0, 4.0 * rounding);
+        }
     });
     EXPECT_GT(hits, side);
 }
@@ -159,8 +164,8 @@ TEST(Geometry, PreviewShadesByTheCosineToTheRay) {
     add(scene, wall(-3.0F, 20.0F), material);
     const Picture picture = render(scene, pinhole(view_down_z(0.0, 0.0, 0.0)), preview());
     for_each_pixel([&](std::size_t x, std::size_t y, std::size_t) {
-        const double cosine = 1.0 / std::sqrt(1.0 + parameter(x) * parameter(x) +
-                                              parameter(y) * parameter(y));
+        const double cosine =
+            1.0 / std::sqrt(1.0 + parameter(x) * parameter(x) + parameter(y) * parameter(y));
         EXPECT_NEAR(picture.film.pixel(x, y).g, 0.25 * cosine, rounding);
     });
 }

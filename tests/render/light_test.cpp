@@ -109,8 +109,7 @@ TEST(Light, SpotShinesInItsCone) {
 TEST(Light, ShadowOfAPlateEndsWhereTheLineThroughItsEdgeEnds) {
     scene::Scene scene;
     add(scene, wall(0.0F, 10.0F), matt());
-    add(scene, parallelogram({0.0F, -5.0F, 1.0F}, {5.0F, 0.0F, 0.0F}, {0.0F, 10.0F, 0.0F}),
-        matt());
+    add(scene, parallelogram({0.0F, -5.0F, 1.0F}, {5.0F, 0.0F, 0.0F}, {0.0F, 10.0F, 0.0F}), matt());
     scene.lights = {lamp_at(-0.5, 0.0, 2.0)};
     constexpr double edge = 0.5;
     constexpr double close = 1e-4;
@@ -185,8 +184,8 @@ TEST(Light, BlendedSurfacesAreSeenThrough) {
     add(scene, wall(0.2F, 10.0F), film);
     EXPECT_NEAR(radiance_at(scene, 0.0, 0.0), 0.25F + 0.75F * 2.0F, rounding);
     scene.instances.erase(scene.instances.begin());
-    const Picture picture = render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)),
-                                   settings(1, 1, Integrator::direct));
+    const Picture picture =
+        render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)), settings(1, 1, Integrator::direct));
     EXPECT_NEAR(picture.film.pixel(0, 0).a, 0.25F, rounding);
     EXPECT_EQ(picture.film.layers->object[0], 2U);
 }
@@ -200,7 +199,8 @@ TEST(Light, AmbientLightAndDefaultLight) {
     asked.ambient = Color3f(0.3F);
     EXPECT_NEAR(radiance_at(scene, 0.0, 0.0, asked), 0.15F, rounding);
     scene.default_light = true;
-    EXPECT_NEAR(radiance_at(scene, 0.0, 0.0), pi * (0.5F * matt_diffuse + matt_highlight), rounding);
+    EXPECT_NEAR(radiance_at(scene, 0.0, 0.0), pi * (0.5F * matt_diffuse + matt_highlight),
+                rounding);
 }
 
 // A mirror in the plane z = -x turns rays along -z to -x... the glowing wall stands there.

@@ -3,14 +3,14 @@
 
 // Films in files, read back.
 
-#include <csignal>
 #include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 
-#include <gtest/gtest.h>
 #include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -57,8 +57,8 @@ std::vector<float> read(const fs::path& file, std::vector<std::string>* channels
     EXPECT_TRUE(input) << OIIO::geterror();
     std::vector<float> values(static_cast<std::size_t>(input->spec().image_pixels()) *
                               static_cast<std::size_t>(input->spec().nchannels));
-    EXPECT_TRUE(input->read_image(0, 0, 0, input->spec().nchannels, OIIO::TypeDesc::FLOAT,
-                                  values.data()));
+    EXPECT_TRUE(
+        input->read_image(0, 0, 0, input->spec().nchannels, OIIO::TypeDesc::FLOAT, values.data()));
     if (channels != nullptr) {
         *channels = input->spec().channelnames;
     }
@@ -69,8 +69,7 @@ std::vector<float> read(const fs::path& file, std::vector<std::string>* channels
 }
 
 float srgb(float linear) {
-    return linear <= 0.0031308F ? 12.92F * linear
-                                : 1.055F * std::pow(linear, 1.0F / 2.4F) - 0.055F;
+    return linear <= 0.0031308F ? 12.92F * linear : 1.055F * std::pow(linear, 1.0F / 2.4F) - 0.055F;
 }
 
 TEST_F(Output, PngHoldsSrgbAndStraightAlpha) {

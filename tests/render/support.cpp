@@ -3,9 +3,9 @@
 
 #include "support.hpp"
 
-#include <gtest/gtest.h>
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
 
 namespace balcony::render::test {
 
@@ -111,8 +111,7 @@ std::uint32_t add(scene::Scene& scene, scene::Mesh mesh, scene::Material materia
     const auto object = static_cast<std::uint32_t>(scene.objects.size());
     mesh.material = scene::MaterialIndex(scene.materials.size());
     scene.materials.push_back(std::move(material));
-    scene.instances.push_back(
-        {scene::MeshIndex(scene.meshes.size()), world_from_mesh, object});
+    scene.instances.push_back({scene::MeshIndex(scene.meshes.size()), world_from_mesh, object});
     scene.meshes.push_back(std::move(mesh));
     scene.objects.push_back({"object " + std::to_string(object)});
     return object + 1;
@@ -165,8 +164,7 @@ Settings settings(std::size_t width, std::size_t height, Integrator integrator,
     return made;
 }
 
-Picture render(const scene::Scene& scene, const camera::Camera& camera,
-               const Settings& settings) {
+Picture render(const scene::Scene& scene, const camera::Camera& camera, const Settings& settings) {
     const Result<Renderer> renderer = Renderer::make(std::make_shared<scene::Scene>(scene));
     EXPECT_TRUE(renderer && renderer.diagnostics.empty()) << to_text(renderer.diagnostics);
     Result<Picture> picture = renderer->render(camera, settings);

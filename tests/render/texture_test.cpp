@@ -17,9 +17,7 @@ using Pixel = std::vector<std::uint8_t>;
 // Half a step of 8 bits on its way through a half float of 11 bits.
 constexpr float texel_rounding = 1.0F / 255.0F;
 
-Pixel checker(int x, int y) {
-    return (x + y) % 2 == 0 ? Pixel{255, 255, 255} : Pixel{0, 0, 0};
-}
+Pixel checker(int x, int y) { return (x + y) % 2 == 0 ? Pixel{255, 255, 255} : Pixel{0, 0, 0}; }
 
 scene::Scene textured_wall(std::vector<std::uint8_t> png, float half = 1.0F) {
     scene::Scene scene;
@@ -46,8 +44,9 @@ TEST(Texture, CornersOfTheImageAreCornersOfThePicture) {
 }
 
 TEST(Texture, ColourIsDecodedFromSrgbAndMultipliedWithTheFactor) {
-    scene::Scene scene =
-        textured_wall(encode_png(16, 16, 3, [](int, int) { return Pixel{188, 128, 64}; }));
+    scene::Scene scene = textured_wall(encode_png(16, 16, 3, [](int, int) {
+        return Pixel{188, 128, 64};
+    }));
     scene.materials[0].base_color = Color3f(0.5F);
     const Picture picture = render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)),
                                    settings(4, 4, Integrator::preview));
@@ -59,11 +58,15 @@ TEST(Texture, ColourIsDecodedFromSrgbAndMultipliedWithTheFactor) {
     EXPECT_NEAR(picture.film.layers->albedo[5].z, linear(64.0F), texel_rounding);
 }
 
+// A view whose pixel centres fall onto no texel's border, where a look-up without filter would be
+// grey too.
+View unaligned_view() { return view_down_z(0.0013, 0.0009, 1.0); }
+
 // 512 x 512 texels in 16 x 16 pixels: each pixel sees half white, half black, also at its border.
 TEST(Texture, AFineCheckerFromAfarIsGrey) {
     const scene::Scene scene = textured_wall(encode_png(512, 512, 3, checker));
-    const Picture straight = render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)),
-                                    settings(16, 16, Integrator::preview));
+    const Picture straight =
+        render(scene, orthographic(unaligned_view()), settings(16, 16, Integrator::preview));
     for (std::size_t i = 0; i < 256; ++i) {
         EXPECT_NEAR(straight.film.pixel(i % 16, i / 16).r, 0.5F, texel_rounding) << i;
     }
@@ -75,7 +78,8 @@ TEST(Texture, FilteringIsAnisotropic) {
         return (x / 16) % 2 == 0 ? Pixel{255, 255, 255} : Pixel{0, 0, 0};
     }));
     View wide = view_down_z(0.0, 0.0, 1.0);
-    const Picture picture = render(scene, orthographic(wide), settings(256, 16, Integrator::preview));
+    const Picture picture =
+        render(scene, orthographic(wide), settings(256, 16, Integrator::preview));
     for (std::size_t stripe = 0; stripe < 16; ++stripe) {
         EXPECT_NEAR(picture.film.pixel(16 * stripe + 8, 7).r, stripe % 2 == 0 ? 1.0F : 0.0F, 0.1F)
             << stripe;
@@ -104,8 +108,8 @@ TEST(Texture, FootprintsInAMirrorAreThoseOfTheReflectedRays) {
     screen.emission = Color3f(1.0F);
     screen.emission_texture = add_texture(scene, encode_png(512, 512, 3, checker));
     add(scene, wall(3.0F, 2.0F), screen);
-    const Picture picture = render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)),
-                                   settings(16, 16, Integrator::direct));
+    const Picture picture =
+        render(scene, orthographic(unaligned_view()), settings(16, 16, Integrator::direct));
     for (std::size_t i = 0; i < 256; ++i) {
         EXPECT_NEAR(picture.film.pixel(i % 16, i / 16).r, 0.5F, texel_rounding) << i;
     }
@@ -125,6 +129,18 @@ TEST(Texture, AlphaCutsOut) {
     EXPECT_EQ(picture.film.layers->ray_length[32 * 64 + 44], 2.0F);
 }
 
+TEST(Texture, CoordinatesThatAreNoNumbersAreHarmless) {
+    scene::Scene scene = textured_wall(encode_png(64, 64, 3, checker));
+    for (const float bad : {std::nanf(""), HUGE_VALF, 1e30F}) {
+        for (Imath::V2f& point : scene.meshes[0].texture_coordinates) {
+            point = Imath::V2f(bad, -bad) * (point.x - 0.5F);
+        }
+        const Picture picture =
+            render(scene, pinhole(view_down_z(0.0, 0.0, 1.0)), settings(8, 8, Integrator::direct));
+        EXPECT_EQ(picture.summary.repaired, 0U);
+    }
+}
+
 TEST(Texture, WithoutItsTextureAMaterialHasItsFactors) {
     scene::Scene scene = textured_wall({1, 2, 3, 4});
     scene.textures[0].name = "broken.png";
@@ -134,8 +150,8 @@ TEST(Texture, WithoutItsTextureAMaterialHasItsFactors) {
     ASSERT_TRUE(renderer);
     ASSERT_EQ(renderer.diagnostics.size(), 1U);
     EXPECT_NE(renderer.diagnostics[0].message.find("broken.png"), std::string::npos);
-    const Result<Picture> picture = renderer->render(
-        orthographic(view_down_z(0.0, 0.0, 1.0)), settings(4, 4, Integrator::preview));
+    const Result<Picture> picture = renderer->render(orthographic(view_down_z(0.0, 0.0, 1.0)),
+                                                     settings(4, 4, Integrator::preview));
     ASSERT_TRUE(picture);
     EXPECT_TRUE(picture.diagnostics.empty());
     EXPECT_EQ(picture->film.pixel(1, 1).r, 0.25F);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -143,6 +144,14 @@ RTCRayHit to_ray_hit(const Ray& ray) {
 constexpr std::size_t packet_side = 4;
 constexpr std::size_t packet_size = packet_side * packet_side;
 
+// Embree's coherent packets lose rays with a direction component of nearly 0, whose reciprocal is
+// out of range for the bounds of a packet. The least that is given to it is less than the rounding
+// of the other components of a unit direction.
+float away_from_zero(float component) {
+    constexpr float least = 1e-8F;
+    return std::fabs(component) < least ? std::copysign(least, component) : component;
+}
+
 void intersect_packet(RTCScene world, std::span<const std::size_t> indices,
                       std::span<const Ray> rays, std::span<Hit> hits) {
     if (indices.empty()) {
@@ -156,9 +165,9 @@ void intersect_packet(RTCScene world, std::span<const std::size_t> indices,
         packet.ray.org_x[lane] = ray.origin.x;
         packet.ray.org_y[lane] = ray.origin.y;
         packet.ray.org_z[lane] = ray.origin.z;
-        packet.ray.dir_x[lane] = ray.direction.x;
-        packet.ray.dir_y[lane] = ray.direction.y;
-        packet.ray.dir_z[lane] = ray.direction.z;
+        packet.ray.dir_x[lane] = away_from_zero(ray.direction.x);
+        packet.ray.dir_y[lane] = away_from_zero(ray.direction.y);
+        packet.ray.dir_z[lane] = away_from_zero(ray.direction.z);
         packet.ray.tfar[lane] = ray.farthest;
         packet.ray.mask[lane] = 0xffffffffU;
         packet.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
