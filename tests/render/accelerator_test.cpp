@@ -32,7 +32,7 @@ TEST(Accelerator, PacketsFindWhatSingleRaysFindAlongTheAxes) {
     std::vector<Ray> rays;
     for (std::size_t y = 0; y < side; ++y) {
         for (std::size_t x = 0; x < side; ++x) {
-            const V3f origin(0.26F * static_cast<float>(x) - 1.3F,
+            const V3f origin(0.26F * static_cast<float>(x) - 1.25F,
                              0.26F * static_cast<float>(y) - 1.3F, 0.0F);
             rays.push_back({origin, V3f(hairs[x], hairs[y], -1.0F)});
         }
