@@ -52,10 +52,15 @@ struct GalleryView {
     int wholly_visible = 0;
     int connected = 0;
     double median_anisotropy = 0.0;
+    double most_bent = 0.0;
 
     [[nodiscard]] bool as_promised() const {
-        return wholly_visible == 7 && connected == 7 && median_anisotropy <= 1.25;
+        return wholly_visible == 7 && connected == 7 && median_anisotropy <= 1.25 &&
+               most_bent <= straight;
     }
+    /// The paper asks for pictures that are almost undistorted. An ellipsoid would do by anisotropy
+    /// alone in this room, but it bends edges by several per cent of a picture's diagonal.
+    static constexpr double straight = 0.015;
 };
 
 GalleryView view_gallery(const scene::Scene& scene, const render::Film& film) {
@@ -66,6 +71,7 @@ GalleryView view_gallery(const scene::Scene& scene, const render::Film& film) {
         const View view = view_of(film, name, rectangle_of(scene, name));
         gallery_view.wholly_visible += view.share_seen == 1.0 ? 1 : 0;
         gallery_view.connected += view.regions == 1 ? 1 : 0;
+        gallery_view.most_bent = std::max(gallery_view.most_bent, view.bend);
         anisotropy.insert(anisotropy.end(), view.anisotropy.begin(), view.anisotropy.end());
     }
     gallery_view.median_anisotropy = median(anisotropy);
@@ -89,8 +95,9 @@ TEST(Plate2, ShowsAllPicturesWhollyAndNearlyUndistorted) {
     EXPECT_EQ(view.wholly_visible, 7);
     EXPECT_EQ(view.connected, 7);
     EXPECT_LE(view.median_anisotropy, 1.25);
-    EXPECT_TRUE(view.as_promised());
+    EXPECT_LE(view.most_bent, GalleryView::straight);
     RecordProperty("median_anisotropy", fmt::format("{:.4f}", view.median_anisotropy));
+    RecordProperty("most_bent", fmt::format("{:.4f}", view.most_bent));
 }
 
 // Twice the resolution halves the steps between neighbouring rays where the camera is continuous,
@@ -105,19 +112,28 @@ TEST(Plate2, HasNoJumpInOriginOrDirection) {
     EXPECT_LT(fine.direction, continuous * coarse.direction);
 }
 
+// The room is closed. Normals of nearly flat walls run along the axes but for a hair, which ray
+// tracing kernels can trip over.
+TEST(Plate2, HasNoHole) {
+    const render::Film film = render_gallery(gallery(), "02-superelliptic", width, height);
+    const auto& ids = film.layers->object;
+    EXPECT_EQ(std::count(ids.begin(), ids.end(), 0U), 0);
+}
+
 // The measurement itself must be able to fail.
 TEST(Plate2, AnEllipsoidDoesNotKeepThePromise) {
     const scene::Scene scene = gallery();
     const GalleryView view = view_gallery(
         scene, render_gallery(scene, "02-superelliptic", width, height, {{"gamma", "1"}}));
     EXPECT_FALSE(view.as_promised());
+    EXPECT_GT(view.most_bent, GalleryView::straight);
 }
 
 TEST(Plate2, APictureMovedOutOfSightIsMissed) {
     scene::Scene scene = gallery();
     for (scene::Instance& instance : scene.instances) {
         if (scene.objects[instance.object].name == picture_name(3)) {
-            instance.world_from_mesh *= scene::M44d().setTranslation({0.0, 20.0, 0.0});
+            instance.world_from_mesh *= scene::M44d().setTranslation(scene::V3d(0.0, 20.0, 0.0));
         }
     }
     const GalleryView view =

@@ -62,6 +62,35 @@ double singular_ratio(double a, double b, double c, double d) {
     return std::sqrt((s + root) / std::max(s - root, 1e-300));
 }
 
+/// Where a pixel looks on a rectangle, in scene units along right and up.
+struct Sight {
+    V3d pixel;  ///< (x, y, 1)
+    V3d place;  ///< (right, up, 0)
+};
+
+// The farthest that a sight lies from the affine map that fits all of them best (least squares).
+double largest_residual(const std::vector<Sight>& sights) {
+    Imath::M33d normal(0.0), mixed(0.0);
+    for (const auto& [pixel, place] : sights) {
+        for (int i = 0; i < 3; ++i) {
+            for (int j = 0; j < 3; ++j) {
+                normal[i][j] += pixel[i] * pixel[j];
+                mixed[i][j] += pixel[i] * place[j];
+            }
+        }
+    }
+    const Imath::M33d fit = normal.inverse() * mixed;
+    double largest = 0.0;
+    for (const auto& [pixel, place] : sights) {
+        V3d fitted(0.0);
+        for (int j = 0; j < 3; ++j) {
+            fitted[j] = pixel.x * fit[0][j] + pixel.y * fit[1][j] + pixel.z * fit[2][j];
+        }
+        largest = std::max(largest, (fitted - place).length());
+    }
+    return largest;
+}
+
 }  // namespace
 
 Rectangle rectangle_of(const scene::Scene& scene, const std::string& object) {
@@ -102,6 +131,7 @@ View view_of(const render::Film& film, const std::string& object, const Rectangl
     const double up_length = rectangle.up.length();
     const V3d right = rectangle.right / right_length;
     const V3d up = rectangle.up / up_length;
+    std::vector<Sight> sights;
     std::vector<bool> cell_seen(View::cells * View::cells, false);
     const auto cell_of = [](double share) {
         return static_cast<std::size_t>(
@@ -116,6 +146,8 @@ View view_of(const render::Film& film, const std::string& object, const Rectangl
             ++view.pixels;
             const V3d p(layers.position[i]);
             const V3d offset = p - rectangle.corner;
+            sights.push_back({V3d(static_cast<double>(x), static_cast<double>(y), 1.0),
+                              V3d(offset.dot(right), offset.dot(up), 0.0)});
             cell_seen[cell_of(offset.dot(up) / up_length) * View::cells +
                       cell_of(offset.dot(right) / right_length)] = true;
             if (x + 1 < width && y + 1 < film.height && layers.object[i + 1] == id &&
@@ -129,6 +161,8 @@ View view_of(const render::Film& film, const std::string& object, const Rectangl
     }
     view.share_seen = static_cast<double>(std::count(cell_seen.begin(), cell_seen.end(), true)) /
                       static_cast<double>(cell_seen.size());
+    view.bend = sights.size() < 3 ? 0.0
+                                  : largest_residual(sights) / std::hypot(right_length, up_length);
     return view;
 }
 

@@ -29,6 +29,8 @@ struct View {
     double share_seen = 0.0;        ///< Of cells x cells equal cells of the rectangle, those hit.
     std::vector<double> anisotropy; ///< A pixel each: ratio of the singular values of the map from
                                     ///< pixels to the rectangle's plane.
+    double bend = 0.0;              ///< The farthest that a pixel lies from where the affine map
+                                    ///< that fits best would put it, in diagonals.
     static constexpr std::size_t cells = 12;
 };
 
