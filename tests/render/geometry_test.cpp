@@ -106,8 +106,11 @@ TEST(Geometry, SharedMeshesAreSeenAsMeshesOfTheirOwn) {
     placed.scale(V3d(0.5, -1.5, 0.75));
     placed[3][0] = 0.25;
     placed[3][2] = -1.0;
+    // Tilted, so that unequal scales turn its normal otherwise than its edges.
+    const V3f right(1.6F, 0.0F, 0.8F);
+    const V3f up(0.0F, 1.6F, 0.3F);
     scene::Scene own;
-    add(own, wall(0.0F, 0.8F), white(), placed);
+    add(own, parallelogram({-0.8F, -0.8F, -0.4F}, right, up), white(), placed);
     scene::Scene shared = own;
     shared.objects.push_back({"far away"});
     scene::M44d far_away;
@@ -126,7 +129,7 @@ TEST(Geometry, SharedMeshesAreSeenAsMeshesOfTheirOwn) {
         EXPECT_NEAR(a.film.layers->ray_length[i], b.film.layers->ray_length[i], 4.0 * rounding);
         EXPECT_LT((a.film.layers->normal[i] - b.film.layers->normal[i]).length(), 4.0 * rounding);
         EXPECT_LT(a.film.layers->normal[i].dot(a.film.layers->direction[i]), 0.0F);
-        for (const V3d& edge : {V3d(1.0, 0.0, 0.0), V3d(0.0, 1.0, 0.0)}) {
+        for (const V3d& edge : {V3d(right), V3d(up)}) {
             V3d placed_edge;
             placed.multDirMatrix(edge, placed_edge);
             EXPECT_NEAR(V3d(a.film.layers->normal[i]).dot(placed_edge), 0.0, 4.0 * rounding);

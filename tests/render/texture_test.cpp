@@ -62,13 +62,20 @@ TEST(Texture, ColourIsDecodedFromSrgbAndMultipliedWithTheFactor) {
 // grey too.
 View unaligned_view() { return view_down_z(0.0013, 0.0009, 1.0); }
 
-// 512 x 512 texels in 16 x 16 pixels: each pixel sees half white, half black, also at its border.
+// 512 x 512 texels in few pixels: each pixel sees half white, half black, also at the border, also
+// where its footprint is long in one direction only.
 TEST(Texture, AFineCheckerFromAfarIsGrey) {
     const scene::Scene scene = textured_wall(encode_png(512, 512, 3, checker));
-    const Picture straight =
-        render(scene, orthographic(unaligned_view()), settings(16, 16, Integrator::preview));
-    for (std::size_t i = 0; i < 256; ++i) {
-        EXPECT_NEAR(straight.film.pixel(i % 16, i / 16).r, 0.5F, texel_rounding) << i;
+    for (const auto& [width, height] :
+         {std::pair(16, 16), std::pair(16, 400), std::pair(400, 16)}) {
+        const auto columns = static_cast<std::size_t>(width);
+        const auto rows = static_cast<std::size_t>(height);
+        const Picture picture = render(scene, orthographic(unaligned_view()),
+                                       settings(columns, rows, Integrator::preview));
+        for (std::size_t i = 0; i < columns * rows; ++i) {
+            ASSERT_NEAR(picture.film.pixel(i % columns, i / columns).r, 0.5F, texel_rounding)
+                << width << ' ' << height << ' ' << i;
+        }
     }
 }
 
