@@ -133,8 +133,18 @@ std::vector<std::size_t> count_uses(const scene::Scene& scene) {
 
 RTCRayHit to_ray_hit(const Ray& ray) {
     RTCRayHit query{};
-    query.ray = {ray.origin.x, ray.origin.y, ray.origin.z, 0.0F, ray.direction.x, ray.direction.y,
-                 ray.direction.z, 0.0F, ray.farthest, 0xffffffffU, 0, 0};
+    query.ray = {ray.origin.x,
+                 ray.origin.y,
+                 ray.origin.z,
+                 0.0F,
+                 ray.direction.x,
+                 ray.direction.y,
+                 ray.direction.z,
+                 0.0F,
+                 ray.farthest,
+                 0xffffffffU,
+                 0,
+                 0};
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     return query;
@@ -179,9 +189,9 @@ void intersect_packet(RTCScene world, std::span<const std::size_t> indices,
     rtcIntersect16(valid.data(), world, &context, &packet);
     for (std::size_t lane = 0; lane < indices.size(); ++lane) {
         if (packet.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID) {
-            hits[indices[lane]] = to_hit(packet.hit.instID[0][lane], packet.hit.geomID[lane],
-                                         packet.hit.primID[lane], packet.hit.u[lane],
-                                         packet.hit.v[lane]);
+            hits[indices[lane]] =
+                to_hit(packet.hit.instID[0][lane], packet.hit.geomID[lane], packet.hit.primID[lane],
+                       packet.hit.u[lane], packet.hit.v[lane]);
         }
     }
 }
@@ -232,8 +242,8 @@ Result<Accelerator> Accelerator::build(const scene::Scene& scene) {
     rtcCommitScene(state->world.get());
 
     if (!state->errors->first.empty()) {
-        return error(fmt::format("the scene cannot be made ready to trace: {}",
-                                 state->errors->first));
+        return error(
+            fmt::format("the scene cannot be made ready to trace: {}", state->errors->first));
     }
     return Accelerator(std::move(state));
 }
@@ -251,8 +261,7 @@ Hit Accelerator::intersect(const Ray& ray) const {
 }
 
 void Accelerator::intersect_grid(std::size_t width, std::span<const Ray> rays,
-                                 std::span<const std::uint8_t> active,
-                                 std::span<Hit> hits) const {
+                                 std::span<const std::uint8_t> active, std::span<Hit> hits) const {
     const std::size_t height = rays.size() / width;
     std::array<std::size_t, packet_size> indices{};
     for (std::size_t y = 0; y < height; y += packet_side) {
