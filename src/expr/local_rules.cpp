@@ -148,6 +148,10 @@ Expr divide_rules(Graph& graph, Expr a, Expr b) {
     if (b.op() == Op::negate) {
         return -(a / b.argument(0));
     }
+    // Derivatives of nested roots are full of these; a product costs a fraction of a quotient.
+    if (a.op() == Op::divide) {
+        return a.argument(0) / (a.argument(1) * b);
+    }
     Scaled scaled;
     if (is_scaled(a, scaled)) {
         return scaled.factor * (scaled.rest / b);
