@@ -17,8 +17,8 @@ namespace {
 
 program::Program compile(const camera::Camera& camera) {
     expr::Graph graph;
-    const auto ray = camera.emit(graph, static_cast<double>(picture_width),
-                                 static_cast<double>(picture_height));
+    const auto ray =
+        camera.emit(graph, static_cast<double>(picture_width), static_cast<double>(picture_height));
     const std::vector<expr::Expr> roots{ray.origin.x,    ray.origin.y,    ray.origin.z,
                                         ray.direction.x, ray.direction.y, ray.direction.z,
                                         ray.valid};
@@ -45,12 +45,13 @@ std::string zoom_text() {
 
 std::string pinhole_text() {
     const Pinhole camera;
-    return fmt::format("camera pinhole {{\n"
-                       "    map    u = {0} .. -{0}, v = -{1} .. {1}\n"
-                       "    eye    point(0, 0, 0)\n"
-                       "    toward plane((1, 0, 0))\n"
-                       "}}\n",
-                       camera.half_width, camera.half_height);
+    return fmt::format(
+        "camera pinhole {{\n"
+        "    map    u = {0} .. -{0}, v = -{1} .. {1}\n"
+        "    eye    point(0, 0, 0)\n"
+        "    toward plane((1, 0, 0))\n"
+        "}}\n",
+        camera.half_width, camera.half_height);
 }
 
 }  // namespace

@@ -274,7 +274,7 @@ struct StageParameter {
     std::vector<double> default_value{};  ///< Empty: must be given (curve, or no default).
     double least = -std::numeric_limits<double>::infinity();
     double most = std::numeric_limits<double>::infinity();
-    bool above_least = false;             ///< The least value itself is excluded.
+    bool above_least = false;                 ///< The least value itself is excluded.
     std::vector<std::string_view> choices{};  ///< The first is the default.
     std::string_view meaning;
 };
@@ -282,8 +282,7 @@ struct StageParameter {
 /// What a stage is made from, by parameter name. The language has checked it against the row.
 class Arguments {
 public:
-    using Value =
-        std::variant<std::vector<Scalar>, std::string, ObjectGeneratorPointer>;
+    using Value = std::variant<std::vector<Scalar>, std::string, ObjectGeneratorPointer>;
 
     /// In the place of an earlier value; the name must outlive this, as a row's does.
     void set(std::string_view name, Value value);

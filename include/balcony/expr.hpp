@@ -92,18 +92,18 @@ class Expr;
 /// What the whole program knows about one operation; the one place where it is said.
 struct Operation {
     Op op;
-    std::string_view name;      ///< As the language and printed formulas spell it.
-    std::string_view infix;     ///< Spelling between operands; empty if it is written as a call.
+    std::string_view name;   ///< As the language and printed formulas spell it.
+    std::string_view infix;  ///< Spelling between operands; empty if it is written as a call.
     int arity;
     bool commutative;
-    bool condition;             ///< Its value is 1 or 0.
+    bool condition;  ///< Its value is 1 or 0.
     /// The largest error of a runner in units in the last place, where the result is normal.
     double max_ulp;
     /// Defines the operation; null for leaves and look-ups.
     double (*scalar)(const double* arguments);
     /// The derivative of self, given its arguments and theirs; null where it is 0 throughout.
     Expr (*derivative)(Expr self, std::span<const Expr> arguments, std::span<const Expr> slopes);
-    std::string_view meaning;   ///< One line for documentation.
+    std::string_view meaning;  ///< One line for documentation.
 };
 
 [[nodiscard]] const std::array<Operation, operation_count>& operations();
@@ -300,7 +300,8 @@ struct Substitution {
 
 /// Rewrites for speed: collects sums of scaled terms (affine chains become one), orders products
 /// so that what depends on the column alone and on the row alone stays together, and takes common
-/// factors out. Idempotent. Values change by rounding only.
+/// factors out. Values change by rounding only. Idempotent; chains of many thousands of factors
+/// excepted, whose regrouping stops after a bounded number of passes.
 [[nodiscard]] std::vector<Expr> simplify(std::span<const Expr> expressions);
 
 /// The nodes below the given ones, themselves included, arguments first.

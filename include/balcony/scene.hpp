@@ -39,8 +39,8 @@ using TextureIndex = StrongIndex<struct TextureTag>;
 struct Mesh {
     std::string name;
     std::vector<V3f> positions;
-    std::vector<V3f> normals;             ///< Unit length.
-    std::vector<V2f> texture_coordinates; ///< (0, 0) is top left, as in glTF.
+    std::vector<V3f> normals;              ///< Unit length.
+    std::vector<V2f> texture_coordinates;  ///< (0, 0) is top left, as in glTF.
     std::vector<std::array<std::uint32_t, 3>> triangles;
     MaterialIndex material;  ///< Always valid.
 };
@@ -49,8 +49,8 @@ struct Mesh {
 /// finite and invertible; a negative determinant (a mirror image) turns the winding round.
 struct Instance {
     MeshIndex mesh;
-    M44d world_from_mesh;     ///< Imath's convention: row vectors, p_world = p_mesh * M.
-    std::uint32_t object = 0; ///< Index into Scene::objects.
+    M44d world_from_mesh;      ///< Imath's convention: row vectors, p_world = p_mesh * M.
+    std::uint32_t object = 0;  ///< Index into Scene::objects.
 };
 
 /// A node of the file that carries geometry: what the object-id layer tells apart. The id in
@@ -63,9 +63,9 @@ enum class Wrap : std::uint8_t { repeat, clamp, mirror };
 
 /// An image, still encoded (PNG, JPEG, ...) if it was embedded, else a file.
 struct Texture {
-    std::string name;                ///< For messages.
-    std::filesystem::path file;      ///< Empty if embedded.
-    std::vector<std::uint8_t> bytes; ///< The encoded image if embedded.
+    std::string name;                 ///< For messages.
+    std::filesystem::path file;       ///< Empty if embedded.
+    std::vector<std::uint8_t> bytes;  ///< The encoded image if embedded.
     Wrap wrap_u = Wrap::repeat;
     Wrap wrap_v = Wrap::repeat;
 };
@@ -78,13 +78,13 @@ struct Material {
     std::string name;
     Color3f base_color{0.8F, 0.8F, 0.8F};
     AlphaMode alpha_mode = AlphaMode::opaque;
-    float alpha = 1.0F;           ///< Opacity, multiplied with the texture's; 1 if opaque.
-    float alpha_cutoff = 0.0F;    ///< For a mask: there where the opacity is at least this.
+    float alpha = 1.0F;         ///< Opacity, multiplied with the texture's; 1 if opaque.
+    float alpha_cutoff = 0.0F;  ///< For a mask: there where the opacity is at least this.
     float metallic = 0.0F;
     float roughness = 1.0F;
     Color3f emission{0.0F, 0.0F, 0.0F};
-    TextureIndex base_color_texture;  ///< sRGB, multiplied with base_color; may be invalid.
-    TextureIndex emission_texture;    ///< sRGB, multiplied with emission; may be invalid.
+    TextureIndex base_color_texture;          ///< sRGB, multiplied with base_color; may be invalid.
+    TextureIndex emission_texture;            ///< sRGB, multiplied with emission; may be invalid.
     TextureIndex metallic_roughness_texture;  ///< Linear; green is roughness, blue metallic, each
                                               ///< multiplied with its factor; may be invalid.
     bool double_sided = true;
@@ -105,20 +105,20 @@ struct Light {
 };
 
 struct Scene {
-    std::string name;               ///< The file it came from, for messages.
-    std::string format;             ///< "glTF 2.0 binary", "Wavefront OBJ", ...
+    std::string name;    ///< The file it came from, for messages.
+    std::string format;  ///< "glTF 2.0 binary", "Wavefront OBJ", ...
     Axes axes = Axes::y_up;
-    double meters_per_unit = 1.0;   ///< As the format says; 1 where it does not.
+    double meters_per_unit = 1.0;  ///< As the format says; 1 where it does not.
     std::vector<Mesh> meshes;
     std::vector<Instance> instances;
     std::vector<Object> objects;
     std::vector<Material> materials;
     std::vector<Texture> textures;
     std::vector<Light> lights;
-    bool default_light = false;     ///< The file lights nothing: use a light at the ray origin.
+    bool default_light = false;  ///< The file lights nothing: use a light at the ray origin.
 
-    [[nodiscard]] std::size_t triangle_count() const; ///< Instances counted each.
-    [[nodiscard]] Box3f bounds() const;               ///< Of all instances, in the world.
+    [[nodiscard]] std::size_t triangle_count() const;  ///< Instances counted each.
+    [[nodiscard]] Box3f bounds() const;                ///< Of all instances, in the world.
 };
 
 /// Reads a scene file (.glb, .gltf, .obj). A part that cannot be used (a missing texture, a vertex

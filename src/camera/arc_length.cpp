@@ -65,8 +65,7 @@ Knots parameter_by_length(const std::function<double(double)>& speed, double par
         }
         const std::array ends{parameter[i], parameter[i + 1]};
         const std::array end_slopes{1.0 / speed(ends[0]), 1.0 / speed(ends[1])};
-        const expr::Table inverse =
-            expr::hermite_table(length[i], length[i + 1], ends, end_slopes);
+        const expr::Table inverse = expr::hermite_table(length[i], length[i + 1], ends, end_slopes);
         knots.values.push_back(inverse(target));
         knots.slopes.push_back(length[steps] * grading.slope(position) /
                                speed(knots.values.back()));

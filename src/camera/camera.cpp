@@ -21,17 +21,13 @@ ObjectVector operator+(const ObjectVector& a, const ObjectVector& b) {
     return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
-ObjectVector operator-(const ObjectVector& a) {
-    return {-a.x, -a.y, -a.z};
-}
+ObjectVector operator-(const ObjectVector& a) { return {-a.x, -a.y, -a.z}; }
 
 ObjectVector operator*(Expr factor, const ObjectVector& a) {
     return {factor * a.x, factor * a.y, factor * a.z};
 }
 
-Expr dot(const ObjectVector& a, const ObjectVector& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
+Expr dot(const ObjectVector& a, const ObjectVector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 ObjectVector cross(const ObjectVector& a, const ObjectVector& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
@@ -42,9 +38,9 @@ namespace {
 void check_path(const Path& path, std::string_view object, const std::string& camera,
                 Diagnostics& said) {
     if (!path.mapper) {
-        said.push_back(error(fmt::format("camera '{}' has no picture mapper for its {} object",
-                                         camera, object),
-                             {}, "add: map u = ... .. ..., v = ... .. ..."));
+        said.push_back(error(
+            fmt::format("camera '{}' has no picture mapper for its {} object", camera, object), {},
+            "add: map u = ... .. ..., v = ... .. ..."));
     }
     if (!path.generator) {
         said.push_back(error(fmt::format("camera '{}' has no {} object", camera, object)));
@@ -65,8 +61,9 @@ Result<Camera> Camera::make(Parts parts) {
         if (parts.look->needs_eye_surface() && parts.eye.generator &&
             parts.eye.generator->dimension() < 2) {
             said.push_back(error(
-                fmt::format("camera '{}' looks along the normals of its eye object, but a {} has none",
-                            parts.name, parts.eye.generator->dimension() == 1 ? "curve" : "point"),
+                fmt::format(
+                    "camera '{}' looks along the normals of its eye object, but a {} has none",
+                    parts.name, parts.eye.generator->dimension() == 1 ? "curve" : "point"),
                 {}, "take a surface as eye object, or add a direction object with: toward ..."));
         }
         if (parts.look->needs_direction_object() && !parts.toward) {
@@ -75,9 +72,10 @@ Result<Camera> Camera::make(Parts parts) {
         }
     }
     if (!(parts.aspect > 0.0 && std::isfinite(parts.aspect))) {
-        said.push_back(error(fmt::format("camera '{}' has the aspect {}, which is no positive number",
-                                         parts.name, parts.aspect),
-                             {}, "write width by height of the picture, such as 16/9"));
+        said.push_back(
+            error(fmt::format("camera '{}' has the aspect {}, which is no positive number",
+                              parts.name, parts.aspect),
+                  {}, "write width by height of the picture, such as 16/9"));
     }
     if (has_errors(said)) {
         return said;
@@ -97,15 +95,14 @@ RayExpressions Camera::emit(Graph& graph, double width, double height) const {
     if (parts_->toward) {
         toward = parts_->toward->emit(picture, emit);
     }
-    const ObjectVector direction =
-        parts_->look->direction(eye, toward ? &*toward : nullptr, emit);
+    const ObjectVector direction = parts_->look->direction(eye, toward ? &*toward : nullptr, emit);
 
     // A sum of squares is finite only if every term is, so that one speaks for all six values.
     // Directions so short that their squares lose digits cannot be brought to unit length.
     constexpr double least_squared_length = 0x1p-960;
     const Expr squared_length = dot(direction, direction);
-    const Expr origin_size = eye.point.x * eye.point.x + eye.point.y * eye.point.y +
-                             eye.point.z * eye.point.z;
+    const Expr origin_size =
+        eye.point.x * eye.point.x + eye.point.y * eye.point.y + eye.point.z * eye.point.z;
     emit.require(least_squared_length < squared_length);
     emit.require(is_finite(squared_length + origin_size));
     return {eye.point, (1.0 / sqrt(squared_length)) * direction, emit.valid(), eye.parameters};

@@ -30,9 +30,8 @@ const std::vector<StageEntry>& catalogue() {
                 all.push_back(std::move(row));
             }
         }
-        std::stable_sort(all.begin(), all.end(), [](const StageEntry& a, const StageEntry& b) {
-            return a.kind < b.kind;
-        });
+        std::stable_sort(all.begin(), all.end(),
+                         [](const StageEntry& a, const StageEntry& b) { return a.kind < b.kind; });
         return all;
     }();
     return rows;

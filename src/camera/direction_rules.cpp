@@ -45,13 +45,23 @@ std::vector<StageEntry> direction_rules() {
     using enum ParameterType;
     const StageKind kind = StageKind::direction_rule;
     return {
-        {kind, "normal", "along the normals of the eye object",
-         {{.name = "side", .type = choice, .choices = {"front", "back"},
+        {kind,
+         "normal",
+         "along the normals of the eye object",
+         {{.name = "side",
+           .type = choice,
+           .choices = {"front", "back"},
            .meaning = "front: the cross product of the tangents along u and v; back: against it"}},
          [](const Arguments& a) { return made<NormalRule>(a.choice("side") == "back"); }},
-        {kind, "absolute", "the direction object alone, as seen from its own origin", {},
+        {kind,
+         "absolute",
+         "the direction object alone, as seen from its own origin",
+         {},
          [](const Arguments&) { return made<AbsoluteRule>(); }},
-        {kind, "relative", "from the eye point to the point of the direction object", {},
+        {kind,
+         "relative",
+         "from the eye point to the point of the direction object",
+         {},
          [](const Arguments&) { return made<RelativeRule>(); }},
     };
 }

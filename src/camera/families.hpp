@@ -31,9 +31,9 @@ Result<std::shared_ptr<const Stage>> made(Values&&... values) {
 [[nodiscard]] std::vector<StageEntry> direction_rules();
 
 inline constexpr auto families = {
-    picture_arrangers, picture_mappers,      parameter_affine,  local_zoom,
-    formula_transformers, primitives,        superconics,       spherical_product,
-    formula_objects,   object_affine,        direction_rules,
+    picture_arrangers,    picture_mappers, parameter_affine, local_zoom,
+    formula_transformers, primitives,      superconics,      spherical_product,
+    formula_objects,      object_affine,   direction_rules,
 };
 
 }  // namespace balcony::camera

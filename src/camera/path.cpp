@@ -42,8 +42,7 @@ PathPoint Path::emit(const ArrangedPoint& picture, Emitter& emit) const {
     const ObjectVector along_v = derive(p, v);
 
     const ParameterPoint parameters = parameters_of(*this, picture, emit);
-    const std::array free{expr::Substitution{u, parameters.u},
-                          expr::Substitution{v, parameters.v}};
+    const std::array free{expr::Substitution{u, parameters.u}, expr::Substitution{v, parameters.v}};
     const std::array made{p.x,       p.y,       p.z,       along_u.x, along_u.y,
                           along_u.z, along_v.x, along_v.y, along_v.z, object_emit.valid()};
     const std::vector<Expr> put = expr::substitute(graph, made, free);

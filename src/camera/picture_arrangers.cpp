@@ -33,10 +33,16 @@ private:
 std::vector<StageEntry> picture_arrangers() {
     using enum ParameterType;
     return {
-        {StageKind::picture_arranger, "place", "puts the camera's picture into a part of the whole",
-         {{.name = "from", .type = pair, .default_value = {0.0, 0.0},
+        {StageKind::picture_arranger,
+         "place",
+         "puts the camera's picture into a part of the whole",
+         {{.name = "from",
+           .type = pair,
+           .default_value = {0.0, 0.0},
            .meaning = "top left corner, as a fraction of the picture"},
-          {.name = "to", .type = pair, .default_value = {1.0, 1.0},
+          {.name = "to",
+           .type = pair,
+           .default_value = {1.0, 1.0},
            .meaning = "bottom right corner, as a fraction of the picture"}},
          [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
              const auto from = a.pair("from");

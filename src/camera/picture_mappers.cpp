@@ -67,20 +67,26 @@ StageParameter edge(std::string_view name, std::string_view meaning) {
 std::vector<StageEntry> picture_mappers() {
     const StageKind kind = StageKind::picture_mapper;
     return {
-        {kind, "range", "maps the picture to a rectangle of parameter space: u = a .. b, v = c .. d",
+        {kind,
+         "range",
+         "maps the picture to a rectangle of parameter space: u = a .. b, v = c .. d",
          {edge("u_first", "u at the left edge"), edge("u_last", "u at the right edge"),
           edge("v_first", "v at the bottom edge"), edge("v_last", "v at the top edge")},
          [](const Arguments& a) {
              return made<RangeMapper>(a.number("u_first"), a.number("u_last"), a.number("v_first"),
                                       a.number("v_last"));
          }},
-        {kind, "square_v", "u = a .. b, v = square: v is 0 in the middle, with u's units a pixel",
+        {kind,
+         "square_v",
+         "u = a .. b, v = square: v is 0 in the middle, with u's units a pixel",
          {edge("u_first", "u at the left edge"), edge("u_last", "u at the right edge")},
          [](const Arguments& a) {
              return made<SquareMapper>(SquareMapper::Given::u, a.number("u_first"),
                                        a.number("u_last"));
          }},
-        {kind, "square_u", "u = square, v = a .. b: u is 0 in the middle, with v's units a pixel",
+        {kind,
+         "square_u",
+         "u = square, v = a .. b: u is 0 in the middle, with v's units a pixel",
          {edge("v_first", "v at the bottom edge"), edge("v_last", "v at the top edge")},
          [](const Arguments& a) {
              return made<SquareMapper>(SquareMapper::Given::v, a.number("v_first"),

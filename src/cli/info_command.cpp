@@ -19,9 +19,7 @@ struct InfoOptions {
     bool json = false;
 };
 
-std::string_view axes_text(Axes axes) {
-    return axes == Axes::y_up ? "y up" : "z up";
-}
+std::string_view axes_text(Axes axes) { return axes == Axes::y_up ? "y up" : "z up"; }
 
 nlohmann::json scene_json(const scene::Scene& scene) {
     const auto bounds = scene.bounds();
@@ -29,18 +27,19 @@ nlohmann::json scene_json(const scene::Scene& scene) {
     for (const scene::Object& object : scene.objects) {
         objects.push_back(object.name);
     }
-    return {{"format", scene.format},
-            {"axes", axes_text(scene.axes)},
-            {"meters_per_unit", scene.meters_per_unit},
-            {"triangles", scene.triangle_count()},
-            {"meshes", scene.meshes.size()},
-            {"instances", scene.instances.size()},
-            {"materials", scene.materials.size()},
-            {"textures", scene.textures.size()},
-            {"lights", scene.lights.size()},
-            {"bounds", {{bounds.min.x, bounds.min.y, bounds.min.z},
-                        {bounds.max.x, bounds.max.y, bounds.max.z}}},
-            {"objects", objects}};
+    return {
+        {"format", scene.format},
+        {"axes", axes_text(scene.axes)},
+        {"meters_per_unit", scene.meters_per_unit},
+        {"triangles", scene.triangle_count()},
+        {"meshes", scene.meshes.size()},
+        {"instances", scene.instances.size()},
+        {"materials", scene.materials.size()},
+        {"textures", scene.textures.size()},
+        {"lights", scene.lights.size()},
+        {"bounds",
+         {{bounds.min.x, bounds.min.y, bounds.min.z}, {bounds.max.x, bounds.max.y, bounds.max.z}}},
+        {"objects", objects}};
 }
 
 void print_scene(const scene::Scene& scene, bool objects) {

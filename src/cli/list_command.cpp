@@ -193,11 +193,12 @@ void add_list_command(CLI::App& app, ExitCode& code) {
     command->add_option("WHAT", options->what,
                         "'stages', 'cameras', the name of a stage, or a camera file (.cam)");
     command->add_flag("--json", options->json, "for programs");
-    command->footer("Examples:\n"
-                    "  balcony list                   all stages, a line each\n"
-                    "  balcony list superellipse      one stage with its parameters\n"
-                    "  balcony list cameras           the cameras that come along\n"
-                    "  balcony list gallery.cam       the cameras of a file");
+    command->footer(
+        "Examples:\n"
+        "  balcony list                   all stages, a line each\n"
+        "  balcony list superellipse      one stage with its parameters\n"
+        "  balcony list cameras           the cameras that come along\n"
+        "  balcony list gallery.cam       the cameras of a file");
     command->callback([options, &code] { code = list(*options); });
 }
 

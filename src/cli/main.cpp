@@ -13,8 +13,9 @@ int main(int argc, char** argv) {
     // Before any thread exists, so that all of them leave the signals to one.
     const balcony::cli::Interruption interruption;
 
-    CLI::App app{"Balcony renders 3D scenes through extended cameras: any function from a point of\n"
-                 "the picture to a ray, described in a .cam file.\n"};
+    CLI::App app{
+        "Balcony renders 3D scenes through extended cameras: any function from a point of\n"
+        "the picture to a ray, described in a .cam file.\n"};
     app.set_version_flag("--version", "balcony " BALCONY_VERSION);
     app.require_subcommand(1);
     app.failure_message([](const CLI::App* failed, const CLI::Error& problem) {
@@ -23,14 +24,15 @@ int main(int argc, char** argv) {
             in_subcommand ? "balcony " + failed->get_subcommands().front()->get_name() : "balcony";
         return fmt::format("error: {}\n  help: {} --help\n", problem.what(), name);
     });
-    app.footer("First steps:\n"
-               "  balcony info scene.glb                         what is in a scene\n"
-               "  balcony render scene.glb -o picture.png        a picture of it\n"
-               "  balcony render scene.glb --camera superelliptic -o walls.png\n"
-               "  balcony list cameras                           the cameras that come along\n"
-               "\n"
-               "Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 environment (disk full, ...),\n"
-               "130 interrupted, with what was rendered so far saved.");
+    app.footer(
+        "First steps:\n"
+        "  balcony info scene.glb                         what is in a scene\n"
+        "  balcony render scene.glb -o picture.png        a picture of it\n"
+        "  balcony render scene.glb --camera superelliptic -o walls.png\n"
+        "  balcony list cameras                           the cameras that come along\n"
+        "\n"
+        "Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 environment (disk full, ...),\n"
+        "130 interrupted, with what was rendered so far saved.");
 
     ExitCode code = ExitCode::done;
     balcony::cli::add_render_command(app, code);

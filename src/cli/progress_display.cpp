@@ -27,7 +27,8 @@ std::string time_left(double done, double seconds) {
 
 }  // namespace
 
-ProgressDisplay::ProgressDisplay(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
+ProgressDisplay::ProgressDisplay(bool quiet)
+    : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
 
 ProgressDisplay::~ProgressDisplay() {
     if (bar_shown_) {
@@ -41,9 +42,9 @@ void ProgressDisplay::show(const render::Progress& progress) {
     }
     const double done =
         static_cast<double>(progress.tiles_done) / static_cast<double>(progress.tiles);
-    const std::string state = fmt::format("{:3.0f} %, pass {} of {}{}", 100.0 * done,
-                                          progress.pass + 1, progress.passes,
-                                          time_left(done, progress.seconds));
+    const std::string state =
+        fmt::format("{:3.0f} %, pass {} of {}{}", 100.0 * done, progress.pass + 1, progress.passes,
+                    time_left(done, progress.seconds));
     if (terminal_) {
         const auto now = Clock::now();
         if (now - last_shown_ < shortest_interval) {

@@ -138,14 +138,13 @@ void describe(Outcome& outcome, const RenderOptions& options, const camera::Came
               const render::Settings& settings, const render::Summary& summary) {
     const auto rays = static_cast<double>(summary.camera_rays);
     if (summary.invalid_rays > 0) {
-        outcome.said.push_back(warning(fmt::format(
-            "camera '{}' has no ray at {} of {} pixels; they are transparent", camera.name(),
-            summary.invalid_pixels, settings.width * settings.height)));
+        outcome.said.push_back(warning(
+            fmt::format("camera '{}' has no ray at {} of {} pixels; they are transparent",
+                        camera.name(), summary.invalid_pixels, settings.width * settings.height)));
     }
     if (summary.repaired > 0) {
-        outcome.said.push_back(
-            warning(fmt::format("{} samples had no finite colour and count as black",
-                                summary.repaired)));
+        outcome.said.push_back(warning(
+            fmt::format("{} samples had no finite colour and count as black", summary.repaired)));
     }
     outcome.facts = {{"output", options.output},
                      {"camera", camera.name()},
@@ -160,11 +159,11 @@ void describe(Outcome& outcome, const RenderOptions& options, const camera::Came
                      {"compile_seconds", summary.compile_seconds},
                      {"camera_share", summary.camera_share},
                      {"interrupted", summary.interrupted}};
-    outcome.sentence = fmt::format(
-        "{}{}: {} x {} pixels through '{}', {} passes, {} rays in {}\n",
-        summary.interrupted ? "interrupted; what was done is in " : "", options.output,
-        settings.width, settings.height, camera.name(), summary.passes, count_text(rays),
-        duration_text(summary.seconds));
+    outcome.sentence =
+        fmt::format("{}{}: {} x {} pixels through '{}', {} passes, {} rays in {}\n",
+                    summary.interrupted ? "interrupted; what was done is in " : "", options.output,
+                    settings.width, settings.height, camera.name(), summary.passes,
+                    count_text(rays), duration_text(summary.seconds));
 }
 
 Outcome render_picture(RenderOptions options) {
@@ -272,26 +271,29 @@ void add_render_command(CLI::App& app, ExitCode& code) {
     command->add_option("--set", options->set, "a camera's parameter: name=expression")
         ->allow_extra_args(false);
     command->add_option("--time", options->time, "the t of the camera's formulas");
-    command->add_option("--integrator", options->integrator,
-                        "direct (lights, shadows, mirrors) or preview (lit from the eye)")
+    command
+        ->add_option("--integrator", options->integrator,
+                     "direct (lights, shadows, mirrors) or preview (lit from the eye)")
         ->check(CLI::IsMember({"direct", "preview"}))
         ->capture_default_str();
     command->add_option("--exposure", options->exposure, "brighter by so many stops (PNG)");
     command->add_option("--ambient", options->ambient, "light from everywhere")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
-    command->add_option("--background", options->background,
-                        "transparent, black, white, a grey level or r,g,b")
+    command
+        ->add_option("--background", options->background,
+                     "transparent, black, white, a grey level or r,g,b")
         ->capture_default_str();
     command->add_option("-j,--threads", options->threads, "0: all there are")
         ->check(CLI::Range(0, 1024));
     command->add_flag("-q,--quiet", options->quiet, "only warnings and errors");
     command->add_flag("--json", options->json, "for programs: facts and diagnostics");
-    command->footer("Examples:\n"
-                    "  balcony render room.glb -o room.png\n"
-                    "  balcony render room.glb --camera superelliptic --set gamma=1/2 -o walls.png\n"
-                    "  balcony render room.glb --camera my.cam:closeup --size 1920x1080 -s 64\n"
-                    "Ctrl-C saves what is there; a second one ends at once.");
+    command->footer(
+        "Examples:\n"
+        "  balcony render room.glb -o room.png\n"
+        "  balcony render room.glb --camera superelliptic --set gamma=1/2 -o walls.png\n"
+        "  balcony render room.glb --camera my.cam:closeup --size 1920x1080 -s 64\n"
+        "Ctrl-C saves what is there; a second one ends at once.");
     command->callback([options, &code] { code = render_command(*options); });
 }
 

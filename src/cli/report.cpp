@@ -9,9 +9,7 @@
 
 namespace balcony::cli {
 
-void report(const Diagnostics& diagnostics) {
-    fmt::print(stderr, "{}", to_text(diagnostics));
-}
+void report(const Diagnostics& diagnostics) { fmt::print(stderr, "{}", to_text(diagnostics)); }
 
 std::string count_text(double count) {
     if (count < 1e4) {

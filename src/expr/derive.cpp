@@ -74,8 +74,6 @@ std::vector<Expr> derive(std::span<const Expr> expressions, Expr leaf) {
     return result;
 }
 
-Expr derive(Expr expression, Expr leaf) {
-    return derive(std::span(&expression, 1), leaf).front();
-}
+Expr derive(Expr expression, Expr leaf) { return derive(std::span(&expression, 1), leaf).front(); }
 
 }  // namespace balcony::expr

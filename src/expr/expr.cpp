@@ -17,9 +17,7 @@ Expr binary(Op op, Expr a, Expr b) {
     return a.graph().apply(op, arguments);
 }
 
-Expr like(Expr a, double value) {
-    return a.graph().constant(value);
-}
+Expr like(Expr a, double value) { return a.graph().constant(value); }
 
 }  // namespace
 
@@ -78,8 +76,6 @@ Expr asinh(Expr a) { return unary(Op::inverse_hyperbolic_sine, a); }
 Expr acosh(Expr a) { return unary(Op::inverse_hyperbolic_cosine, a); }
 Expr atanh(Expr a) { return unary(Op::inverse_hyperbolic_tangent, a); }
 
-Expr signed_power(Expr x, Expr p) {
-    return sign(x) * pow(abs(x), p);
-}
+Expr signed_power(Expr x, Expr p) { return sign(x) * pow(abs(x), p); }
 
 }  // namespace balcony::expr

@@ -89,9 +89,7 @@ Expr Graph::variable(std::uint32_t number) {
     return intern(node);
 }
 
-Expr Graph::fresh_variable() {
-    return variable(variables_);
-}
+Expr Graph::fresh_variable() { return variable(variables_); }
 
 Expr Graph::lookup(std::shared_ptr<const Table> table, Expr x) {
     if (x.is_constant()) {

@@ -133,11 +133,10 @@ ProductForm ProductForm::product(const ProductForm& a, const ProductForm& b) {
     ProductForm result = a;
     result.coefficient_ *= b.coefficient_;
     for (const Factor& factor : b.factors_) {
-        const auto place = std::lower_bound(
-            result.factors_.begin(), result.factors_.end(), factor,
-            [](const Factor& left, const Factor& right) {
-                return comes_before(left.base, right.base);
-            });
+        const auto place = std::lower_bound(result.factors_.begin(), result.factors_.end(), factor,
+                                            [](const Factor& left, const Factor& right) {
+                                                return comes_before(left.base, right.base);
+                                            });
         if (place != result.factors_.end() && place->base.same(factor.base)) {
             place->times += factor.times;
         } else {
@@ -202,11 +201,10 @@ LinearForm LinearForm::sum(const LinearForm& a, double factor, const LinearForm&
     LinearForm result = a;
     result.constant_ += factor * b.constant_;
     for (const Term& term : b.terms_) {
-        const auto place = std::lower_bound(
-            result.terms_.begin(), result.terms_.end(), term,
-            [](const Term& left, const Term& right) {
-                return comes_before(left.value, right.value);
-            });
+        const auto place = std::lower_bound(result.terms_.begin(), result.terms_.end(), term,
+                                            [](const Term& left, const Term& right) {
+                                                return comes_before(left.value, right.value);
+                                            });
         const double coefficient = factor * term.coefficient;
         if (place == result.terms_.end() || !place->value.same(term.value)) {
             result.terms_.insert(place, {term.value, coefficient});
@@ -220,9 +218,7 @@ LinearForm LinearForm::sum(const LinearForm& a, double factor, const LinearForm&
     return result;
 }
 
-LinearForm LinearForm::scaled(double factor) const {
-    return sum(LinearForm(), factor, *this);
-}
+LinearForm LinearForm::scaled(double factor) const { return sum(LinearForm(), factor, *this); }
 
 // Terms c*C*R with one R are summed as (c*C + ...)*R, which leaves one product a point for any
 // number of them; likewise for one C.

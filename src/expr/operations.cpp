@@ -12,9 +12,7 @@ namespace {
 
 using Arguments = std::span<const Expr>;
 
-double truth(bool condition) {
-    return condition ? 1.0 : 0.0;
-}
+double truth(bool condition) { return condition ? 1.0 : 0.0; }
 
 // Every operation but the leaves and the look-up: its definition, its derivative by the chain
 // rule (a: arguments, da: their derivatives, f: the expression itself) and what runners owe it.
@@ -59,7 +57,9 @@ const std::array<Operation, operation_count> table{{
      [](const double* a) { return std::fabs(a[0]); },
      [](Expr, Arguments a, Arguments da) { return sign(a[0]) * da[0]; }, "|a|"},
     {Op::sign, "sign", "", 1, false, false, exact,
-     [](const double* a) { return a[0] > 0.0 ? 1.0 : a[0] < 0.0 ? -1.0 : a[0] == 0.0 ? 0.0 : a[0]; },
+     [](const double* a) {
+         return a[0] > 0.0 ? 1.0 : a[0] < 0.0 ? -1.0 : a[0] == 0.0 ? 0.0 : a[0];
+     },
      nullptr, "-1, 0 or 1"},
     {Op::floor, "floor", "", 1, false, false, exact,
      [](const double* a) { return std::floor(a[0]); }, nullptr, "the next integer below"},
@@ -124,9 +124,7 @@ const std::array<Operation, operation_count> table{{
      "inverse hyperbolic sine"},
     {Op::inverse_hyperbolic_cosine, "acosh", "", 1, false, false, two_libraries,
      [](const double* a) { return std::acosh(a[0]); },
-     [](Expr, Arguments a, Arguments da) {
-         return da[0] / (sqrt(a[0] - 1.0) * sqrt(a[0] + 1.0));
-     },
+     [](Expr, Arguments a, Arguments da) { return da[0] / (sqrt(a[0] - 1.0) * sqrt(a[0] + 1.0)); },
      "inverse hyperbolic cosine, a >= 1"},
     {Op::inverse_hyperbolic_tangent, "atanh", "", 1, false, false, two_libraries,
      [](const double* a) { return std::atanh(a[0]); },
@@ -164,9 +162,7 @@ const std::array<Operation, operation_count> table{{
 
 }  // namespace
 
-const std::array<Operation, operation_count>& operations() {
-    return table;
-}
+const std::array<Operation, operation_count>& operations() { return table; }
 
 const Operation& operation(Op op) {
     const Operation& row = table[static_cast<std::size_t>(op)];

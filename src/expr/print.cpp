@@ -12,7 +12,15 @@ namespace balcony::expr {
 namespace {
 
 // How tightly a text binds, so that only needed parentheses are written.
-enum class Binding : std::uint8_t { disjunction, conjunction, comparison, sum, product, prefix, atom };
+enum class Binding : std::uint8_t {
+    disjunction,
+    conjunction,
+    comparison,
+    sum,
+    product,
+    prefix,
+    atom
+};
 
 struct Text {
     std::string text;
@@ -41,7 +49,8 @@ std::string enclosed(const Text& operand, bool enclose) {
 Text print_node(const Node& node, std::span<const Text> arguments) {
     const Operation& row = operation(node.op);
     if (node.op == Op::constant) {
-        return {fmt::format("{}", node.value), std::signbit(node.value) ? Binding::prefix : Binding::atom};
+        return {fmt::format("{}", node.value),
+                std::signbit(node.value) ? Binding::prefix : Binding::atom};
     }
     if (node.op == Op::variable) {
         return {fmt::format("v{}", node.detail)};
@@ -50,8 +59,9 @@ Text print_node(const Node& node, std::span<const Text> arguments) {
         return {std::string(row.name)};
     }
     if (!row.infix.empty() && row.arity == 1) {
-        return {std::string(row.infix) + enclosed(arguments[0], arguments[0].binding < Binding::atom),
-                Binding::prefix};
+        return {
+            std::string(row.infix) + enclosed(arguments[0], arguments[0].binding < Binding::atom),
+            Binding::prefix};
     }
     if (!row.infix.empty()) {
         const Binding binding = binding_of(node.op);

@@ -119,8 +119,7 @@ private:
                 return rewrite_multiple(id, other, made(constant).node().value);
             }
         }
-        const ProductForm kept =
-            ProductForm::product(ProductForm(made(a)), ProductForm(made(b)));
+        const ProductForm kept = ProductForm::product(ProductForm(made(a)), ProductForm(made(b)));
         ProductForm dissolved = ProductForm::product(product(a), product(b));
         const bool dissolve = dissolved.factor_count() <= longest_product &&
                               dissolved.pixel_cost() <= kept.pixel_cost();

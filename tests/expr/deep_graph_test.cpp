@@ -31,7 +31,8 @@ const Shape shapes[] = {
     {"nested", million, [](Expr e, std::size_t) { return sin(e); }},
     {"sum", million / 4,
      [](Expr e, std::size_t i) { return e + sin(static_cast<double>(i) * e.graph().picture_x()); }},
-    {"product", million / 4,
+    // Long enough that a quarter of it spends as many passes of the simplifier as the whole.
+    {"product", million / 2,
      [](Expr e, std::size_t i) { return e * sin(static_cast<double>(i) * e.graph().picture_y()); }},
     {"shared", million / 4, [](Expr e, std::size_t) { return cos(e * e + e); }},
 };

@@ -17,9 +17,7 @@ namespace {
 
 constexpr double painting_scale = 0.02;  // what hangs in the frames does not matter here
 
-std::string picture_name(int number) {
-    return fmt::format("picture {}", number);
-}
+std::string picture_name(int number) { return fmt::format("picture {}", number); }
 
 scene::Scene gallery() {
     auto made = make_gallery({.painting_scale = painting_scale});
@@ -27,14 +25,12 @@ scene::Scene gallery() {
     return std::move(*made);
 }
 
-render::Film render_gallery(const scene::Scene& scene, const std::string& plate,
-                            std::size_t width, std::size_t height,
-                            const std::vector<lang::Override>& overrides = {}) {
+render::Film render_gallery(const scene::Scene& scene, const std::string& plate, std::size_t width,
+                            std::size_t height, const std::vector<lang::Override>& overrides = {}) {
     const auto camera =
         lang::load_camera(BALCONY_PLATES "/" + plate + "/camera.cam", "", overrides);
     EXPECT_TRUE(camera) << to_text(camera.diagnostics);
-    const auto renderer =
-        render::Renderer::make(std::make_shared<const scene::Scene>(scene));
+    const auto renderer = render::Renderer::make(std::make_shared<const scene::Scene>(scene));
     EXPECT_TRUE(renderer) << to_text(renderer.diagnostics);
     render::Settings settings;
     settings.width = width;

@@ -134,8 +134,8 @@ View view_of(const render::Film& film, const std::string& object, const Rectangl
     std::vector<Sight> sights;
     std::vector<bool> cell_seen(View::cells * View::cells, false);
     const auto cell_of = [](double share) {
-        return static_cast<std::size_t>(
-            std::clamp(share, 0.0, 0.999999) * static_cast<double>(View::cells));
+        return static_cast<std::size_t>(std::clamp(share, 0.0, 0.999999) *
+                                        static_cast<double>(View::cells));
     };
     for (std::size_t y = 0; y < film.height; ++y) {
         for (std::size_t x = 0; x < width; ++x) {
@@ -161,8 +161,8 @@ View view_of(const render::Film& film, const std::string& object, const Rectangl
     }
     view.share_seen = static_cast<double>(std::count(cell_seen.begin(), cell_seen.end(), true)) /
                       static_cast<double>(cell_seen.size());
-    view.bend = sights.size() < 3 ? 0.0
-                                  : largest_residual(sights) / std::hypot(right_length, up_length);
+    view.bend =
+        sights.size() < 3 ? 0.0 : largest_residual(sights) / std::hypot(right_length, up_length);
     return view;
 }
 

@@ -25,12 +25,12 @@ struct Rectangle {
 /// How a picture shows a rectangle.
 struct View {
     std::size_t pixels = 0;
-    std::size_t regions = 0;        ///< Connected parts (by edges) of the object's pixels.
-    double share_seen = 0.0;        ///< Of cells x cells equal cells of the rectangle, those hit.
-    std::vector<double> anisotropy; ///< A pixel each: ratio of the singular values of the map from
-                                    ///< pixels to the rectangle's plane.
-    double bend = 0.0;              ///< The farthest that a pixel lies from where the affine map
-                                    ///< that fits best would put it, in diagonals.
+    std::size_t regions = 0;         ///< Connected parts (by edges) of the object's pixels.
+    double share_seen = 0.0;         ///< Of cells x cells equal cells of the rectangle, those hit.
+    std::vector<double> anisotropy;  ///< A pixel each: ratio of the singular values of the map from
+                                     ///< pixels to the rectangle's plane.
+    double bend = 0.0;               ///< The farthest that a pixel lies from where the affine map
+                                     ///< that fits best would put it, in diagonals.
     static constexpr std::size_t cells = 12;
 };
 

@@ -40,12 +40,20 @@ private:
 std::vector<StageEntry> formula_objects() {
     const StageKind kind = StageKind::object_generator;
     return {
-        {kind, "curve", "a curve by formula: curve(u) = [x, y] or [x, y, z]", {},
+        {kind,
+         "curve",
+         "a curve by formula: curve(u) = [x, y] or [x, y, z]",
+         {},
          [](const Arguments& a) { return made<FormulaCurve>(a.formula()); },
-         FormulaShape{1, 2, 3}, 1},
-        {kind, "surface", "a surface by formula: surface(u, v) = [x, y, z]", {},
+         FormulaShape{1, 2, 3},
+         1},
+        {kind,
+         "surface",
+         "a surface by formula: surface(u, v) = [x, y, z]",
+         {},
          [](const Arguments& a) { return made<FormulaSurface>(a.formula()); },
-         FormulaShape{2, 3, 3}, 2},
+         FormulaShape{2, 3, 3},
+         2},
     };
 }
 

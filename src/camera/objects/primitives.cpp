@@ -116,12 +116,17 @@ StageParameter coordinate(std::string_view name) {
 }
 
 StageParameter place(std::string_view meaning) {
-    return {.name = "at", .type = ParameterType::triple, .default_value = {0.0, 0.0, 0.0},
+    return {.name = "at",
+            .type = ParameterType::triple,
+            .default_value = {0.0, 0.0, 0.0},
             .meaning = meaning};
 }
 
 StageParameter radius(std::string_view name, std::string_view meaning) {
-    return {.name = name, .default_value = {1.0}, .least = 0.0, .above_least = true,
+    return {.name = name,
+            .default_value = {1.0},
+            .least = 0.0,
+            .above_least = true,
             .meaning = meaning};
 }
 
@@ -131,45 +136,72 @@ std::vector<StageEntry> primitives() {
     using enum ParameterType;
     const StageKind kind = StageKind::object_generator;
     return {
-        {kind, "point", "a single point",
+        {kind,
+         "point",
+         "a single point",
          {coordinate("x"), coordinate("y"), coordinate("z")},
          [](const Arguments& a) {
              return made<Point>(Triple{a.number("x"), a.number("y"), a.number("z")});
          },
-         {}, 0},
-        {kind, "line", "at + u along",
+         {},
+         0},
+        {kind,
+         "line",
+         "at + u along",
          {place("the point of u = 0"),
-          {.name = "along", .type = triple, .default_value = {1.0, 0.0, 0.0},
+          {.name = "along",
+           .type = triple,
+           .default_value = {1.0, 0.0, 0.0},
            .meaning = "the step for one unit of u"}},
          [](const Arguments& a) { return made<Line>(a.triple("at"), a.triple("along")); },
-         {}, 1},
-        {kind, "circle", "a circle round the z axis in the plane z = 0, by angle",
+         {},
+         1},
+        {kind,
+         "circle",
+         "a circle round the z axis in the plane z = 0, by angle",
          {radius("radius", "its radius")},
          [](const Arguments& a) { return made<Circle>(a.number("radius")); },
-         {}, 1},
-        {kind, "plane", "at + u along_u + v along_v",
+         {},
+         1},
+        {kind,
+         "plane",
+         "at + u along_u + v along_v",
          {place("the point of u = v = 0"),
-          {.name = "along_u", .type = triple, .default_value = {0.0, 1.0, 0.0},
+          {.name = "along_u",
+           .type = triple,
+           .default_value = {0.0, 1.0, 0.0},
            .meaning = "the step for one unit of u"},
-          {.name = "along_v", .type = triple, .default_value = {0.0, 0.0, 1.0},
+          {.name = "along_v",
+           .type = triple,
+           .default_value = {0.0, 0.0, 1.0},
            .meaning = "the step for one unit of v"}},
          [](const Arguments& a) {
              return made<Plane>(a.triple("at"), a.triple("along_u"), a.triple("along_v"));
          },
-         {}, 2},
-        {kind, "sphere", "a sphere by longitude u and latitude v",
+         {},
+         2},
+        {kind,
+         "sphere",
+         "a sphere by longitude u and latitude v",
          {radius("radius", "its radius")},
          [](const Arguments& a) { return made<Sphere>(a.number("radius")); },
-         {}, 2},
-        {kind, "cylinder", "a cylinder round the z axis by angle u and height v",
+         {},
+         2},
+        {kind,
+         "cylinder",
+         "a cylinder round the z axis by angle u and height v",
          {radius("radius", "its radius")},
          [](const Arguments& a) { return made<Cylinder>(a.number("radius")); },
-         {}, 2},
-        {kind, "torus", "a torus round the z axis by the angle u round the axis and v round the tube",
+         {},
+         2},
+        {kind,
+         "torus",
+         "a torus round the z axis by the angle u round the axis and v round the tube",
          {radius("major", "from the axis to the middle of the tube"),
           radius("minor", "of the tube")},
          [](const Arguments& a) { return made<Torus>(a.number("major"), a.number("minor")); },
-         {}, 2},
+         {},
+         2},
     };
 }
 

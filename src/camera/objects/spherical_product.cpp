@@ -35,7 +35,8 @@ bool lies_in_xy_plane(const ObjectGenerator& curve) {
 std::vector<StageEntry> spherical_product() {
     using enum ParameterType;
     return {
-        {StageKind::object_generator, "product",
+        {StageKind::object_generator,
+         "product",
          "spherical product (g1 h1, g2 h1, h2) of two plane curves g(u) and h(v)",
          {{.name = "g", .type = curve, .meaning = "the horizontal cross-section, a curve in u"},
           {.name = "h", .type = curve, .meaning = "the vertical cross-section, a curve in v"}},
@@ -49,7 +50,8 @@ std::vector<StageEntry> spherical_product() {
              }
              return made<SphericalProduct>(a.curve("g"), a.curve("h"));
          },
-         {}, 2},
+         {},
+         2},
     };
 }
 

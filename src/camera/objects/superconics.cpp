@@ -80,9 +80,9 @@ double superellipse_speed(double a, double b, double gamma, double u) {
 /// The table takes quarters of the curve to its angle. The curve is symmetric in both axes: each
 /// quarter is the one before it run backwards.
 expr::Table angle_by_quarters(double a, double b, double gamma, const EndGrading& grading) {
-    const Knots quarter = parameter_by_length(
-        [=](double u) { return superellipse_speed(a, b, gamma, u); }, quarter_turn, grading,
-        cells_a_quarter);
+    const Knots quarter =
+        parameter_by_length([=](double u) { return superellipse_speed(a, b, gamma, u); },
+                            quarter_turn, grading, cells_a_quarter);
     std::vector<double> angles(4 * cells_a_quarter + 1);
     std::vector<double> slopes(4 * cells_a_quarter + 1);
     for (std::size_t i = 0; i < angles.size(); ++i) {
@@ -90,9 +90,8 @@ expr::Table angle_by_quarters(double a, double b, double gamma, const EndGrading
         const std::size_t within = i % cells_a_quarter;
         const bool backwards = turn % 2 == 1;
         const std::size_t knot = backwards ? cells_a_quarter - within : within;
-        angles[i] = backwards
-                        ? quarter_turn * static_cast<double>(turn + 1) - quarter.values[knot]
-                        : quarter_turn * static_cast<double>(turn) + quarter.values[knot];
+        angles[i] = backwards ? quarter_turn * static_cast<double>(turn + 1) - quarter.values[knot]
+                              : quarter_turn * static_cast<double>(turn) + quarter.values[knot];
         slopes[i] = quarter.slopes[knot];
     }
     return expr::hermite_table(0.0, 4.0, angles, slopes);
@@ -106,8 +105,8 @@ public:
     ArcLengthSuperellipse(double a, double b, double gamma)
         : Superconic(a, b, gamma),
           grading_(gamma > 1.0 ? crowding_for_pointed : 0.0),
-          angle_by_quarters_(std::make_shared<const expr::Table>(
-              angle_by_quarters(a, b, gamma, grading_))) {}
+          angle_by_quarters_(
+              std::make_shared<const expr::Table>(angle_by_quarters(a, b, gamma, grading_))) {}
 
 private:
     // For 1 < gamma < 2 the curvature is infinite on the axes: a millionth of the quarter is then
@@ -125,7 +124,8 @@ private:
             return quarters;
         }
         const Expr quarter = floor(quarters);
-        return quarter + 0.5 * (1.0 + atanh(k * (2.0 * (quarters - quarter) - 1.0)) / grading_.reach());
+        return quarter +
+               0.5 * (1.0 + atanh(k * (2.0 * (quarters - quarter) - 1.0)) / grading_.reach());
     }
 
     EndGrading grading_;
@@ -188,7 +188,8 @@ Result<std::shared_ptr<const Stage>> make_superellipse(const Arguments& a) {
     constexpr double most_gamma = 2.0;
     if (*gamma > most_gamma) {
         return error(fmt::format("a superellipse by arc_length cannot have the gamma {}, which is "
-                                 "above {}", *gamma, most_gamma),
+                                 "above {}",
+                                 *gamma, most_gamma),
                      {}, "use by = angle_centre or trigonometric");
     }
     return made<ArcLengthSuperellipse>(*constant_a, *constant_b, *gamma);
@@ -210,12 +211,18 @@ Result<std::shared_ptr<const Stage>> make_superhyperbola(const Arguments& a) {
 // Below the least gamma the corners are sharper than the arc-length table resolves, above the most
 // the points reach the centre.
 StageParameter gamma_parameter() {
-    return {.name = "gamma", .default_value = {1.0}, .least = 0.05, .most = 20.0,
+    return {.name = "gamma",
+            .default_value = {1.0},
+            .least = 0.05,
+            .most = 20.0,
             .meaning = "superconic parameter: 1 is the conic, less is more square"};
 }
 
 StageParameter half_axis(std::string_view name, std::string_view meaning) {
-    return {.name = name, .default_value = {1.0}, .least = 0.0, .above_least = true,
+    return {.name = name,
+            .default_value = {1.0},
+            .least = 0.0,
+            .above_least = true,
             .meaning = meaning};
 }
 
@@ -225,24 +232,37 @@ std::vector<StageEntry> superconics() {
     using enum ParameterType;
     const StageKind kind = StageKind::object_generator;
     return {
-        {kind, "superellipse", "|x/a|^e + |y/b|^e = 1 with e = 2/gamma, as a curve in u",
-         {half_axis("a", "half axis along x"), half_axis("b", "half axis along y"), gamma_parameter(),
-          {.name = "by", .type = choice,
+        {kind,
+         "superellipse",
+         "|x/a|^e + |y/b|^e = 1 with e = 2/gamma, as a curve in u",
+         {half_axis("a", "half axis along x"),
+          half_axis("b", "half axis along y"),
+          gamma_parameter(),
+          {.name = "by",
+           .type = choice,
            .choices = {"angle_centre", "trigonometric", "arc_length"},
-           .meaning = "the parametrisation: u is the polar angle before a and b are applied, the "
-                      "classical parameter, or proportional to the length (the whole is 360deg; "
-                      "off by less than 1e-7 of the whole in proportions of up to 10, gamma <= 2)"}},
+           .meaning =
+               "the parametrisation: u is the polar angle before a and b are applied, the "
+               "classical parameter, or proportional to the length (the whole is 360deg; "
+               "off by less than 1e-7 of the whole in proportions of up to 10, gamma <= 2)"}},
          make_superellipse,
-         {}, 1},
-        {kind, "superhyperbola",
+         {},
+         1},
+        {kind,
+         "superhyperbola",
          "one branch, x > 0, of |x/a|^e - |y/b|^e = 1 with e = 2/gamma, as a curve in u",
-         {half_axis("a", "half axis along x"), half_axis("b", "half axis along y"), gamma_parameter(),
-          {.name = "by", .type = choice,
+         {half_axis("a", "half axis along x"),
+          half_axis("b", "half axis along y"),
+          gamma_parameter(),
+          {.name = "by",
+           .type = choice,
            .choices = {"cartesian", "hyperbolic", "trigonometric", "angle_centre"},
-           .meaning = "the parametrisation: u is y/b, the hyperbolic parameter, the classical angle "
-                      "(below 90deg), or the polar angle before a and b are applied (below 45deg)"}},
+           .meaning =
+               "the parametrisation: u is y/b, the hyperbolic parameter, the classical angle "
+               "(below 90deg), or the polar angle before a and b are applied (below 45deg)"}},
          make_superhyperbola,
-         {}, 1},
+         {},
+         1},
     };
 }
 

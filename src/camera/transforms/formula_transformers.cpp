@@ -37,12 +37,16 @@ private:
 
 std::vector<StageEntry> formula_transformers() {
     return {
-        {StageKind::parameter_transformer, "formula",
-         "a map of parameter space: formula(u, v) = [u', v']", {},
+        {StageKind::parameter_transformer,
+         "formula",
+         "a map of parameter space: formula(u, v) = [u', v']",
+         {},
          [](const Arguments& a) { return made<ParameterFormula>(a.formula()); },
          FormulaShape{2, 2, 2}},
-        {StageKind::object_transformer, "formula",
-         "a map of object space: formula(x, y, z) = [x', y', z']", {},
+        {StageKind::object_transformer,
+         "formula",
+         "a map of object space: formula(x, y, z) = [x', y', z']",
+         {},
          [](const Arguments& a) { return made<ObjectFormula>(a.formula()); },
          FormulaShape{3, 3, 3}},
     };

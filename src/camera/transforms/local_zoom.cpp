@@ -38,12 +38,20 @@ private:
 std::vector<StageEntry> local_zoom() {
     using enum ParameterType;
     return {
-        {StageKind::parameter_transformer, "zoom",
+        {StageKind::parameter_transformer,
+         "zoom",
          "local zoom: magnifies round a point of parameter space, nothing of the rest is lost",
          {{.name = "at", .type = pair, .unit = Unit::parameter, .meaning = "the point (u, v)"},
-          {.name = "radius", .type = size, .unit = Unit::parameter, .least = 0.0,
-           .above_least = true, .meaning = "how far it reaches, in u and v"},
-          {.name = "strength", .default_value = {2.0}, .least = 0.0, .above_least = true,
+          {.name = "radius",
+           .type = size,
+           .unit = Unit::parameter,
+           .least = 0.0,
+           .above_least = true,
+           .meaning = "how far it reaches, in u and v"},
+          {.name = "strength",
+           .default_value = {2.0},
+           .least = 0.0,
+           .above_least = true,
            .meaning = "magnification in the middle"}},
          [](const Arguments& a) {
              return made<LocalZoom>(a.pair("at"), a.pair("radius"), a.number("strength"));

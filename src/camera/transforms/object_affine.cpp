@@ -95,7 +95,9 @@ private:
 };
 
 StageParameter center() {
-    return {.name = "at", .type = ParameterType::triple, .default_value = {0.0, 0.0, 0.0},
+    return {.name = "at",
+            .type = ParameterType::triple,
+            .default_value = {0.0, 0.0, 0.0},
             .meaning = "the point that stays"};
 }
 
@@ -108,13 +110,13 @@ StageParameter number(std::string_view name, double value, std::string_view mean
 }
 
 StageParameter image(std::string_view name, std::vector<double> value, std::string_view meaning) {
-    return {.name = name, .type = ParameterType::triple, .default_value = std::move(value),
+    return {.name = name,
+            .type = ParameterType::triple,
+            .default_value = std::move(value),
             .meaning = meaning};
 }
 
-Triple xyz(const Arguments& a) {
-    return {a.number("x"), a.number("y"), a.number("z")};
-}
+Triple xyz(const Arguments& a) { return {a.number("x"), a.number("y"), a.number("z")}; }
 
 bool is_null(const Triple& t) {
     return t[0].constant() == 0.0 && t[1].constant() == 0.0 && t[2].constant() == 0.0;
@@ -130,10 +132,14 @@ Diagnostic null_axis() {
 std::vector<StageEntry> object_affine() {
     const StageKind kind = StageKind::object_transformer;
     return {
-        {kind, "translate", "moves by a vector",
+        {kind,
+         "translate",
+         "moves by a vector",
          {number("x", 0.0, "along x"), number("y", 0.0, "along y"), number("z", 0.0, "along z")},
          [](const Arguments& a) { return made<Translate>(xyz(a)); }},
-        {kind, "rotate", "turns about an axis, counter-clockwise as seen from its tip",
+        {kind,
+         "rotate",
+         "turns about an axis, counter-clockwise as seen from its tip",
          {axis("x, y, z or a vector"),
           {.name = "angle", .unit = Unit::angle, .meaning = "how far"},
           center()},
@@ -143,17 +149,23 @@ std::vector<StageEntry> object_affine() {
              }
              return made<Rotate>(a.triple("axis"), a.number("angle"), a.triple("at"));
          }},
-        {kind, "scale", "scales about a point",
+        {kind,
+         "scale",
+         "scales about a point",
          {{.name = "factor", .meaning = "for all three axes"}, center()},
          [](const Arguments& a) {
              const Scalar factor = a.number("factor");
              return made<Stretch>(Triple{factor, factor, factor}, a.triple("at"));
          }},
-        {kind, "stretch", "scales along each axis about a point",
+        {kind,
+         "stretch",
+         "scales along each axis about a point",
          {number("x", 1.0, "factor along x"), number("y", 1.0, "factor along y"),
           number("z", 1.0, "factor along z"), center()},
          [](const Arguments& a) { return made<Stretch>(xyz(a), a.triple("at")); }},
-        {kind, "mirror", "reflects across an axis, in the plane through a point",
+        {kind,
+         "mirror",
+         "reflects across an axis, in the plane through a point",
          {axis("the plane's normal: x, y, z or a vector"), center()},
          [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
              if (is_null(a.triple("axis"))) {
@@ -161,7 +173,9 @@ std::vector<StageEntry> object_affine() {
              }
              return made<Mirror>(a.triple("axis"), a.triple("at"));
          }},
-        {kind, "affine", "at + x (image of x) + y (image of y) + z (image of z)",
+        {kind,
+         "affine",
+         "at + x (image of x) + y (image of y) + z (image of z)",
          {image("x", {1.0, 0.0, 0.0}, "where (1, 0, 0) goes, before at is added"),
           image("y", {0.0, 1.0, 0.0}, "where (0, 1, 0) goes, before at is added"),
           image("z", {0.0, 0.0, 1.0}, "where (0, 0, 1) goes, before at is added"),

@@ -82,8 +82,11 @@ private:
 };
 
 StageParameter center() {
-    return {.name = "at", .type = ParameterType::pair, .unit = Unit::parameter,
-            .default_value = {0.0, 0.0}, .meaning = "the point that stays"};
+    return {.name = "at",
+            .type = ParameterType::pair,
+            .unit = Unit::parameter,
+            .default_value = {0.0, 0.0},
+            .meaning = "the point that stays"};
 }
 
 StageParameter number(std::string_view name, Unit unit, double value, std::string_view meaning) {
@@ -91,8 +94,11 @@ StageParameter number(std::string_view name, Unit unit, double value, std::strin
 }
 
 StageParameter image(std::string_view name, std::vector<double> value, std::string_view meaning) {
-    return {.name = name, .type = ParameterType::pair, .unit = Unit::parameter,
-            .default_value = std::move(value), .meaning = meaning};
+    return {.name = name,
+            .type = ParameterType::pair,
+            .unit = Unit::parameter,
+            .default_value = std::move(value),
+            .meaning = meaning};
 }
 
 }  // namespace
@@ -100,21 +106,35 @@ StageParameter image(std::string_view name, std::vector<double> value, std::stri
 std::vector<StageEntry> parameter_affine() {
     const StageKind kind = StageKind::parameter_transformer;
     return {
-        {kind, "translate", "(u + a, v + b)",
+        {kind,
+         "translate",
+         "(u + a, v + b)",
          {number("u", Unit::parameter, 0.0, "added to u"),
           number("v", Unit::parameter, 0.0, "added to v")},
-         [](const Arguments& a) { return made<Translate>(Pair{a.number("u"), a.number("v")}); }},
-        {kind, "scale", "scales about a point; a factor above 1 shows more of the object",
+         [](const Arguments& a) {
+             return made<Translate>(Pair{a.number("u"), a.number("v")});
+         }},
+        {kind,
+         "scale",
+         "scales about a point; a factor above 1 shows more of the object",
          {{.name = "factor", .type = ParameterType::size, .meaning = "for u and v"}, center()},
          [](const Arguments& a) { return made<Scale>(a.pair("factor"), a.pair("at")); }},
-        {kind, "rotate", "turns parameter space counter-clockwise about a point",
+        {kind,
+         "rotate",
+         "turns parameter space counter-clockwise about a point",
          {{.name = "angle", .unit = Unit::angle, .meaning = "how far"}, center()},
          [](const Arguments& a) { return made<Rotate>(a.number("angle"), a.pair("at")); }},
-        {kind, "shear", "(u + a v, v + b u)",
+        {kind,
+         "shear",
+         "(u + a v, v + b u)",
          {number("u", Unit::number, 0.0, "how much of v is added to u"),
           number("v", Unit::number, 0.0, "how much of u is added to v")},
-         [](const Arguments& a) { return made<Shear>(Pair{a.number("u"), a.number("v")}); }},
-        {kind, "affine", "at + u (image of u) + v (image of v)",
+         [](const Arguments& a) {
+             return made<Shear>(Pair{a.number("u"), a.number("v")});
+         }},
+        {kind,
+         "affine",
+         "at + u (image of u) + v (image of v)",
          {image("u", {1.0, 0.0}, "where (1, 0) goes, before at is added"),
           image("v", {0.0, 1.0}, "where (0, 1) goes, before at is added"),
           image("at", {0.0, 0.0}, "where (0, 0) goes")},
