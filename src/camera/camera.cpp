@@ -1,6 +1,8 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+// getRay: picture arrangers, then getEyePnt, getDirPnt and getDirVec.
+
 #include "balcony/camera.hpp"
 
 #include <cmath>

@@ -1,6 +1,9 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+// getDirVec: the direction of a ray along the normal of the eye object, absolute (from the
+// direction object alone) or relative (from the eye point to the direction point).
+
 #include "camera/families.hpp"
 
 namespace balcony::camera {

@@ -1,6 +1,9 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+// getEyePnt and getDirPnt: picture mapper, parameter transformers, object generator, object
+// transformers.
+
 #include "balcony/camera.hpp"
 
 namespace balcony::camera {

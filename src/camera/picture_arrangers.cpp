@@ -1,6 +1,8 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+// Picture arrangers, DCS → DCS: which part of the picture a camera fills.
+
 #include "camera/families.hpp"
 
 namespace balcony::camera {

@@ -1,6 +1,8 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+// Picture mappers, DCS → PCS: what the picture covers of the parameters.
+
 #include "camera/families.hpp"
 
 namespace balcony::camera {

@@ -1,6 +1,8 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+// Object generators, PCS → OCS, that a user writes as formulas.
+
 #include "camera/families.hpp"
 
 namespace balcony::camera {

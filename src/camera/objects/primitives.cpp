@@ -1,21 +1,14 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+// Object generators, PCS → OCS: points, lines and the surfaces of elementary geometry.
+
 #include "camera/families.hpp"
+#include "camera/stage_parameters.hpp"
 
 namespace balcony::camera {
 
 namespace {
-
-using Triple = std::array<Scalar, 3>;
-
-ObjectPoint point_of(const Triple& t, Emitter& emit) {
-    return {emit(t[0]), emit(t[1]), emit(t[2])};
-}
-
-ObjectVector vector_of(const Triple& t, Emitter& emit) {
-    return {emit(t[0]), emit(t[1]), emit(t[2])};
-}
 
 class Point final : public ObjectGenerator {
 public:
@@ -112,69 +105,44 @@ private:
 };
 
 StageParameter coordinate(std::string_view name) {
-    return {.name = name, .default_value = {0.0}, .meaning = "its position"};
+    return number_parameter(name, 0.0, "its position");
 }
 
-StageParameter place(std::string_view meaning) {
-    return {.name = "at",
-            .type = ParameterType::triple,
-            .default_value = {0.0, 0.0, 0.0},
-            .meaning = meaning};
-}
-
-StageParameter radius(std::string_view name, std::string_view meaning) {
-    return {.name = name,
-            .default_value = {1.0},
-            .least = 0.0,
-            .above_least = true,
-            .meaning = meaning};
-}
+StageParameter radius() { return positive_parameter("radius", 1.0, "its radius"); }
 
 }  // namespace
 
 std::vector<StageEntry> primitives() {
-    using enum ParameterType;
     const StageKind kind = StageKind::object_generator;
     return {
         {kind,
          "point",
          "a single point",
          {coordinate("x"), coordinate("y"), coordinate("z")},
-         [](const Arguments& a) {
-             return made<Point>(Triple{a.number("x"), a.number("y"), a.number("z")});
-         },
+         [](const Arguments& a) { return made<Point>(xyz_of(a)); },
          {},
          0},
         {kind,
          "line",
          "at + u along",
-         {place("the point of u = 0"),
-          {.name = "along",
-           .type = triple,
-           .default_value = {1.0, 0.0, 0.0},
-           .meaning = "the step for one unit of u"}},
+         {triple_parameter("at", {0.0, 0.0, 0.0}, "the point of u = 0"),
+          triple_parameter("along", {1.0, 0.0, 0.0}, "the step for one unit of u")},
          [](const Arguments& a) { return made<Line>(a.triple("at"), a.triple("along")); },
          {},
          1},
         {kind,
          "circle",
          "a circle round the z axis in the plane z = 0, by angle",
-         {radius("radius", "its radius")},
+         {radius()},
          [](const Arguments& a) { return made<Circle>(a.number("radius")); },
          {},
          1},
         {kind,
          "plane",
          "at + u along_u + v along_v",
-         {place("the point of u = v = 0"),
-          {.name = "along_u",
-           .type = triple,
-           .default_value = {0.0, 1.0, 0.0},
-           .meaning = "the step for one unit of u"},
-          {.name = "along_v",
-           .type = triple,
-           .default_value = {0.0, 0.0, 1.0},
-           .meaning = "the step for one unit of v"}},
+         {triple_parameter("at", {0.0, 0.0, 0.0}, "the point of u = v = 0"),
+          triple_parameter("along_u", {0.0, 1.0, 0.0}, "the step for one unit of u"),
+          triple_parameter("along_v", {0.0, 0.0, 1.0}, "the step for one unit of v")},
          [](const Arguments& a) {
              return made<Plane>(a.triple("at"), a.triple("along_u"), a.triple("along_v"));
          },
@@ -183,22 +151,22 @@ std::vector<StageEntry> primitives() {
         {kind,
          "sphere",
          "a sphere by longitude u and latitude v",
-         {radius("radius", "its radius")},
+         {radius()},
          [](const Arguments& a) { return made<Sphere>(a.number("radius")); },
          {},
          2},
         {kind,
          "cylinder",
          "a cylinder round the z axis by angle u and height v",
-         {radius("radius", "its radius")},
+         {radius()},
          [](const Arguments& a) { return made<Cylinder>(a.number("radius")); },
          {},
          2},
         {kind,
          "torus",
          "a torus round the z axis by the angle u round the axis and v round the tube",
-         {radius("major", "from the axis to the middle of the tube"),
-          radius("minor", "of the tube")},
+         {positive_parameter("major", 1.0, "from the axis to the middle of the tube"),
+          positive_parameter("minor", 1.0, "of the tube")},
          [](const Arguments& a) { return made<Torus>(a.number("major"), a.number("minor")); },
          {},
          2},

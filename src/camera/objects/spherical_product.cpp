@@ -1,6 +1,9 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+// Object generator, PCS → OCS: the spherical product of two plane curves, which makes quadrics and
+// superquadrics.
+
 #include "camera/families.hpp"
 
 namespace balcony::camera {

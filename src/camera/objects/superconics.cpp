@@ -1,6 +1,9 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+// Object generators, PCS → OCS: superellipse and superhyperbola, curves of their own and factors of
+// spherical products.
+
 #include <cmath>
 #include <numbers>
 
@@ -8,6 +11,7 @@
 
 #include "camera/arc_length.hpp"
 #include "camera/families.hpp"
+#include "camera/stage_parameters.hpp"
 
 namespace balcony::camera {
 
@@ -218,14 +222,6 @@ StageParameter gamma_parameter() {
             .meaning = "superconic parameter: 1 is the conic, less is more square"};
 }
 
-StageParameter half_axis(std::string_view name, std::string_view meaning) {
-    return {.name = name,
-            .default_value = {1.0},
-            .least = 0.0,
-            .above_least = true,
-            .meaning = meaning};
-}
-
 }  // namespace
 
 std::vector<StageEntry> superconics() {
@@ -235,8 +231,8 @@ std::vector<StageEntry> superconics() {
         {kind,
          "superellipse",
          "|x/a|^e + |y/b|^e = 1 with e = 2/gamma, as a curve in u",
-         {half_axis("a", "half axis along x"),
-          half_axis("b", "half axis along y"),
+         {positive_parameter("a", 1.0, "half axis along x"),
+          positive_parameter("b", 1.0, "half axis along y"),
           gamma_parameter(),
           {.name = "by",
            .type = choice,
@@ -251,8 +247,8 @@ std::vector<StageEntry> superconics() {
         {kind,
          "superhyperbola",
          "one branch, x > 0, of |x/a|^e - |y/b|^e = 1 with e = 2/gamma, as a curve in u",
-         {half_axis("a", "half axis along x"),
-          half_axis("b", "half axis along y"),
+         {positive_parameter("a", 1.0, "half axis along x"),
+          positive_parameter("b", 1.0, "half axis along y"),
           gamma_parameter(),
           {.name = "by",
            .type = choice,

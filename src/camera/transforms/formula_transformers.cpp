@@ -1,6 +1,9 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+// Parameter transformers (PCS → PCS) and object transformers (OCS → OCS) that a user writes as
+// formulas.
+
 #include "camera/families.hpp"
 
 namespace balcony::camera {

@@ -1,6 +1,8 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+// Parameter transformer, PCS → PCS: the local zoom as an analytic function.
+
 #include "camera/families.hpp"
 
 namespace balcony::camera {

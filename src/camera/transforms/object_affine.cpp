@@ -1,21 +1,14 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+// Object transformers, OCS → OCS: the affine maps.
+
 #include "camera/families.hpp"
+#include "camera/stage_parameters.hpp"
 
 namespace balcony::camera {
 
 namespace {
-
-using Triple = std::array<Scalar, 3>;
-
-ObjectPoint point_of(const Triple& t, Emitter& emit) {
-    return {emit(t[0]), emit(t[1]), emit(t[2])};
-}
-
-ObjectVector vector_of(const Triple& t, Emitter& emit) {
-    return {emit(t[0]), emit(t[1]), emit(t[2])};
-}
 
 ObjectVector unit_vector_of(const Triple& t, Emitter& emit) {
     const ObjectVector v = vector_of(t, emit);
@@ -94,29 +87,11 @@ private:
     Triple x_, y_, z_, at_;
 };
 
-StageParameter center() {
-    return {.name = "at",
-            .type = ParameterType::triple,
-            .default_value = {0.0, 0.0, 0.0},
-            .meaning = "the point that stays"};
-}
+StageParameter center() { return triple_parameter("at", {0.0, 0.0, 0.0}, "the point that stays"); }
 
 StageParameter axis(std::string_view meaning) {
     return {.name = "axis", .type = ParameterType::axis, .meaning = meaning};
 }
-
-StageParameter number(std::string_view name, double value, std::string_view meaning) {
-    return {.name = name, .default_value = {value}, .meaning = meaning};
-}
-
-StageParameter image(std::string_view name, std::vector<double> value, std::string_view meaning) {
-    return {.name = name,
-            .type = ParameterType::triple,
-            .default_value = std::move(value),
-            .meaning = meaning};
-}
-
-Triple xyz(const Arguments& a) { return {a.number("x"), a.number("y"), a.number("z")}; }
 
 bool is_null(const Triple& t) {
     return t[0].constant() == 0.0 && t[1].constant() == 0.0 && t[2].constant() == 0.0;
@@ -135,8 +110,9 @@ std::vector<StageEntry> object_affine() {
         {kind,
          "translate",
          "moves by a vector",
-         {number("x", 0.0, "along x"), number("y", 0.0, "along y"), number("z", 0.0, "along z")},
-         [](const Arguments& a) { return made<Translate>(xyz(a)); }},
+         {number_parameter("x", 0.0, "along x"), number_parameter("y", 0.0, "along y"),
+          number_parameter("z", 0.0, "along z")},
+         [](const Arguments& a) { return made<Translate>(xyz_of(a)); }},
         {kind,
          "rotate",
          "turns about an axis, counter-clockwise as seen from its tip",
@@ -160,9 +136,10 @@ std::vector<StageEntry> object_affine() {
         {kind,
          "stretch",
          "scales along each axis about a point",
-         {number("x", 1.0, "factor along x"), number("y", 1.0, "factor along y"),
-          number("z", 1.0, "factor along z"), center()},
-         [](const Arguments& a) { return made<Stretch>(xyz(a), a.triple("at")); }},
+         {number_parameter("x", 1.0, "factor along x"),
+          number_parameter("y", 1.0, "factor along y"),
+          number_parameter("z", 1.0, "factor along z"), center()},
+         [](const Arguments& a) { return made<Stretch>(xyz_of(a), a.triple("at")); }},
         {kind,
          "mirror",
          "reflects across an axis, in the plane through a point",
@@ -176,10 +153,10 @@ std::vector<StageEntry> object_affine() {
         {kind,
          "affine",
          "at + x (image of x) + y (image of y) + z (image of z)",
-         {image("x", {1.0, 0.0, 0.0}, "where (1, 0, 0) goes, before at is added"),
-          image("y", {0.0, 1.0, 0.0}, "where (0, 1, 0) goes, before at is added"),
-          image("z", {0.0, 0.0, 1.0}, "where (0, 0, 1) goes, before at is added"),
-          image("at", {0.0, 0.0, 0.0}, "where (0, 0, 0) goes")},
+         {triple_parameter("x", {1.0, 0.0, 0.0}, "where (1, 0, 0) goes, before at is added"),
+          triple_parameter("y", {0.0, 1.0, 0.0}, "where (0, 1, 0) goes, before at is added"),
+          triple_parameter("z", {0.0, 0.0, 1.0}, "where (0, 0, 1) goes, before at is added"),
+          triple_parameter("at", {0.0, 0.0, 0.0}, "where (0, 0, 0) goes")},
          [](const Arguments& a) {
              return made<Affine>(a.triple("x"), a.triple("y"), a.triple("z"), a.triple("at"));
          }},
