@@ -18,12 +18,7 @@ using expr::Op;
 
 Rate rate_of(const Node& node) {
     assert((node.depends & expr::depends::on_variable) == 0 && "a program has no free variables");
-    const bool on_x = (node.depends & expr::depends::on_x) != 0;
-    const bool on_y = (node.depends & expr::depends::on_y) != 0;
-    if (on_x) {
-        return on_y ? Rate::pixel : Rate::column;
-    }
-    return on_y ? Rate::row : Rate::uniform;
+    return expr::rate_of(node.depends);
 }
 
 std::size_t index(Rate rate) { return static_cast<std::size_t>(rate); }
