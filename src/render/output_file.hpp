@@ -1,6 +1,5 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
-
 #pragma once
 
 // A file that is written beside its place and moved there when it is whole.

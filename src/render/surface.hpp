@@ -1,6 +1,5 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
-
 #pragma once
 
 // What a ray meets: the surface at a hit, and the ray's footprint on it.

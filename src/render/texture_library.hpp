@@ -1,6 +1,5 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
-
 #pragma once
 
 // Textures through a cache of bounded size, decoded to linear half floats before any filtering.

@@ -1,6 +1,5 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
-
 #pragma once
 
 // One thread's work: a tile of the picture in one pass.

@@ -4,6 +4,7 @@
 #include "render/tracer.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "render/lights.hpp"
@@ -17,7 +18,7 @@ constexpr std::size_t most_crossings = 64;
 
 // Rays that one camera ray may lead to, and the weight below which none is followed: less than half
 // a step of an 8-bit picture.
-constexpr std::size_t most_pending = 256;
+constexpr std::size_t most_rays = 256;
 constexpr float least_weight = 1.0F / 512.0F;
 
 float largest(const Color3f& color) { return std::max({color.x, color.y, color.z}); }
@@ -35,7 +36,7 @@ Tracer::Result Tracer::trace(const Ray& ray, const embree::Hit& first) {
     Result result{Color4f(0.0F), {}};
     pending_.clear();
     follow({ray, Color3f(1.0F)}, first, result);
-    for (std::size_t followed = 0; !pending_.empty() && followed < most_pending; ++followed) {
+    for (std::size_t followed = 0; !pending_.empty() && followed < most_rays; ++followed) {
         const Pending next = pending_.back();
         pending_.pop_back();
         follow(next, traced_->accelerator.intersect(to_embree(next.ray)), result);

@@ -1,8 +1,11 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
+#include <iterator>
+#include <stdexcept>
 #include <vector>
 
 #include <OpenEXR/ImfChannelList.h>

@@ -1,6 +1,5 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
-
 #pragma once
 
 // The one place that knows Embree: a scene built once, then asked for the nearest hit and for what
