@@ -209,8 +209,8 @@ struct Path {
 struct RayExpressions {
     ObjectPoint origin;
     ObjectVector direction;     ///< Unit length where valid.
-    Expr valid;                 ///< 1 where there is a ray: all values finite, direction not 0.
-    ParameterPoint parameters;  ///< (u, v) of the eye object.
+    Expr valid;                 ///< 1 where there is a ray, finite in all six values; else 0.
+    ParameterPoint parameters;  ///< (u, v) of the eye object; a point or curve may ignore them.
 };
 
 /// An extended camera.
