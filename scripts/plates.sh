@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # Functions for scripts that render plates. A plate is a folder plates/NN-name/ with
-#   camera.cam   its camera
+#   camera.cam   its camera, unless the plate file names another
 #   README.md    a heading and a paragraph on what it shows
 #   plate        lines of a key and its value; a # opens a comment:
 #       scene   PROGRAM [OPTION...]   a program of plates/ that writes the scene to the file named last
@@ -29,6 +29,13 @@ plate_program() {
     plate_value "$1" scene | cut -d ' ' -f 1
 }
 
+# plate_camera FOLDER: its camera file.
+plate_camera() {
+    local camera
+    camera=$(plate_value "$1" camera)
+    realpath --relative-to=. "$1/${camera:-camera.cam}"
+}
+
 # build_scene FOLDER: writes the scene of a plate, once for all plates that share it, and says where.
 build_scene() {
     local words file
@@ -52,6 +59,6 @@ render_plate() {
     done
     scene=$(build_scene "$folder")
     mkdir -p "$(dirname "$picture")"
-    "$build/balcony" render "$scene" --camera "$folder/camera.cam" -o "$picture" \
+    "$build/balcony" render "$scene" --camera "$(plate_camera "$folder")" -o "$picture" \
         "${options[@]}" "${given[@]}"
 }
