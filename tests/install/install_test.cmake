@@ -18,6 +18,7 @@ run("${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}/consumer" -B "${consumer}" 
     -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
 run("${CMAKE_COMMAND}" --build "${consumer}")
 run("${consumer}/consumer")
+run("${consumer}/consumer_of_cameras")
 run("${prefix}/bin/balcony" --version)
 
 # All public headers are there, and no others.
