@@ -109,7 +109,8 @@ Expr multiply_rules(Graph& graph, Expr a, Expr b) {
         if (other.op() == Op::negate) {
             return -c * other.argument(0);
         }
-        if (is_scaled(other, scaled)) {
+        // Not where the joined factors would overflow or lose digits.
+        if (is_scaled(other, scaled) && std::isnormal(c * scaled.factor)) {
             return (c * scaled.factor) * scaled.rest;
         }
     }

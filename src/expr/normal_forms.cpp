@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 namespace balcony::expr {
@@ -216,6 +217,11 @@ LinearForm LinearForm::sum(const LinearForm& a, double factor, const LinearForm&
         }
     }
     return result;
+}
+
+bool LinearForm::has_normal_coefficients() const {
+    return std::all_of(terms_.begin(), terms_.end(),
+                       [](const Term& term) { return std::isnormal(term.coefficient); });
 }
 
 LinearForm LinearForm::scaled(double factor) const { return sum(LinearForm(), factor, *this); }

@@ -46,6 +46,8 @@ public:
     [[nodiscard]] static LinearForm sum(const LinearForm& a, double factor, const LinearForm& b);
     [[nodiscard]] LinearForm scaled(double factor) const;
     [[nodiscard]] std::size_t term_count() const { return terms_.size(); }
+    /// None is infinite, subnormal or, by underflow, 0.
+    [[nodiscard]] bool has_normal_coefficients() const;
 
     /// The sum, with common row and column factors of its terms taken out.
     [[nodiscard]] Expr build(Graph& graph) const;

@@ -1,6 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+#include <cmath>
 #include <optional>
 
 #include "balcony/expr.hpp"
@@ -98,9 +99,13 @@ private:
     }
 
     // A multiple of a sum that others need too is made from that sum, but a sum above may dissolve
-    // it all the same.
+    // it all the same. Coefficients that would overflow or lose digits stay apart here and in
+    // products, so that no term vanishes.
     Expr rewrite_multiple(NodeId id, NodeId of, double factor) {
         LinearForm form = linear(of).scaled(factor);
+        if (!form.has_normal_coefficients()) {
+            return factor * made(of);
+        }
         if (uses_[of.value()] == 1 || form.term_count() <= 1) {
             return keep_linear(id, std::move(form));
         }
@@ -120,8 +125,12 @@ private:
             }
         }
         const ProductForm kept = ProductForm::product(ProductForm(made(a)), ProductForm(made(b)));
+        if (!std::isnormal(kept.coefficient())) {
+            return made(a) * made(b);
+        }
         ProductForm dissolved = ProductForm::product(product(a), product(b));
-        const bool dissolve = dissolved.factor_count() <= longest_product &&
+        const bool dissolve = std::isnormal(dissolved.coefficient()) &&
+                              dissolved.factor_count() <= longest_product &&
                               dissolved.pixel_cost() <= kept.pixel_cost();
         return keep_product(id, dissolve ? std::move(dissolved) : kept);
     }
@@ -139,8 +148,10 @@ private:
         if (numerator.rate() != Rate::pixel || divisor.rate() == Rate::pixel) {
             return numerator / divisor;
         }
-        return keep_product(
-            id, ProductForm::product(product(node.arguments[0]), ProductForm(1.0 / divisor)));
+        ProductForm form =
+            ProductForm::product(product(node.arguments[0]), ProductForm(1.0 / divisor));
+        return std::isnormal(form.coefficient()) ? keep_product(id, std::move(form))
+                                                 : numerator / divisor;
     }
 
     Expr made(NodeId id) const { return made_[id.value()]; }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -36,6 +37,27 @@ Expr simplified(Expr e) { return simplify(std::span(&e, 1)).front(); }
 std::size_t pixel_operations(Expr e) { return pixel_operations(std::span(&e, 1)); }
 
 }  // namespace
+
+// Joined, the coefficients would be 0 and the term gone with them, were it ever so large.
+TEST(Simplify, KeepsTermsWhoseJoinedCoefficientsUnderflow) {
+    Graph graph;
+    const Expr x = graph.picture_x();
+    const Expr y = graph.picture_y();
+    const double infinity = std::numeric_limits<double>::infinity();
+    const auto at = [](Expr e, double column, double row) {
+        return evaluate(std::span(&e, 1), {column, row, 0.0, {}}).front();
+    };
+    const Expr scaled_x = 1e-200 * x;
+    const Expr square = simplified(scaled_x * scaled_x + y * y);
+    EXPECT_NEAR(at(square, 1e200, 0.0), 1.0, 1e-15) << print(square);
+    EXPECT_EQ(at(square, infinity, 0.0), infinity) << print(square);
+    const Expr twice_scaled = simplified(1e-200 * scaled_x);
+    EXPECT_EQ(at(twice_scaled, infinity, 0.0), infinity) << print(twice_scaled);
+    const Expr multiple = simplified(1e-200 * (scaled_x + y));
+    EXPECT_EQ(at(multiple, infinity, 0.0), infinity) << print(multiple);
+    const Expr quotient = simplified((scaled_x * sin(y)) / (1e200 * y));
+    EXPECT_EQ(at(quotient, infinity, 1.0), infinity) << print(quotient);
+}
 
 TEST(Simplify, CollapsesAffineChainsOfAnyLength) {
     for (const int length : {1, 2, 10, 1000}) {
