@@ -20,20 +20,24 @@ struct CheckOptions {
 
 ExitCode check(const CheckOptions& options) {
     Diagnostics all;
+    nlohmann::json files = nlohmann::json::array();
     for (const std::string& file : options.files) {
         const Diagnostics said = lang::check(file);
         all.insert(all.end(), said.begin(), said.end());
-        if (!options.json) {
-            report(said);
-            if (!has_errors(said)) {
-                const auto cameras = lang::describe(file);
-                fmt::print("{}: {} camera{}, no errors\n", file, cameras->size(),
-                           cameras->size() == 1 ? "" : "s");
-            }
+        const auto cameras = lang::describe(file);
+        const std::size_t count = cameras ? cameras->size() : 0;
+        files.push_back({{"file", file}, {"cameras", count}, {"good", !has_errors(said)}});
+        if (options.json) {
+            continue;
+        }
+        report(said);
+        if (!has_errors(said)) {
+            print_result(fmt::format("{}: {}, no errors\n", printable(file),
+                                     counted(count, "camera", "cameras")));
         }
     }
     if (options.json) {
-        fmt::print("{}\n", to_json(all).dump(2));
+        print_json({{"files", files}, {"diagnostics", to_json(all)}});
     }
     return has_errors(all) ? ExitCode::bad_input : ExitCode::done;
 }
@@ -42,10 +46,11 @@ ExitCode check(const CheckOptions& options) {
 
 void add_check_command(CLI::App& app, ExitCode& code) {
     auto* command = app.add_subcommand("check", "says what is wrong with camera files");
+    command->group("Commands");
     const auto options = std::make_shared<CheckOptions>();
-    command->add_option("FILE", options->files, "camera files (.cam)")->required();
-    command->add_flag("--json", options->json, "for programs: a list of diagnostics");
-    command->footer("Example:\n  balcony check gallery.cam");
+    command->add_option("FILE", options->files, "camera files (.cam)")->required()->take_all();
+    command->add_flag("--json", options->json, "files and diagnostics, for programs");
+    command->footer("Example:\n  balcony check gallery.cam room.cam");
     command->callback([options, &code] { code = check(*options); });
 }
 

@@ -16,7 +16,8 @@ enum class ExitCode : int {
 };
 
 /// Each adds its subcommand to the app; if the user asked for it, its exit code is in `code` after
-/// parsing.
+/// parsing. With --json each prints one JSON object, whose "diagnostics" are a list; results go to
+/// standard output, all else to standard error.
 void add_render_command(CLI::App& app, ExitCode& code);
 void add_check_command(CLI::App& app, ExitCode& code);
 void add_list_command(CLI::App& app, ExitCode& code);

@@ -18,7 +18,9 @@ Result<camera::Camera> default_camera(const scene::Scene& scene) {
     const Imath::V3d middle(bounds.center());
     const Imath::V3d center =
         scene.axes == Axes::y_up ? Imath::V3d(middle.x, -middle.z, middle.y) : middle;
-    const double radius = 0.5 * static_cast<double>(bounds.size().length());
+    // A scene that is a single point is seen from a little way off.
+    const double extent = Imath::V3d(bounds.size()).length();
+    const double radius = extent > 0.0 ? 0.5 * extent : 1.0;
 
     constexpr double half_field = 20.0 * std::numbers::pi / 180.0;
     constexpr double vertical_share = 9.0 / 16.0;

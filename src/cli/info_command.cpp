@@ -42,26 +42,34 @@ nlohmann::json scene_json(const scene::Scene& scene) {
         {"objects", objects}};
 }
 
-void print_scene(const scene::Scene& scene, bool objects) {
+std::string scene_text(const scene::Scene& scene, bool objects) {
     const auto bounds = scene.bounds();
     const auto size = bounds.size();
-    fmt::print("{}\n", scene.name);
-    fmt::print("  format     {}\n", scene.format);
-    fmt::print("  axes       {}; a unit is {} m\n", axes_text(scene.axes), scene.meters_per_unit);
-    fmt::print("  extent     {:.4g} x {:.4g} x {:.4g} units\n", size.x, size.y, size.z);
-    fmt::print("  bounds     ({:.4g}, {:.4g}, {:.4g}) .. ({:.4g}, {:.4g}, {:.4g})\n", bounds.min.x,
-               bounds.min.y, bounds.min.z, bounds.max.x, bounds.max.y, bounds.max.z);
-    fmt::print("  triangles  {} in {} objects, {} meshes\n",
-               count_text(static_cast<double>(scene.triangle_count())), scene.objects.size(),
-               scene.meshes.size());
-    fmt::print("  materials  {}, textures {}\n", scene.materials.size(), scene.textures.size());
-    fmt::print("  lights     {}{}\n", scene.lights.size(),
-               scene.default_light ? "; nothing shines: lit from where the rays start" : "");
+    std::string text = fmt::format("{}\n", printable(scene.name));
+    const auto line = [&text](std::string_view name, const std::string& value) {
+        text += fmt::format("  {:<10} {}\n", name, value);
+    };
+    line("format", scene.format);
+    line("axes", fmt::format("{}; a unit is {} m", axes_text(scene.axes), scene.meters_per_unit));
+    line("extent", fmt::format("{:.4g} x {:.4g} x {:.4g} units", size.x, size.y, size.z));
+    line("bounds",
+         fmt::format("({:.4g}, {:.4g}, {:.4g}) .. ({:.4g}, {:.4g}, {:.4g})", bounds.min.x,
+                     bounds.min.y, bounds.min.z, bounds.max.x, bounds.max.y, bounds.max.z));
+    line("triangles",
+         fmt::format("{} in {}, {}", count_text(static_cast<double>(scene.triangle_count())),
+                     counted(scene.objects.size(), "object", "objects"),
+                     counted(scene.meshes.size(), "mesh", "meshes")));
+    line("materials", fmt::format("{}, {}", scene.materials.size(),
+                                  counted(scene.textures.size(), "texture", "textures")));
+    line("lights",
+         fmt::format("{}{}", scene.lights.size(),
+                     scene.default_light ? "; nothing shines: lit from where the rays start" : ""));
     if (objects) {
         for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-            fmt::print("  object {:<4} {}\n", i + 1, scene.objects[i].name);
+            text += fmt::format("  object {:<4} {}\n", i + 1, printable(scene.objects[i].name));
         }
     }
+    return text;
 }
 
 ExitCode info(const InfoOptions& options) {
@@ -71,11 +79,11 @@ ExitCode info(const InfoOptions& options) {
         if (scene) {
             result["scene"] = scene_json(*scene);
         }
-        fmt::print("{}\n", result.dump(2));
+        print_json(result);
     } else {
         report(scene.diagnostics);
         if (scene) {
-            print_scene(*scene, options.objects);
+            print_result(scene_text(*scene, options.objects));
         }
     }
     return scene ? ExitCode::done : ExitCode::bad_input;
@@ -85,10 +93,12 @@ ExitCode info(const InfoOptions& options) {
 
 void add_info_command(CLI::App& app, ExitCode& code) {
     auto* command = app.add_subcommand("info", "says what is in a scene file");
+    command->group("Commands");
     const auto options = std::make_shared<InfoOptions>();
     command->add_option("SCENE", options->scene, "a scene file (.glb, .gltf, .obj)")->required();
-    command->add_flag("--objects", options->objects, "list the objects with their ids");
-    command->add_flag("--json", options->json, "for programs");
+    command->add_flag("--objects", options->objects,
+                      "list the objects with their ids in the object layer");
+    command->add_flag("--json", options->json, "the same with all objects, for programs");
     command->footer("Example:\n  balcony info gallery.glb --objects");
     command->callback([options, &code] { code = info(*options); });
 }

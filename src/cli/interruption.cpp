@@ -4,9 +4,7 @@
 #include "cli/interruption.hpp"
 
 #include <csignal>
-#include <ctime>
 #include <mutex>
-#include <optional>
 
 #include <unistd.h>
 
@@ -17,21 +15,40 @@ namespace balcony::cli {
 namespace {
 
 std::mutex job_mutex;
-std::optional<std::stop_source> job;
+std::stop_source* job = nullptr;
+
+// Tells the watcher that it is done.
+int wake_signal() { return SIGRTMIN; }
+
+bool is_ignored(int signal) {
+    struct sigaction action {};
+    return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
 
 sigset_t watched_signals() {
     sigset_t signals;
     sigemptyset(&signals);
-    sigaddset(&signals, SIGINT);
-    sigaddset(&signals, SIGTERM);
-    sigaddset(&signals, SIGHUP);
+    sigaddset(&signals, wake_signal());
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        if (!is_ignored(signal)) {
+            sigaddset(&signals, signal);
+        }
+    }
     return signals;
+}
+
+// On a terminal whatever stands in the line stays there and the prompt begins a new one.
+[[noreturn]] void end_at_once() {
+    if (isatty(STDERR_FILENO) != 0) {
+        [[maybe_unused]] const auto written = write(STDERR_FILENO, "\n", 1);
+    }
+    _exit(static_cast<int>(ExitCode::interrupted));
 }
 
 void answer_signal() {
     const std::lock_guard lock(job_mutex);
-    if (!job || !job->request_stop()) {
-        _exit(static_cast<int>(ExitCode::interrupted));
+    if (job == nullptr || !job->request_stop()) {
+        end_at_once();
     }
 }
 
@@ -40,28 +57,24 @@ void answer_signal() {
 Interruption::Interruption() {
     const sigset_t signals = watched_signals();
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-    watcher_ = std::jthread([](const std::stop_token& done) {
-        const sigset_t watched = watched_signals();
-        const timespec wait{0, 50'000'000};
-        while (!done.stop_requested()) {
-            if (sigtimedwait(&watched, nullptr, &wait) > 0) {
-                answer_signal();
-            }
+    watcher_ = std::jthread([signals] {
+        int signal = 0;
+        while (sigwait(&signals, &signal) == 0 && signal != wake_signal()) {
+            answer_signal();
         }
     });
 }
 
-Interruption::~Interruption() = default;
+Interruption::~Interruption() { pthread_kill(watcher_.native_handle(), wake_signal()); }
 
-std::stop_token Interruption::begin_job() {
+Job::Job() {
     const std::lock_guard lock(job_mutex);
-    job.emplace();
-    return job->get_token();
+    job = &stop_;
 }
 
-void Interruption::end_job() {
+Job::~Job() {
     const std::lock_guard lock(job_mutex);
-    job.reset();
+    job = nullptr;
 }
 
 }  // namespace balcony::cli

@@ -1,11 +1,16 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "balcony/lang.hpp"
 #include "cli/command.hpp"
+#include "cli/json.hpp"
 #include "cli/report.hpp"
 
 namespace balcony::cli {
@@ -57,13 +62,16 @@ std::string call_text(const StageEntry& row) {
                          : fmt::format("{}({})", row.name, fmt::join(names, ", "));
 }
 
-void print_stage(const StageEntry& row) {
-    fmt::print("{}: {}\n    {}\n", name_of(row.kind), call_text(row), row.meaning);
+std::string stage_text(const StageEntry& row) {
+    std::string text =
+        fmt::format("{}: {}\n    {}\n", name_of(row.kind), call_text(row), row.meaning);
     for (const StageParameter& parameter : row.parameters) {
         const std::string standard = default_text(parameter);
-        fmt::print("    {:<10} {}{}\n               {}\n", parameter.name, type_text(parameter),
-                   standard.empty() ? "" : ", default " + standard, parameter.meaning);
+        text += fmt::format("    {:<10} {}{}\n               {}\n", parameter.name,
+                            type_text(parameter), standard.empty() ? "" : ", default " + standard,
+                            parameter.meaning);
     }
+    return text;
 }
 
 nlohmann::json stage_json(const StageEntry& row) {
@@ -80,23 +88,46 @@ nlohmann::json stage_json(const StageEntry& row) {
             {"parameters", parameters}};
 }
 
-void list_stages(bool json) {
-    nlohmann::json all = nlohmann::json::array();
+// All stages under the names of their kinds, a line each.
+std::string stages_text() {
+    std::string text;
     std::optional<camera::StageKind> heading;
     for (const StageEntry& row : camera::catalogue()) {
-        if (json) {
-            all.push_back(stage_json(row));
-            continue;
-        }
         if (heading != row.kind) {
-            fmt::print("{}{}s\n", heading ? "\n" : "", name_of(row.kind));
+            text += fmt::format("{}{}s\n", heading ? "\n" : "", name_of(row.kind));
             heading = row.kind;
         }
-        fmt::print("  {:<14} {}\n", row.name, row.meaning);
+        text += fmt::format("  {:<14} {}\n", row.name, row.meaning);
     }
-    if (json) {
-        fmt::print("{}\n", all.dump(2));
+    return text;
+}
+
+ExitCode list_stages(const ListOptions& options, const std::string& name) {
+    nlohmann::json all = nlohmann::json::array();
+    std::string text = name.empty() ? stages_text() : "";
+    for (const StageEntry& row : camera::catalogue()) {
+        if (name.empty() || row.name == name) {
+            all.push_back(stage_json(row));
+            text += name.empty() ? "" : stage_text(row);
+        }
     }
+    if (options.json) {
+        print_json({{"stages", all}, {"diagnostics", nlohmann::json::array()}});
+    } else {
+        print_result(text);
+    }
+    return ExitCode::done;
+}
+
+bool is_stage(const std::string& name) {
+    const auto rows = camera::catalogue();
+    return std::any_of(rows.begin(), rows.end(),
+                       [&](const StageEntry& row) { return row.name == name; });
+}
+
+bool is_standard_camera(const std::string& name) {
+    const auto& names = lang::standard_cameras();
+    return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 // The cameras that a file has, or the standard ones with their files' own comments.
@@ -115,84 +146,94 @@ Result<std::vector<lang::CameraDescription>> cameras_of(const std::string& file)
     return all;
 }
 
+nlohmann::json camera_json(const lang::CameraDescription& described) {
+    nlohmann::json parameters = nlohmann::json::array();
+    for (const auto& parameter : described.parameters) {
+        parameters.push_back({{"name", parameter.name}, {"default", parameter.default_text}});
+    }
+    return {{"name", described.name}, {"comment", described.comment}, {"parameters", parameters}};
+}
+
+// The whole comment of one camera, the first line of each of several.
+std::string camera_text(const lang::CameraDescription& described, bool whole) {
+    std::vector<std::string> parameters;
+    for (const auto& parameter : described.parameters) {
+        parameters.push_back(parameter.name + " = " + parameter.default_text);
+    }
+    std::string text = fmt::format("{}({})\n", described.name, fmt::join(parameters, ", "));
+    std::istringstream comment(described.comment);
+    std::string line;
+    while (std::getline(comment, line)) {
+        text += line.empty() ? "\n" : fmt::format("    {}\n", line);
+        if (!whole) {
+            break;
+        }
+    }
+    return text;
+}
+
 ExitCode list_cameras(const ListOptions& options) {
     const auto cameras = cameras_of(options.what);
-    if (!options.json) {
-        report(cameras.diagnostics);
-    }
-    if (!cameras) {
-        return ExitCode::bad_input;
-    }
     nlohmann::json all = nlohmann::json::array();
-    for (const lang::CameraDescription& described : *cameras) {
-        std::vector<std::string> parameters;
-        nlohmann::json parameter_list = nlohmann::json::array();
-        for (const auto& parameter : described.parameters) {
-            parameters.push_back(parameter.name + " = " + parameter.default_text);
-            parameter_list.push_back(
-                {{"name", parameter.name}, {"default", parameter.default_text}});
-        }
-        if (options.json) {
-            all.push_back({{"name", described.name},
-                           {"comment", described.comment},
-                           {"parameters", parameter_list}});
-            continue;
-        }
-        fmt::print("{}({})\n", described.name, fmt::join(parameters, ", "));
-        if (!described.comment.empty()) {
-            fmt::print("    {}\n", described.comment.substr(0, described.comment.find('\n')));
+    std::string text;
+    if (cameras) {
+        for (const lang::CameraDescription& described : *cameras) {
+            all.push_back(camera_json(described));
+            text += camera_text(described, cameras->size() == 1);
         }
     }
     if (options.json) {
-        fmt::print("{}\n", all.dump(2));
+        print_json({{"cameras", all}, {"diagnostics", to_json(cameras.diagnostics)}});
+    } else {
+        report(cameras.diagnostics);
+        print_result(text);
     }
-    return ExitCode::done;
+    return cameras ? ExitCode::done : ExitCode::bad_input;
+}
+
+ExitCode refuse(const ListOptions& options) {
+    std::vector<std::string> known = lang::standard_cameras();
+    known.insert(known.end(), {"stages", "cameras"});
+    for (const StageEntry& row : camera::catalogue()) {
+        known.emplace_back(row.name);
+    }
+    const auto nearest = nearest_name(options.what, known);
+    const Diagnostics said{error(
+        fmt::format("there is nothing named '{}' to list", options.what), {},
+        nearest ? fmt::format("did you mean '{}'?", *nearest)
+                : "name stages, cameras, a stage, a camera that comes along, or a .cam file")};
+    if (options.json) {
+        print_json(nlohmann::json::object({{"diagnostics", to_json(said)}}));
+    } else {
+        report(said);
+    }
+    return ExitCode::wrong_usage;
 }
 
 ExitCode list(const ListOptions& options) {
-    if (options.what == "stages") {
-        list_stages(options.json);
-        return ExitCode::done;
+    if (options.what == "stages" || is_stage(options.what)) {
+        return list_stages(options, options.what == "stages" ? "" : options.what);
     }
-    if (options.what == "cameras" || options.what.ends_with(".cam")) {
+    std::error_code ignored;
+    if (options.what == "cameras" || is_standard_camera(options.what) ||
+        options.what.ends_with(".cam") || std::filesystem::is_regular_file(options.what, ignored)) {
         return list_cameras(options);
     }
-    std::vector<std::string> known{"stages", "cameras"};
-    bool found = false;
-    nlohmann::json all = nlohmann::json::array();
-    for (const StageEntry& row : camera::catalogue()) {
-        known.emplace_back(row.name);
-        if (row.name == options.what) {
-            if (options.json) {
-                all.push_back(stage_json(row));
-            } else {
-                print_stage(row);
-            }
-            found = true;
-        }
-    }
-    if (!found) {
-        const auto nearest = nearest_name(options.what, known);
-        report({error(fmt::format("there is nothing named '{}' to list", options.what), {},
-                      nearest ? fmt::format("did you mean '{}'?", *nearest)
-                              : "balcony list stages, balcony list cameras, balcony list zoom")});
-        return ExitCode::wrong_usage;
-    }
-    if (options.json) {
-        fmt::print("{}\n", all.dump(2));
-    }
-    return ExitCode::done;
+    return refuse(options);
 }
 
 }  // namespace
 
 void add_list_command(CLI::App& app, ExitCode& code) {
     auto* command = app.add_subcommand("list", "lists stages and cameras");
+    command->group("Commands");
     const auto options = std::make_shared<ListOptions>();
     options->what = "stages";
-    command->add_option("WHAT", options->what,
-                        "'stages', 'cameras', the name of a stage, or a camera file (.cam)");
-    command->add_flag("--json", options->json, "for programs");
+    command->add_option(
+        "WHAT", options->what,
+        "'stages' (if not said), 'cameras', the name of a stage or of a camera that "
+        "comes along, or a camera file (.cam)");
+    command->add_flag("--json", options->json, "the same, for programs");
     command->footer(
         "Examples:\n"
         "  balcony list                   all stages, a line each\n"

@@ -1,29 +1,44 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
+#include <csignal>
 #include <exception>
+#include <string_view>
 
-#include <fmt/format.h>
+#include <fcntl.h>
+#include <unistd.h>
+#include <nlohmann/json.hpp>
 
 #include "cli/command.hpp"
 #include "cli/interruption.hpp"
+#include "cli/json.hpp"
+#include "cli/report.hpp"
+#include "cli/usage.hpp"
 
-int main(int argc, char** argv) {
-    using balcony::cli::ExitCode;
-    // Before any thread exists, so that all of them leave the signals to one.
-    const balcony::cli::Interruption interruption;
+namespace {
 
-    CLI::App app{
-        "Balcony renders 3D scenes through extended cameras: any function from a point of\n"
-        "the picture to a ray, described in a .cam file.\n"};
-    app.set_version_flag("--version", "balcony " BALCONY_VERSION);
+namespace cli = balcony::cli;
+using cli::ExitCode;
+
+// A stream that is closed would lend its number to the next file opened, and what is written to the
+// stream would go there. Results cannot be written to what takes its place, the rest is dropped.
+void open_closed_streams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (fcntl(stream, F_GETFD) < 0) {
+            // The lowest free number is given, which is this stream's.
+            [[maybe_unused]] const int opened =
+                open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY);
+        }
+    }
+}
+
+void describe(CLI::App& app) {
+    app.formatter(cli::help_layout());
+    app.set_help_flag("-h,--help", "show this and end");
+    app.set_version_flag("--version", "balcony " BALCONY_VERSION, "show the version and end");
+    app.option_defaults()->take_last();
     app.require_subcommand(1);
-    app.failure_message([](const CLI::App* failed, const CLI::Error& problem) {
-        const bool in_subcommand = failed->get_subcommands().empty() == false;
-        const std::string name =
-            in_subcommand ? "balcony " + failed->get_subcommands().front()->get_name() : "balcony";
-        return fmt::format("error: {}\n  help: {} --help\n", problem.what(), name);
-    });
     app.footer(
         "First steps:\n"
         "  balcony info scene.glb                         what is in a scene\n"
@@ -33,19 +48,63 @@ int main(int argc, char** argv) {
         "\n"
         "Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 environment (disk full, ...),\n"
         "130 interrupted, with what was rendered so far saved.");
+}
 
+void tell(const balcony::Diagnostic& said, bool as_json) {
+    if (as_json) {
+        cli::print_json(nlohmann::json::object({{"diagnostics", cli::to_json({said})}}));
+    } else {
+        cli::report({said});
+    }
+}
+
+ExitCode run(CLI::App& app, int argc, char** argv) {
     ExitCode code = ExitCode::done;
-    balcony::cli::add_render_command(app, code);
-    balcony::cli::add_check_command(app, code);
-    balcony::cli::add_list_command(app, code);
-    balcony::cli::add_info_command(app, code);
+    cli::add_render_command(app, code);
+    cli::add_check_command(app, code);
+    cli::add_list_command(app, code);
+    cli::add_info_command(app, code);
+    // Asked for before the command line is understood, since that may fail.
+    const bool as_json = std::any_of(
+        argv, argv + argc, [](const char* word) { return std::string_view(word) == "--json"; });
+    if (argc < 2) {
+        cli::print_aside(app.help());
+        return ExitCode::wrong_usage;
+    }
     try {
         app.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        cli::print_result(app.help());
+    } catch (const CLI::CallForVersion& version) {
+        cli::print_result(std::string(version.what()) + "\n");
     } catch (const CLI::ParseError& problem) {
-        return app.exit(problem) == 0 ? 0 : static_cast<int>(ExitCode::wrong_usage);
+        tell(cli::usage_error(app, problem), as_json);
+        return ExitCode::wrong_usage;
     } catch (const std::exception& problem) {
-        fmt::print(stderr, "error: {}\n", problem.what());
-        return static_cast<int>(ExitCode::environment);
+        tell(balcony::error(problem.what()), as_json);
+        return ExitCode::environment;
+    }
+    return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    open_closed_streams();
+    // Whoever reads no further from a pipe does not end a render.
+    std::signal(SIGPIPE, SIG_IGN);
+    // Before any thread exists, so that all of them leave the signals to one.
+    const cli::Interruption interruption;
+
+    CLI::App app{
+        "Balcony renders 3D scenes through extended cameras: any function from a point of\n"
+        "the picture to a ray, described in a .cam file.\n",
+        "balcony"};
+    describe(app);
+    ExitCode code = run(app, argc, argv);
+    if (!cli::finish_output()) {
+        cli::report({balcony::error("standard output cannot be written to")});
+        code = code == ExitCode::done ? ExitCode::environment : code;
     }
     return static_cast<int>(code);
 }

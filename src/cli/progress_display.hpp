@@ -10,7 +10,7 @@
 namespace balcony::cli {
 
 /// Shows how far a render has come on standard error: a bar with the time left on a terminal, a
-/// plain line at each tenth otherwise.
+/// plain line at each tenth of a render that takes more than a second otherwise.
 class ProgressDisplay {
 public:
     explicit ProgressDisplay(bool quiet);
@@ -22,6 +22,9 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
+
+    void show_bar(double done, const std::string& state);
+    void show_line(double done, double seconds, const std::string& state);
 
     bool quiet_;
     bool terminal_;

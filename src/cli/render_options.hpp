@@ -1,0 +1,52 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "balcony/render.hpp"
+
+namespace balcony::cli {
+
+/// What the user wrote after `balcony render`.
+struct RenderOptions {
+    std::string scene;
+    std::string camera;
+    std::optional<std::string> output;
+    std::string size;
+    std::vector<std::string> set;
+    std::string integrator = "direct";
+    std::string background = "transparent";
+    std::string samples = "16";
+    std::string threads = "0";
+    std::string time = "0";
+    std::string exposure = "0";
+    std::string ambient = "0.1";
+    bool quiet = false;
+    bool json = false;
+};
+
+/// The settings that the options ask for, all but the size; what cannot be read is added to
+/// `said`, each with its option.
+[[nodiscard]] render::Settings read_settings(const RenderOptions& options, Diagnostics& said);
+
+/// Stops of exposure, as asked for.
+[[nodiscard]] double read_exposure(const RenderOptions& options, Diagnostics& said);
+
+/// A picture's size as the user wants it: in pixels, or only its width, or nothing said.
+struct PictureSize {
+    std::optional<std::size_t> width;
+    std::optional<std::size_t> height;
+
+    /// Width and height, with what is not said from the camera's proportion (width by height);
+    /// about a million pixels where nothing is.
+    [[nodiscard]] std::pair<std::size_t, std::size_t> resolve(double aspect) const;
+};
+
+/// WIDTHxHEIGHT, WIDTH or nothing.
+[[nodiscard]] PictureSize read_size(const std::string& text, Diagnostics& said);
+
+}  // namespace balcony::cli
