@@ -157,6 +157,11 @@ struct PngOptions {
     int bits = 8;           ///< A channel: 8 or 16.
 };
 
+/// The exposure, in half stops, that suits a film whose light is far from the range of a screen, as
+/// scenes with physical units have it: 0 if the median luminance of what is not transparent lies
+/// between black and white, else what brings it to middle grey (0.18).
+[[nodiscard]] double automatic_exposure(const Film& film);
+
 /// sRGB with alpha (not premultiplied); brighter than white is white.
 [[nodiscard]] Diagnostics write_png(const Film& film, const std::filesystem::path& file,
                                     const PngOptions& options = {});

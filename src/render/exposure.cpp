@@ -1,0 +1,43 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <cmath>
+
+#include "balcony/render.hpp"
+
+namespace balcony::render {
+
+namespace {
+
+// Y of linear Rec. 709.
+float luminance(const Color4f& c) { return 0.2126F * c.r + 0.7152F * c.g + 0.0722F * c.b; }
+
+}  // namespace
+
+double automatic_exposure(const Film& film) {
+    std::vector<float> luminances;
+    for (std::size_t y = 0; y < film.height; ++y) {
+        for (std::size_t x = 0; x < film.width; ++x) {
+            const Color4f pixel = film.pixel(x, y);
+            if (pixel.a > 0.0F) {
+                luminances.push_back(luminance(pixel) / pixel.a);
+            }
+        }
+    }
+    if (luminances.empty()) {
+        return 0.0;
+    }
+    const auto middle = luminances.begin() + static_cast<std::ptrdiff_t>(luminances.size() / 2);
+    std::nth_element(luminances.begin(), middle, luminances.end());
+    constexpr double too_dark = 0.004;  // Two steps of 8-bit sRGB above black.
+    constexpr double too_bright = 1.0;  // White.
+    constexpr double middle_grey = 0.18;
+    const auto median = static_cast<double>(*middle);
+    if (!(median > 0.0) || (too_dark < median && median < too_bright)) {
+        return 0.0;
+    }
+    return std::round(2.0 * std::log2(middle_grey / median)) / 2.0;
+}
+
+}  // namespace balcony::render

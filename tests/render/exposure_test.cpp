@@ -1,0 +1,53 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "balcony/render.hpp"
+
+namespace balcony::render {
+namespace {
+
+// A film of grey pixels with two samples each, from dark to bright about a median, and a
+// transparent one.
+Film grey_film(float median) {
+    Film film;
+    film.width = 6;
+    film.height = 1;
+    for (const float factor : {0.01F, 0.5F, 1.0F, 2.0F, 50.0F}) {
+        const float value = 2.0F * factor * median;
+        film.sum.emplace_back(value, value, value, 2.0F);
+    }
+    film.sum.emplace_back(0.0F);
+    film.samples.assign(6, 2);
+    return film;
+}
+
+TEST(Exposure, LeavesPicturesAloneThatAScreenCanShow) {
+    EXPECT_EQ(automatic_exposure(grey_film(0.05F)), 0.0);
+    EXPECT_EQ(automatic_exposure(grey_film(0.18F)), 0.0);
+    EXPECT_EQ(automatic_exposure(grey_film(0.9F)), 0.0);
+}
+
+// Half stops: the median comes within a factor 2^(1/4) of middle grey.
+TEST(Exposure, BringsTheMedianToMiddleGrey) {
+    for (const float median : {1e-6F, 0.002F, 3.0F, 700.0F, 1e6F}) {
+        const double exposure = automatic_exposure(grey_film(median));
+        const double shown = static_cast<double>(median) * std::exp2(exposure);
+        EXPECT_NEAR(std::log2(shown / 0.18), 0.0, 0.25) << median;
+        EXPECT_EQ(2.0 * exposure, std::round(2.0 * exposure)) << median;
+    }
+}
+
+TEST(Exposure, IsNothingForFilmsWithoutLight) {
+    EXPECT_EQ(automatic_exposure(grey_film(0.0F)), 0.0);
+    Film transparent = grey_film(1.0F);
+    transparent.sum.assign(6, Color4f(0.0F));
+    EXPECT_EQ(automatic_exposure(transparent), 0.0);
+    EXPECT_EQ(automatic_exposure(Film{}), 0.0);
+}
+
+}  // namespace
+}  // namespace balcony::render
