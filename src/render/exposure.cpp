@@ -30,7 +30,7 @@ double automatic_exposure(const Film& film) {
     }
     const auto middle = luminances.begin() + static_cast<std::ptrdiff_t>(luminances.size() / 2);
     std::nth_element(luminances.begin(), middle, luminances.end());
-    constexpr double too_dark = 0.004;  // Two steps of 8-bit sRGB above black.
+    constexpr double too_dark = 0.004;  // Level 13 of 255 in sRGB.
     constexpr double too_bright = 1.0;  // White.
     constexpr double middle_grey = 0.18;
     const auto median = static_cast<double>(*middle);
