@@ -1,0 +1,54 @@
+# Balcony: rendering through extended cameras.
+# SPDX-License-Identifier: Apache-2.0
+"""Every command line that the documentation shows is run: the README, docs/ and the help."""
+
+import re
+import shlex
+
+import support
+
+FENCED = re.compile(r"^```(?:sh|console)\n(.*?)^```", re.MULTILINE | re.DOTALL)
+STARTS = ("balcony ", "build/release/balcony ")
+
+
+def command_lines(text):
+    """Those lines of a text that start the command, without what a comment adds."""
+    for line in text.splitlines():
+        line = line.strip().removeprefix("$ ")
+        if line.startswith(STARTS):
+            # In help, two spaces part a command from what it does.
+            yield shlex.split(re.split(r" {2,}", line)[0], comments=True)[1:]
+
+
+class Documentation(support.CommandTest):
+    def setUp(self):
+        super().setUp()
+        for name in ("gallery", "scene"):
+            (self.folder / f"{name}.glb").write_bytes(support.glb_bytes())
+        for name in ("gallery", "room"):
+            (self.folder / f"{name}.cam").write_text(support.CAMERAS)
+
+    def run_all(self, lines):
+        for words in lines:
+            with self.subTest(line=" ".join(words)):
+                # Last of its kind counts, so a picture as large as the page wants is made small.
+                small = ("--size", "24x16", "--samples", "1") if words[0] == "render" else ()
+                self.run_command(*words, *small)
+
+    def test_pages(self):
+        pages = [support.REPOSITORY / "README.md", *(support.REPOSITORY / "docs").glob("*.md")]
+        lines = [line for page in pages for block in FENCED.findall(page.read_text())
+                 for line in command_lines(block)]
+        self.assertGreaterEqual(len(lines), 5, "the README shows the command no more")
+        self.run_all(lines)
+
+    def test_help(self):
+        lines = []
+        for words in ((), ("render",), ("check",), ("list",), ("info",)):
+            lines += command_lines(self.run_command(*words, "--help")[0])
+        self.assertGreaterEqual(len(lines), 10)
+        self.run_all(lines)
+
+
+if __name__ == "__main__":
+    support.main()

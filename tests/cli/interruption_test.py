@@ -1,0 +1,112 @@
+# Balcony: rendering through extended cameras.
+# SPDX-License-Identifier: Apache-2.0
+"""Signals: what was rendered is saved, or nothing happens to the files."""
+
+import os
+import pty
+import signal
+import time
+
+import support
+
+# Would take minutes.
+LONG = ("render", "scene.obj", "-c", "my.cam:above", "--size", "600x400", "-s", "1000000")
+
+
+class Interruption(support.CommandTest):
+    def start_long(self, *words, **how):
+        """A render that has begun, which its progress tells."""
+        process = self.start(*LONG, *words, **how)
+        time.sleep(2.0)
+        self.assertIsNone(process.poll(), "it ended early")
+        return process
+
+    def end(self, process):
+        """Seconds to the end, standard output and error."""
+        began = time.monotonic()
+        out, err = process.communicate(timeout=60)
+        return time.monotonic() - began, out.decode(), err.decode()
+
+    def test_saves_what_is_there(self):
+        for which in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            for ending in ("png", "exr"):
+                process = self.start_long("-o", f"p.{ending}")
+                process.send_signal(which)
+                seconds, out, _ = self.end(process)
+                self.assertEqual(process.returncode, 130)
+                self.assertLess(seconds, 3.0)
+                self.assertIn(f"interrupted; what was done is in p.{ending}", out)
+        self.assertEqual(support.png_pixels(self.folder / "p.png")[:2], (600, 400))
+        self.assertGreater(support.opaque_share(self.folder / "p.png"), 0.2)
+        self.assertEqual([name for name in self.files() if "partial" in name], [])
+
+    def test_as_json(self):
+        process = self.start_long("-o", "p.png", "--json")
+        process.send_signal(signal.SIGINT)
+        _, out, _ = self.end(process)
+        facts = support.json.loads(out)
+        self.assertEqual((facts["interrupted"], facts["output"]), (True, "p.png"))
+
+    def test_before_anything_is_rendered(self):
+        # A scene that takes seconds to read.
+        (self.folder / "slow.obj").write_text(support.OBJ + "f 5 6 7\n" * 2_000_000)
+        for which in (signal.SIGINT, signal.SIGTERM):
+            process = self.start("render", "slow.obj", "-o", "p.png", *LONG[-2:])
+            time.sleep(1.0)
+            self.assertIsNone(process.poll(), "it ended early")
+            process.send_signal(which)
+            seconds, out, _ = self.end(process)
+            self.assertEqual(process.returncode, 130)
+            self.assertEqual(out, "")
+            self.assertLess(seconds, 1.0)
+        self.assertNotIn("p.png", self.files())
+
+    def test_a_second_signal_ends_at_once(self):
+        (self.folder / "p.png").write_bytes(b"old")
+        process = self.start_long("-o", "p.png")
+        process.send_signal(signal.SIGINT)
+        process.send_signal(signal.SIGTERM)
+        seconds, _, _ = self.end(process)
+        self.assertEqual(process.returncode, 130)
+        self.assertLess(seconds, 1.0)
+
+    def test_killed(self):
+        (self.folder / "p.png").write_bytes(b"old")
+        before = self.files()
+        process = self.start_long("-o", "p.png")
+        process.kill()
+        self.end(process)
+        self.assertEqual((self.folder / "p.png").read_bytes(), b"old")
+        self.assertEqual(self.files(), before)
+
+    def test_a_hang_up_that_is_ignored_stays_ignored(self):
+        def ignore():
+            signal.signal(signal.SIGHUP, signal.SIG_IGN)
+
+        process = self.start_long("-o", "p.png", preexec_fn=ignore)
+        process.send_signal(signal.SIGHUP)
+        time.sleep(0.5)
+        self.assertIsNone(process.poll())
+        process.send_signal(signal.SIGINT)
+        self.end(process)
+        self.assertEqual(process.returncode, 130)
+
+    def test_leaves_a_clean_line_on_a_terminal(self):
+        screen, terminal = pty.openpty()
+        process = self.start_long("-o", "p.png", stdout=terminal, stderr=terminal,
+                                  env={**os.environ, "TERM": "xterm"})
+        os.close(terminal)
+        process.send_signal(signal.SIGINT)
+        seen = b""
+        try:
+            while part := os.read(screen, 65536):
+                seen += part
+        except OSError:
+            pass
+        os.close(screen)
+        self.assertEqual(process.wait(timeout=60), 130)
+        self.assertRegex(seen.decode(), r"\r\x1b\[Kinterrupted; [^\r\n]*\r\n$")
+
+
+if __name__ == "__main__":
+    support.main()

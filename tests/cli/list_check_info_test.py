@@ -1,0 +1,110 @@
+# Balcony: rendering through extended cameras.
+# SPDX-License-Identifier: Apache-2.0
+"""The commands that look and do not render."""
+
+import support
+
+
+class List(support.CommandTest):
+    def test_stages_and_one_stage(self):
+        out, err = self.run_command("list")
+        self.assertEqual(err, "")
+        self.assertEqual(self.run_command("list", "stages")[0], out)
+        self.assertIn("superellipse", out)
+        out, _ = self.run_command("list", "zoom")
+        self.assertIn("radius", out)
+
+    def test_cameras(self):
+        out, _ = self.run_command("list", "cameras")
+        self.assertIn("superelliptic(", out)
+        out, _ = self.run_command("list", "pinhole")
+        self.assertIn("pinhole(fov = 60deg", out)
+        out, _ = self.run_command("list", "my.cam")
+        self.assertIn("closeup()\n    Looks at the scene from nearby.", out)
+
+    def test_mistakes(self):
+        self.refused("list", "zom", code=2, says="'zom'", helps="did you mean 'zoom'?")
+        self.refused("list", "panoramo", code=2, says="'panoramo'", helps="'panorama'")
+        self.refused("list", "qwertyuiop", code=2, says="'qwertyuiop'", helps="cameras")
+        self.refused("list", "none.cam", code=1, says="'none.cam'")
+
+    def test_json(self):
+        self.assertGreater(len(self.json_of("list")["stages"]), 20)
+        self.assertEqual([row["name"] for row in self.json_of("list", "zoom")["stages"]], ["zoom"])
+        self.assertIn("pinhole", [row["name"] for row in self.json_of("list", "cameras")["cameras"]])
+        above = self.json_of("list", "my.cam")["cameras"][0]
+        self.assertEqual(above["parameters"], [{"name": "size", "default": "3"}])
+        self.json_of("list", "zom", code=2)
+        self.json_of("list", "none.cam", code=1)
+
+
+class Check(support.CommandTest):
+    def setUp(self):
+        super().setUp()
+        (self.folder / "bad.cam").write_text("camera a {\n    eye sphree(1)\n}\n")
+
+    def test_good_and_bad_files(self):
+        out, err = self.run_command("check", "my.cam")
+        self.assertEqual((out, err), ("my.cam: 4 cameras, no errors\n", ""))
+        out, err = self.run_command("check", "bad.cam", "my.cam", code=1)
+        self.assertEqual(out, "my.cam: 4 cameras, no errors\n")
+        self.assertIn("bad.cam:2:9: error: ", err)
+        self.assertIn("did you mean 'sphere'?", err)
+
+    def test_what_is_no_camera_file(self):
+        self.refused("check", "none.cam", code=1, says="'none.cam'")
+        self.refused("check", ".", code=1, says="'.' is a folder")
+        self.run_command("check", "room.glb", code=1)
+        (self.folder / "empty.cam").write_text("")
+        self.run_command("check", "empty.cam", code=1)
+
+    def test_json(self):
+        self.assertEqual(self.json_of("check", "my.cam")["files"],
+                         [{"file": "my.cam", "cameras": 4, "good": True}])
+        document = self.json_of("check", "bad.cam", "my.cam", "none.cam", code=1)
+        self.assertEqual([file["good"] for file in document["files"]], [False, True, False])
+        places = [(said["file"], said["line"], said["column"])
+                  for said in document["diagnostics"] if "line" in said]
+        self.assertIn(("bad.cam", 2, 9), places)
+
+
+class Info(support.CommandTest):
+    def test_without_lights(self):
+        out, err = self.run_command("info", "scene.obj")
+        self.assertEqual(err, "")
+        self.assertRegex(out, r"triangles +3 in 2 objects, 2 meshes\n")
+        self.assertRegex(out, r"lights +0; nothing shines")
+        self.assertNotIn("tip", out)
+        self.assertRegex(self.run_command("info", "scene.obj", "--objects")[0], r"object 2 +tip\n")
+
+    def test_with_a_light(self):
+        text = support.gltf_text_with_light()
+        (self.folder / "lit.gltf").write_text(text)
+        out, err = self.run_command("info", "lit.gltf")
+        self.assertEqual(err, "")
+        self.assertRegex(out, r"lights +1\n")
+        self.assertRegex(out, r"triangles +1 in 1 object, 1 mesh\n")
+        self.assertEqual(self.json_of("info", "lit.gltf")["scene"]["lights"], 1)
+
+    def test_json(self):
+        scene = self.json_of("info", "scene.obj")["scene"]
+        self.assertEqual(scene["objects"], ["wall", "tip"])
+        self.assertEqual(scene["bounds"], [[-2, -1, -1], [2, 1, 0]])
+        self.assertNotIn("scene", self.json_of("info", "none.obj", code=1))
+
+    def test_mistakes(self):
+        self.refused("info", "none.obj", code=1, says="'none.obj'")
+        self.refused("info", ".", code=1, says="'.' is a directory")
+        self.refused("info", "", code=1, says="''")
+
+    def test_names_that_would_control_a_terminal(self):
+        name = "\x1b]0;title\x07"
+        (self.folder / "sly.gltf").write_text(support.gltf_text_with_light(name))
+        out, _ = self.run_command("info", "sly.gltf", "--objects")
+        self.assertNotIn("\x1b", out)
+        self.assertIn("?]0;title?", out)
+        self.assertEqual(self.json_of("info", "sly.gltf")["scene"]["objects"], [name])
+
+
+if __name__ == "__main__":
+    support.main()

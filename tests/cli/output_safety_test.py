@@ -1,0 +1,100 @@
+# Balcony: rendering through extended cameras.
+# SPDX-License-Identifier: Apache-2.0
+"""Files are written whole or not at all, and never over what they are made from."""
+
+import os
+import shutil
+import subprocess
+import unittest
+
+import support
+
+SMALL = ("--size", "8x8", "-s", "1")
+
+
+class Output(support.CommandTest):
+    def test_names_that_cannot_be(self):
+        def refuses(output, code, says, helps=""):
+            self.refused("render", "scene.obj", *SMALL, "-o", output, code=code, says=says,
+                         helps=helps)
+
+        (self.folder / "folder.png").mkdir()
+        before = self.files()
+        refuses(".", 2, "'.' is a folder", "picture.png")
+        refuses("folder.png", 2, "'folder.png' is a folder")
+        refuses("picture", 2, "'picture'", ".png or .exr")
+        refuses("picture.jpg", 2, "'picture.jpg'", ".png or .exr")
+        refuses("", 2, "''")
+        refuses("no/picture.png", 3, "no folder")
+        refuses("scene.obj/picture.png", 3, "no folder")
+        refuses("/proc/picture.png", 3, "'/proc/picture.png'")
+        self.assertEqual(self.files(), before)
+
+    def test_default_is_the_scene_s_name_here(self):
+        (self.folder / "scenes").mkdir()
+        shutil.move(self.folder / "room.glb", self.folder / "scenes")
+        self.run_command("render", "scenes/room.glb", *SMALL)
+        self.assertIn("room.png", self.files())
+        self.assertEqual(os.listdir(self.folder / "scenes"), ["room.glb"])
+
+    def test_a_link_stays_a_link(self):
+        (self.folder / "real.png").write_bytes(b"old")
+        (self.folder / "link.png").symlink_to("real.png")
+        self.run_command("render", "scene.obj", *SMALL, "-o", "link.png")
+        self.assertTrue((self.folder / "link.png").is_symlink())
+        self.assertEqual(support.png_pixels(self.folder / "real.png")[:2], (8, 8))
+
+    def test_inputs_are_not_overwritten(self):
+        def refuses(*words):
+            before = {name: (self.folder / name).read_bytes() for name in self.files()}
+            self.refused("render", *words, *SMALL, code=2, says="would be overwritten",
+                         helps="--output")
+            after = {name: (self.folder / name).read_bytes() for name in self.files()}
+            self.assertEqual(before, after)
+
+        for name, input_file in (("s.png", "scene.obj"), ("c.png", "my.cam")):
+            (self.folder / name).symlink_to(input_file)
+        os.link(self.folder / "scene.obj", self.folder / "hard.png")
+        refuses("scene.obj", "-o", "s.png")
+        refuses("scene.obj", "-o", "hard.png")
+        refuses("scene.obj", "-o", "c.png", "-c", "my.cam:above")
+
+    def test_a_texture_named_as_the_scene_is_not_overwritten(self):
+        self.run_command("render", "scene.obj", *SMALL, "-o", "paint.png")
+        before = (self.folder / "paint.png").read_bytes()
+        (self.folder / "paint.mtl").write_text("newmtl m\nmap_Kd paint.png\n")
+        (self.folder / "paint.obj").write_text(
+            "mtllib paint.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl m\n"
+            "f 1/1 2/2 3/3\n")
+        self.refused("render", "paint.obj", *SMALL, code=2, says="would be overwritten")
+        self.assertEqual((self.folder / "paint.png").read_bytes(), before)
+        self.run_command("render", "paint.obj", *SMALL, "-o", "other.png")
+
+
+class FullDisk(support.CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.disk = self.folder / "disk"
+        self.disk.mkdir()
+        mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=64k", "balcony", self.disk],
+                                 capture_output=True, check=False)
+        if mounted.returncode != 0:
+            raise unittest.SkipTest("not run: no disk can be mounted here: "
+                                    + mounted.stderr.decode().strip())
+        self.addCleanup(subprocess.run, ["umount", self.disk], check=True)
+
+    def test_keeps_the_old_file_and_leaves_nothing(self):
+        (self.disk / "filling").write_bytes(bytes(60 * 1024))
+        for name in ("picture.png", "picture.exr"):
+            old = self.disk / name
+            old.write_bytes(b"old")
+            _, err = self.run_command("render", "scene.obj", "--size", "700x400", "-s", "2", "-o",
+                                      str(old), code=3)
+            self.assertIn(f"'{old}' cannot be written", err)
+            self.assertEqual(old.read_bytes(), b"old")
+            self.assertEqual(sorted(os.listdir(self.disk)), ["filling", name])
+            old.unlink()
+
+
+if __name__ == "__main__":
+    support.main()

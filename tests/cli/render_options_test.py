@@ -1,0 +1,206 @@
+# Balcony: rendering through extended cameras.
+# SPDX-License-Identifier: Apache-2.0
+"""What render takes and refuses, what it says, and that the picture is right."""
+
+import os
+import pty
+import re
+import time
+
+import support
+
+
+class Options(support.CommandTest):
+    def render(self, *words, **how):
+        return self.run_command("render", "scene.obj", "--size", "16x16", *words, **how)
+
+    def refuses(self, option, *values):
+        for value in values:
+            with self.subTest(option=option, value=value):
+                self.refused("render", "scene.obj", f"{option}={value}", "-o", "p.png", code=2,
+                             says=option)
+        self.assertNotIn("p.png", self.files())
+
+    def test_numbers_out_of_range(self):
+        self.refuses("--samples", "0", "-1", "1000001", "1e3", "3.5", "nan", "99999999999999999999")
+        self.refuses("--threads", "-1", "1025", "two")
+        self.refuses("--exposure", "nan", "inf", "-inf", "1e9", "bright")
+        self.refuses("--time", "nan", "inf", "1e999", "noon")
+        self.refuses("--ambient", "nan", "inf", "-0.1", "1e39")
+        self.refuses("--integrator", "path", "Direct", "0")
+
+    def test_sizes(self):
+        self.refuses("--size", "0x0", "10x", "x10", "-5", "1e3", "10x10x10", "1000001", "0", "10*10",
+                     " 5", "99999999999999999999x1")
+        began = time.monotonic()
+        err = self.refused("render", "scene.obj", "--size", "1000000x1000000", code=1, says="GB")
+        self.assertIn("1000000 x 1000000", err)
+        self.assertLess(time.monotonic() - began, 10.0)
+
+    def test_backgrounds(self):
+        self.refuses("--background", "nan", "1,2", "1,2,3,4", "1,,2", ",,", "-1", "0.5,nan,0", "red",
+                     "0x10")
+        for text, colour in (("black", (0, 0, 0)), ("white", (255, 255, 255)), ("0,1,0", (0, 255, 0)),
+                             ("0", (0, 0, 0)), ("1e0", (255, 255, 255))):
+            self.render("--background", text, "-o", "p.png")
+            _, _, rows = support.png_pixels(self.folder / "p.png")
+            self.assertEqual(rows[0][0], (*colour, 255), text)
+
+    def test_values_that_begin_with_a_minus(self):
+        self.render("--exposure", "-1.5", "--time", "-2", "-o", "p.png")
+        self.render("--exposure", "-.5", "--time=-.5", "-o", "p.png")
+
+    def test_set(self):
+        self.render("-c", "my.cam:above", "--set", "size=1", "--set", "size=2*2", "-o", "p.png")
+        for wrong, code in (("size", 1), ("=3", 1), ("size=", 1), ("siez=3", 1), ("size==3", 1),
+                            ("size=nan", 1), ("size=1)", 1)):
+            self.refused("render", "scene.obj", "-c", "my.cam:above", "--set", wrong, code=code,
+                         says="--set")
+        self.refused("render", "scene.obj", "--set", "a=1", code=2, says="--set needs a camera")
+
+    def test_set_accumulates(self):
+        err = self.refused("render", "scene.obj", "-c", "pinhole", "--set", "nix=1", "--set",
+                           "nax=1", code=1, says="'nix'")
+        self.assertIn("'nax'", err)
+
+    def test_cameras_that_are_not_there(self):
+        def refuses(camera, says, helps=""):
+            self.refused("render", "scene.obj", "--camera", camera, code=1, says=says, helps=helps)
+
+        refuses("panoroma", "'panoroma'", "did you mean 'panorama'?")
+        refuses("my.cam:closup", "'closup'", "closeup")
+        refuses("my.cam:", "names no camera")
+        refuses("none.cam", "'none.cam'")
+        refuses("none.cam:closeup", "'none.cam'")
+        refuses(".", "'.' is a folder")
+
+    def test_scenes_that_are_not_there(self):
+        self.refused("render", "none.obj", code=1, says="'none.obj'")
+        self.refused("render", ".", code=1, says="'.' is a directory")
+        self.refused("render", "", code=1, says="''")
+
+    def test_a_wrong_camera_does_not_wait_for_the_scene(self):
+        err = self.refused("render", "none.obj", "-c", "panoroma", code=1, says="'panoroma'")
+        self.assertNotIn("none.obj", err)
+
+
+class Report(support.CommandTest):
+    LONG = ("render", "scene.obj", "-c", "my.cam:above", "--size", "700x700", "-s", "60", "-o",
+            "p.png", "-j", "1")
+
+    def test_facts_as_json(self):
+        facts = self.json_of("render", "scene.obj", "--size", "8x4", "-s", "3", "-o", "p.png")
+        self.assertEqual((facts["output"], facts["width"], facts["height"], facts["rays"]),
+                         ("p.png", 8, 4, 96))
+        self.assertEqual((facts["interrupted"], facts["diagnostics"]), (False, []))
+        for words, code in ((("none.obj",), 1), (("scene.obj", "--size", "0"), 2),
+                            (("scene.obj", "-o", "no/p.png"), 3), (("scene.obj", "-o", "p"), 2)):
+            self.json_of("render", *words, code=code)
+
+    def test_names_that_are_not_utf8(self):
+        document = self.json_of("render", b"\xff.obj", code=1)
+        self.assertIn("\ufffd", document["diagnostics"][0]["message"])
+
+    def test_result_and_progress_go_apart(self):
+        out, err = self.run_command(*self.LONG)
+        self.assertRegex(out, r"^p\.png: 700 x 700 pixels through 'above', 60 passes, 29\.4 M rays")
+        self.assertEqual(out.count("\n"), 1)
+        self.assertLessEqual(err.count("\n"), 11)
+        self.assertNotIn("\r", err)
+        for line in err.splitlines():
+            self.assertRegex(line, r"^ *\d+ %, pass \d+ of 60")
+        self.assertEqual(self.run_command(*self.LONG, "--quiet"), ("", ""))
+
+    def test_a_quick_render_shows_no_progress(self):
+        _, err = self.run_command("render", "scene.obj", "--size", "16", "-o", "p.png")
+        self.assertEqual(err, "")
+
+    def test_bar_on_a_terminal(self):
+        screen, terminal = pty.openpty()
+        environment = {**os.environ, "TERM": "xterm"}
+        words = [*self.LONG[:-4], "-o", "p.png"]
+        with self.start(*words, stdout=terminal, stderr=terminal, env=environment) as process:
+            os.close(terminal)
+            seen = b""
+            while True:
+                try:
+                    part = os.read(screen, 65536)
+                except OSError:
+                    break
+                if not part:
+                    break
+                seen += part
+        os.close(screen)
+        self.assertEqual(process.returncode, 0)
+        shown = seen.decode()
+        self.assertRegex(shown, r"\r\[#+ *\] +\d+ %, pass \d+ of 60, [0-9.:]+ \w+ left\x1b\[K")
+        self.assertRegex(shown, r"\r\x1b\[Kp\.png: [^\r\n]*\r\n$")
+        self.assertLess(max(len(part) for part in re.split(r"[\r\n]", shown)), 90)
+
+
+class Picture(support.CommandTest):
+    def test_without_a_camera_the_scene_is_in_the_picture(self):
+        for scene in ("scene.obj", "room.glb"):
+            self.run_command("render", scene, "--size", "160x90", "-s", "1", "-o", "p.png")
+            self.assertGreater(support.opaque_share(self.folder / "p.png"), 0.04)
+            _, _, rows = support.png_pixels(self.folder / "p.png")
+            border = rows[0] + rows[-1] + [row[0] for row in rows] + [row[-1] for row in rows]
+            self.assertTrue(all(pixel[3] == 0 for pixel in border), "the scene is cut off")
+
+    def test_scenes_of_extreme_size(self):
+        for scale in (1e-3, 1e9):
+            corners = "".join(f"v {x * scale} {y * scale} 0\n" for x, y in ((-1, -1), (1, -1), (0, 1)))
+            (self.folder / "odd.obj").write_text(corners + "f 1 2 3\n")
+            self.run_command("render", "odd.obj", "--size", "64x36", "-s", "1", "-o", "p.png")
+            self.assertGreater(support.opaque_share(self.folder / "p.png"), 0.04, scale)
+
+    def test_a_camera_with_gaps_says_how_many(self):
+        words = ("render", "scene.obj", "--size", "16x16", "-s", "4", "-o", "p.png")
+        out, err = self.run_command(*words, "-c", "my.cam:half")
+        self.assertRegex(err, r"warning: camera 'half' has no ray at \d+ of 1024 picture points")
+        self.assertIn("(128 of 256 pixel centres)", err)
+        _, _, rows = support.png_pixels(self.folder / "p.png")
+        self.assertTrue(all(pixel[3] == 0 for row in rows for pixel in row[:7]))
+        facts = self.json_of(*words, "-c", "my.cam:half")
+        self.assertEqual(facts["invalid_pixels"], 128)
+        self.assertEqual(facts["diagnostics"][0]["severity"], "warning")
+
+    def test_a_camera_without_any_ray(self):
+        _, err = self.run_command("render", "scene.obj", "--size", "8x8", "-o", "p.png", "-c",
+                                  "my.cam:nowhere")
+        self.assertIn("warning: camera 'nowhere' has no ray anywhere", err)
+        self.assertEqual(support.opaque_share(self.folder / "p.png"), 0.0)
+
+    def test_threads_do_not_matter(self):
+        for ending in ("png", "exr"):
+            made = []
+            for threads in ("1", "2", "2"):
+                name = f"{len(made)}.{ending}"
+                self.run_command("render", "room.glb", "--size", "200x150", "-s", "3", "-o", name,
+                                 "-j", threads)
+                made.append((self.folder / name).read_bytes())
+            self.assertEqual(made[0], made[1])
+            self.assertEqual(made[1], made[2])
+
+    def test_every_layer_whatever_the_case_of_the_ending(self):
+        for name in ("a.exr", "b.EXR"):
+            self.run_command("render", "room.glb", "--size", "8x8", "-s", "1", "-o", name)
+            self.assertIn(b"ray_length.Z", (self.folder / name).read_bytes())
+        self.run_command("render", "room.glb", "--size", "8x8", "-s", "1", "-o", "c.PNG")
+        self.assertEqual(support.png_pixels(self.folder / "c.PNG")[:2], (8, 8))
+
+    # The design asks for 0.3 s on a quiet machine; a busy one gets the double and some.
+    def test_starts_quickly(self):
+        def seconds():
+            began = time.monotonic()
+            self.run_command("render", "room.glb", "--size", "16x16", "-s", "1", "--integrator",
+                             "preview", "-o", "p.png")
+            return time.monotonic() - began
+
+        best = min(seconds() for _ in range(5))
+        print(f"\nrender of 16 x 16 pixels, start to end: {best:.2f} s", flush=True)
+        self.assertLess(best, 1.0)
+
+
+if __name__ == "__main__":
+    support.main()

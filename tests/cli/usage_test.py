@@ -1,0 +1,107 @@
+# Balcony: rendering through extended cameras.
+# SPDX-License-Identifier: Apache-2.0
+"""Help, command lines that are wrong, and streams that are closed."""
+
+import os
+import subprocess
+
+import support
+
+COMMANDS = ("render", "check", "list", "info")
+
+
+class Help(support.CommandTest):
+    def test_of_every_command_reads_well(self):
+        for words in ((), *((command,) for command in COMMANDS)):
+            out, err = self.run_command(*words, "--help")
+            self.assertEqual(err, "")
+            self.assertIn("\n  balcony ", out, "no example")
+            self.assertIn("Usage: " + " ".join(("balcony", *words)), out)
+            self.assertLessEqual(max(map(len, out.splitlines())), 80)
+            for clutter in ("TEXT", "REQUIRED", "UINT", "FLOAT", ":{", "INT in", "/balcony"):
+                self.assertNotIn(clutter, out)
+
+    def test_names_every_command_and_exit_code(self):
+        out, _ = self.run_command("--help")
+        for word in (*COMMANDS, "0 done", "1 bad input", "2 wrong usage", "3 environment", "130"):
+            self.assertIn(word, out)
+
+    def test_version(self):
+        out, _ = self.run_command("--version")
+        self.assertRegex(out, r"^balcony \d+\.\d+\.\d+\n$")
+
+
+class WrongUsage(support.CommandTest):
+    def test_nothing_said_shows_the_help(self):
+        out, err = self.run_command(code=2)
+        self.assertEqual(out, "")
+        self.assertIn("Usage: balcony", err)
+
+    def test_misspelt_command(self):
+        self.refused("rendr", "scene.obj", code=2, says="'rendr'", helps="did you mean 'render'?")
+        self.refused("qwertyuiop", code=2, says="'qwertyuiop'", helps="balcony --help")
+
+    def test_misspelt_option(self):
+        for words in (("--samplse", "3"), ("--samplse=3",)):
+            self.refused("render", "scene.obj", *words, code=2, says="no option '--samplse'",
+                         helps="did you mean '--samples'?")
+        self.refused("info", "--ojects", code=2, says="'--ojects'", helps="'--objects'")
+
+    def test_something_missing_or_too_much(self):
+        self.refused("render", code=2, says="SCENE", helps="balcony render --help")
+        self.refused("check", code=2, says="FILE", helps="balcony check --help")
+        self.refused("render", "scene.obj", "--size", code=2, says="--size needs a value")
+        self.refused("render", "scene.obj", "other.obj", code=2, says="'other.obj'")
+
+    def test_as_json(self):
+        for words in (("rendr",), ("render",), ("render", "scene.obj", "--samplse"), ()):
+            document = self.json_of(*words, code=2)
+            self.assertEqual(len(document["diagnostics"]), 1)
+
+    def test_the_last_of_an_option_counts(self):
+        words = ("--size", "7x7", "--size", "4x2", "-s", "9", "-s", "2", "-o", "a.png")
+        facts = self.json_of("render", "scene.obj", *words)
+        self.assertEqual((facts["width"], facts["height"], facts["passes"]), (4, 2, 2))
+        self.assertIn("a.png", self.files())
+
+    def test_a_scene_named_as_a_command(self):
+        (self.folder / "list").write_text("no scene")
+        self.refused("render", "list", code=1, says="list")
+
+
+class Streams(support.CommandTest):
+    def test_a_reader_that_has_read_enough(self):
+        for words in (("list",), ("list", "--json"), ("render", "scene.obj", "--size", "4")):
+            reading, writing = os.pipe()
+            os.close(reading)
+            _, err = self.run_command(*words, stdout=writing)
+            os.close(writing)
+            self.assertEqual(err, "")
+
+    def test_full_standard_output(self):
+        with open("/dev/full", "wb") as full:
+            for words in (("list",), ("--help",), ("info", "scene.obj", "--json")):
+                _, err = self.run_command(*words, code=3, stdout=full)
+                self.assertIn("standard output", err)
+
+    def test_closed_streams(self):
+        def shell(redirection):
+            line = f'exec "$0" render scene.obj --size 8x8 -o picture.png {redirection}'
+            return subprocess.run(["sh", "-c", line, support.BALCONY], cwd=self.folder,
+                                  capture_output=True, timeout=60).returncode
+
+        for redirection, code in (("2>&-", 0), ("<&-", 0), (">&-", 3), ("<&- >&- 2>&-", 3)):
+            self.assertEqual(shell(redirection), code, redirection)
+            self.assertEqual(support.png_pixels(self.folder / "picture.png")[:2], (8, 8))
+
+    def test_a_lost_reader_of_the_progress_does_not_end_a_render(self):
+        reading, writing = os.pipe()
+        os.close(reading)
+        self.run_command("render", "scene.obj", "--size", "600", "-s", "30", "-o", "a.png",
+                         stderr=writing)
+        os.close(writing)
+        self.assertIn("a.png", self.files())
+
+
+if __name__ == "__main__":
+    support.main()
