@@ -98,7 +98,7 @@ int main(int argc, char** argv) {
 
     CLI::App app{
         "Balcony renders 3D scenes through extended cameras: any function from a point of\n"
-        "the picture to a ray, described in a .cam file.\n",
+        "the picture to a ray, described in a .cam file.",
         "balcony"};
     describe(app);
     ExitCode code = run(app, argc, argv);

@@ -274,7 +274,7 @@ ExitCode render_command(const RenderOptions& options) {
 void add_picture_options(CLI::App& command, RenderOptions& options) {
     command
         .add_option("--size", options.size,
-                    "in pixels (default: the camera's proportion, a million pixels)")
+                    "in pixels (default: about a million in the camera's proportion)")
         ->type_name("WIDTH[xHEIGHT]");
     command.add_option("-s,--samples", options.samples, "rays a pixel")
         ->type_name("COUNT")
@@ -322,7 +322,7 @@ void add_render_command(CLI::App& app, ExitCode& code) {
             "the picture: .png, or .exr with all layers (default: SCENE.png, in this folder)")
         ->type_name("FILE");
     add_picture_options(*command, *options);
-    command->add_option("-j,--threads", options->threads, "0 is all there are")
+    command->add_option("-j,--threads", options->threads, "threads at work; 0 is all there are")
         ->type_name("COUNT")
         ->capture_default_str();
     command->add_flag("-q,--quiet", options->quiet, "only warnings and errors");

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -70,6 +71,10 @@ public:
                      standard.empty()
                          ? option->get_description()
                          : fmt::format("{} (default: {})", option->get_description(), standard));
+    }
+
+    std::string make_usage(const CLI::App* app, std::string name) const override {
+        return "\n" + Formatter::make_usage(app, std::move(name));
     }
 
     std::string make_subcommand(const CLI::App* command) const override {

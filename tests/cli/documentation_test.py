@@ -42,6 +42,18 @@ class Documentation(support.CommandTest):
         self.assertGreaterEqual(len(lines), 5, "the README shows the command no more")
         self.run_all(lines)
 
+    def test_json_fields(self):
+        page = (support.REPOSITORY / "docs" / "command.md").read_text()
+        runs = {"render": ("room.glb", "--size", "8"), "check": ("my.cam",), "list": ("zoom",),
+                "info": ("room.glb",)}
+        for command, words in runs.items():
+            (row,) = re.findall(rf"^\| `{command}` \| (.*) \|$", page, re.MULTILINE)
+            document = self.json_of(command, *words)
+            inner = [document.get("scene", {}), *document.get("files", []),
+                     *document.get("stages", [])]
+            for field in {"diagnostics", *document} | {name for part in inner for name in part}:
+                self.assertIn(f"`{field}`", page if field == "diagnostics" else row)
+
     def test_help(self):
         lines = []
         for words in ((), ("render",), ("check",), ("list",), ("info",)):
