@@ -164,16 +164,18 @@ private:
         const std::array<double, 3> pitch{pitch_x, pitch_y, pitch_z};
         for (unsigned axis = 0; axis < 3; ++axis) {
             const double length = pitch[axis] - box_size + box_chamfer;
-            cylinders_[axis] = add_mesh(fmt::format("cylinder along {}", "xyz"[axis]),
-                                        cylinder(axis, length, cylinder_radius), iron);
+            cylinders_[axis] =
+                add_mesh(fmt::format("cylinder along {}", "xyz"[axis]),
+                         cylinder(static_cast<int>(axis), length, cylinder_radius), iron);
         }
         for (const double side : {-1.0, 1.0}) {
             for (int i = 0; i <= steps_x; ++i) {
                 add_column(-room_half_x + i * pitch_x, side * room_half_y, 0, i < steps_x);
             }
             for (int j = 0; j <= steps_y; ++j) {
-                add_column(side * room_half_x, -room_half_y + j * pitch_y, 1,
-                           j<steps_y, j> 0 && j < steps_y);
+                const bool goes_on = j < steps_y;
+                const bool in_corner = j == 0 || j == steps_y;
+                add_column(side * room_half_x, -room_half_y + j * pitch_y, 1, goes_on, !in_corner);
             }
         }
     }

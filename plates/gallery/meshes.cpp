@@ -40,14 +40,14 @@ Mesh chamfered_cube(double size, double chamfer) {
     const double outer = size / 2.0;
     const double inner = outer - chamfer;
     // The cube's corner with the signs s, drawn inwards along all axes but one.
-    const auto point = [&](const V3d& s, unsigned face) {
+    const auto point = [&](const V3d& s, int face) {
         V3d p = s * inner;
         p[face] = s[face] * outer;
         return p;
     };
-    for (unsigned face = 0; face < 3; ++face) {
-        const unsigned a = (face + 1) % 3;
-        const unsigned b = (face + 2) % 3;
+    for (int face = 0; face < 3; ++face) {
+        const int a = (face + 1) % 3;
+        const int b = (face + 2) % 3;
         for (const double side : {-1.0, 1.0}) {
             const auto signs = [&](double sa, double sb) {
                 V3d s;
@@ -81,7 +81,7 @@ Mesh chamfered_cube(double size, double chamfer) {
     return mesh;
 }
 
-Mesh cylinder(unsigned axis, double length, double radius) {
+Mesh cylinder(int axis, double length, double radius) {
     constexpr std::uint32_t segments = 24;
     Mesh mesh;
     for (std::uint32_t k = 0; k <= segments; ++k) {

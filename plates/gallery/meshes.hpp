@@ -12,7 +12,7 @@ namespace balcony::plates {
 [[nodiscard]] scene::Mesh chamfered_cube(double size, double chamfer);
 
 /// The side of a cylinder about the origin along an axis (0 is x, 1 is y, 2 is z), without caps.
-[[nodiscard]] scene::Mesh cylinder(unsigned axis, double length, double radius);
+[[nodiscard]] scene::Mesh cylinder(int axis, double length, double radius);
 
 /// A rectangle in the xy plane about the origin that faces z, its texture upright along y and
 /// repeated as often as stated.

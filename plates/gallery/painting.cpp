@@ -65,15 +65,15 @@ Painting paint(int width, int height, const Painter& painter) {
                 const V2d point((2.0 * (column + dx) - width) / height,
                                 1.0 - 2.0 * (row + dy) / height);
                 const Color color = painter({point, k});
-                for (unsigned channel = 0; channel < 3; ++channel) {
+                for (int channel = 0; channel < 3; ++channel) {
                     sum[channel] += std::clamp(color[channel], 0.0, 1.0);
                 }
             }
-            const auto at = (static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
-                             static_cast<std::size_t>(column)) *
-                            3;
-            for (unsigned channel = 0; channel < 3; ++channel) {
-                painting.pixels[at + channel] = srgb_byte(sum[channel] / samples_per_pixel);
+            auto at = (static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+                       static_cast<std::size_t>(column)) *
+                      3;
+            for (int channel = 0; channel < 3; ++channel) {
+                painting.pixels[at++] = srgb_byte(sum[channel] / samples_per_pixel);
             }
         }
     });
