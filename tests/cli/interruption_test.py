@@ -61,14 +61,17 @@ class Interruption(support.CommandTest):
             self.assertLess(seconds, 1.0)
         self.assertNotIn("p.png", self.files())
 
+    # A picture so large that its writing, which the first signal leads to, takes a while.
     def test_a_second_signal_ends_at_once(self):
         (self.folder / "p.png").write_bytes(b"old")
-        process = self.start_long("-o", "p.png")
+        process = self.start_long("-o", "p.png", "--size", "6000x3000")
         process.send_signal(signal.SIGINT)
         process.send_signal(signal.SIGTERM)
-        seconds, _, _ = self.end(process)
+        seconds, out, _ = self.end(process)
         self.assertEqual(process.returncode, 130)
         self.assertLess(seconds, 1.0)
+        self.assertEqual(out, "")
+        self.assertEqual((self.folder / "p.png").read_bytes(), b"old")
 
     def test_killed(self):
         (self.folder / "p.png").write_bytes(b"old")

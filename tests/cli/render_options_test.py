@@ -199,7 +199,8 @@ class Picture(support.CommandTest):
 
         best = min(seconds() for _ in range(5))
         print(f"\nrender of 16 x 16 pixels, start to end: {best:.2f} s", flush=True)
-        self.assertLess(best, 1.0)
+        if "BALCONY_SANITIZED" not in os.environ:
+            self.assertLess(best, 1.0)
 
 
 if __name__ == "__main__":
