@@ -18,6 +18,7 @@
 
 #include "render/camera_rays.hpp"
 #include "render/film.hpp"
+#include "render/fork_and_join.hpp"
 #include "render/tile_worker.hpp"
 
 namespace balcony::render {
@@ -123,16 +124,19 @@ private:
     // Whether the pass was completed.
     bool render_pass(tbb::task_arena& arena, std::size_t pass) {
         std::atomic<bool> complete = true;
-        arena.execute([&] {
-            tbb::parallel_for(std::size_t{0}, tiles_.size(), [&](std::size_t i) {
-                if (stop_.stop_requested()) {
-                    complete = false;
-                    return;
-                }
+        const auto render_tile = [&](std::size_t i) {
+            fork_and_join::before_each();
+            if (stop_.stop_requested()) {
+                complete = false;
+            } else {
                 workers_.local().render(tiles_[i], pass);
                 report(pass);
-            });
-        });
+            }
+            fork_and_join::after_each();
+        };
+        fork_and_join::before_all();
+        arena.execute([&] { tbb::parallel_for(std::size_t{0}, tiles_.size(), render_tile); });
+        fork_and_join::after_all();
         return complete;
     }
 

@@ -1,0 +1,31 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// What ThreadSanitizer cannot see for itself, oneTBB being compiled without it: work that is handed
+// out to threads begins after what came before it and is over before what comes after it. Two
+// pieces of the work are not ordered, so races between them are still found.
+
+#if defined(__SANITIZE_THREAD__)
+#include <sanitizer/tsan_interface.h>
+#endif
+
+namespace balcony::render::fork_and_join {
+
+// For ThreadSanitizer alone; in other builds these do nothing. They are no members, so that nothing
+// is read before the order is known.
+#if defined(__SANITIZE_THREAD__)
+inline char forked = 0;
+inline char joined = 0;
+inline void before_all() { __tsan_release(&forked); }
+inline void before_each() { __tsan_acquire(&forked); }
+inline void after_each() { __tsan_release(&joined); }
+inline void after_all() { __tsan_acquire(&joined); }
+#else
+inline void before_all() {}
+inline void before_each() {}
+inline void after_each() {}
+inline void after_all() {}
+#endif
+
+}  // namespace balcony::render::fork_and_join
