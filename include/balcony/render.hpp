@@ -158,8 +158,9 @@ struct PngOptions {
 };
 
 /// The exposure, in half stops, that suits a film whose light is far from the range of a screen, as
-/// scenes with physical units have it: 0 if the median luminance of what is not transparent lies
-/// between black and white, else what brings it to middle grey (0.18).
+/// scenes with physical units have it: 0 if the median luminance of what is not transparent is
+/// between nearly black (0.004) and a stop above white (2), else what brings it to middle grey
+/// (0.18).
 [[nodiscard]] double automatic_exposure(const Film& film);
 
 /// sRGB with alpha (not premultiplied); brighter than white is white.

@@ -180,7 +180,8 @@ bool has_samples(const render::Film& film) {
 /// Renders and writes. A first signal stops the rendering, not the writing.
 Outcome make_picture(Outcome outcome, const RenderOptions& options,
                      const render::Renderer& renderer, const camera::Camera& camera,
-                     const render::Settings& settings, const fs::path& output, double exposure) {
+                     const render::Settings& settings, const fs::path& output,
+                     std::optional<double> asked_exposure) {
     const Job job;
     Result<render::Picture> picture;
     {
@@ -198,6 +199,15 @@ Outcome make_picture(Outcome outcome, const RenderOptions& options,
         outcome.sentence = "interrupted before there was anything to save\n";
         return fail(std::move(outcome), ExitCode::interrupted);
     }
+    const double exposure = asked_exposure ? *asked_exposure
+                            : ending_of(output) == ".png"
+                                ? render::automatic_exposure(picture->film)
+                                : 0.0;
+    outcome.facts["exposure"] = exposure;
+    if (!asked_exposure && exposure != 0.0) {
+        outcome.sentence +=
+            fmt::format("  exposure {:+} stops, to suit the light; --exposure sets it\n", exposure);
+    }
     const Diagnostics written = render::write(picture->film, output, {.exposure = exposure});
     if (has_errors(written)) {
         return fail(std::move(outcome), ExitCode::environment, written);
@@ -210,7 +220,7 @@ Outcome make_picture(Outcome outcome, const RenderOptions& options,
 Outcome render_picture(const RenderOptions& options) {
     Outcome outcome;
     render::Settings settings = read_settings(options, outcome.said);
-    const double exposure = read_exposure(options, outcome.said);
+    const std::optional<double> exposure = read_exposure(options, outcome.said);
     const PictureSize size = read_size(options.size, outcome.said);
     if (options.camera.empty() && !options.set.empty()) {
         outcome.said.push_back(
@@ -284,7 +294,10 @@ void add_picture_options(CLI::App& command, RenderOptions& options) {
                     "direct (lights, shadows, mirrors) or preview (lit from the eye)")
         ->type_name("NAME")
         ->capture_default_str();
-    command.add_option("--exposure", options.exposure, "brighter by so many stops (PNG)")
+    command
+        .add_option(
+            "--exposure", options.exposure,
+            "brighter by so many stops (PNG); auto acts where nearly all would be black or white")
         ->type_name("STOPS")
         ->capture_default_str();
     command.add_option("--ambient", options.ambient, "light from everywhere, unshadowed")

@@ -119,10 +119,14 @@ render::Settings read_settings(const RenderOptions& options, Diagnostics& said) 
 }
 
 // Far more stops than there are between the smallest and the largest float would be 0 or infinite.
-double read_exposure(const RenderOptions& options, Diagnostics& said) {
+std::optional<double> read_exposure(const RenderOptions& options, Diagnostics& said) {
+    if (options.exposure == "auto") {
+        return std::nullopt;
+    }
     constexpr double most_stops = 200.0;
-    return read_number("--exposure", options.exposure, -most_stops, most_stops,
-                       fmt::format("give stops from -{0} to {0}, such as -1.5", most_stops), said);
+    return read_number(
+        "--exposure", options.exposure, -most_stops, most_stops,
+        fmt::format("give auto, or stops from -{0} to {0}, such as -1.5", most_stops), said);
 }
 
 std::pair<std::size_t, std::size_t> PictureSize::resolve(double aspect) const {

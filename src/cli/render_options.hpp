@@ -23,7 +23,7 @@ struct RenderOptions {
     std::string samples = "16";
     std::string threads = "0";
     std::string time = "0";
-    std::string exposure = "0";
+    std::string exposure = "auto";
     std::string ambient = "0.1";
     bool quiet = false;
     bool json = false;
@@ -33,8 +33,8 @@ struct RenderOptions {
 /// `said`, each with its option.
 [[nodiscard]] render::Settings read_settings(const RenderOptions& options, Diagnostics& said);
 
-/// Stops of exposure, as asked for.
-[[nodiscard]] double read_exposure(const RenderOptions& options, Diagnostics& said);
+/// Stops of exposure, as asked for; nothing if the picture is to say.
+[[nodiscard]] std::optional<double> read_exposure(const RenderOptions& options, Diagnostics& said);
 
 /// A picture's size as the user wants it: in pixels, or only its width, or nothing said.
 struct PictureSize {

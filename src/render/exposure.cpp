@@ -31,7 +31,7 @@ double automatic_exposure(const Film& film) {
     const auto middle = luminances.begin() + static_cast<std::ptrdiff_t>(luminances.size() / 2);
     std::nth_element(luminances.begin(), middle, luminances.end());
     constexpr double too_dark = 0.004;  // Level 13 of 255 in sRGB.
-    constexpr double too_bright = 1.0;  // White.
+    constexpr double too_bright = 2.0;  // A stop above white.
     constexpr double middle_grey = 0.18;
     const auto median = static_cast<double>(*middle);
     if (!(median > 0.0) || (too_dark < median && median < too_bright)) {

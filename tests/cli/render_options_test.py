@@ -50,6 +50,16 @@ class Options(support.CommandTest):
         self.render("--exposure", "-1.5", "--time", "-2", "-o", "p.png")
         self.render("--exposure", "-.5", "--time=-.5", "-o", "p.png")
 
+    def test_exposure_suits_the_light_unless_it_is_set(self):
+        text = support.gltf_text_with_light()
+        bright = text.replace('"type"', '"intensity": 1e6, "type"')
+        self.assertNotEqual(text, bright)
+        (self.folder / "bright.gltf").write_text(bright)
+        options = ("render", "bright.gltf", "--ambient", "0", "-o", "p.png", "--json")
+        self.assertLess(self.json_of(*options)["exposure"], -5)
+        self.assertEqual(self.json_of(*options, "--exposure", "0")["exposure"], 0)
+        self.assertEqual(self.json_of("render", "room.glb", "-o", "p.png", "--json")["exposure"], 0)
+
     def test_set(self):
         self.render("-c", "my.cam:above", "--set", "size=1", "--set", "size=2*2", "-o", "p.png")
         for wrong, code in (("size", 1), ("=3", 1), ("size=", 1), ("siez=3", 1), ("size==3", 1),
