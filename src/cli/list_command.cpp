@@ -154,20 +154,28 @@ nlohmann::json camera_json(const lang::CameraDescription& described) {
     return {{"name", described.name}, {"comment", described.comment}, {"parameters", parameters}};
 }
 
-// The whole comment of one camera, the first line of each of several.
+std::string first_sentence(const std::string& comment) {
+    for (std::size_t i = 0; i < comment.size(); ++i) {
+        const bool at_end =
+            i + 1 == comment.size() || comment[i + 1] == ' ' || comment[i + 1] == '\n';
+        if (comment[i] == '.' && at_end) {
+            return comment.substr(0, i + 1);
+        }
+    }
+    return comment;
+}
+
+// The whole comment of one camera, the first sentence of each of several.
 std::string camera_text(const lang::CameraDescription& described, bool whole) {
     std::vector<std::string> parameters;
     for (const auto& parameter : described.parameters) {
         parameters.push_back(parameter.name + " = " + parameter.default_text);
     }
     std::string text = fmt::format("{}({})\n", described.name, fmt::join(parameters, ", "));
-    std::istringstream comment(described.comment);
+    std::istringstream comment(whole ? described.comment : first_sentence(described.comment));
     std::string line;
     while (std::getline(comment, line)) {
         text += line.empty() ? "\n" : fmt::format("    {}\n", line);
-        if (!whole) {
-            break;
-        }
     }
     return text;
 }
