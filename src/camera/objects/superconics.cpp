@@ -42,7 +42,7 @@ private:
     Scalar a_, b_, gamma_;
 };
 
-// The distance from the centre, at polar angle u, of |x|^e + |y|^e = 1.
+// The point of |x|^e + |y|^e = 1 at polar angle u; r is its distance from the centre.
 PlanePoint superellipse_at_angle(Expr u, Expr gamma) {
     const Expr e = 2.0 / gamma;
     const Expr r = pow(pow(abs(cos(u)), e) + pow(abs(sin(u)), e), -1.0 / e);
