@@ -226,7 +226,8 @@ public:
         Axes axes = Axes::z_up;
     };
 
-    /// Checks that the parts fit together: all are there, and the rule gets what it needs.
+    /// Checks that the parts fit together: all are there, and the rule gets what it needs. A
+    /// direction object that the rule has no use for is left out with a warning.
     [[nodiscard]] static Result<Camera> make(Parts parts);
 
     [[nodiscard]] const std::string& name() const { return parts_->name; }

@@ -72,6 +72,14 @@ Result<Camera> Camera::make(Parts parts) {
             said.push_back(error(fmt::format("camera '{}' has no direction object", parts.name), {},
                                  "add: toward ..."));
         }
+        if (parts.toward && !parts.look->needs_direction_object()) {
+            said.push_back(warning(
+                fmt::format(
+                    "camera '{}' has a direction object that its direction rule does not use",
+                    parts.name),
+                {}, "leave out toward, or take: look relative"));
+            parts.toward.reset();
+        }
     }
     if (!(parts.aspect > 0.0 && std::isfinite(parts.aspect))) {
         said.push_back(
@@ -82,7 +90,7 @@ Result<Camera> Camera::make(Parts parts) {
     if (has_errors(said)) {
         return said;
     }
-    return Camera(std::move(parts));
+    return {Camera(std::move(parts)), std::move(said)};
 }
 
 RayExpressions Camera::emit(Graph& graph, double width, double height) const {

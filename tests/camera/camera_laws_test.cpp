@@ -331,6 +331,18 @@ TEST(CameraMake, SaysWhatDoesNotFit) {
     }
 }
 
+TEST(CameraMake, WarnsOfADirectionObjectThatIsNotUsed) {
+    Camera::Parts parts = with_direction_object("relative");
+    EXPECT_TRUE(Camera::make(parts).diagnostics.empty());
+    parts.eye.generator = object("sphere");
+    parts.look = look("normal");
+    const Result<Camera> made = Camera::make(parts);
+    ASSERT_TRUE(made);
+    ASSERT_EQ(made.diagnostics.size(), 1U);
+    EXPECT_EQ(made.diagnostics.front().severity, Severity::warning);
+    EXPECT_FALSE(made->parts().toward);
+}
+
 TEST(CameraMake, SaysAllAtOnce) {
     const Result<Camera> made = Camera::make({});
     ASSERT_FALSE(made);
