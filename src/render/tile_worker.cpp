@@ -68,6 +68,7 @@ TileWorker::TileWorker(const TracedScene& traced, const program::Program& camera
 void TileWorker::render(const PixelTile& tile, std::size_t pass) {
     const Clock::time_point begin = Clock::now();
     make_rays(tile, pass);
+    counts_.camera_seconds += seconds_between(begin, Clock::now());
     const std::size_t pixels = tile.width * tile.height;
     traced_->accelerator.intersect_grid(tile.width, std::span(rays_).first(pixels),
                                         std::span(has_ray_).first(pixels), hits_);
@@ -82,13 +83,11 @@ void TileWorker::render(const PixelTile& tile, std::size_t pass) {
 void TileWorker::make_rays(const PixelTile& tile, std::size_t pass) {
     const Imath::V2d offset = pass_offset(pass);
     grid_width_ = tile.width + 1;
-    const Clock::time_point begin = Clock::now();
     program::run(
         *camera_,
         {static_cast<double>(tile.x) + 0.5 + offset.x, static_cast<double>(tile.y) + 0.5 + offset.y,
          1.0, grid_width_, tile.height + 1, settings_->time},
         scratch_, grid_.roots());
-    counts_.camera_seconds += seconds_between(begin, Clock::now());
     const std::size_t points = grid_width_ * (tile.height + 1);
     for (std::size_t i = 0; i < points; ++i) {
         traceable_[i] = grid_.traceable(i) ? 1 : 0;
