@@ -112,7 +112,7 @@ struct Summary {
     bool interrupted = false;          ///< Stopped before the last pass was complete.
     double seconds = 0.0;              ///< Tracing, by the clock.
     double compile_seconds = 0.0;      ///< The camera, from parts to program.
-    double camera_share = 0.0;         ///< Of the threads' time, the part before a tile's rays are traced.
+    double camera_share = 0.0;  ///< Of the threads' time, the part before a tile's rays are traced.
 };
 
 struct Picture {
