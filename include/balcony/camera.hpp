@@ -159,6 +159,12 @@ class ObjectGenerator : public Stage {
 public:
     [[nodiscard]] virtual int dimension() const = 0;
     [[nodiscard]] virtual ObjectPoint generate(const ParameterPoint& p, Emitter& emit) const = 0;
+    /// Normals that are not the cross product of the tangents along u and v, such as the smooth
+    /// ones of a mesh; of any length but 0. Most surfaces have none of their own.
+    [[nodiscard]] virtual std::optional<ObjectVector> normal(const ParameterPoint&,
+                                                             Emitter&) const {
+        return std::nullopt;
+    }
 };
 
 /// OCS → OCS.
@@ -172,18 +178,32 @@ struct PathPoint {
     ObjectPoint point;
     ObjectVector along_u;  ///< Partial derivative by the object's own parameter u.
     ObjectVector along_v;  ///< The same by v.
+    ObjectVector normal;   ///< The generator's own, moved with it; else along_u x along_v.
     ObjectPoint center;    ///< Where the path's object transformers take the origin.
     ParameterPoint parameters;
+    PictureSize size;  ///< Of the camera's picture, which the path covers.
 };
 
 /// getDirVec: the direction of the ray, of any length but 0.
 class DirectionRule : public Stage {
 public:
-    [[nodiscard]] virtual bool needs_eye_surface() const { return false; }
+    /// The least dimension of eye object that it can work with.
+    [[nodiscard]] virtual int least_eye_dimension() const { return 0; }
     [[nodiscard]] virtual bool needs_direction_object() const { return false; }
     /// `toward` is null if the camera has no direction object.
     [[nodiscard]] virtual ObjectVector direction(const PathPoint& eye, const PathPoint* toward,
                                                  Emitter& emit) const = 0;
+};
+
+/// Which part of a picture shows: a shape in the picture's rectangle.
+class ClipShape : public Stage {
+public:
+    /// The distance in pixels from the shape's edge, negative inside; right to first order at the
+    /// edge, and of the right sign everywhere.
+    [[nodiscard]] virtual Expr distance(const ArrangedPoint& picture, Emitter& emit) const = 0;
+    /// From 0, nothing shows, to 1. The edge is `softness` pixels wide, sharp if that is 0.
+    [[nodiscard]] virtual Expr coverage(const ArrangedPoint& picture, Expr softness,
+                                        Emitter& emit) const;
 };
 
 using PictureArrangerPointer = std::shared_ptr<const PictureArranger>;
@@ -192,6 +212,7 @@ using ParameterTransformerPointer = std::shared_ptr<const ParameterTransformer>;
 using ObjectGeneratorPointer = std::shared_ptr<const ObjectGenerator>;
 using ObjectTransformerPointer = std::shared_ptr<const ObjectTransformer>;
 using DirectionRulePointer = std::shared_ptr<const DirectionRule>;
+using ClipShapePointer = std::shared_ptr<const ClipShape>;
 
 // ----------------------------------------------------------------------------------- machine
 
@@ -212,6 +233,15 @@ struct RayExpressions {
     Expr valid;                 ///< 1 where there is a ray, finite in all six values; else 0.
     ParameterPoint parameters;  ///< (u, v) of the eye object; a point or curve may ignore them.
 };
+
+/// How a ray changes from pixel to pixel: its partial derivatives by picture x and y, exact.
+struct RayFootprint {
+    ObjectVector origin_by_x, origin_by_y;
+    ObjectVector direction_by_x, direction_by_y;  ///< Of the unit direction.
+};
+
+/// Costs nothing until it is asked for: the derivatives are made from the ray's own expressions.
+[[nodiscard]] RayFootprint footprint(const RayExpressions& ray);
 
 /// An extended camera.
 class Camera {
@@ -240,92 +270,5 @@ private:
     explicit Camera(Parts parts) : parts_(std::make_shared<const Parts>(std::move(parts))) {}
     std::shared_ptr<const Parts> parts_;
 };
-
-// --------------------------------------------------------------------------------- catalogue
-
-enum class StageKind : std::uint8_t {
-    picture_arranger,
-    picture_mapper,
-    parameter_transformer,
-    object_generator,
-    object_transformer,
-    direction_rule,
-};
-
-[[nodiscard]] std::string_view name_of(StageKind kind);
-
-enum class ParameterType : std::uint8_t {
-    number,  ///< One Scalar.
-    pair,    ///< Two, written (a, b).
-    size,    ///< Two, written (a, b) or as one number for both.
-    triple,  ///< Three, written (a, b, c).
-    axis,    ///< Three, written (a, b, c) or x, y, z.
-    choice,  ///< One of some words.
-    curve,   ///< An object generator of dimension 1.
-};
-
-/// What a number counts. Angles are written with deg or rad and are radians inside.
-enum class Unit : std::uint8_t {
-    number,     ///< A length in scene units, a ratio, ...: an angle here is an error.
-    angle,      ///< A plain number other than 0 here is an error.
-    parameter,  ///< Of parameter space, whose unit the object decides: both will do.
-};
-
-struct StageParameter {
-    std::string_view name;
-    ParameterType type = ParameterType::number;
-    Unit unit = Unit::number;
-    std::vector<double> default_value{};  ///< Empty: must be given (curve, or no default).
-    double least = -std::numeric_limits<double>::infinity();
-    double most = std::numeric_limits<double>::infinity();
-    bool above_least = false;                 ///< The least value itself is excluded.
-    std::vector<std::string_view> choices{};  ///< The first is the default.
-    std::string_view meaning;
-};
-
-/// What a stage is made from, by parameter name. The language has checked it against the row.
-class Arguments {
-public:
-    using Value = std::variant<std::vector<Scalar>, std::string, ObjectGeneratorPointer>;
-
-    /// In the place of an earlier value; the name must outlive this, as a row's does.
-    void set(std::string_view name, Value value);
-    void set_formula(Formula formula) { formula_ = std::move(formula); }
-
-    [[nodiscard]] Scalar number(std::string_view name) const;
-    [[nodiscard]] std::array<Scalar, 2> pair(std::string_view name) const;
-    [[nodiscard]] std::array<Scalar, 3> triple(std::string_view name) const;
-    [[nodiscard]] const std::string& choice(std::string_view name) const;
-    [[nodiscard]] const ObjectGeneratorPointer& curve(std::string_view name) const;
-    [[nodiscard]] const Formula& formula() const { return *formula_; }
-
-private:
-    [[nodiscard]] const Value& value(std::string_view name) const;
-
-    std::vector<std::pair<std::string_view, Value>> values_;
-    std::optional<Formula> formula_;
-};
-
-/// A stage that a formula makes: name(p1, p2) = [r1, r2, r3].
-struct FormulaShape {
-    std::size_t parameters = 0;
-    std::size_t results_least = 0;
-    std::size_t results_most = 0;
-};
-
-/// One row of the catalogue: all that the language, the command and the documentation know.
-struct StageEntry {
-    StageKind kind;
-    std::string_view name;
-    std::string_view meaning;
-    std::vector<StageParameter> parameters;
-    Result<std::shared_ptr<const Stage>> (*make)(const Arguments& arguments);
-    std::optional<FormulaShape> formula{};
-    int dimension = 0;  ///< Of an object generator.
-};
-
-/// Every stage there is, by kind.
-[[nodiscard]] const std::vector<StageEntry>& catalogue();
-[[nodiscard]] const StageEntry* find_stage(StageKind kind, std::string_view name);
 
 }  // namespace balcony::camera

@@ -80,11 +80,19 @@ enum class Op : std::uint8_t {
     logical_not,
     is_finite,
     select,
-    // tables
+    // tables and natives, by the number of their arguments
     lookup,
+    lookup_2,
+    lookup_3,
+    native,
+    native_2,
+    native_3,
 };
 
-inline constexpr std::size_t operation_count = static_cast<std::size_t>(Op::lookup) + 1;
+inline constexpr std::size_t operation_count = static_cast<std::size_t>(Op::native_3) + 1;
+
+[[nodiscard]] constexpr bool is_lookup(Op op) { return Op::lookup <= op && op <= Op::lookup_3; }
+[[nodiscard]] constexpr bool is_native(Op op) { return Op::native <= op && op <= Op::native_3; }
 
 class Graph;
 class Expr;
@@ -99,7 +107,7 @@ struct Operation {
     bool condition;  ///< Its value is 1 or 0.
     /// The largest error of a runner in units in the last place, where the result is normal.
     double max_ulp;
-    /// Defines the operation; null for leaves and look-ups.
+    /// Defines the operation; null for leaves, look-ups and natives.
     double (*scalar)(const double* arguments);
     /// The derivative of self, given its arguments and theirs; null where it is 0 throughout.
     Expr (*derivative)(Expr self, std::span<const Expr> arguments, std::span<const Expr> slopes);
@@ -111,6 +119,7 @@ struct Operation {
 
 using NodeId = StrongIndex<struct NodeTag>;
 using TableId = StrongIndex<struct TableTag>;
+using NativeId = StrongIndex<struct NativeTag>;
 
 /// What a node's value can change with: a set of these bits.
 namespace depends {
@@ -133,27 +142,59 @@ enum class Rate : std::uint8_t { uniform, column, row, pixel };
 struct Node {
     double value = 0.0;                 ///< Of a constant.
     std::array<NodeId, 3> arguments{};  ///< The first arity(op) are valid.
-    std::uint32_t detail = 0;           ///< The number of a variable, the TableId of a look-up.
+    std::uint32_t detail = 0;           ///< The number of a variable, a TableId, a NativeId.
     Op op = Op::constant;
     std::uint8_t depends = 0;
 
     bool operator==(const Node&) const;
 };
 
-/// A piecewise cubic polynomial over equal cells of [first, last]; outside, the end cells go on.
-/// Cell i has the value c0 + c1 s + c2 s^2 + c3 s^3 with s in [0, 1) from its left end.
+/// A piecewise polynomial in one, two or three variables over the equal cells of a box; outside,
+/// the cells at its border go on. In a cell the value is the sum of c[i, j, k] r^i s^j t^k, with r,
+/// s and t in [0, 1) from the cell's lower corner along each axis.
 struct Table {
-    double first = 0.0;
-    double last = 1.0;
-    std::vector<std::array<double, 4>> cells;
+    struct Axis {
+        double first = 0.0;
+        double last = 1.0;
+        std::size_t cells = 1;
+        std::size_t degree = 3;  ///< At most most_degree.
+    };
+    static constexpr std::size_t most_degree = 7;
+    static constexpr std::size_t most_axes = 3;
 
-    [[nodiscard]] double operator()(double x) const;
-    [[nodiscard]] Table derivative() const;
+    std::vector<Axis> axes;
+    /// Cell by cell and within a cell power by power, in both the last axis fastest.
+    std::vector<double> coefficients;
+
+    [[nodiscard]] double operator()(std::span<const double> at) const;
+    [[nodiscard]] double operator()(double x) const { return (*this)(std::span(&x, 1)); }
+    /// The partial derivative by the variable of an axis.
+    [[nodiscard]] Table derivative(std::size_t axis) const;
 };
 
-/// Makes the table that has the given values and slopes (per unit of x) at equally spaced knots.
+/// Makes the cubic table that has the given values and slopes (per unit of x) at equally spaced
+/// knots.
 [[nodiscard]] Table hermite_table(double first, double last, std::span<const double> values,
                                   std::span<const double> slopes);
+
+/// A function that is no formula: what somebody computes for batches of points, such as a search in
+/// a mesh. Immutable, and callable by many threads at once; must not throw.
+class Native {
+public:
+    Native() = default;
+    Native(const Native&) = delete;
+    Native& operator=(const Native&) = delete;
+    virtual ~Native() = default;
+
+    [[nodiscard]] virtual std::string_view name() const = 0;
+    [[nodiscard]] virtual std::size_t arity() const = 0;  ///< From 1 to 3.
+    /// results[i] for the arguments arguments[0][i], arguments[1][i], ...; the same for the same
+    /// arguments, whatever else is in the batch. Results may stand where an argument stands.
+    virtual void evaluate(std::size_t count, const double* const* arguments,
+                          double* results) const = 0;
+    /// The partial derivative by an argument; null where it is 0 throughout.
+    [[nodiscard]] virtual std::shared_ptr<const Native> derivative(std::size_t argument) const = 0;
+};
 
 class Graph {
 public:
@@ -169,19 +210,30 @@ public:
     [[nodiscard]] Expr variable(std::uint32_t number);
     /// A variable that nobody has used yet.
     [[nodiscard]] Expr fresh_variable();
-    /// The table's value at x.
+    /// The table's value at a point, one argument for each of its axes.
+    [[nodiscard]] Expr lookup(std::shared_ptr<const Table> table, std::span<const Expr> at);
     [[nodiscard]] Expr lookup(std::shared_ptr<const Table> table, Expr x);
+    /// The function's value at a point.
+    [[nodiscard]] Expr native(std::shared_ptr<const Native> function, std::span<const Expr> at);
     /// An operation on nodes of this graph, folded if they are constant and rewritten where looking
-    /// at the arguments' own arguments shows something simpler. Not for leaves and look-ups.
+    /// at the arguments' own arguments shows something simpler. Not for leaves, look-ups and
+    /// natives.
     [[nodiscard]] Expr apply(Op op, std::span<const Expr> arguments);
+
+    /// A node of this or another graph, made anew here on arguments that are here.
+    [[nodiscard]] Expr remake(const Graph& source, const Node& node,
+                              std::span<const Expr> arguments);
 
     [[nodiscard]] std::size_t size() const { return nodes_.size(); }
     [[nodiscard]] const Node& operator[](NodeId id) const { return nodes_[id.value()]; }
     [[nodiscard]] const std::shared_ptr<const Table>& table(TableId id) const {
         return tables_[id.value()];
     }
-    /// The table whose values are the slopes of this one.
-    [[nodiscard]] std::shared_ptr<const Table> derivative_table(TableId id);
+    [[nodiscard]] const std::shared_ptr<const Native>& native(NativeId id) const {
+        return natives_[id.value()];
+    }
+    /// The table whose values are the slopes of this one along an axis.
+    [[nodiscard]] std::shared_ptr<const Table> derivative_table(TableId id, std::size_t axis);
 
 private:
     /// The one node that equals this one, made if there is none.
@@ -194,7 +246,8 @@ private:
     std::vector<Node> nodes_;
     std::unordered_map<Node, NodeId, Hash> known_;
     std::vector<std::shared_ptr<const Table>> tables_;
-    std::vector<std::shared_ptr<const Table>> derivative_tables_;
+    std::vector<std::array<std::shared_ptr<const Table>, Table::most_axes>> derivative_tables_;
+    std::vector<std::shared_ptr<const Native>> natives_;
     std::uint32_t variables_ = 0;
 };
 

@@ -51,6 +51,25 @@ void check_path(const Path& path, std::string_view object, const std::string& ca
 
 }  // namespace
 
+Expr ClipShape::coverage(const ArrangedPoint& picture, Expr softness, Emitter& emit) const {
+    const Expr depth = -distance(picture, emit);
+    const Expr sharp = select(0.0 <= depth, emit(1.0), emit(0.0));
+    const Expr ramp = min(max(0.5 + depth / softness, emit(0.0)), emit(1.0));
+    return select(0.0 < softness, ramp * ramp * (3.0 - 2.0 * ramp), sharp);
+}
+
+RayFootprint footprint(const RayExpressions& ray) {
+    Graph& graph = ray.origin.x.graph();
+    const std::array values{ray.origin.x,    ray.origin.y,    ray.origin.z,
+                            ray.direction.x, ray.direction.y, ray.direction.z};
+    const std::vector<Expr> by_x = expr::derive(values, graph.picture_x());
+    const std::vector<Expr> by_y = expr::derive(values, graph.picture_y());
+    return {{by_x[0], by_x[1], by_x[2]},
+            {by_y[0], by_y[1], by_y[2]},
+            {by_x[3], by_x[4], by_x[5]},
+            {by_y[3], by_y[4], by_y[5]}};
+}
+
 Result<Camera> Camera::make(Parts parts) {
     Diagnostics said;
     check_path(parts.eye, "eye", parts.name, said);
@@ -60,13 +79,14 @@ Result<Camera> Camera::make(Parts parts) {
     if (!parts.look) {
         said.push_back(error(fmt::format("camera '{}' has no direction rule", parts.name)));
     } else {
-        if (parts.look->needs_eye_surface() && parts.eye.generator &&
-            parts.eye.generator->dimension() < 2) {
+        const int least = parts.look->least_eye_dimension();
+        if (parts.eye.generator && parts.eye.generator->dimension() < least) {
             said.push_back(error(
-                fmt::format(
-                    "camera '{}' looks along the normals of its eye object, but a {} has none",
-                    parts.name, parts.eye.generator->dimension() == 1 ? "curve" : "point"),
-                {}, "take a surface as eye object, or add a direction object with: toward ..."));
+                fmt::format("the direction rule of camera '{}' needs a {} as eye object, but has "
+                            "a {}",
+                            parts.name, least == 2 ? "surface" : "curve or surface",
+                            parts.eye.generator->dimension() == 1 ? "curve" : "point"),
+                {}, "take another eye object, or add a direction object with: toward ..."));
         }
         if (parts.look->needs_direction_object() && !parts.toward) {
             said.push_back(error(fmt::format("camera '{}' has no direction object", parts.name), {},

@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "balcony/camera.hpp"
+#include "balcony/catalogue.hpp"
 
 #include <algorithm>
 
@@ -17,6 +17,7 @@ std::string_view name_of(StageKind kind) {
         case StageKind::object_generator: return "object generator";
         case StageKind::object_transformer: return "object transformer";
         case StageKind::direction_rule: return "direction rule";
+        case StageKind::clip_shape: return "clip shape";
     }
     assert(false);
     return {};
@@ -46,24 +47,36 @@ const StageEntry* find_stage(StageKind kind, std::string_view name) {
 }
 
 void Arguments::set(std::string_view name, Value value) {
-    const auto known = std::find_if(values_.begin(), values_.end(),
+    std::erase_if(values_, [&](const auto& named) { return named.first == name; });
+    values_.emplace_back(name, std::move(value));
+}
+
+const Arguments::Value* Arguments::find(std::string_view name) const {
+    const auto entry = std::find_if(values_.begin(), values_.end(),
                                     [&](const auto& named) { return named.first == name; });
-    if (known != values_.end()) {
-        known->second = std::move(value);
-    } else {
-        values_.emplace_back(name, std::move(value));
-    }
+    return entry != values_.end() ? &entry->second : nullptr;
 }
 
 const Arguments::Value& Arguments::value(std::string_view name) const {
-    const auto entry = std::find_if(values_.begin(), values_.end(),
-                                    [&](const auto& named) { return named.first == name; });
-    assert(entry != values_.end() && "a maker asks only for parameters of its row");
-    return entry->second;
+    const Value* given = find(name);
+    assert(given != nullptr && "a maker asks only for parameters of its row");
+    return *given;
 }
+
+bool Arguments::has(std::string_view name) const { return find(name) != nullptr; }
 
 Scalar Arguments::number(std::string_view name) const {
     return std::get<std::vector<Scalar>>(value(name)).at(0);
+}
+
+double Arguments::constant(std::string_view name) const {
+    const std::optional<double> known = number(name).constant();
+    assert(known && "the row says that it is constant");
+    return *known;
+}
+
+std::size_t Arguments::count(std::string_view name) const {
+    return static_cast<std::size_t>(constant(name));
 }
 
 std::array<Scalar, 2> Arguments::pair(std::string_view name) const {
@@ -80,8 +93,24 @@ const std::string& Arguments::choice(std::string_view name) const {
     return std::get<std::string>(value(name));
 }
 
-const ObjectGeneratorPointer& Arguments::curve(std::string_view name) const {
-    return std::get<ObjectGeneratorPointer>(value(name));
+const PointList& Arguments::points(std::string_view name) const {
+    return std::get<PointList>(value(name));
+}
+
+ObjectGeneratorPointer Arguments::curve(std::string_view name) const {
+    return stage<ObjectGenerator>(name);
+}
+
+const Formula& Arguments::formula(std::string_view name) const {
+    return std::get<Formula>(value(name));
+}
+
+const std::shared_ptr<const GreyImage>& Arguments::image(std::string_view name) const {
+    return std::get<std::shared_ptr<const GreyImage>>(value(name));
+}
+
+const std::shared_ptr<const TexturedMesh>& Arguments::mesh(std::string_view name) const {
+    return std::get<std::shared_ptr<const TexturedMesh>>(value(name));
 }
 
 }  // namespace balcony::camera

@@ -31,6 +31,26 @@ ObjectVector derive(const ObjectPoint& p, Expr leaf) {
     return {slopes[0], slopes[1], slopes[2]};
 }
 
+// Normals are moved by the cofactors of the object transformers' derivative, as cross products of
+// tangents are: n' = (Jy x Jz, Jz x Jx, Jx x Jy) n, with Jx the derivative by x.
+ObjectVector moved_normal(const Path& path, const ObjectPoint& at, const ObjectVector& normal,
+                          Emitter& emit) {
+    Graph& graph = emit.graph();
+    const std::array free{graph.fresh_variable(), graph.fresh_variable(), graph.fresh_variable()};
+    Emitter unused(graph);
+    const ObjectPoint p = moved(path, {free[0], free[1], free[2]}, unused);
+    const ObjectVector by_x = derive(p, free[0]);
+    const ObjectVector by_y = derive(p, free[1]);
+    const ObjectVector by_z = derive(p, free[2]);
+    const ObjectVector turned =
+        normal.x * cross(by_y, by_z) + normal.y * cross(by_z, by_x) + normal.z * cross(by_x, by_y);
+    const std::array made{turned.x, turned.y, turned.z};
+    const std::array put{expr::Substitution{free[0], at.x}, expr::Substitution{free[1], at.y},
+                         expr::Substitution{free[2], at.z}};
+    const std::vector<Expr> there = expr::substitute(graph, made, put);
+    return {there[0], there[1], there[2]};
+}
+
 }  // namespace
 
 // The object is made on free parameters (u, v) first, so that its tangents are derivatives by its
@@ -43,20 +63,27 @@ PathPoint Path::emit(const ArrangedPoint& picture, Emitter& emit) const {
     const ObjectPoint p = moved(*this, generator->generate({u, v}, object_emit), object_emit);
     const ObjectVector along_u = derive(p, u);
     const ObjectVector along_v = derive(p, v);
+    const std::optional<ObjectVector> own = generator->normal({u, v}, object_emit);
+    const ObjectVector normal =
+        own ? moved_normal(*this, generator->generate({u, v}, object_emit), *own, object_emit)
+            : cross(along_u, along_v);
 
     const ParameterPoint parameters = parameters_of(*this, picture, emit);
     const std::array free{expr::Substitution{u, parameters.u}, expr::Substitution{v, parameters.v}};
-    const std::array made{p.x,       p.y,       p.z,       along_u.x, along_u.y,
-                          along_u.z, along_v.x, along_v.y, along_v.z, object_emit.valid()};
+    const std::array made{
+        p.x,       p.y,       p.z,      along_u.x, along_u.y, along_u.z,          along_v.x,
+        along_v.y, along_v.z, normal.x, normal.y,  normal.z,  object_emit.valid()};
     const std::vector<Expr> put = expr::substitute(graph, made, free);
-    emit.require(put[9]);
+    emit.require(put.back());
 
     const Expr zero = graph.constant(0.0);
     return {{put[0], put[1], put[2]},
             {put[3], put[4], put[5]},
             {put[6], put[7], put[8]},
+            {put[9], put[10], put[11]},
             moved(*this, {zero, zero, zero}, emit),
-            parameters};
+            parameters,
+            picture.size};
 }
 
 }  // namespace balcony::camera

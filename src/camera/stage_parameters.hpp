@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "balcony/camera.hpp"
+#include "balcony/catalogue.hpp"
 
 namespace balcony::camera {
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "balcony/catalogue.hpp"
 #include "balcony/lang.hpp"
 #include "cli/command.hpp"
 #include "cli/json.hpp"
@@ -30,12 +31,20 @@ std::string type_text(const StageParameter& parameter) {
     const char* unit = parameter.unit == camera::Unit::angle ? "angle" : "number";
     switch (parameter.type) {
         case ParameterType::number: return unit;
+        case ParameterType::count: return "whole number";
         case ParameterType::pair: return "(a, b)";
         case ParameterType::size: return "number or (a, b)";
         case ParameterType::triple: return "(a, b, c)";
         case ParameterType::axis: return "x, y, z or (a, b, c)";
         case ParameterType::choice: return fmt::format("{}", fmt::join(parameter.choices, " | "));
+        case ParameterType::points: return "points or \"table.csv\"";
         case ParameterType::curve: return "curve";
+        case ParameterType::stage: return std::string(camera::name_of(parameter.stage_kind));
+        case ParameterType::stages:
+            return fmt::format("{}s", camera::name_of(parameter.stage_kind));
+        case ParameterType::formula: return "formula";
+        case ParameterType::image: return "\"image.png\"";
+        case ParameterType::mesh: return "\"mesh.obj\"";
     }
     return {};
 }

@@ -17,9 +17,19 @@ double evaluate_node(const Graph& graph, const Node& node, const Point& point,
         case Op::variable:
             assert(node.detail < point.variables.size());
             return point.variables[node.detail];
-        case Op::lookup: return (*graph.table(TableId(node.detail)))(arguments[0]);
-        default: return operation(node.op).scalar(arguments);
+        default: break;
     }
+    if (is_lookup(node.op)) {
+        const Table& table = *graph.table(TableId(node.detail));
+        return table(std::span(arguments, table.axes.size()));
+    }
+    if (is_native(node.op)) {
+        const std::array<const double*, 3> batch{arguments, arguments + 1, arguments + 2};
+        double result = 0.0;
+        graph.native(NativeId(node.detail))->evaluate(1, batch.data(), &result);
+        return result;
+    }
+    return operation(node.op).scalar(arguments);
 }
 
 }  // namespace

@@ -91,37 +91,104 @@ Expr Graph::variable(std::uint32_t number) {
 
 Expr Graph::fresh_variable() { return variable(variables_); }
 
-Expr Graph::lookup(std::shared_ptr<const Table> table, Expr x) {
-    if (x.is_constant()) {
-        return constant((*table)(x.node().value));
+namespace {
+
+// The place of a shared value in a list, added if it is not there.
+template <class Value>
+std::size_t place_in(std::vector<std::shared_ptr<const Value>>& list,
+                     std::shared_ptr<const Value> value) {
+    const auto known = std::find(list.begin(), list.end(), value);
+    const auto place = static_cast<std::size_t>(known - list.begin());
+    if (known == list.end()) {
+        list.push_back(std::move(value));
     }
-    TableId id(tables_.size());
-    for (std::size_t i = 0; i < tables_.size(); ++i) {
-        if (tables_[i] == table) {
-            id = TableId(i);
+    return place;
+}
+
+// If all arguments are constant, their values.
+bool constants_of(std::span<const Expr> arguments, std::array<double, 3>& values) {
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        if (!arguments[i].is_constant()) {
+            return false;
         }
+        values[i] = arguments[i].node().value;
     }
-    if (id.value() == tables_.size()) {
-        tables_.push_back(std::move(table));
-        derivative_tables_.emplace_back();
+    return true;
+}
+
+Op with_arguments(Op one, std::size_t count) {
+    return static_cast<Op>(static_cast<std::size_t>(one) + count - 1);
+}
+
+}  // namespace
+
+Expr Graph::lookup(std::shared_ptr<const Table> table, std::span<const Expr> at) {
+    assert(!at.empty() && at.size() == table->axes.size());
+    std::array<double, 3> values{};
+    if (constants_of(at, values)) {
+        return constant((*table)(std::span(values).first(at.size())));
     }
     Node node;
-    node.op = Op::lookup;
-    node.arguments[0] = x.id();
-    node.detail = id.value();
+    node.op = with_arguments(Op::lookup, at.size());
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        node.arguments[i] = at[i].id();
+    }
+    node.detail = TableId(place_in(tables_, std::move(table))).value();
+    derivative_tables_.resize(tables_.size());
     return intern(node);
 }
 
-std::shared_ptr<const Table> Graph::derivative_table(TableId id) {
-    std::shared_ptr<const Table>& made = derivative_tables_[id.value()];
+Expr Graph::lookup(std::shared_ptr<const Table> table, Expr x) {
+    return lookup(std::move(table), std::span(&x, 1));
+}
+
+Expr Graph::native(std::shared_ptr<const Native> function, std::span<const Expr> at) {
+    assert(!at.empty() && at.size() == function->arity() && at.size() <= 3);
+    std::array<double, 3> values{};
+    if (constants_of(at, values)) {
+        const std::array<const double*, 3> arguments{&values[0], &values[1], &values[2]};
+        double result = 0.0;
+        function->evaluate(1, arguments.data(), &result);
+        return constant(result);
+    }
+    Node node;
+    node.op = with_arguments(Op::native, at.size());
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        node.arguments[i] = at[i].id();
+    }
+    node.detail = NativeId(place_in(natives_, std::move(function))).value();
+    return intern(node);
+}
+
+std::shared_ptr<const Table> Graph::derivative_table(TableId id, std::size_t axis) {
+    std::shared_ptr<const Table>& made = derivative_tables_[id.value()][axis];
     if (!made) {
-        made = std::make_shared<const Table>(tables_[id.value()]->derivative());
+        made = std::make_shared<const Table>(tables_[id.value()]->derivative(axis));
     }
     return made;
 }
 
+Expr Graph::remake(const Graph& source, const Node& node, std::span<const Expr> arguments) {
+    switch (node.op) {
+        case Op::constant: return constant(node.value);
+        case Op::picture_x: return picture_x();
+        case Op::picture_y: return picture_y();
+        case Op::time: return time();
+        case Op::variable: return variable(node.detail);
+        default: break;
+    }
+    if (is_lookup(node.op)) {
+        return lookup(source.table(TableId(node.detail)), arguments);
+    }
+    if (is_native(node.op)) {
+        return native(source.native(NativeId(node.detail)), arguments);
+    }
+    return apply(node.op, arguments);
+}
+
 Expr Graph::apply(Op op, std::span<const Expr> arguments) {
-    assert(operation(op).scalar != nullptr && "leaves and look-ups have functions of their own");
+    assert(operation(op).scalar != nullptr &&
+           "leaves, look-ups and natives have functions of their own");
     assert(static_cast<int>(arguments.size()) == operation(op).arity);
     if (const Expr simpler = apply_local_rules(*this, op, arguments); simpler.valid()) {
         return simpler;

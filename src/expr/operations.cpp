@@ -21,6 +21,33 @@ double truth(bool condition) { return condition ? 1.0 : 0.0; }
 constexpr double exact = 0.0;
 constexpr double two_libraries = 2.0;
 
+Expr derivative_of_lookup(Expr f, Arguments a, Arguments da) {
+    Graph& graph = f.graph();
+    const TableId id(f.node().detail);
+    Expr sum = graph.constant(0.0);
+    for (std::size_t axis = 0; axis < a.size(); ++axis) {
+        const bool varies = graph.table(id)->axes[axis].degree > 0;
+        if (varies && !da[axis].is_constant(0.0)) {
+            sum = sum + graph.lookup(graph.derivative_table(id, axis), a) * da[axis];
+        }
+    }
+    return sum;
+}
+
+Expr derivative_of_native(Expr f, Arguments a, Arguments da) {
+    Graph& graph = f.graph();
+    const NativeId id(f.node().detail);
+    Expr sum = graph.constant(0.0);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::shared_ptr<const Native> slope =
+            da[i].is_constant(0.0) ? nullptr : graph.native(id)->derivative(i);
+        if (slope) {
+            sum = sum + graph.native(std::move(slope), a) * da[i];
+        }
+    }
+    return sum;
+}
+
 const std::array<Operation, operation_count> table{{
     {Op::constant, "constant", "", 0, false, false, exact, nullptr, nullptr, "a number"},
     {Op::picture_x, "picture_x", "", 0, false, false, exact, nullptr, nullptr,
@@ -151,13 +178,18 @@ const std::array<Operation, operation_count> table{{
      [](Expr, Arguments a, Arguments da) { return select(a[0], da[1], da[2]); },
      "b where a holds, else c"},
 
-    {Op::lookup, "lookup", "", 1, false, false, exact, nullptr,
-     [](Expr f, Arguments a, Arguments da) {
-         Graph& graph = f.graph();
-         const TableId table_id(f.node().detail);
-         return graph.lookup(graph.derivative_table(table_id), a[0]) * da[0];
-     },
+    {Op::lookup, "lookup", "", 1, false, false, exact, nullptr, derivative_of_lookup,
      "value of a tabulated function"},
+    {Op::lookup_2, "lookup_of_2", "", 2, false, false, exact, nullptr, derivative_of_lookup,
+     "value of a tabulated function of two variables"},
+    {Op::lookup_3, "lookup_of_3", "", 3, false, false, exact, nullptr, derivative_of_lookup,
+     "value of a tabulated function of three variables"},
+    {Op::native, "native", "", 1, false, false, exact, nullptr, derivative_of_native,
+     "value of a native function"},
+    {Op::native_2, "native_of_2", "", 2, false, false, exact, nullptr, derivative_of_native,
+     "value of a native function of two variables"},
+    {Op::native_3, "native_of_3", "", 3, false, false, exact, nullptr, derivative_of_native,
+     "value of a native function of three variables"},
 }};
 
 }  // namespace

@@ -73,10 +73,9 @@ Text print_node(const Node& node, std::span<const Text> arguments) {
                                                                : arguments[1].binding <= binding)),
                 binding};
     }
-    std::string call(row.name);
-    if (node.op == Op::lookup) {
-        call += fmt::format("_{}", node.detail);
-    }
+    std::string call = is_lookup(node.op)   ? fmt::format("lookup_{}", node.detail)
+                       : is_native(node.op) ? fmt::format("native_{}", node.detail)
+                                            : std::string(row.name);
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         call += (i == 0 ? "(" : ", ") + arguments[i].text;
     }

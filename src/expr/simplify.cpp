@@ -59,16 +59,11 @@ private:
             case Op::negate: return rewrite_multiple(id, node.arguments[0], -1.0);
             case Op::multiply: return rewrite_product(id, node);
             case Op::divide: return rewrite_quotient(id, node);
-            case Op::lookup:
-                return graph_.lookup(graph_.table(TableId(node.detail)), made(node.arguments[0]));
-            default: return rewrite_call(id, node);
+            default: return rewrite_call(node);
         }
     }
 
-    Expr rewrite_call(NodeId id, const Node& node) {
-        if (operation(node.op).arity == 0) {
-            return {graph_, id};
-        }
+    Expr rewrite_call(const Node& node) {
         std::array<Expr, 3> arguments;
         std::size_t arity = 0;
         for (const NodeId argument : node.arguments) {
@@ -76,7 +71,7 @@ private:
                 arguments[arity++] = made(argument);
             }
         }
-        return graph_.apply(node.op, std::span(arguments).first(arity));
+        return graph_.remake(graph_, node, std::span(arguments).first(arity));
     }
 
     // A sum may dissolve the sums it is made of: one that nothing else needs always, a shared one

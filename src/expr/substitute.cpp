@@ -5,24 +5,6 @@
 
 namespace balcony::expr {
 
-namespace {
-
-// A node of `source` made anew in `target` on arguments that are there already.
-Expr rebuild(Graph& target, const Graph& source, const Node& node,
-             std::span<const Expr> arguments) {
-    switch (node.op) {
-        case Op::constant: return target.constant(node.value);
-        case Op::picture_x: return target.picture_x();
-        case Op::picture_y: return target.picture_y();
-        case Op::time: return target.time();
-        case Op::variable: return target.variable(node.detail);
-        case Op::lookup: return target.lookup(source.table(TableId(node.detail)), arguments[0]);
-        default: return target.apply(node.op, arguments);
-    }
-}
-
-}  // namespace
-
 std::vector<Expr> substitute(Graph& target, std::span<const Expr> expressions,
                              std::span<const Substitution> substitutions) {
     if (expressions.empty()) {
@@ -48,7 +30,7 @@ std::vector<Expr> substitute(Graph& target, std::span<const Expr> expressions,
                 arguments[arity++] = made[argument.value()];
             }
         }
-        made[id.value()] = rebuild(target, source, node, std::span(arguments).first(arity));
+        made[id.value()] = target.remake(source, node, std::span(arguments).first(arity));
     }
     std::vector<Expr> result;
     result.reserve(expressions.size());

@@ -8,23 +8,74 @@
 
 namespace balcony::expr {
 
-double Table::operator()(double x) const {
-    const auto count = static_cast<double>(cells.size());
-    const double position = (x - first) * (count / (last - first));
-    // Written so that a NaN takes cell 0 and stays a NaN through s.
-    const double floored = std::floor(position);
-    const double cell = floored > 0.0 ? std::min(floored, count - 1.0) : 0.0;
-    const double s = position - cell;
-    const auto& c = cells[static_cast<std::size_t>(cell)];
-    return ((c[3] * s + c[2]) * s + c[1]) * s + c[0];
+namespace {
+
+std::size_t coefficients_in_cell(std::span<const Table::Axis> axes) {
+    std::size_t count = 1;
+    for (const Table::Axis& axis : axes) {
+        count *= axis.degree + 1;
+    }
+    return count;
 }
 
-Table Table::derivative() const {
-    const double scale = static_cast<double>(cells.size()) / (last - first);
-    Table slopes{first, last, {}};
-    slopes.cells.reserve(cells.size());
-    for (const auto& c : cells) {
-        slopes.cells.push_back({c[1] * scale, 2.0 * c[2] * scale, 3.0 * c[3] * scale, 0.0});
+}  // namespace
+
+double Table::operator()(std::span<const double> at) const {
+    assert(at.size() == axes.size());
+    std::size_t cell_number = 0;
+    std::array<double, most_axes> s{};
+    std::array<std::size_t, most_axes> degree{};
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        const auto count = static_cast<double>(axes[i].cells);
+        const double position = (at[i] - axes[i].first) * (count / (axes[i].last - axes[i].first));
+        // Written so that a NaN takes cell 0 and stays a NaN through s.
+        const double floored = std::floor(position);
+        const double cell = floored > 0.0 ? std::min(floored, count - 1.0) : 0.0;
+        s[i] = position - cell;
+        degree[i] = axes[i].degree;
+        cell_number = cell_number * axes[i].cells + static_cast<std::size_t>(cell);
+    }
+    // Horner's rule along each axis; axes that are not there have degree 0.
+    const double* c = coefficients.data() + cell_number * coefficients_in_cell(axes);
+    const auto along_2 = [&](const double* row) {
+        double value = row[degree[2]];
+        for (std::size_t k = degree[2]; k-- > 0;) {
+            value = value * s[2] + row[k];
+        }
+        return value;
+    };
+    const auto along_1 = [&](const double* plane) {
+        const std::size_t step = degree[2] + 1;
+        double value = along_2(plane + degree[1] * step);
+        for (std::size_t j = degree[1]; j-- > 0;) {
+            value = value * s[1] + along_2(plane + j * step);
+        }
+        return value;
+    };
+    const std::size_t step = (degree[1] + 1) * (degree[2] + 1);
+    double value = along_1(c + degree[0] * step);
+    for (std::size_t i = degree[0]; i-- > 0;) {
+        value = value * s[0] + along_1(c + i * step);
+    }
+    return value;
+}
+
+Table Table::derivative(std::size_t axis) const {
+    const Axis& by = axes[axis];
+    Table slopes{axes, {}};
+    slopes.axes[axis].degree = by.degree == 0 ? 0 : by.degree - 1;
+    const double scale = static_cast<double>(by.cells) / (by.last - by.first);
+    // The coefficients are a list of blocks, each holding the powers of this axis one after
+    // another, each power a run over the axes behind it.
+    const std::size_t run = coefficients_in_cell(std::span(axes).subspan(axis + 1));
+    const std::size_t block = (by.degree + 1) * run;
+    for (std::size_t begin = 0; begin < coefficients.size(); begin += block) {
+        for (std::size_t power = by.degree == 0 ? 0 : 1; power <= by.degree; ++power) {
+            const double factor = static_cast<double>(power) * scale;
+            for (std::size_t i = 0; i < run; ++i) {
+                slopes.coefficients.push_back(factor * coefficients[begin + power * run + i]);
+            }
+        }
     }
     return slopes;
 }
@@ -32,15 +83,16 @@ Table Table::derivative() const {
 Table hermite_table(double first, double last, std::span<const double> values,
                     std::span<const double> slopes) {
     assert(values.size() >= 2 && values.size() == slopes.size());
-    Table table{first, last, {}};
     const std::size_t count = values.size() - 1;
+    Table table{{{first, last, count, 3}}, {}};
     const double width = (last - first) / static_cast<double>(count);
-    table.cells.reserve(count);
+    table.coefficients.reserve(4 * count);
     for (std::size_t i = 0; i < count; ++i) {
         const double rise = values[i + 1] - values[i];
         const double m0 = slopes[i] * width;
         const double m1 = slopes[i + 1] * width;
-        table.cells.push_back({values[i], m0, 3.0 * rise - 2.0 * m0 - m1, m0 + m1 - 2.0 * rise});
+        const std::array cell{values[i], m0, 3.0 * rise - 2.0 * m0 - m1, m0 + m1 - 2.0 * rise};
+        table.coefficients.insert(table.coefficients.end(), cell.begin(), cell.end());
     }
     return table;
 }

@@ -301,12 +301,13 @@ private:
             error(span, "this direction rule needs a direction object",
                   "add one with toward, such as toward sphere(10)");
         }
-        if (parts.look->needs_eye_surface() && parts.eye.generator &&
-            parts.eye.generator->dimension() < 2) {
+        const int least = parts.look->least_eye_dimension();
+        if (parts.eye.generator && parts.eye.generator->dimension() < least) {
             error(span,
-                  fmt::format("rays along the normals need a surface, but the eye object is a {}",
+                  fmt::format("this direction rule needs a {}, but the eye object is a {}",
+                              least == 2 ? "surface" : "curve or a surface",
                               parts.eye.generator->dimension() == 0 ? "point" : "curve"),
-                  "add a direction object with toward, or make the eye object a surface");
+                  "add a direction object with toward, or take another eye object");
         }
     }
 

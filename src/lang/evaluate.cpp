@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "balcony/camera.hpp"
+#include "balcony/catalogue.hpp"
 
 namespace balcony::lang {
 

@@ -28,6 +28,7 @@ std::string_view statement_for(StageKind kind) {
         case StageKind::object_generator: return "eye', 'toward' and 'object";
         case StageKind::object_transformer: return "move";
         case StageKind::direction_rule: return "look";
+        case StageKind::clip_shape: return "clip";
     }
     return {};
 }

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "balcony/camera.hpp"
+#include "balcony/catalogue.hpp"
 #include "lang/scope.hpp"
 
 namespace balcony::lang {

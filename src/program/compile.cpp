@@ -209,6 +209,7 @@ private:
 
     void emit() {
         collect_tables();
+        collect_natives();
         for (const NodeId id : order_) {
             const Node& node = graph_[id];
             if (node.op == Op::constant) {
@@ -244,8 +245,10 @@ private:
             }
         }
         made.scalar = expr::operation(node.op).scalar;
-        if (node.op == Op::lookup) {
+        if (expr::is_lookup(node.op)) {
             made.table = &tape_->table_views[table_numbers_.at(node.detail)];
+        } else if (expr::is_native(node.op)) {
+            made.native = &tape_->native_calls[native_numbers_.at(node.detail)];
         }
         return made;
     }
@@ -253,16 +256,52 @@ private:
     void collect_tables() {
         for (const NodeId id : order_) {
             const Node& node = graph_[id];
-            if (node.op != Op::lookup ||
+            if (!expr::is_lookup(node.op) ||
                 !table_numbers_.emplace(node.detail, tape_->tables.size()).second) {
                 continue;
             }
             const std::shared_ptr<const expr::Table>& table =
                 graph_.table(expr::TableId(node.detail));
-            const auto count = static_cast<double>(table->cells.size());
             tape_->tables.push_back(table);
-            tape_->table_views.push_back({table->first, count / (table->last - table->first),
-                                          count - 1.0, table->cells.front().data()});
+            tape_->table_views.push_back(view_of(*table));
+        }
+    }
+
+    static TableView view_of(const expr::Table& table) {
+        TableView view;
+        view.coefficients = table.coefficients.data();
+        std::size_t power_stride = 1;
+        for (std::size_t i = table.axes.size(); i-- > 0;) {
+            const expr::Table::Axis& axis = table.axes[i];
+            const auto count = static_cast<double>(axis.cells);
+            view.axes[i] = {axis.first,   count / (axis.last - axis.first),
+                            count - 1.0,  0.0,
+                            power_stride, axis.degree};
+            power_stride *= axis.degree + 1;
+        }
+        auto cell_stride = static_cast<double>(power_stride);
+        for (std::size_t i = table.axes.size(); i-- > 0;) {
+            view.axes[i].cell_stride = cell_stride;
+            cell_stride *= static_cast<double>(table.axes[i].cells);
+        }
+        return view;
+    }
+
+    void collect_natives() {
+        const auto evaluate = [](const void* function, std::size_t count,
+                                 const double* const* arguments, double* results) {
+            static_cast<const expr::Native*>(function)->evaluate(count, arguments, results);
+        };
+        for (const NodeId id : order_) {
+            const Node& node = graph_[id];
+            if (!expr::is_native(node.op) ||
+                !native_numbers_.emplace(node.detail, tape_->natives.size()).second) {
+                continue;
+            }
+            const std::shared_ptr<const expr::Native>& native =
+                graph_.native(expr::NativeId(node.detail));
+            tape_->natives.push_back(native);
+            tape_->native_calls.push_back({native.get(), evaluate, native->arity()});
         }
     }
 
@@ -274,6 +313,7 @@ private:
     std::array<std::uint32_t, 4> base_{};
     std::uint32_t replicas_ = 0;
     std::unordered_map<std::uint32_t, std::size_t> table_numbers_;
+    std::unordered_map<std::uint32_t, std::size_t> native_numbers_;
     std::shared_ptr<Tape> tape_ = std::make_shared<Tape>();
 };
 

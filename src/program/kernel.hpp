@@ -16,12 +16,26 @@ namespace balcony::program {
 /// value that does not vary along a run of points is stored this many times.
 inline constexpr std::size_t register_alignment = 8;
 
-/// A table as the look-up kernel reads it; owned by the tape.
+/// A table as the look-up kernels read it; owned by the tape. Axes that it has not have degree 0.
 struct TableView {
-    double first;
-    double scale;      ///< Cells per unit of x.
-    double last_cell;  ///< The index of the last cell.
-    const double* cells;
+    struct Axis {
+        double first = 0.0;
+        double scale = 1.0;            ///< Cells per unit of the argument.
+        double last_cell = 0.0;        ///< The index of the last cell.
+        double cell_stride = 0.0;      ///< Coefficients from one cell to the next.
+        std::size_t power_stride = 0;  ///< Coefficients from one power to the next.
+        std::size_t degree = 0;
+    };
+    Axis axes[3];
+    const double* coefficients = nullptr;
+};
+
+/// Calls a native function for a run of points; owned by the tape.
+struct NativeCall {
+    const void* function = nullptr;
+    void (*evaluate)(const void* function, std::size_t count, const double* const* arguments,
+                     double* results) = nullptr;
+    std::size_t arity = 0;
 };
 
 /// Where an argument stands. Point i of it is at offset + (i & mask): the mask is all ones for a
@@ -38,6 +52,7 @@ struct Instruction {
     Operand arguments[3];
     double (*scalar)(const double* arguments) = nullptr;  ///< The operation's definition.
     const TableView* table = nullptr;                     ///< Of a look-up.
+    const NativeCall* native = nullptr;                   ///< Of a native function.
 };
 
 /// Runs one instruction over `count` points, a multiple of register_alignment. The results go to

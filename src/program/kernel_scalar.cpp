@@ -1,6 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
 #include <cmath>
 
 #include "program/kernel.hpp"
@@ -20,27 +21,67 @@ void by_definition(const Instruction& in, const double* registers, double* to, s
     }
 }
 
+// Horner's rule along an axis and those behind it; the last one's coefficients are numbers.
+double horner(const TableView& table, const double* c, const double* s, std::size_t axis) {
+    if (axis == 3) {
+        return *c;
+    }
+    const TableView::Axis& along = table.axes[axis];
+    double value = horner(table, c + along.degree * along.power_stride, s, axis + 1);
+    for (std::size_t power = along.degree; power-- > 0;) {
+        value = value * s[axis] + horner(table, c + power * along.power_stride, s, axis + 1);
+    }
+    return value;
+}
+
 // The steps of expr::Table.
 void lookup(const Instruction& in, const double* registers, double* to, std::size_t count) {
     const TableView& table = *in.table;
-    const Operand& operand = in.arguments[0];
     for (std::size_t i = 0; i < count; ++i) {
-        const double x = registers[operand.offset + (i & operand.mask)];
-        const double position = (x - table.first) * table.scale;
-        const double floored = std::floor(position);
-        const double within = table.last_cell < floored ? table.last_cell : floored;
-        const double cell = floored > 0.0 ? within : 0.0;
-        const double s = position - cell;
-        const double* c = table.cells + 4 * static_cast<std::size_t>(cell);
-        to[i] = ((c[3] * s + c[2]) * s + c[1]) * s + c[0];
+        double s[3]{};
+        double start = 0.0;
+        for (std::size_t k = 0; k < 3 && table.axes[k].cell_stride > 0.0; ++k) {
+            const TableView::Axis& axis = table.axes[k];
+            const Operand& operand = in.arguments[k];
+            const double x = registers[operand.offset + (i & operand.mask)];
+            const double position = (x - axis.first) * axis.scale;
+            const double floored = std::floor(position);
+            const double within = axis.last_cell < floored ? axis.last_cell : floored;
+            const double cell = floored > 0.0 ? within : 0.0;
+            s[k] = position - cell;
+            start += cell * axis.cell_stride;
+        }
+        to[i] = horner(table, table.coefficients + static_cast<std::size_t>(start), s, 0);
+    }
+}
+
+// For a native function; arguments that do not vary along the run are repeated for it.
+void native(const Instruction& in, const double* registers, double* to, std::size_t count) {
+    constexpr std::size_t batch = 64;
+    double repeated[3][batch];
+    for (std::size_t begin = 0; begin < count; begin += batch) {
+        const std::size_t points = std::min(batch, count - begin);
+        const double* arguments[3]{};
+        for (std::size_t k = 0; k < in.native->arity; ++k) {
+            const Operand& operand = in.arguments[k];
+            arguments[k] = registers + operand.offset + begin;
+            if (operand.mask == 0) {
+                std::fill_n(repeated[k], points, registers[operand.offset]);
+                arguments[k] = repeated[k];
+            }
+        }
+        in.native->evaluate(in.native->function, points, arguments, to + begin);
     }
 }
 
 }  // namespace
 
 Kernel kernel_scalar(expr::Op op) {
-    if (op == expr::Op::lookup) {
+    if (expr::is_lookup(op)) {
         return lookup;
+    }
+    if (expr::is_native(op)) {
+        return native;
     }
     return expr::operation(op).scalar != nullptr ? by_definition : nullptr;
 }

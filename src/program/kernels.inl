@@ -157,28 +157,56 @@ void select(const Instruction& in, const double* registers, double* to, std::siz
     }
 }
 
+// Horner's rule along an axis and those behind it, on coefficients gathered from each lane's cell.
+template <class Index>
+inline Vector horner_last(const TableView::Axis& axis, const double* c, Index start, Vector s) {
+    Vector value = lanes::GatherIndex(tag, c + axis.degree, start);
+    for (std::size_t power = axis.degree; power-- > 0;) {
+        value = lanes::Add(lanes::Mul(value, s), lanes::GatherIndex(tag, c + power, start));
+    }
+    return value;
+}
+
+template <int from, int count, class Index>
+inline Vector horner(const TableView& table, const double* c, Index start, const Vector* s) {
+    const TableView::Axis& axis = table.axes[from];
+    if constexpr (from + 1 == count) {
+        return horner_last(axis, c, start, s[from]);
+    } else {
+        Vector value =
+            horner<from + 1, count>(table, c + axis.degree * axis.power_stride, start, s);
+        for (std::size_t power = axis.degree; power-- > 0;) {
+            value =
+                lanes::Add(lanes::Mul(value, s[from]),
+                           horner<from + 1, count>(table, c + power * axis.power_stride, start, s));
+        }
+        return value;
+    }
+}
+
 // The steps of expr::Table, so that no cell outside the table is read and a NaN stays one.
+template <int count_of_axes>
 void lookup(const Instruction& in, const double* registers, double* to, std::size_t count) {
     using IndexTag = lanes::RebindToSigned<Tag>;
     const TableView table = *in.table;
-    const Varying first{argument(in, 0, registers).from};
     const Vector zero = lanes::Zero(tag);
     for (std::size_t i = 0; i < count; i += lanes::Lanes(tag)) {
-        const Vector x = first(i);
-        const Vector position =
-            lanes::Mul(lanes::Sub(x, lanes::Set(tag, table.first)), lanes::Set(tag, table.scale));
-        const Vector floored = lanes::Floor(position);
-        const Vector last = lanes::Set(tag, table.last_cell);
-        const Vector within = lanes::IfThenElse(lanes::Lt(last, floored), last, floored);
-        const Vector cell = lanes::IfThenElse(lanes::Gt(floored, zero), within, zero);
-        const Vector s = lanes::Sub(position, cell);
-        const auto start = lanes::ShiftLeft<2>(lanes::ConvertTo(IndexTag(), cell));
-        Vector value = lanes::GatherIndex(tag, table.cells + 3, start);
-        for (int power = 2; power >= 0; --power) {
-            const Vector c = lanes::GatherIndex(tag, table.cells + power, start);
-            value = lanes::Add(lanes::Mul(value, s), c);
+        Vector s[count_of_axes];
+        Vector start = zero;
+        for (std::size_t k = 0; k < count_of_axes; ++k) {
+            const TableView::Axis& axis = table.axes[k];
+            const Vector x = argument(in, k, registers)(i);
+            const Vector position =
+                lanes::Mul(lanes::Sub(x, lanes::Set(tag, axis.first)), lanes::Set(tag, axis.scale));
+            const Vector floored = lanes::Floor(position);
+            const Vector last = lanes::Set(tag, axis.last_cell);
+            const Vector within = lanes::IfThenElse(lanes::Lt(last, floored), last, floored);
+            const Vector cell = lanes::IfThenElse(lanes::Gt(floored, zero), within, zero);
+            s[k] = lanes::Sub(position, cell);
+            start = lanes::Add(start, lanes::Mul(cell, lanes::Set(tag, axis.cell_stride)));
         }
-        lanes::StoreU(value, tag, to + i);
+        const auto index = lanes::ConvertTo(IndexTag(), start);
+        lanes::StoreU(horner<0, count_of_axes>(table, table.coefficients, index, s), tag, to + i);
     }
 }
 
@@ -243,7 +271,12 @@ Kernel BALCONY_KERNEL(expr::Op op) {
         case Op::is_finite: return unary<[](V a) { return truth(lanes::IsFinite(a)); }>;
         case Op::select: return select;
 
-        case Op::lookup: return lookup;
+        case Op::lookup: return lookup<1>;
+        case Op::lookup_2: return lookup<2>;
+        case Op::lookup_3: return lookup<3>;
+        case Op::native:
+        case Op::native_2:
+        case Op::native_3: return kernel_scalar(op);
     }
     return nullptr;
 }

@@ -14,10 +14,14 @@ void run_section(const Tape& tape, Rate rate, std::vector<double>& registers) {
         for (std::size_t i = 0; i < arguments.size(); ++i) {
             arguments[i] = registers[instruction.arguments[i].offset];
         }
-        if (instruction.op == expr::Op::lookup) {
+        if (expr::is_lookup(instruction.op)) {
             const auto number = instruction.table - tape.table_views.data();
             const expr::Table& table = *tape.tables[static_cast<std::size_t>(number)];
-            registers[instruction.result] = table(arguments[0]);
+            registers[instruction.result] = table(std::span(arguments).first(table.axes.size()));
+        } else if (expr::is_native(instruction.op)) {
+            const std::array<const double*, 3> batch{&arguments[0], &arguments[1], &arguments[2]};
+            instruction.native->evaluate(instruction.native->function, 1, batch.data(),
+                                         &registers[instruction.result]);
         } else {
             registers[instruction.result] = instruction.scalar(arguments.data());
         }

@@ -42,6 +42,8 @@ struct Tape {
 
     std::vector<std::shared_ptr<const expr::Table>> tables;
     std::vector<TableView> table_views;  ///< One for each table; instructions point into it.
+    std::vector<std::shared_ptr<const expr::Native>> natives;
+    std::vector<NativeCall> native_calls;  ///< One for each native; instructions point into it.
 
     [[nodiscard]] const std::vector<Instruction>& section(Rate rate) const {
         return sections[static_cast<std::size_t>(rate)];

@@ -19,15 +19,14 @@ std::string test_name(const testing::TestParamInfo<StageEntry>& row) {
 
 std::size_t numbers_in(ParameterType type) {
     switch (type) {
-        case ParameterType::number: return 1;
+        case ParameterType::number:
+        case ParameterType::count: return 1;
         case ParameterType::pair:
         case ParameterType::size: return 2;
         case ParameterType::triple:
         case ParameterType::axis: return 3;
-        case ParameterType::choice:
-        case ParameterType::curve: return 0;
+        default: return 0;
     }
-    return 0;
 }
 
 }  // namespace
@@ -82,6 +81,9 @@ TEST_P(EveryStage, CanBeMadeAndFitsItsPort) {
             break;
         case StageKind::direction_rule:
             EXPECT_NE(dynamic_cast<const DirectionRule*>(stage), nullptr);
+            break;
+        case StageKind::clip_shape:
+            EXPECT_NE(dynamic_cast<const ClipShape*>(stage), nullptr);
             break;
     }
 }

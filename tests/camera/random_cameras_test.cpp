@@ -20,7 +20,7 @@ public:
         parts.name = "random";
         parts.look =
             std::dynamic_pointer_cast<const DirectionRule>(stage(StageKind::direction_rule));
-        parts.eye = path(parts.look->needs_eye_surface());
+        parts.eye = path(parts.look->least_eye_dimension() == 2);
         if (parts.look->needs_direction_object()) {
             parts.toward = path(false);
         }

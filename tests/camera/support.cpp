@@ -33,20 +33,44 @@ Arguments::Value numbers(std::vector<double> values) {
 
 namespace {
 
-Arguments::Value default_of(const StageParameter& parameter) {
-    if (!parameter.default_value.empty()) {
-        return numbers(parameter.default_value);
+// As many as there must be, on a grid in their first two co-ordinates, the others small and varied.
+PointList some_points(const StageParameter& parameter) {
+    PointList points{parameter.coordinates.front(), {}};
+    for (std::size_t i = 0; i < parameter.points_least; ++i) {
+        for (std::size_t k = 0; k < points.coordinates; ++k) {
+            const double place = static_cast<double>(k == 0 ? i % 4 : k == 1 ? i / 4 : 0);
+            points.values.push_back(place + 0.1 * std::sin(static_cast<double>(7 * i + 3 * k)));
+        }
     }
-    switch (parameter.type) {
-        case ParameterType::number: return numbers({0.7});
-        case ParameterType::pair:
-        case ParameterType::size: return numbers({0.6, 0.4});
-        case ParameterType::triple: return numbers({0.6, 0.4, 0.3});
-        case ParameterType::axis: return numbers({0.0, 0.6, 0.8});
-        case ParameterType::choice: return std::string(parameter.choices.front());
-        case ParameterType::curve: return object("circle");
+    return points;
+}
+
+// A stage of a kind that changes nothing much.
+Arguments::StagePointer some_stage(StageKind kind) {
+    switch (kind) {
+        case StageKind::picture_arranger: return *try_stage(kind, "place", {});
+        case StageKind::picture_mapper: return *try_stage(kind, "range", {});
+        case StageKind::parameter_transformer:
+        case StageKind::object_transformer: return *try_stage(kind, "scale", {});
+        case StageKind::object_generator: return object("sphere");
+        case StageKind::direction_rule: return *try_stage(kind, "normal", {});
+        case StageKind::clip_shape: return *try_stage(kind, "ellipse", {});
     }
-    return {};
+    return nullptr;
+}
+
+std::shared_ptr<const GreyImage> some_image() {
+    return std::make_shared<const GreyImage>(
+        GreyImage{4, 2, {0.0F, 0.25F, 0.5F, 1.0F, 1.0F, 0.75F, 0.5F, 0.0F}});
+}
+
+// Two triangles over the unit square of texture co-ordinates, bent along its diagonal.
+std::shared_ptr<const TexturedMesh> some_mesh() {
+    const TexturedMesh::Corner a{{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, {0.0, 0.0}};
+    const TexturedMesh::Corner b{{2.0, 0.0, 0.0}, {0.0, 0.6, 0.8}, {1.0, 0.0}};
+    const TexturedMesh::Corner c{{2.0, 2.0, 1.0}, {0.0, 0.0, 1.0}, {1.0, 1.0}};
+    const TexturedMesh::Corner d{{0.0, 2.0, 0.0}, {0.6, 0.0, 0.8}, {0.0, 1.0}};
+    return std::make_shared<const TexturedMesh>(TexturedMesh{{{a, b, c}, {a, c, d}}});
 }
 
 // Curved in every parameter, and of full rank.
@@ -59,6 +83,29 @@ Formula some_formula(const FormulaShape& shape) {
         }
         return results;
     });
+}
+
+Arguments::Value default_of(const StageParameter& parameter) {
+    if (!parameter.default_value.empty()) {
+        return numbers(parameter.default_value);
+    }
+    switch (parameter.type) {
+        case ParameterType::number: return numbers({0.7});
+        case ParameterType::pair:
+        case ParameterType::size: return numbers({0.6, 0.4});
+        case ParameterType::triple: return numbers({0.6, 0.4, 0.3});
+        case ParameterType::axis: return numbers({0.0, 0.6, 0.8});
+        case ParameterType::choice: return std::string(parameter.choices.front());
+        case ParameterType::count: return numbers({2.0});
+        case ParameterType::curve: return object("circle");
+        case ParameterType::points: return some_points(parameter);
+        case ParameterType::stage: return some_stage(parameter.stage_kind);
+        case ParameterType::stages: return std::vector{some_stage(parameter.stage_kind)};
+        case ParameterType::formula: return some_formula(parameter.shape);
+        case ParameterType::image: return some_image();
+        case ParameterType::mesh: return some_mesh();
+    }
+    return {};
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ TEST(Table, IsExactOnCubicsInsideAndBeyondItsEnds) {
         const double first = range(random);
         const double last = first + 0.5 + std::fabs(range(random));
         const Table table = tabulated(c, first, last, 1 + static_cast<std::size_t>(i) % 9);
-        const Table slopes = table.derivative();
+        const Table slopes = table.derivative(0);
         for (int k = -5; k <= 25; ++k) {
             // Up to a quarter of the range beyond: the end cells go on.
             const double x = first + (last - first) * k / 20.0;
@@ -58,7 +58,7 @@ TEST(Table, TakesTheGivenValuesAndSlopesAtItsKnots) {
     const std::array values{1.0, -2.0, 4.0, 0.5};
     const std::array slopes{0.0, 3.0, -1.0, 2.0};
     const Table table = hermite_table(0.0, 6.0, values, slopes);
-    const Table derivative = table.derivative();
+    const Table derivative = table.derivative(0);
     for (std::size_t i = 0; i < 4; ++i) {
         const double x = 2.0 * static_cast<double>(i);
         EXPECT_NEAR(table(x), values[i], 1e-14);

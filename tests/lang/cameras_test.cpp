@@ -205,7 +205,7 @@ TEST(Statements, LookDefaultsToRelativeOrNormal) {
     EXPECT_TRUE(made("map u = 0 .. 1, v = square eye point toward plane((1, 0, 0))")
                     .parts()
                     .look->needs_direction_object());
-    EXPECT_TRUE(made("map u = 0 .. 1, v = square eye plane").parts().look->needs_eye_surface());
+    EXPECT_EQ(made("map u = 0 .. 1, v = square eye plane").parts().look->least_eye_dimension(), 2);
 }
 
 TEST(Statements, AStageWithoutParenthesesTakesItsDefaults) {

@@ -113,12 +113,12 @@ std::vector<Arguments> random_arguments(std::size_t count) {
 }
 
 // Hands any list of values to a program: a table with one constant cell for each, looked up by the
-// number of the point. Its upper coefficients are -0, which adds nothing even to -0.
+// number of the point.
 Expr feed(expr::Graph& graph, const std::vector<Arguments>& arguments, std::size_t which) {
     auto table = std::make_shared<expr::Table>();
-    table->last = static_cast<double>(arguments.size());
+    table->axes = {{0.0, static_cast<double>(arguments.size()), arguments.size(), 0}};
     for (const Arguments& point : arguments) {
-        table->cells.push_back({point[which], -0.0, -0.0, -0.0});
+        table->coefficients.push_back(point[which]);
     }
     constexpr auto width = static_cast<double>(max_tile_width);
     const Expr number = graph.picture_x() + width * graph.picture_y() - 0.5 * width;

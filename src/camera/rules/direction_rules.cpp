@@ -14,9 +14,9 @@ namespace {
 class NormalRule final : public DirectionRule {
 public:
     explicit NormalRule(bool back) : back_(back) {}
-    bool needs_eye_surface() const override { return true; }
+    int least_eye_dimension() const override { return 2; }
     ObjectVector direction(const PathPoint& eye, const PathPoint*, Emitter&) const override {
-        const ObjectVector normal = cross(eye.along_u, eye.along_v);
+        const ObjectVector normal = eye.normal;
         return back_ ? -normal : normal;
     }
 

@@ -1,0 +1,186 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Catalogue: one table of makers for every stage there is. The language's checks, `balcony list`
+// and docs/stages are derived from it.
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "balcony/camera.hpp"
+
+namespace balcony::camera {
+
+enum class StageKind : std::uint8_t {
+    picture_arranger,
+    picture_mapper,
+    parameter_transformer,
+    object_generator,
+    object_transformer,
+    direction_rule,
+    clip_shape,
+};
+
+[[nodiscard]] std::string_view name_of(StageKind kind);
+
+enum class ParameterType : std::uint8_t {
+    number,   ///< One Scalar.
+    count,    ///< A whole number, constant.
+    pair,     ///< Two, written (a, b).
+    size,     ///< Two, written (a, b) or as one number for both.
+    triple,   ///< Three, written (a, b, c).
+    axis,     ///< Three, written (a, b, c) or x, y, z.
+    choice,   ///< One of some words.
+    points,   ///< A PointList, constant: [(a, b), (c, d)], [1, 2, 3] or "table.csv".
+    curve,    ///< An object generator of dimension 1.
+    stage,    ///< A stage of stage_kind.
+    stages,   ///< One or more of them; takes all arguments that are left.
+    formula,  ///< Of the parameter's name and shape: weight(u, v) = [u*v].
+    image,    ///< A GreyImage: "mask.png".
+    mesh,     ///< A TexturedMesh: "vase.obj".
+};
+
+/// What a number counts. Angles are written with deg or rad and are radians inside.
+enum class Unit : std::uint8_t {
+    number,     ///< A length in scene units, a ratio, ...: an angle here is an error.
+    angle,      ///< A plain number other than 0 here is an error.
+    parameter,  ///< Of parameter space, whose unit the object decides: both will do.
+};
+
+/// Results as a formula of parameters: name(p1, p2) = [r1, r2, r3].
+struct FormulaShape {
+    std::size_t parameters = 0;
+    std::size_t results_least = 0;
+    std::size_t results_most = 0;
+};
+
+/// Points that a stage is told, as control points or seeds; one after another in `values`.
+struct PointList {
+    std::size_t coordinates = 0;  ///< Of each point; 1 is a list of numbers.
+    std::vector<double> values{};
+
+    [[nodiscard]] std::size_t size() const {
+        return coordinates == 0 ? 0 : values.size() / coordinates;
+    }
+    [[nodiscard]] std::span<const double> operator[](std::size_t i) const {
+        return std::span(values).subspan(i * coordinates, coordinates);
+    }
+};
+
+/// A grey picture, row by row from the top left, from 0 (black) to 1.
+struct GreyImage {
+    std::size_t width = 0;
+    std::size_t height = 0;
+    std::vector<float> values{};
+};
+
+/// A triangle mesh with texture co-ordinates; per corner, so that triangles share nothing. In the
+/// camera's axes: z up if its file is y_up.
+struct TexturedMesh {
+    struct Corner {
+        std::array<double, 3> position{};
+        std::array<double, 3> normal{};  ///< Unit length.
+        std::array<double, 2> uv{};
+    };
+    std::vector<std::array<Corner, 3>> triangles{};
+};
+
+struct StageParameter {
+    std::string_view name;
+    ParameterType type = ParameterType::number;
+    Unit unit = Unit::number;
+    std::vector<double> default_value{};  ///< Empty: must be given (curve, or no default).
+    double least = -std::numeric_limits<double>::infinity();
+    double most = std::numeric_limits<double>::infinity();
+    bool above_least = false;                            ///< The least value itself is excluded.
+    std::vector<std::string_view> choices{};             ///< The first is the default.
+    StageKind stage_kind = StageKind::object_generator;  ///< Of stage and stages.
+    std::vector<std::size_t> coordinates{};              ///< How many points may have, least first.
+    std::size_t points_least = 1;                        ///< How many points there must be.
+    FormulaShape shape{};                                ///< Of a formula.
+    /// It may be left out though it has no default value; the maker asks has().
+    bool optional = false;
+    /// It cannot change with time, since tables are made from it.
+    bool constant = false;
+    std::string_view meaning;
+};
+
+/// What a stage is made from, by parameter name. The language has checked it against the row.
+class Arguments {
+public:
+    using StagePointer = std::shared_ptr<const Stage>;
+    using Value = std::variant<std::vector<Scalar>, std::string, PointList, StagePointer,
+                               std::vector<StagePointer>, Formula, std::shared_ptr<const GreyImage>,
+                               std::shared_ptr<const TexturedMesh>>;
+
+    /// In the place of an earlier value; the name must outlive this, as a row's does.
+    void set(std::string_view name, Value value);
+    void set_formula(Formula formula) { formula_ = std::move(formula); }
+
+    /// Whether an optional parameter was given.
+    [[nodiscard]] bool has(std::string_view name) const;
+
+    [[nodiscard]] Scalar number(std::string_view name) const;
+    /// A parameter that the row says is constant.
+    [[nodiscard]] double constant(std::string_view name) const;
+    [[nodiscard]] std::size_t count(std::string_view name) const;
+    [[nodiscard]] std::array<Scalar, 2> pair(std::string_view name) const;
+    [[nodiscard]] std::array<Scalar, 3> triple(std::string_view name) const;
+    [[nodiscard]] const std::string& choice(std::string_view name) const;
+    [[nodiscard]] const PointList& points(std::string_view name) const;
+    [[nodiscard]] ObjectGeneratorPointer curve(std::string_view name) const;
+    template <class Port>
+    [[nodiscard]] std::shared_ptr<const Port> stage(std::string_view name) const {
+        return std::static_pointer_cast<const Port>(std::get<StagePointer>(value(name)));
+    }
+    template <class Port>
+    [[nodiscard]] std::vector<std::shared_ptr<const Port>> stages(std::string_view name) const {
+        std::vector<std::shared_ptr<const Port>> cast;
+        for (const StagePointer& stage : std::get<std::vector<StagePointer>>(value(name))) {
+            cast.push_back(std::static_pointer_cast<const Port>(stage));
+        }
+        return cast;
+    }
+    [[nodiscard]] const Formula& formula(std::string_view name) const;
+    [[nodiscard]] const std::shared_ptr<const GreyImage>& image(std::string_view name) const;
+    [[nodiscard]] const std::shared_ptr<const TexturedMesh>& mesh(std::string_view name) const;
+    /// Of a stage that is itself a formula.
+    [[nodiscard]] const Formula& formula() const { return *formula_; }
+
+private:
+    [[nodiscard]] const Value* find(std::string_view name) const;
+    [[nodiscard]] const Value& value(std::string_view name) const;
+
+    std::vector<std::pair<std::string_view, Value>> values_;
+    std::optional<Formula> formula_;
+};
+
+/// One row of the catalogue: all that the language, the command and the documentation know.
+struct StageEntry {
+    StageKind kind;
+    std::string_view name;
+    std::string_view meaning;
+    std::vector<StageParameter> parameters;
+    Result<std::shared_ptr<const Stage>> (*make)(const Arguments& arguments);
+    std::optional<FormulaShape> formula{};
+    int dimension = 0;  ///< Of an object generator.
+    /// A .cam text with one camera or picture that shows what the stage does; docs/stages has its
+    /// picture, and a test runs it.
+    std::string_view example{};
+};
+
+/// Every stage there is, by kind.
+[[nodiscard]] const std::vector<StageEntry>& catalogue();
+[[nodiscard]] const StageEntry* find_stage(StageKind kind, std::string_view name);
+
+}  // namespace balcony::camera

@@ -1,0 +1,113 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Picture: what the picture arranger makes, several cameras clipped, placed and blended into one
+// picture. A camera by itself is a picture of one layer.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "balcony/camera.hpp"
+
+namespace balcony::camera {
+
+/// How a layer's colour s (source) joins the colour d (below it), before the layer's coverage mixes
+/// the result with d. The names and formulas are those of the W3C's "Compositing and Blending
+/// Level 1", in linear light.
+enum class BlendMode : std::uint8_t {
+    normal,
+    multiply,
+    screen,
+    overlay,
+    darken,
+    lighten,
+    color_dodge,
+    color_burn,
+    hard_light,
+    soft_light,
+    difference,
+    exclusion,
+    add,
+    subtract,
+};
+
+[[nodiscard]] std::string_view name_of(BlendMode mode);
+[[nodiscard]] std::optional<BlendMode> find_blend_mode(std::string_view name);
+
+/// A drawn line: its width as a fraction of the whole picture's height, its colour in linear light.
+struct Stroke {
+    Scalar width = 0.004;
+    std::array<Scalar, 3> color{1.0, 1.0, 1.0};
+};
+
+/// Lines that lead from an inset to the region of the picture below that it shows: fractions of
+/// that picture from its top left corner. The region gets a frame too.
+struct Leader {
+    std::array<Scalar, 2> from{}, to{};
+    Stroke stroke;
+};
+
+class Picture;
+
+/// One layer of a picture. A point of the picture goes through the arrangers into the layer's own
+/// picture; there the clip decides how much of it shows.
+struct Layer {
+    std::string name;
+    std::variant<Camera, std::shared_ptr<const Picture>> content;
+    std::vector<PictureArrangerPointer> arrangers;  ///< Outermost first; none: the whole picture.
+    ClipShapePointer clip;                          ///< Null: all of the layer's rectangle.
+    Scalar softness = 0.0;  ///< Of the clip's edge, as a fraction of the layer's height.
+    Scalar alpha = 1.0;
+    BlendMode blend = BlendMode::normal;
+    std::optional<Stroke> frame;  ///< Round the clip, inside its edge.
+    std::vector<Leader> leaders;
+};
+
+/// A picture as expressions of picture x, picture y and time.
+struct PictureExpressions {
+    /// What is drawn, in the order of drawing; one of ray, paint and group.
+    struct Element {
+        Expr coverage;  ///< From 0, nothing of it shows, to 1; alpha is in it.
+        BlendMode blend = BlendMode::normal;
+        std::optional<RayExpressions> ray;
+        Axes axes = Axes::z_up;  ///< Of the ray.
+        std::optional<std::array<Expr, 3>> paint;
+        std::vector<Element> group;  ///< Drawn by itself first, then as one.
+    };
+    std::vector<Element> elements;
+};
+
+/// An immutable value, as a camera is.
+class Picture {
+public:
+    struct Parts {
+        std::string name;
+        std::vector<Layer> layers;  ///< From the back to the front.
+        /// Its size in pixels, unless the user asks for another; else only its aspect is known.
+        std::optional<std::array<std::size_t, 2>> size;
+        double aspect = 16.0 / 9.0;
+    };
+
+    /// Checks that there is a layer, that sizes and nesting are within bounds.
+    [[nodiscard]] static Result<Picture> make(Parts parts);
+    /// A picture that shows one camera and nothing else.
+    Picture(Camera camera);
+
+    [[nodiscard]] const std::string& name() const { return parts_->name; }
+    [[nodiscard]] const Parts& parts() const { return *parts_; }
+
+    [[nodiscard]] PictureExpressions emit(Graph& graph, double width, double height) const;
+
+private:
+    explicit Picture(Parts parts) : parts_(std::make_shared<const Parts>(std::move(parts))) {}
+    std::shared_ptr<const Parts> parts_;
+};
+
+}  // namespace balcony::camera
