@@ -73,7 +73,7 @@ public:
         : tree_(place.module->tree),
           camera_(*place.camera),
           reporter_(session.reporter()),
-          stages_(tree_, scope, session.graph(), reporter_),
+          stages_(*place.module, scope, session),
           statements_(tree_, camera_.statements, reporter_) {}
 
     std::optional<camera::Camera> run() {

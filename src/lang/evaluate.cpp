@@ -55,6 +55,9 @@ private:
                 error(node.span, fmt::format("expected one number, but these are {} in parentheses",
                                              node.arguments.size()));
                 return false;
+            case ExpressionKind::list:
+                error(node.span, "expected a number, but this is a list");
+                return false;
             case ExpressionKind::formula:
                 error(node.span, "expected a number, but this is a formula of its own");
                 return false;

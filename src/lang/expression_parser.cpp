@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "lang/keywords.hpp"
+
 namespace balcony::lang {
 
 namespace {
@@ -153,6 +155,9 @@ std::optional<ExpressionId> ExpressionParser::primary() {
     if (token.is("(")) {
         return parenthesised();
     }
+    if (token.is("[")) {
+        return list();
+    }
     tokens_.expected("a number, a name or '('");
     return std::nullopt;
 }
@@ -183,17 +188,45 @@ std::optional<ExpressionId> ExpressionParser::parenthesised() {
     return add(std::move(node), first);
 }
 
+std::optional<ExpressionId> ExpressionParser::list() {
+    Expression node;
+    node.kind = ExpressionKind::list;
+    const std::size_t first = nodes_.size();
+    const Span opening = tokens_.next().span;
+    if (!tokens_.accept("]")) {
+        do {
+            const std::optional<ExpressionId> element = expression();
+            if (!element) {
+                return std::nullopt;
+            }
+            node.arguments.push_back({std::nullopt, *element});
+        } while (tokens_.accept(","));
+        if (!tokens_.expect_closing("]", opening)) {
+            return std::nullopt;
+        }
+    }
+    node.span = {opening.begin, tokens_.previous().span.end};
+    return add(std::move(node), first);
+}
+
+ExpressionId ExpressionParser::add_name(const Token& name) {
+    Expression node;
+    node.kind = ExpressionKind::name;
+    node.name = {name.text, name.span};
+    node.span = name.span;
+    return add(std::move(node), nodes_.size());
+}
+
 std::optional<ExpressionId> ExpressionParser::name_or_call() {
     const std::size_t first = nodes_.size();
     const Token name = tokens_.next();
+    if (!tokens_.peek().is("(")) {
+        return add_name(name);
+    }
     Expression node;
+    node.kind = ExpressionKind::call;
     node.name = {name.text, name.span};
     node.span = name.span;
-    if (!tokens_.peek().is("(")) {
-        node.kind = ExpressionKind::name;
-        return add(std::move(node), first);
-    }
-    node.kind = ExpressionKind::call;
     std::optional<std::vector<Argument>> given = arguments(tokens_.next().span);
     if (!given) {
         return std::nullopt;
@@ -269,6 +302,30 @@ std::optional<ExpressionId> ExpressionParser::stage(std::string_view what) {
         return std::nullopt;
     }
     return name_or_call();
+}
+
+// A plain name on the same line that does not open the next statement.
+bool ExpressionParser::at_word() const {
+    return tokens_.peek().kind == TokenKind::name && !tokens_.at_new_line() &&
+           find_keyword(tokens_.peek()) == nullptr && !is_file_keyword(tokens_.peek()) &&
+           !tokens_.peek(1).is("(") && !tokens_.peek(1).is("=");
+}
+
+std::optional<ExpressionId> ExpressionParser::stage_with_words(std::string_view what) {
+    const std::optional<ExpressionId> read = stage(what);
+    if (!read || nodes_[read->value()].kind != ExpressionKind::name || !at_word()) {
+        return read;
+    }
+    Expression call = std::move(nodes_.back());
+    nodes_.pop_back();
+    const std::size_t first = nodes_.size();
+    call.kind = ExpressionKind::call;
+    call.words = true;
+    while (at_word()) {
+        call.arguments.push_back({std::nullopt, add_name(tokens_.next())});
+    }
+    call.span.end = tokens_.previous().span.end;
+    return add(std::move(call), first);
 }
 
 }  // namespace balcony::lang

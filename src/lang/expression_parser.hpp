@@ -21,6 +21,8 @@ public:
     [[nodiscard]] std::optional<ExpressionId> expression();
     /// name, name(arguments) or name(parameters) = [results].
     [[nodiscard]] std::optional<ExpressionId> stage(std::string_view what);
+    /// The same, or name word word, with all on one line.
+    [[nodiscard]] std::optional<ExpressionId> stage_with_words(std::string_view what);
 
 private:
     [[nodiscard]] std::optional<ExpressionId> binary(int least_precedence);
@@ -28,9 +30,12 @@ private:
     [[nodiscard]] std::optional<ExpressionId> power();
     [[nodiscard]] std::optional<ExpressionId> primary();
     [[nodiscard]] std::optional<ExpressionId> parenthesised();
+    [[nodiscard]] std::optional<ExpressionId> list();
     [[nodiscard]] std::optional<ExpressionId> name_or_call();
     [[nodiscard]] std::optional<ExpressionId> formula(Expression call);
     [[nodiscard]] std::optional<std::vector<Argument>> arguments(Span opening);
+    [[nodiscard]] bool at_word() const;
+    ExpressionId add_name(const Token& name);
     ExpressionId add(Expression node, std::size_t first);
     std::optional<ExpressionId> add_operation(const Token& symbol, std::size_t first,
                                               std::vector<ExpressionId> operands);

@@ -336,8 +336,7 @@ private:
                 return stages(made, "a parameter transformer, such as rotate(10deg)", true);
             case StatementKind::move:
                 return stages(made, "an object transformer, such as translate(0, 0, 1)", true);
-            case StatementKind::look:
-                return stages(made, "a direction rule, such as normal", false);
+            case StatementKind::look: return look(made, "a direction rule, such as normal");
             case StatementKind::place: return stages(made, "a picture arranger", true);
             case StatementKind::unknown: break;
         }
@@ -416,9 +415,7 @@ private:
 
     bool stages(Statement& made, std::string_view what, bool several) {
         do {
-            const bool opens_next =
-                find_keyword(tokens_.peek()) != nullptr && !tokens_.peek(1).is("(");
-            if (opens_next) {
+            if (opens_next_statement()) {
                 tokens_.expected(what);
                 return false;
             }
@@ -429,6 +426,23 @@ private:
             made.stages.push_back(*stage);
         } while (several && tokens_.accept(","));
         return true;
+    }
+
+    bool look(Statement& made, std::string_view what) {
+        if (opens_next_statement()) {
+            tokens_.expected(what);
+            return false;
+        }
+        const auto rule = expressions_.stage_with_words(what);
+        if (rule) {
+            made.stages.push_back(*rule);
+        }
+        return rule.has_value();
+    }
+
+    // A stage that has the name of a keyword is written with its parentheses.
+    [[nodiscard]] bool opens_next_statement() const {
+        return find_keyword(tokens_.peek()) != nullptr && !tokens_.peek(1).is("(");
     }
 
     SyntaxTree& tree_;

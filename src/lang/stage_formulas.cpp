@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// Stages that are made from a formula.
+// Stages that are made from a formula, and formulas that stages are given.
 
 #include <fmt/format.h>
 
@@ -14,6 +14,7 @@ namespace {
 
 using camera::StageEntry;
 using camera::StageKind;
+using camera::StageParameter;
 
 std::string numbers_in_words(std::size_t least, std::size_t most) {
     return least == most ? fmt::format("{}", least) : fmt::format("{} or {}", least, most);
@@ -21,28 +22,59 @@ std::string numbers_in_words(std::size_t least, std::size_t most) {
 
 }  // namespace
 
-std::optional<camera::Formula> StageBuilder::formula(const StageEntry& row,
-                                                     const Expression& node) {
-    const camera::FormulaShape& shape = *row.formula;
+std::optional<camera::Formula> StageBuilder::stage_formula(const StageEntry& row,
+                                                           const Expression& node) {
+    const std::string written = signature(row);
     if (node.kind != ExpressionKind::formula) {
         error(node.span, fmt::format("'{}' is made from a formula", row.name),
-              fmt::format("it is written {}", signature(row)));
+              fmt::format("it is written {}", written));
         return std::nullopt;
     }
+    const auto fits = [this, &row](const Value& result, Span span) {
+        if (result.is_angle() && row.kind != StageKind::parameter_transformer) {
+            error(span,
+                  fmt::format("the results of '{}' are lengths, but this is an angle", row.name),
+                  "divide it by 1rad for the number of radians");
+            return false;
+        }
+        return true;
+    };
+    return formula({row.name, *row.formula, written, fits}, node);
+}
+
+std::optional<camera::Formula> StageBuilder::formula_argument(const StageEntry& row,
+                                                              const StageParameter& parameter,
+                                                              ExpressionId given) {
+    const Expression& node = tree_[given];
+    const std::string written = signature(parameter.name, parameter.shape);
+    if (node.kind != ExpressionKind::formula) {
+        error(node.span, fmt::format("'{}' of '{}' is a formula", parameter.name, row.name),
+              fmt::format("it is written {}", written));
+        return std::nullopt;
+    }
+    const auto in_unit = [this, &row, &parameter](const Value& result, Span span) {
+        return fits(row, parameter, result, span);
+    };
+    return formula({parameter.name, parameter.shape, written, in_unit}, node);
+}
+
+std::optional<camera::Formula> StageBuilder::formula(const FormulaRules& rules,
+                                                     const Expression& node) {
+    const camera::FormulaShape& shape = rules.shape;
     if (node.parameters.size() != shape.parameters) {
         error(
             node.name.span,
-            fmt::format("the formula '{}' has {} parameter{}, but this one has {}", row.name,
+            fmt::format("the formula '{}' has {} parameter{}, but this one has {}", rules.name,
                         shape.parameters, shape.parameters == 1 ? "" : "s", node.parameters.size()),
-            fmt::format("it is written {}", signature(row)));
+            fmt::format("it is written {}", rules.written));
         return std::nullopt;
     }
     if (node.arguments.size() < shape.results_least || node.arguments.size() > shape.results_most) {
         error(node.span,
-              fmt::format("the formula '{}' has {} results, but this one has {}", row.name,
+              fmt::format("the formula '{}' has {} result{}, but this one has {}", rules.name,
                           numbers_in_words(shape.results_least, shape.results_most),
-                          node.arguments.size()),
-              fmt::format("it is written {}", signature(row)));
+                          shape.results_most == 1 ? "" : "s", node.arguments.size()),
+              fmt::format("it is written {}", rules.written));
         return std::nullopt;
     }
     Scope scope(&scope_);
@@ -63,27 +95,20 @@ std::optional<camera::Formula> StageBuilder::formula(const StageEntry& row,
             return std::nullopt;
         }
     }
-    const auto results = formula_results(row, node, scope);
+    const auto results = formula_results(rules, node, scope);
     return results ? std::optional(camera::Formula(graph_, std::move(variables), *results))
                    : std::nullopt;
 }
 
-std::optional<std::vector<expr::Expr>> StageBuilder::formula_results(const StageEntry& row,
+std::optional<std::vector<expr::Expr>> StageBuilder::formula_results(const FormulaRules& rules,
                                                                      const Expression& node,
                                                                      Scope& scope) {
     std::vector<expr::Expr> results;
     for (const Argument& result : node.arguments) {
         const Value value = evaluate(tree_, result.value, scope, *graph_, reporter_);
-        if (value.failed()) {
-            continue;
+        if (!value.failed() && rules.fits(value, tree_[result.value].span)) {
+            results.push_back(value.expr);
         }
-        if (value.is_angle() && row.kind != StageKind::parameter_transformer) {
-            error(tree_[result.value].span,
-                  fmt::format("the results of '{}' are lengths, but this is an angle", row.name),
-                  "divide it by 1rad for the number of radians");
-            continue;
-        }
-        results.push_back(value.expr);
     }
     return results.size() == node.arguments.size() ? std::optional(std::move(results))
                                                    : std::nullopt;

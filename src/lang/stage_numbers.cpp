@@ -41,6 +41,11 @@ std::string written(double value, Unit unit) {
     return fmt::format("{:.6g}", value);
 }
 
+bool must_be_constant(const StageParameter& parameter) {
+    return parameter.constant || parameter.type == ParameterType::count ||
+           parameter.type == ParameterType::points;
+}
+
 std::string range_text(const StageParameter& parameter) {
     const bool has_least = std::isfinite(parameter.least);
     const bool has_most = std::isfinite(parameter.most);
@@ -60,6 +65,9 @@ bool StageBuilder::set_default(const StageEntry& row, const StageParameter& para
                                Arguments& arguments) {
     if (parameter.type == ParameterType::choice) {
         arguments.set(parameter.name, std::string(parameter.choices.front()));
+        return true;
+    }
+    if (parameter.default_value.empty() && parameter.optional) {
         return true;
     }
     if (parameter.default_value.empty()) {
@@ -152,15 +160,30 @@ bool StageBuilder::fits(const StageEntry& row, const StageParameter& parameter, 
                       : "multiply it by 1rad if it counts radians, by 1deg if degrees");
         return false;
     }
-    if (!value.is_constant()) {
-        return true;
+    if (value.is_constant()) {
+        return in_range(row, parameter, value.constant(), span);
     }
-    const double number = value.constant();
+    if (must_be_constant(parameter)) {
+        error(span, fmt::format("{} cannot change with time", what),
+              "it decides what the stage is made of, which is done once for all times");
+        return false;
+    }
+    return true;
+}
+
+bool StageBuilder::in_range(const StageEntry& row, const StageParameter& parameter, double value,
+                            Span span) {
+    const std::string what = fmt::format("'{}' of '{}'", parameter.name, row.name);
+    if (parameter.type == ParameterType::count && std::floor(value) != value) {
+        error(span, fmt::format("{} must be a whole number, but is {}", what,
+                                written(value, parameter.unit)));
+        return false;
+    }
     const bool too_small =
-        parameter.above_least ? number <= parameter.least : number < parameter.least;
-    if (too_small || number > parameter.most) {
+        parameter.above_least ? value <= parameter.least : value < parameter.least;
+    if (too_small || value > parameter.most) {
         error(span, fmt::format("{} must be {}, but is {}", what, range_text(parameter),
-                                written(number, parameter.unit)));
+                                written(value, parameter.unit)));
         return false;
     }
     return true;
@@ -174,7 +197,7 @@ camera::PictureMapperPointer StageBuilder::make_mapper(std::string_view name,
     Arguments arguments;
     bool good = true;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        good = set_argument(*row, row->parameters[i], values[i], arguments) && good;
+        good = set_argument(*row, row->parameters[i], values.subspan(i, 1), arguments) && good;
     }
     if (!good) {
         return nullptr;

@@ -2,20 +2,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "balcony/catalogue.hpp"
-#include "lang/scope.hpp"
+#include "lang/session.hpp"
 
 namespace balcony::lang {
 
 /// Makes stages from calls, by the catalogue: what a row says is what is checked.
 class StageBuilder {
 public:
-    StageBuilder(const SyntaxTree& tree, Scope& scope, std::shared_ptr<expr::Graph> graph,
-                 Reporter& reporter)
-        : tree_(tree), scope_(scope), graph_(std::move(graph)), reporter_(reporter) {}
+    StageBuilder(const Module& module, Scope& scope, Session& session)
+        : tree_(module.tree),
+          scope_(scope),
+          graph_(session.graph()),
+          reporter_(session.reporter()) {}
 
     /// The stage that a call describes; null if there is an error, which is reported.
     template <class Port>
@@ -31,6 +37,10 @@ public:
     /// A direction rule with all its defaults, as a camera without `look` has it.
     [[nodiscard]] camera::DirectionRulePointer make_default_rule(std::string_view name, Span span);
 
+    /// The arguments of a call as a row has them; nothing if there is an error, which is reported.
+    [[nodiscard]] std::optional<camera::Arguments> arguments(const camera::StageEntry& row,
+                                                             const Expression& call);
+
     /// A number that must be known when the camera is made; nothing if there is an error.
     [[nodiscard]] std::optional<double> constant(ExpressionId id, std::string_view what);
 
@@ -42,14 +52,31 @@ private:
                         Span span);
     const camera::StageEntry* find_row(camera::StageKind kind, const Identifier& name);
 
-    bool assign(const camera::StageEntry& row, const Expression& call,
-                std::vector<ExpressionId>& given);
+    // ------------------------------------------------------ which parameter an argument is for
+    using Given = std::vector<ExpressionId>;  // Several for the parameter that takes all the rest.
+
+    bool assign(const camera::StageEntry& row, const Expression& call, std::vector<Given>& given);
     const camera::StageParameter* named_parameter(const camera::StageEntry& row,
                                                   const Identifier& name);
+    const camera::StageParameter* parameter_of_word(const camera::StageEntry& row,
+                                                    const Identifier& word);
+
+    // ------------------------------------------------------------------------- what it says
     bool set_argument(const camera::StageEntry& row, const camera::StageParameter& parameter,
-                      ExpressionId given, camera::Arguments& arguments);
+                      std::span<const ExpressionId> given, camera::Arguments& arguments);
     bool set_default(const camera::StageEntry& row, const camera::StageParameter& parameter,
                      Span call, camera::Arguments& arguments);
+    std::optional<std::string> choice(const camera::StageEntry& row,
+                                      const camera::StageParameter& parameter, ExpressionId given);
+    Stage nested_stage(const camera::StageEntry& row, const camera::StageParameter& parameter,
+                       ExpressionId given);
+    std::optional<std::vector<Stage>> nested_stages(const camera::StageEntry& row,
+                                                    const camera::StageParameter& parameter,
+                                                    std::span<const ExpressionId> given);
+    Stage curve(const camera::StageEntry& row, const camera::StageParameter& parameter,
+                ExpressionId given);
+
+    // ------------------------------------------------------------------------------- numbers
     std::optional<std::vector<camera::Scalar>> numbers(const camera::StageEntry& row,
                                                        const camera::StageParameter& parameter,
                                                        ExpressionId given);
@@ -59,13 +86,32 @@ private:
                                          ExpressionId given);
     bool fits(const camera::StageEntry& row, const camera::StageParameter& parameter,
               const Value& value, Span span);
-    std::optional<std::string> choice(const camera::StageEntry& row,
-                                      const camera::StageParameter& parameter, ExpressionId given);
-    camera::ObjectGeneratorPointer curve(const camera::StageEntry& row,
-                                         const camera::StageParameter& parameter,
-                                         ExpressionId given);
-    std::optional<camera::Formula> formula(const camera::StageEntry& row, const Expression& node);
-    std::optional<std::vector<expr::Expr>> formula_results(const camera::StageEntry& row,
+    bool in_range(const camera::StageEntry& row, const camera::StageParameter& parameter,
+                  double value, Span span);
+
+    // -------------------------------------------------------------------------------- points
+    std::optional<camera::PointList> points(const camera::StageEntry& row,
+                                            const camera::StageParameter& parameter,
+                                            ExpressionId given);
+    bool add_point(const camera::StageEntry& row, const camera::StageParameter& parameter,
+                   const Expression& node, std::span<const ExpressionId> coordinates,
+                   camera::PointList& points);
+
+    // ------------------------------------------------------------------------------ formulas
+    /// What a formula must be, and what may be said of its results.
+    struct FormulaRules {
+        std::string_view name;
+        const camera::FormulaShape& shape;
+        std::string written;
+        std::function<bool(const Value& result, Span span)> fits;
+    };
+    std::optional<camera::Formula> stage_formula(const camera::StageEntry& row,
+                                                 const Expression& node);
+    std::optional<camera::Formula> formula_argument(const camera::StageEntry& row,
+                                                    const camera::StageParameter& parameter,
+                                                    ExpressionId given);
+    std::optional<camera::Formula> formula(const FormulaRules& rules, const Expression& node);
+    std::optional<std::vector<expr::Expr>> formula_results(const FormulaRules& rules,
                                                            const Expression& node, Scope& scope);
 
     void error(Span span, std::string message, std::string remedy = {}) {
@@ -78,7 +124,11 @@ private:
     Reporter& reporter_;
 };
 
+/// A parameter transformer, an object generator.
+[[nodiscard]] std::string with_article(std::string_view noun);
 /// How a stage is written: circle(radius), surface(u, v) = [x, y, z].
 [[nodiscard]] std::string signature(const camera::StageEntry& row);
+/// How a formula is written: weight(u, v) = [a].
+[[nodiscard]] std::string signature(std::string_view name, const camera::FormulaShape& shape);
 
 }  // namespace balcony::lang

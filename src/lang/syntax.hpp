@@ -30,6 +30,7 @@ enum class ExpressionKind : std::uint8_t {
     operation,  ///< Unary or binary; `text` is the operator.
     call,       ///< name(arguments): a function or a stage.
     tuple,      ///< (a, b) or (a, b, c).
+    list,       ///< [a, b, ...], with expressions or tuples; may be empty.
     formula,    ///< name(parameters) = [results].
 };
 
@@ -47,7 +48,8 @@ struct Expression {
     Identifier name;     ///< The name or operator, where it is written.
     double value = 0.0;  ///< Of a number, its unit aside.
     NumberUnit unit = NumberUnit::none;
-    std::vector<Argument> arguments;     ///< Operands, arguments, elements, results.
+    std::vector<Argument> arguments;  ///< Operands, arguments, elements, results.
+    bool words = false;  ///< A call whose arguments are words behind its name: normal outward.
     std::vector<Identifier> parameters;  ///< Of a formula.
 };
 

@@ -29,6 +29,12 @@ public:
     [[nodiscard]] bool at_reported() const {
         return peek().kind == TokenKind::stray || (cut_short_ && at_end());
     }
+    /// Whether a line break stands before the next token.
+    [[nodiscard]] bool at_new_line() const {
+        const std::size_t begin = previous().span.end;
+        return source_->text().substr(begin, peek().span.begin - begin).find('\n') !=
+               std::string_view::npos;
+    }
     [[nodiscard]] bool at_end() const { return peek().kind == TokenKind::end; }
     const Token& next() {
         const Token& token = peek();

@@ -38,6 +38,13 @@ TEST_P(EveryStage, SaysWhatItAndItsParametersMean) {
         EXPECT_FALSE(parameter.meaning.empty()) << parameter.name;
         EXPECT_TRUE(names.insert(parameter.name).second) << parameter.name << " stands twice";
         EXPECT_EQ(parameter.type == ParameterType::choice, !parameter.choices.empty());
+        EXPECT_EQ(parameter.type == ParameterType::points, !parameter.coordinates.empty());
+        EXPECT_EQ(parameter.type == ParameterType::formula, parameter.shape.results_most > 0);
+        // A count becomes a size: what a user can write must be one.
+        if (parameter.type == ParameterType::count) {
+            EXPECT_GE(parameter.least, 0.0) << parameter.name;
+            EXPECT_LE(parameter.most, 1e6) << parameter.name;
+        }
     }
 }
 

@@ -1,0 +1,259 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The arguments of stages, by rows of the test's own: what each type of parameter takes and what it
+// says of the rest.
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "lang/stages.hpp"
+#include "support.hpp"
+
+namespace balcony::lang {
+namespace {
+
+using camera::Arguments;
+using camera::ParameterType;
+using camera::StageEntry;
+using camera::StageKind;
+using camera::StageParameter;
+using camera::Unit;
+
+struct Read {
+    std::optional<Arguments> arguments;
+    Diagnostics said;
+
+    [[nodiscard]] std::string message() const { return said.empty() ? "" : said.front().message; }
+    [[nodiscard]] std::string remedy() const { return said.empty() ? "" : said.front().remedy; }
+};
+
+/// Reads a call, such as stage(1, 2), by the parameters of a row. `a` is 2.
+Read read(std::vector<StageParameter> parameters, const std::string& call,
+          const std::string& statement = "eye") {
+    const StageEntry row{StageKind::object_generator, "stage", "", std::move(parameters), nullptr};
+    Session session;
+    const Module* module = session.load(
+        std::make_shared<const SourceText>(
+            "test.cam", test::joined({"let a = 2 camera c { ", statement, " ", call, " }"})),
+        {});
+    const CameraSyntax& syntax = *own_cameras(*module).front().camera;
+    if (syntax.statements.empty() || syntax.statements.front().stages.empty()) {
+        return {std::nullopt, session.reporter().take()};
+    }
+    StageBuilder stages(*module, *module->scope, session);
+    const ExpressionId id = syntax.statements.front().stages.front();
+    std::optional<Arguments> made = stages.arguments(row, module->tree[id]);
+    return {std::move(made), session.reporter().take()};
+}
+
+/// The message of a call that is an error, with the remedy.
+std::string refused(const std::vector<StageParameter>& parameters, const std::string& call) {
+    const Read made = read(parameters, call);
+    EXPECT_FALSE(made.arguments) << call;
+    EXPECT_EQ(made.said.size(), 1U) << to_text(made.said);
+    return made.remedy().empty() ? made.message() : made.message() + "; " + made.remedy();
+}
+
+std::vector<StageParameter> count() {
+    return {
+        {.name = "n", .type = ParameterType::count, .least = 1, .most = 20, .meaning = "its use"}};
+}
+
+TEST(StageArguments, ACountIsAWholeConstantNumber) {
+    EXPECT_EQ(read(count(), "stage(3)").arguments->count("n"), 3U);
+    EXPECT_EQ(read(count(), "stage(n = 4*a)").arguments->count("n"), 8U);
+    EXPECT_EQ(refused(count(), "stage(2.5)"), "'n' of 'stage' must be a whole number, but is 2.5");
+    EXPECT_EQ(refused(count(), "stage(0)"), "'n' of 'stage' must be from 1 to 20, but is 0");
+    EXPECT_EQ(refused(count(), "stage(1e30)"), "'n' of 'stage' must be from 1 to 20, but is 1e+30");
+    EXPECT_EQ(refused(count(), "stage(1 + t)"),
+              "'n' of 'stage' cannot change with time; it decides what the stage is made of, "
+              "which is done once for all times");
+}
+
+TEST(StageArguments, AConstantParameterTakesNoTime) {
+    std::vector<StageParameter> row{
+        {.name = "width", .type = ParameterType::pair, .meaning = "its use"}};
+    EXPECT_TRUE(read(row, "stage((1, t))").arguments);
+    row.front().constant = true;
+    EXPECT_TRUE(read(row, "stage((1, a))").arguments);
+    EXPECT_TRUE(refused(row, "stage((1, t))").starts_with("'width' of 'stage' cannot change"));
+}
+
+TEST(StageArguments, AnOptionalParameterMayBeMissing) {
+    std::vector<StageParameter> row{{.name = "r", .meaning = "its use"}};
+    EXPECT_FALSE(read(row, "stage").arguments);
+    row.front().optional = true;
+    ASSERT_TRUE(read(row, "stage").arguments);
+    EXPECT_FALSE(read(row, "stage").arguments->has("r"));
+    EXPECT_TRUE(read(row, "stage(1)").arguments->has("r"));
+    row.front().default_value = {3.0};
+    EXPECT_EQ(read(row, "stage").arguments->number("r").constant(), 3.0);
+}
+
+std::vector<StageParameter> points(std::vector<std::size_t> coordinates, Unit unit = Unit::number) {
+    return {{.name = "at",
+             .type = ParameterType::points,
+             .unit = unit,
+             .coordinates = std::move(coordinates),
+             .points_least = 2,
+             .meaning = "its use"}};
+}
+
+TEST(StageArguments, PointsAreAList) {
+    const Read pairs = read(points({2, 3}), "stage([(0, 1), (a, -a)])");
+    ASSERT_TRUE(pairs.arguments) << to_text(pairs.said);
+    const camera::PointList& list = pairs.arguments->points("at");
+    EXPECT_EQ(list.coordinates, 2U);
+    EXPECT_EQ(list.values, (std::vector<double>{0, 1, 2, -2}));
+    EXPECT_EQ(list.size(), 2U);
+    EXPECT_EQ(list[1][1], -2.0);
+    const Read triples = read(points({2, 3}), "stage(at = [(0, 1, 2), (3, 4, 5)])");
+    EXPECT_EQ(triples.arguments->points("at").coordinates, 3U);
+    const Read numbers = read(points({1}), "stage([0, 1/2, 1])");
+    EXPECT_EQ(numbers.arguments->points("at").values, (std::vector<double>{0, 0.5, 1}));
+    const Read angles = read(points({1}, Unit::angle), "stage([0, 180deg])");
+    EXPECT_EQ(angles.arguments->points("at").values[1], std::numbers::pi);
+    EXPECT_TRUE(read(points({2}, Unit::parameter), "stage([(1, 30deg), (2, 0)])").arguments);
+}
+
+TEST(StageArguments, WrongPointsAreErrors) {
+    EXPECT_EQ(refused(points({2}), "stage(3)"),
+              "'at' of 'stage' is a list of points; write it in brackets, such as "
+              "[(0, 0), (1, 1)]");
+    EXPECT_EQ(refused(points({1}), "stage((1, 2))"),
+              "'at' of 'stage' is a list of numbers; write it in brackets, such as [0, 1]");
+    EXPECT_EQ(refused(points({2}), "stage([])"),
+              "'at' of 'stage' needs at least 2 points, but has 0");
+    EXPECT_EQ(refused(points({2, 3}), "stage([(1, 2), 3])"),
+              "a point of 'at' of 'stage' has 2 or 3 numbers, but this has 1");
+    EXPECT_EQ(refused(points({1}), "stage([(1, 2), 3])"),
+              "a point of 'at' of 'stage' has 1 number, but this has 2");
+    EXPECT_EQ(refused(points({2, 3}), "stage([(1, 2), (1, 2, 3)])"),
+              "this point has 3 numbers, but the first has 2");
+    EXPECT_EQ(refused(points({1}), "stage([1deg, 0])"),
+              "'at' of 'stage' is a plain number, but this is an angle; leave out deg or rad, or "
+              "divide the angle by 1rad");
+    EXPECT_TRUE(refused(points({1}), "stage([1, t])").starts_with("'at' of 'stage' cannot change"));
+    EXPECT_EQ(refused(points({1}), "stage([1, [2]])"), "expected a number, but this is a list");
+    EXPECT_EQ(refused(points({1}), "stage([1, 1/0])"), "division by 0");
+}
+
+TEST(StageArguments, TooManyPointsAreOneError) {
+    std::string list = "0";
+    for (int i = 0; i < 65536; ++i) {
+        list += ",0";
+    }
+    EXPECT_EQ(refused(points({1}), "stage([" + list + "])"),
+              "'at' of 'stage' needs at most 65536 numbers, but has 65537");
+    EXPECT_TRUE(read(points({1}), "stage([" + list.substr(2) + "])").arguments);
+}
+
+TEST(StageArguments, AStageTakesAStageOfItsKind) {
+    const std::vector<StageParameter> row{{.name = "inner",
+                                           .type = ParameterType::stage,
+                                           .stage_kind = StageKind::parameter_transformer,
+                                           .meaning = "its use"}};
+    const Read made = read(row, "stage(rotate(10deg))");
+    ASSERT_TRUE(made.arguments) << to_text(made.said);
+    EXPECT_NE(made.arguments->stage<camera::ParameterTransformer>("inner"), nullptr);
+    EXPECT_EQ(refused(row, "stage(sphere(1))"),
+              "'sphere' is an object generator, but this is the place of a parameter transformer; "
+              "object generators belong to 'eye', 'toward' and 'object'");
+    EXPECT_TRUE(refused(row, "stage(3)")
+                    .starts_with("'inner' of 'stage' is a parameter transformer, but this is a "
+                                 "number; write a parameter "
+                                 "transformer such as "));
+    EXPECT_EQ(refused(row, "stage"),
+              "'stage' is not given its 'inner' (its use); it is written stage(inner)");
+}
+
+TEST(StageArguments, StagesTakeAllThatIsLeft) {
+    const std::vector<StageParameter> row{
+        {.name = "n", .type = ParameterType::count, .meaning = "its use"},
+        {.name = "stages",
+         .type = ParameterType::stages,
+         .stage_kind = StageKind::object_transformer,
+         .meaning = "its use"}};
+    const auto made = [&row](const std::string& call) {
+        const Read read_call = read(row, call);
+        EXPECT_TRUE(read_call.arguments) << to_text(read_call.said);
+        return read_call.arguments->stages<camera::ObjectTransformer>("stages").size();
+    };
+    EXPECT_EQ(made("stage(3, scale(2), mirror(x), translate(1, 2, 3))"), 3U);
+    EXPECT_EQ(made("stage(3, scale(2))"), 1U);
+    EXPECT_EQ(made("stage(n = 3, stages = scale(2))"), 1U);
+    EXPECT_EQ(refused(row, "stage(3)"),
+              "'stage' is not given its 'stages' (its use); it is written stage(n, stages, ...)");
+    EXPECT_EQ(refused(row, "stage(3, scale(2), 1)"),
+              "'stages' of 'stage' is an object transformer, but this is a number; write an "
+              "object transformer such as translate(x, y, z)");
+}
+
+TEST(StageArguments, AFormulaHasTheNameOfItsParameter) {
+    const std::vector<StageParameter> row{
+        {.name = "r", .default_value = {1.0}, .meaning = "its use"},
+        {.name = "weight",
+         .type = ParameterType::formula,
+         .shape = {2, 1, 1},
+         .meaning = "its use"},
+        {.name = "s", .default_value = {1.0}, .meaning = "its use"}};
+    const Read made = read(row, "stage(3, weight(p, q) = [p/a + q + t], 4)");
+    ASSERT_TRUE(made.arguments) << to_text(made.said);
+    EXPECT_EQ(made.arguments->number("s").constant(), 4.0);
+    expr::Graph graph;
+    const std::array at{graph.constant(1.0), graph.constant(10.0)};
+    const auto results = made.arguments->formula("weight").emit(graph, at);
+    ASSERT_EQ(results.size(), 1U);
+    EXPECT_EQ(expr::evaluate(results, {0, 0, 5, {}})[0], 15.5);
+
+    EXPECT_TRUE(read(row, "stage(s = 4, weight(u, v) = [1])").arguments);
+    EXPECT_EQ(refused(row, "stage(weight(u) = [u])"),
+              "the formula 'weight' has 2 parameters, but this one has 1; it is written "
+              "weight(u, v) = [a]");
+    EXPECT_EQ(refused(row, "stage(weight(u, v) = [u, v])"),
+              "the formula 'weight' has 1 result, but this one has 2; it is written "
+              "weight(u, v) = [a]");
+    EXPECT_EQ(refused(row, "stage(weight(u, v) = [30deg])"),
+              "'weight' of 'stage' is a plain number, but this is an angle; leave out deg or rad, "
+              "or divide the angle by 1rad");
+    EXPECT_EQ(refused(row, "stage(wieght(u, v) = [u])"),
+              "'stage' has no argument 'wieght'; did you mean 'weight'?");
+    EXPECT_EQ(refused(row, "stage(weight = 0.5)"),
+              "'weight' of 'stage' is a formula; it is written weight(u, v) = [a]");
+    EXPECT_EQ(refused(row, "stage(weight(u, v) = [u], weight(u, v) = [v])"),
+              "'weight' is given twice");
+    EXPECT_EQ(refused(row, "stage(1, 2, 3)"),
+              "'stage' takes 2 arguments, but is given 3; it is written "
+              "stage(r, weight(u, v) = [a], s)");
+}
+
+TEST(StageArguments, WordsBehindARuleAreItsChoices) {
+    const std::vector<StageParameter> row{{.name = "side",
+                                           .type = ParameterType::choice,
+                                           .choices = {"front", "back"},
+                                           .meaning = "its use"},
+                                          {.name = "length",
+                                           .type = ParameterType::choice,
+                                           .choices = {"one", "own"},
+                                           .meaning = "its use"}};
+    const auto choices = [&row](const std::string& call) {
+        const Read made = read(row, call, "look");
+        return made.arguments
+                   ? made.arguments->choice("side") + " " + made.arguments->choice("length")
+                   : to_text(made.said);
+    };
+    EXPECT_EQ(choices("stage"), "front one");
+    EXPECT_EQ(choices("stage back"), "back one");
+    EXPECT_EQ(choices("stage own"), "front own");
+    EXPECT_EQ(choices("stage own back"), "back own");
+    EXPECT_EQ(choices("stage back warp rotate(10deg)"), "back one");
+    EXPECT_EQ(read(row, "stage bakc", "look").message(), "'stage' cannot be 'bakc'");
+    EXPECT_EQ(read(row, "stage bakc", "look").remedy(), "did you mean 'back'?");
+    EXPECT_EQ(read(row, "stage back front", "look").message(), "'side' is given twice");
+    EXPECT_EQ(read({}, "stage back", "look").message(), "'stage' cannot be 'back'");
+}
+
+}  // namespace
+}  // namespace balcony::lang
