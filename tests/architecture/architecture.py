@@ -26,17 +26,21 @@ INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.MULTIL
 
 
 class Table:
-    """layers.txt: what each layer may use, and where outside headers belong."""
+    """layers.txt: what each layer may use, its public headers, and where outside headers belong."""
 
     def __init__(self, text):
         self.direct = {}
         self.only_in = {}
+        self.layer_of_header = {}
         for line in text.splitlines():
             line = line.split("#")[0].strip()
             confined = re.fullmatch(r"(\S+/)\s+only in\s+(\S+)", line)
+            header = re.fullmatch(r"(\w+)\.hpp\s+of\s+(\w+)", line)
             row = re.fullmatch(r"(\w+):\s*(.*)", line)
             if confined:
                 self.only_in[confined[1]] = confined[2]
+            elif header:
+                self.layer_of_header[header[1]] = header[2]
             elif row:
                 self.direct[row[1]] = row[2].split()
             elif line:
@@ -61,8 +65,9 @@ def closure(start, neighbours):
 class Tree:
     """The sources under src/ and include/balcony/ with their include edges."""
 
-    def __init__(self, root):
+    def __init__(self, root, layer_of_header):
         self.root = root
+        self.layer_of_header = layer_of_header
         self.files = sorted(
             path for folder in ("src", "include") for path in (root / folder).rglob("*")
             if path.suffix in SOURCE_SUFFIXES)
@@ -89,9 +94,12 @@ class Tree:
         return path.relative_to(self.root).parts[0] == "include"
 
     def layer(self, path):
-        """src/<layer>/... and include/balcony/<layer>.hpp or include/balcony/<layer>/..."""
+        """src/<layer>/..., include/balcony/<layer>.hpp, or what layers.txt says of a header."""
         parts = path.relative_to(self.root).parts
-        return Path(parts[2]).stem if self.is_public(path) else parts[1]
+        if not self.is_public(path):
+            return parts[1]
+        header = Path(parts[2]).stem
+        return self.layer_of_header.get(header, header)
 
 
 def cmake_links(root, layer, known_layers):
@@ -156,7 +164,7 @@ def include_findings(tree, table, links):
 
 def findings(root):
     table = Table((root / "tests/architecture/layers.txt").read_text(encoding="utf-8"))
-    tree = Tree(root)
+    tree = Tree(root, table.layer_of_header)
     links = {layer: cmake_links(root, layer, table.direct) for layer in table.direct}
     yield from include_findings(tree, table, links)
     for layer, used in links.items():

@@ -59,6 +59,11 @@ class Planted(unittest.TestCase):
         self.assertFalse([finding for finding in architecture.findings(self.root)
                           if "src/lang/planted.cpp" in finding and "may not" in finding])
 
+    def test_knows_whose_a_public_header_is(self):
+        self.plant("include/balcony/picture.hpp", "")
+        self.assert_found(architecture, "src/expr/planted.cpp",
+                          '#include "balcony/picture.hpp"\n', "expr may not use camera")
+
     def test_finds_an_include_without_a_link(self):
         self.plant("src/bridge/CMakeLists.txt", "balcony_layer(bridge SOURCES a.cpp USES camera)\n")
         self.plant("include/balcony/program.hpp", "")
