@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Program: expressions compiled to a tape that runs over tiles of picture points.
+// Program: expressions compiled to a tape that runs over many picture points at a time.
 //
 // A Program is immutable and may be shared by threads; a Scratch belongs to one thread; the caller
-// owns the results. Each node has a rate: uniform ones run once a tile, those of x alone once a
-// column, those of y alone once a row, the rest once a point.
+// owns the results. Compiled for grids it runs over tiles, and each node has a rate: uniform ones
+// run once a tile, those of x alone once a column, those of y alone once a row, the rest once a
+// point. Compiled for points it runs over lists of points that lie anywhere, and all that depends
+// on x or y runs once a point.
 
 #include <cstddef>
 #include <cstdint>
@@ -32,6 +34,18 @@ struct Tile {
 inline constexpr std::size_t max_tile_width = 64;
 inline constexpr std::size_t max_tile_height = 64;
 
+/// Picture points anywhere: point i is (x[i], y[i]). At most max_points, as many x as y.
+struct Points {
+    std::span<const double> x;
+    std::span<const double> y;
+    double time = 0.0;
+};
+
+inline constexpr std::size_t max_points = 64;
+
+/// What a program is compiled to run over: a Tile or Points.
+enum class Sampling : std::uint8_t { grid, points };
+
 using expr::Rate;
 
 struct Tape;  // src/program/tape.hpp
@@ -40,11 +54,13 @@ class Program {
 public:
     /// Compiles the roots, which must be in one graph and have no free variables; they are
     /// simplified first.
-    explicit Program(std::span<const expr::Expr> roots);
+    explicit Program(std::span<const expr::Expr> roots, Sampling sampling = Sampling::grid);
 
+    [[nodiscard]] Sampling sampling() const;
     [[nodiscard]] std::size_t root_count() const;
+    /// Uniform or pixel in a program for points.
     [[nodiscard]] Rate rate(std::size_t root) const;
-    /// The number of instructions of a rate: what a tile costs.
+    /// The number of instructions of a rate: what a tile or a list of points costs.
     [[nodiscard]] std::size_t instruction_count(Rate rate) const;
     [[nodiscard]] const Tape& tape() const { return *tape_; }
 
@@ -70,9 +86,15 @@ private:
 void run(const Program& program, const Tile& tile, Scratch& scratch,
          std::span<double* const> results);
 
+/// Runs a program for points. results[r] receives root r, one double a point. The values are those
+/// of a program for grids at the same points, bit for bit.
+void run(const Program& program, const Points& points, Scratch& scratch,
+         std::span<double* const> results);
+
 /// The same by the scalar definition of each operation, one point after another: the truth that
 /// the runners are tested against.
 void run_reference(const Program& program, const Tile& tile, std::span<double* const> results);
+void run_reference(const Program& program, const Points& points, std::span<double* const> results);
 
 /// An instruction set that run() can be told to use.
 struct InstructionSet {
@@ -85,6 +107,8 @@ struct InstructionSet {
 
 /// run() on instruction_sets()[set].
 void run_on(std::size_t set, const Program& program, const Tile& tile, Scratch& scratch,
+            std::span<double* const> results);
+void run_on(std::size_t set, const Program& program, const Points& points, Scratch& scratch,
             std::span<double* const> results);
 
 }  // namespace balcony::program

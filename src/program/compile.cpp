@@ -16,9 +16,10 @@ using expr::Node;
 using expr::NodeId;
 using expr::Op;
 
-Rate rate_of(const Node& node) {
+Rate rate_of(const Node& node, Sampling sampling) {
     assert((node.depends & expr::depends::on_variable) == 0 && "a program has no free variables");
-    return expr::rate_of(node.depends);
+    const Rate rate = expr::rate_of(node.depends);
+    return sampling == Sampling::points && rate != Rate::uniform ? Rate::pixel : rate;
 }
 
 std::size_t index(Rate rate) { return static_cast<std::size_t>(rate); }
@@ -26,6 +27,7 @@ std::size_t index(Rate rate) { return static_cast<std::size_t>(rate); }
 // Doubles that one register of a rate takes.
 constexpr std::array<std::uint32_t, 4> register_doubles{register_alignment, max_tile_width,
                                                         max_tile_height, max_tile_width};
+static_assert(max_points <= max_tile_width && max_points <= max_tile_height);
 
 bool is_coordinate(Op op) { return op == Op::picture_x || op == Op::picture_y || op == Op::time; }
 
@@ -84,13 +86,15 @@ private:
 
 class Compiler {
 public:
-    explicit Compiler(std::span<const Expr> roots)
+    Compiler(std::span<const Expr> roots, Sampling sampling)
         : graph_(roots.front().graph()),
           roots_(roots),
+          sampling_(sampling),
           order_(schedule(graph_, roots)),
           values_(graph_.size()) {}
 
     std::shared_ptr<const Tape> run() {
+        tape_->sampling = sampling_;
         find_last_uses();
         assign_registers();
         place_registers();
@@ -127,7 +131,7 @@ private:
         for (std::size_t step = 0; step < order_.size(); ++step) {
             const NodeId id = order_[step];
             Value& made = value(id);
-            made.rate = rate_of(graph_[id]);
+            made.rate = rate_of(graph_[id], sampling_);
             made.last_use = is_leaf(graph_[id].op) ? never : step;
             for_arguments(id, [&](NodeId argument) {
                 Value& read = value(argument);
@@ -148,8 +152,14 @@ private:
     }
 
     // Every kernel reads a point of its arguments before it writes that point of its result, so a
-    // result may take the register of an argument that dies with it.
+    // result may take the register of an argument that dies with it. Constants are filled in before
+    // the first instruction runs, so theirs are taken before any is given back.
     void assign_registers() {
+        for (const NodeId id : order_) {
+            if (graph_[id].op == Op::constant) {
+                value(id).number = pools_[index(Rate::uniform)].take();
+            }
+        }
         for (std::size_t step = 0; step < order_.size(); ++step) {
             const NodeId id = order_[step];
             Value& made = value(id);
@@ -163,7 +173,7 @@ private:
                     read.replica = ++replicas_;
                 }
             });
-            if (!is_coordinate(graph_[id].op)) {
+            if (!is_leaf(graph_[id].op)) {
                 made.number = pools_[index(made.rate)].take();
             }
         }
@@ -230,7 +240,8 @@ private:
     // A pixel value that is one root and serves nothing else needs no register.
     bool made_in_place(NodeId id) {
         const Value& made = value(id);
-        return made.rate == Rate::pixel && made.root >= 0 && made.uses == 1;
+        return made.rate == Rate::pixel && !is_leaf(graph_[id].op) && made.root >= 0 &&
+               made.uses == 1;
     }
 
     Instruction instruction(NodeId id) {
@@ -307,6 +318,7 @@ private:
 
     const Graph& graph_;
     std::span<const Expr> roots_;
+    Sampling sampling_;
     std::vector<NodeId> order_;
     std::vector<Value> values_;  ///< Indexed by NodeId.
     std::array<RegisterPool, 4> pools_;
@@ -319,14 +331,16 @@ private:
 
 }  // namespace
 
-std::shared_ptr<const Tape> compile(std::span<const Expr> roots) {
+std::shared_ptr<const Tape> compile(std::span<const Expr> roots, Sampling sampling) {
     if (roots.empty()) {
-        return std::make_shared<const Tape>();
+        const auto tape = std::make_shared<Tape>();
+        tape->sampling = sampling;
+        return tape;
     }
     assert(std::all_of(roots.begin(), roots.end(), [&](const Expr& root) {
         return root.valid() && &root.graph() == &roots.front().graph();
     }));
-    return Compiler(roots).run();
+    return Compiler(roots, sampling).run();
 }
 
 }  // namespace balcony::program

@@ -9,7 +9,10 @@
 
 namespace balcony::program {
 
-Program::Program(std::span<const expr::Expr> roots) : tape_(compile(expr::simplify(roots))) {}
+Program::Program(std::span<const expr::Expr> roots, Sampling sampling)
+    : tape_(compile(expr::simplify(roots), sampling)) {}
+
+Sampling Program::sampling() const { return tape_->sampling; }
 
 std::size_t Program::root_count() const { return tape_->roots.size(); }
 

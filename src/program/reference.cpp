@@ -48,6 +48,7 @@ void run_point(const Tape& tape, double x, double y, double time, std::vector<do
 
 void run_reference(const Program& program, const Tile& tile, std::span<double* const> results) {
     const Tape& tape = program.tape();
+    assert(tape.sampling == Sampling::grid);
     assert(tile.width <= max_tile_width && tile.height <= max_tile_height);
     assert(results.size() == tape.roots.size());
     if (results.empty()) {
@@ -61,6 +62,20 @@ void run_reference(const Program& program, const Tile& tile, std::span<double* c
             for (std::size_t r = 0; r < results.size(); ++r) {
                 results[r][j * tile.width + i] = registers[tape.roots[r].offset];
             }
+        }
+    }
+}
+
+void run_reference(const Program& program, const Points& points, std::span<double* const> results) {
+    const Tape& tape = program.tape();
+    assert(tape.sampling == Sampling::points);
+    assert(points.x.size() == points.y.size() && points.x.size() <= max_points);
+    assert(results.size() == tape.roots.size());
+    std::vector<double> registers(tape.register_doubles);
+    for (std::size_t i = 0; i < points.x.size(); ++i) {
+        run_point(tape, points.x[i], points.y[i], points.time, registers);
+        for (std::size_t r = 0; r < results.size(); ++r) {
+            results[r][i] = registers[tape.roots[r].offset];
         }
     }
 }

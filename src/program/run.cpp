@@ -55,27 +55,33 @@ std::size_t padded(std::size_t count) {
     return (count + register_alignment - 1) / register_alignment * register_alignment;
 }
 
-// One tile on one instruction set. Registers are padded to whole vectors, so kernels never have a
-// rest to deal with; the caller's arrays only ever receive the points of the tile.
-class TileRun {
+// One tile or list of points on one instruction set. Registers are padded to whole vectors, so
+// kernels never have a rest to deal with; the caller's arrays only ever receive what was asked for.
+class TapeRun {
 public:
-    TileRun(const Tape& tape, const Kernels& kernels, const Tile& tile, double* registers,
+    TapeRun(const Tape& tape, const Kernels& kernels, Scratch& scratch,
             std::span<double* const> results)
         : tape_(tape),
           kernels_(kernels),
-          tile_(tile),
-          registers_(registers),
-          results_(results),
-          in_place_(padded(tile.width) == tile.width) {}
+          registers_(scratch.reserve(tape.register_doubles)),
+          results_(results) {
+        assert(results.size() == tape.roots.size());
+    }
 
-    void operator()() {
-        fill_leaves();
-        run_section(Rate::uniform, register_alignment);
-        run_section(Rate::column, padded(tile_.width));
-        run_section(Rate::row, padded(tile_.height));
-        for (std::size_t j = 0; j < tile_.height; ++j) {
-            run_row(j);
+    void operator()(const Tile& tile) {
+        for (std::size_t i = 0; i < padded(tile.width); ++i) {
+            registers_[tape_.picture_x + i] = tile.x + static_cast<double>(i) * tile.step;
         }
+        for (std::size_t j = 0; j < padded(tile.height); ++j) {
+            registers_[tape_.picture_y + j] = tile.y + static_cast<double>(j) * tile.step;
+        }
+        run_rows(tile.width, tile.height, tile.time);
+    }
+
+    void operator()(const Points& points) {
+        fill_padded(tape_.picture_x, points.x);
+        fill_padded(tape_.picture_y, points.y);
+        run_rows(points.x.size(), 1, points.time);
     }
 
 private:
@@ -83,16 +89,24 @@ private:
         std::fill_n(registers_ + offset, register_alignment, value);
     }
 
-    void fill_leaves() {
+    // The rest of the last vector repeats the last value, so that no point is made up.
+    void fill_padded(std::uint32_t offset, std::span<const double> values) {
+        double* end = std::copy(values.begin(), values.end(), registers_ + offset);
+        std::fill_n(end, padded(values.size()) - values.size(), values.back());
+    }
+
+    void run_rows(std::size_t width, std::size_t height, double time) {
+        width_ = width;
+        in_place_ = padded(width) == width;
         for (const Tape::Constant& constant : tape_.constants) {
             replicate(constant.offset, constant.value);
         }
-        replicate(tape_.time, tile_.time);
-        for (std::size_t i = 0; i < padded(tile_.width); ++i) {
-            registers_[tape_.picture_x + i] = tile_.x + static_cast<double>(i) * tile_.step;
-        }
-        for (std::size_t j = 0; j < padded(tile_.height); ++j) {
-            registers_[tape_.picture_y + j] = tile_.y + static_cast<double>(j) * tile_.step;
+        replicate(tape_.time, time);
+        run_section(Rate::uniform, register_alignment);
+        run_section(Rate::column, padded(width));
+        run_section(Rate::row, padded(height));
+        for (std::size_t j = 0; j < height; ++j) {
+            run_row(j);
         }
     }
 
@@ -114,7 +128,7 @@ private:
             const bool in_place = in_place_ && instruction.root >= 0;
             double* to = in_place ? row_of(static_cast<std::size_t>(instruction.root), j)
                                   : registers_ + instruction.result;
-            run(instruction, to, padded(tile_.width));
+            run(instruction, to, padded(width_));
         }
         for (std::size_t r = 0; r < results_.size(); ++r) {
             if (!in_place_ || !tape_.roots[r].made_in_place) {
@@ -123,26 +137,24 @@ private:
         }
     }
 
-    double* row_of(std::size_t root, std::size_t j) const {
-        return results_[root] + j * tile_.width;
-    }
+    double* row_of(std::size_t root, std::size_t j) const { return results_[root] + j * width_; }
 
     void write_row(const Tape::Root& root, std::size_t j, double* row) const {
         const double* value = registers_ + root.offset;
         switch (root.rate) {
-            case Rate::uniform: std::fill_n(row, tile_.width, *value); break;
-            case Rate::row: std::fill_n(row, tile_.width, value[j]); break;
+            case Rate::uniform: std::fill_n(row, width_, *value); break;
+            case Rate::row: std::fill_n(row, width_, value[j]); break;
             case Rate::column:
-            case Rate::pixel: std::copy_n(value, tile_.width, row); break;
+            case Rate::pixel: std::copy_n(value, width_, row); break;
         }
     }
 
     const Tape& tape_;
     const Kernels& kernels_;
-    const Tile& tile_;
     double* registers_;
     std::span<double* const> results_;
-    bool in_place_;  ///< Rows are whole vectors, so that pixel roots need no copy.
+    std::size_t width_ = 0;
+    bool in_place_ = false;  ///< Rows are whole vectors, so that pixel roots need no copy.
 };
 
 }  // namespace
@@ -151,20 +163,32 @@ std::span<const InstructionSet> instruction_sets() { return runners().sets; }
 
 void run_on(std::size_t set, const Program& program, const Tile& tile, Scratch& scratch,
             std::span<double* const> results) {
-    const Tape& tape = program.tape();
     assert(set < runners().kernels.size());
+    assert(program.sampling() == Sampling::grid);
     assert(tile.width <= max_tile_width && tile.height <= max_tile_height);
-    assert(results.size() == tape.roots.size());
-    if (results.empty()) {
-        return;
+    if (!results.empty()) {
+        TapeRun(program.tape(), runners().kernels[set], scratch, results)(tile);
     }
-    double* registers = scratch.reserve(tape.register_doubles);
-    TileRun(tape, runners().kernels[set], tile, registers, results)();
+}
+
+void run_on(std::size_t set, const Program& program, const Points& points, Scratch& scratch,
+            std::span<double* const> results) {
+    assert(set < runners().kernels.size());
+    assert(program.sampling() == Sampling::points);
+    assert(points.x.size() == points.y.size() && points.x.size() <= max_points);
+    if (!results.empty() && !points.x.empty()) {
+        TapeRun(program.tape(), runners().kernels[set], scratch, results)(points);
+    }
 }
 
 void run(const Program& program, const Tile& tile, Scratch& scratch,
          std::span<double* const> results) {
     run_on(0, program, tile, scratch, results);
+}
+
+void run(const Program& program, const Points& points, Scratch& scratch,
+         std::span<double* const> results) {
+    run_on(0, program, points, scratch, results);
 }
 
 }  // namespace balcony::program

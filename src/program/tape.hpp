@@ -15,7 +15,8 @@ namespace balcony::program {
 /// doubles from its start. Uniform values are replicated over register_alignment doubles; column
 /// values hold one double for each column of a tile, row values one for each row, pixel values one
 /// for each point of the current row. A row value that pixel instructions read is replicated anew
-/// for each row.
+/// for each row. In a tape for points all registers are uniform or pixel, and the points are one
+/// row.
 struct Tape {
     struct Constant {
         std::uint32_t offset;
@@ -31,6 +32,7 @@ struct Tape {
         bool made_in_place;  ///< Its instruction can write to the caller's array.
     };
 
+    Sampling sampling = Sampling::grid;
     std::array<std::vector<Instruction>, 4> sections;  ///< Indexed by Rate, in running order.
     std::vector<Constant> constants;
     std::vector<Replication> replications;
@@ -51,6 +53,7 @@ struct Tape {
 };
 
 /// Compiles roots as they stand, without simplifying them.
-[[nodiscard]] std::shared_ptr<const Tape> compile(std::span<const expr::Expr> roots);
+[[nodiscard]] std::shared_ptr<const Tape> compile(std::span<const expr::Expr> roots,
+                                                  Sampling sampling);
 
 }  // namespace balcony::program

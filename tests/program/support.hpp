@@ -13,12 +13,14 @@
 
 namespace balcony::program {
 
-/// The results of a program over a tile, one array a root. Every array has a rim on both sides that
-/// a runner must leave alone.
+/// The results of a program over a tile or some points, one array a root. Every array has a rim on
+/// both sides that a runner must leave alone.
 class Results {
 public:
     Results(const Program& program, const Tile& tile)
-        : points_(tile.width * tile.height),
+        : Results(program, tile.width * tile.height) {}
+    Results(const Program& program, std::size_t points)
+        : points_(points),
           arrays_(program.root_count(), std::vector<double>(points_ + 2 * rim, untouched)) {
         for (std::vector<double>& array : arrays_) {
             pointers_.push_back(array.data() + rim);

@@ -1,0 +1,127 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Programs for points: at any points, in any order, what a program for grids gives there.
+
+#include <array>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "program/tape.hpp"
+#include "random_expressions.hpp"
+#include "support.hpp"
+
+namespace balcony::program {
+
+namespace {
+
+using expr::Expr;
+using expr::Graph;
+
+struct PointList {
+    std::vector<double> x, y;
+    double time = 0.0;
+
+    [[nodiscard]] std::size_t size() const { return x.size(); }
+    [[nodiscard]] Points points() const { return {x, y, time}; }
+};
+
+PointList random_points(Random& random, std::size_t count) {
+    std::uniform_real_distribution<double> place(-40.0, 40.0);
+    PointList list;
+    for (std::size_t i = 0; i < count; ++i) {
+        list.x.push_back(place(random));
+        list.y.push_back(place(random));
+    }
+    list.time = place(random);
+    return list;
+}
+
+// Each point by itself, as a tile of one point of a program for grids on the same instruction set.
+void expect_points_equal_grid(std::span<const Expr> roots, const PointList& list) {
+    const Program for_grids(roots);
+    const Program for_points(roots, Sampling::points);
+    const Results reference(for_points, list.size());
+    run_reference(for_points, list.points(), reference.pointers());
+    Scratch scratch;
+    for (std::size_t set = 0; set < instruction_sets().size(); ++set) {
+        SCOPED_TRACE(instruction_sets()[set].name);
+        const bool scalar = instruction_sets()[set].name == "scalar";
+        const Results results(for_points, list.size());
+        run_on(set, for_points, list.points(), scratch, results.pointers());
+        EXPECT_TRUE(results.rim_intact());
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            const Tile tile{
+                .x = list.x[i], .y = list.y[i], .width = 1, .height = 1, .time = list.time};
+            const Results expected(for_grids, tile);
+            run_on(set, for_grids, tile, scratch, expected.pointers());
+            for (std::size_t r = 0; r < roots.size(); ++r) {
+                ASSERT_TRUE(identical(results[r][i], expected[r][0]))
+                    << "root " << r << " point " << i << " of " << list.size() << ": "
+                    << results[r][i] << ", on a grid " << expected[r][0];
+                ASSERT_TRUE(!scalar || identical(results[r][i], reference[r][i]))
+                    << "root " << r << " point " << i << ": " << results[r][i] << ", by reference "
+                    << reference[r][i];
+            }
+        }
+    }
+}
+
+}  // namespace
+
+TEST(PointPrograms, EqualProgramsForGridsBitForBit) {
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random(seed);
+        Graph graph;
+        const auto roots =
+            random_expressions(graph, random, 10 + random() % 150, 1 + random() % 20, false);
+        expect_points_equal_grid(roots, random_points(random, 1 + random() % max_points));
+        if (HasFatalFailure()) {
+            return;
+        }
+    }
+}
+
+TEST(PointPrograms, EveryCountWorks) {
+    Random random(5);
+    Graph graph;
+    std::vector<Expr> roots = random_expressions(graph, random, 60, 3, false);
+    roots.push_back(graph.picture_x() * 2.0);
+    roots.push_back(graph.picture_x() * graph.picture_y());
+    for (std::size_t count = 0; count <= max_points; ++count) {
+        expect_points_equal_grid(roots, random_points(random, count));
+    }
+}
+
+TEST(PointPrograms, RootsOfEveryKindAreWritten) {
+    Graph graph;
+    const Expr x = graph.picture_x();
+    const Expr y = graph.picture_y();
+    const std::vector<Expr> roots{x,     y, graph.time(), graph.constant(7.5), x * y, x * y,
+                                  x < y, y, sqrt(x * x)};
+    Random random(11);
+    for (const std::size_t count : {5UL, 8UL, 64UL}) {
+        expect_points_equal_grid(roots, random_points(random, count));
+        expect_points_equal_grid(std::array{x, y}, random_points(random, count));
+    }
+}
+
+TEST(PointPrograms, WhatDependsOnThePointRunsOncePerPoint) {
+    Graph graph;
+    const Expr x = graph.picture_x();
+    const Expr y = graph.picture_y();
+    const std::vector<Expr> roots{sin(graph.time()), sin(x), exp(y), atan2(x, y)};
+    const Program program(roots, Sampling::points);
+    EXPECT_EQ(program.sampling(), Sampling::points);
+    EXPECT_EQ(program.rate(0), Rate::uniform);
+    EXPECT_EQ(program.rate(1), Rate::pixel);
+    EXPECT_EQ(program.rate(2), Rate::pixel);
+    EXPECT_EQ(program.instruction_count(Rate::uniform), 1U);
+    EXPECT_EQ(program.instruction_count(Rate::column), 0U);
+    EXPECT_EQ(program.instruction_count(Rate::row), 0U);
+    EXPECT_EQ(program.instruction_count(Rate::pixel), 3U);
+}
+
+}  // namespace balcony::program
