@@ -53,6 +53,15 @@ struct CameraDescription {
 /// Makes every camera of a file, to find all that is wrong with it.
 [[nodiscard]] Diagnostics check(const std::filesystem::path& file);
 
+/// The text of a camera file of at most 1 MB.
+[[nodiscard]] Result<std::shared_ptr<const SourceText>> read_text(
+    const std::filesystem::path& file);
+
+/// A file's text in the one layout that all camera files have: the same words and comments in the
+/// same order, so that it means the same; laid out again it stays as it is. A text with syntax
+/// errors is not laid out.
+[[nodiscard]] Result<std::string> format(const std::shared_ptr<const SourceText>& source);
+
 /// The cameras that come with Balcony, by name: pinhole, orthographic, ...
 [[nodiscard]] const std::vector<std::string>& standard_cameras();
 

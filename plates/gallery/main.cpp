@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "base/output_file.hpp"
 #include "common/glb_writer.hpp"
-#include "common/output_file.hpp"
 #include "gallery/gallery.hpp"
 
 namespace {
@@ -32,8 +32,9 @@ int write_paintings(const std::filesystem::path& folder) {
     int number = 0;
     for (const plates::Hanging& hanging : plates::hangings()) {
         const auto file = folder / fmt::format("picture-{}.png", ++number);
-        if (const auto said = plates::write_whole(file, to_png(plates::paint_hanging(hanging)))) {
-            return report({*said});
+        const std::vector<std::uint8_t> png = to_png(plates::paint_hanging(hanging));
+        if (const Diagnostics said = write_whole(file, png); !said.empty()) {
+            return report(said);
         }
     }
     return done;
@@ -72,8 +73,9 @@ int run(int argc, char** argv) {
         if (!gallery) {
             return report(gallery.diagnostics);
         }
-        if (const auto said = plates::write_whole(output, plates::to_glb(*gallery))) {
-            return report({*said});
+        const std::vector<std::uint8_t> glb = plates::to_glb(*gallery);
+        if (const Diagnostics said = write_whole(output, glb); !said.empty()) {
+            return report(said);
         }
     }
     return done;

@@ -47,6 +47,8 @@ void report(const Diagnostics& diagnostics) { print_aside(to_text(diagnostics));
 
 void print_result(std::string_view text) { write_output(without_controls(text, "\n")); }
 
+void print_verbatim(std::string_view text) { write_output(text); }
+
 void print_json(const nlohmann::json& document) {
     constexpr int indent = 2;
     write_output(document.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace) +

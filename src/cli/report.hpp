@@ -18,6 +18,9 @@ void report(const Diagnostics& diagnostics);
 /// Writes a result to standard output. Bytes that would control a terminal become '?'.
 void print_result(std::string_view text);
 
+/// Writes a text to standard output as it is, for what is to become a file.
+void print_verbatim(std::string_view text);
+
 /// Writes a JSON document to standard output; what is not UTF-8 is replaced.
 void print_json(const nlohmann::json& document);
 

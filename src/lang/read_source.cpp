@@ -7,9 +7,15 @@
 
 #include <fmt/format.h>
 
+#include "balcony/lang.hpp"
+
 namespace balcony::lang {
 
 namespace fs = std::filesystem;
+
+Result<std::shared_ptr<const SourceText>> read_text(const fs::path& file) {
+    return read_source(file, file.string(), {});
+}
 
 Result<std::shared_ptr<const SourceText>> read_source(const fs::path& file, const std::string& name,
                                                       const SourceSpan& asked) {

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "balcony/render.hpp"
-#include "render/output_file.hpp"
+#include "base/output_file.hpp"
 
 namespace balcony::render {
 

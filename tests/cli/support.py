@@ -165,9 +165,9 @@ class CommandTest(unittest.TestCase):
         (self.folder / "my.cam").write_text(CAMERAS)
 
     def start(self, *words, **how):
-        streams = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
-        return subprocess.Popen([BALCONY, *words], cwd=self.folder, stdin=subprocess.DEVNULL,
-                                **{**streams, **how})
+        streams = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE,
+                   "stderr": subprocess.PIPE}
+        return subprocess.Popen([BALCONY, *words], cwd=self.folder, **{**streams, **how})
 
     def run_command(self, *words, code=0, **how):
         """Runs the command to its end; the exit code must be the one that is stated."""

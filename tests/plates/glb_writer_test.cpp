@@ -9,7 +9,6 @@
 
 #include <Imath/ImathQuat.h>
 
-#include "common/output_file.hpp"
 #include "glb_file.hpp"
 
 namespace balcony::plates {
@@ -118,25 +117,6 @@ TEST(GlbWriter, KeepsALightsColorAndCandela) {
     EXPECT_EQ(light["color"], nlohmann::json({0.5, 1.0, 0.25}));
     EXPECT_EQ(light["type"], "spot");
     EXPECT_EQ(file.document["extensionsUsed"], nlohmann::json({"KHR_lights_punctual"}));
-}
-
-TEST(WriteWhole, ReplacesAFileAndLeavesNothingElse) {
-    const std::filesystem::path folder =
-        std::filesystem::path(testing::TempDir()) / "balcony_write_whole";
-    std::filesystem::remove_all(folder);
-    std::filesystem::create_directories(folder);
-    EXPECT_FALSE(write_whole(folder / "file", {1, 2, 3}));
-    EXPECT_FALSE(write_whole(folder / "file", {7}));
-    std::ifstream stream(folder / "file", std::ios::binary);
-    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(stream), {}), "\x07");
-    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
-    std::filesystem::remove_all(folder);
-}
-
-TEST(WriteWhole, SaysWhatCannotBeWritten) {
-    const auto said = write_whole("/nonexistent/folder/file.glb", {1});
-    ASSERT_TRUE(said);
-    EXPECT_NE(said->message.find("/nonexistent/folder/file.glb"), std::string::npos);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "render/output_file.hpp"
+#include "base/output_file.hpp"
 
 #include <atomic>
 #include <cerrno>
@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-namespace balcony::render {
+namespace balcony {
 
 namespace {
 
@@ -87,4 +87,15 @@ Diagnostic OutputFile::failure() const {
     return error(fmt::format("'{}' cannot be written{}", file_.string(), reason));
 }
 
-}  // namespace balcony::render
+Diagnostics write_whole(const fs::path& file, std::string_view bytes) {
+    OutputFile output(file);
+    output.stream().write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    return output.commit();
+}
+
+Diagnostics write_whole(const fs::path& file, std::span<const std::uint8_t> bytes) {
+    return write_whole(file,
+                       std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+}
+
+}  // namespace balcony

@@ -4,13 +4,15 @@
 
 // A file that is written beside its place and moved there when it is whole.
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <optional>
+#include <span>
+#include <string_view>
 
 #include "balcony/base.hpp"
 
-namespace balcony::render {
+namespace balcony {
 
 class OutputFile {
 public:
@@ -39,4 +41,9 @@ private:
     int reason_ = 0;
 };
 
-}  // namespace balcony::render
+/// Writes a file whole or not at all; an older file of that name stays as it was if it fails.
+[[nodiscard]] Diagnostics write_whole(const std::filesystem::path& file, std::string_view bytes);
+[[nodiscard]] Diagnostics write_whole(const std::filesystem::path& file,
+                                      std::span<const std::uint8_t> bytes);
+
+}  // namespace balcony
