@@ -1,0 +1,42 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// The editors' files know every word that the language knows.
+
+#include <regex>
+
+#include <gtest/gtest.h>
+
+#include "lang/keywords.hpp"
+#include "lang/value.hpp"
+#include "support.hpp"
+
+namespace balcony::lang {
+
+namespace {
+
+class Editor : public testing::TestWithParam<const char*> {};
+
+}  // namespace
+
+TEST_P(Editor, KnowsEveryWord) {
+    const std::string text =
+        test::read_file(std::filesystem::path(BALCONY_SOURCE_DIR) / "editors" / GetParam());
+    std::vector<std::string> words = function_names();
+    for (const Keyword& keyword : keywords()) {
+        words.emplace_back(keyword.text);
+    }
+    words.insert(words.end(), {"import", "camera", "pi", "t", "square", "deg", "rad"});
+    for (const std::string& word : words) {
+        EXPECT_TRUE(std::regex_search(text, std::regex("\\b" + word + "\\b"))) << word;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Editor,
+                         testing::Values("vim/syntax/balcony.vim",
+                                         "vscode/syntaxes/balcony-camera.tmLanguage.json"),
+                         [](const auto& file) {
+                             return std::string(file.param).starts_with("vim") ? "Vim" : "VsCode";
+                         });
+
+}  // namespace balcony::lang
