@@ -22,6 +22,10 @@ Result<std::shared_ptr<const Stage>> made(Values&&... values) {
 [[nodiscard]] std::vector<StageEntry> picture_mappers();
 [[nodiscard]] std::vector<StageEntry> parameter_affine();
 [[nodiscard]] std::vector<StageEntry> local_zoom();
+[[nodiscard]] std::vector<StageEntry> complex_maps();
+[[nodiscard]] std::vector<StageEntry> coins();
+[[nodiscard]] std::vector<StageEntry> deformations();
+[[nodiscard]] std::vector<StageEntry> repeats();
 [[nodiscard]] std::vector<StageEntry> formula_transformers();
 [[nodiscard]] std::vector<StageEntry> primitives();
 [[nodiscard]] std::vector<StageEntry> superconics();
@@ -32,6 +36,7 @@ Result<std::shared_ptr<const Stage>> made(Values&&... values) {
 
 inline constexpr auto families = {
     picture_arrangers,    picture_mappers, parameter_affine, local_zoom,
+    complex_maps,         coins,           deformations,     repeats,
     formula_transformers, primitives,      superconics,      spherical_product,
     formula_objects,      object_affine,   direction_rules,
 };

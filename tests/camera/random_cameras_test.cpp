@@ -46,7 +46,9 @@ private:
             if (parameter.type == ParameterType::choice) {
                 given[parameter.name] =
                     std::string(parameter.choices[below(parameter.choices.size())]);
-            } else if (parameter.type != ParameterType::curve) {
+            } else if (parameter.type == ParameterType::count) {
+                given[parameter.name] = numbers({std::round(number(parameter))});
+            } else if (parameter.type <= ParameterType::axis) {
                 given[parameter.name] =
                     numbers({number(parameter), number(parameter), number(parameter)});
             }

@@ -1,0 +1,316 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Parameter transformers, PCS → PCS: functions of one complex variable, z = u + i v. They keep
+// angles wherever their derivative is not 0.
+
+#include <cmath>
+#include <numbers>
+
+#include "camera/families.hpp"
+#include "camera/stage_parameters.hpp"
+
+namespace balcony::camera {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+struct Complex {
+    Expr re, im;
+};
+
+Complex operator+(const Complex& a, const Complex& b) { return {a.re + b.re, a.im + b.im}; }
+
+Complex operator*(const Complex& a, const Complex& b) {
+    return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+}
+
+Expr squared_size(const Complex& z) { return z.re * z.re + z.im * z.im; }
+
+/// Undefined where b is 0.
+Complex quotient(const Complex& a, const Complex& b, Emitter& emit) {
+    const Expr size = squared_size(b);
+    emit.require(0.0 < size);
+    return {(a.re * b.re + a.im * b.im) / size, (a.im * b.re - a.re * b.im) / size};
+}
+
+Complex exponential(const Complex& z) {
+    const Expr size = exp(z.re);
+    return {size * cos(z.im), size * sin(z.im)};
+}
+
+/// The branch whose imaginary part lies in (cut - 2 pi, cut]. Undefined at 0.
+Complex logarithm(const Complex& z, Expr cut, Emitter& emit) {
+    const Expr size = squared_size(z);
+    emit.require(0.0 < size);
+    const Expr turn = cut - pi;
+    const Expr c = cos(turn);
+    const Expr s = sin(turn);
+    return {0.5 * log(size), atan2(c * z.im - s * z.re, c * z.re + s * z.im) + turn};
+}
+
+Complex complex_of(const Pair& t, const Emitter& emit) { return {emit(t[0]), emit(t[1])}; }
+
+Complex offset(const ParameterPoint& p, const Pair& at, const Emitter& emit) {
+    return {p.u - emit(at[0]), p.v - emit(at[1])};
+}
+
+/// z^w about a point. A whole w from 1 on needs no branch and no logarithm.
+class Power final : public ParameterTransformer {
+public:
+    Power(Pair exponent, Scalar cut, Pair at)
+        : exponent_(std::move(exponent)), cut_(std::move(cut)), at_(std::move(at)) {}
+
+    ParameterPoint transform(const ParameterPoint& p, Emitter& emit) const override {
+        const Complex z = offset(p, at_, emit);
+        const int whole = whole_exponent();
+        Complex w = z;
+        if (whole > 0) {
+            for (int i = 1; i < whole; ++i) {
+                w = w * z;
+            }
+        } else {
+            w = exponential(complex_of(exponent_, emit) * logarithm(z, emit(cut_), emit));
+        }
+        return {emit(at_[0]) + w.re, emit(at_[1]) + w.im};
+    }
+
+private:
+    /// The exponent if it is 1, 2, ..., else 0.
+    [[nodiscard]] int whole_exponent() const {
+        constexpr double most = 16.0;
+        const double re = exponent_[0].constant().value_or(0.0);
+        const bool whole = 1.0 <= re && re <= most && re == std::floor(re);
+        return whole && exponent_[1].constant() == 0.0 ? static_cast<int>(re) : 0;
+    }
+
+    Pair exponent_;
+    Scalar cut_;
+    Pair at_;
+};
+
+class Exponential final : public ParameterTransformer {
+public:
+    ParameterPoint transform(const ParameterPoint& p, Emitter&) const override {
+        const Complex w = exponential({p.u, p.v});
+        return {w.re, w.im};
+    }
+};
+
+class Logarithm final : public ParameterTransformer {
+public:
+    explicit Logarithm(Scalar cut) : cut_(std::move(cut)) {}
+    ParameterPoint transform(const ParameterPoint& p, Emitter& emit) const override {
+        const Complex w = logarithm({p.u, p.v}, emit(cut_), emit);
+        return {w.re, w.im};
+    }
+
+private:
+    Scalar cut_;
+};
+
+/// (a z + b) / (c z + d).
+class Moebius final : public ParameterTransformer {
+public:
+    Moebius(Pair a, Pair b, Pair c, Pair d)
+        : a_(std::move(a)), b_(std::move(b)), c_(std::move(c)), d_(std::move(d)) {}
+
+    ParameterPoint transform(const ParameterPoint& p, Emitter& emit) const override {
+        const Complex z{p.u, p.v};
+        const Complex w = quotient(complex_of(a_, emit) * z + complex_of(b_, emit),
+                                   complex_of(c_, emit) * z + complex_of(d_, emit), emit);
+        return {w.re, w.im};
+    }
+
+private:
+    Pair a_, b_, c_, d_;
+};
+
+/// The map of Escher's "Print Gallery" as B. de Smit and H. W. Lenstra found it ("The mathematical
+/// structure of Escher's Print Gallery", Notices of the AMS 50, 2003): z^alpha with
+/// alpha = (2 pi i + n log s) / (2 pi i) takes one way round the centre to n log s in size, and a
+/// straight picture that repeats itself s times smaller closes there. What makes it repeat is the
+/// reduction to one ring, frame/s < size <= frame, where size is measured by the frame's shape.
+class PrintGallery final : public ParameterTransformer {
+public:
+    PrintGallery(Scalar scale, double turns, Pair frame, bool ellipse, Pair at)
+        : scale_(std::move(scale)),
+          turns_(turns),
+          frame_(std::move(frame)),
+          ellipse_(ellipse),
+          at_(std::move(at)) {}
+
+    ParameterPoint transform(const ParameterPoint& p, Emitter& emit) const override {
+        const Expr log_scale = log(emit(scale_));
+        const Complex alpha{emit(1.0), log_scale * (-turns_ / (2.0 * pi))};
+        const Complex log_z = logarithm(offset(p, at_, emit), emit(pi), emit);
+        const Complex w = exponential(alpha * log_z);
+        const Expr part_u = w.re / emit(frame_[0]);
+        const Expr part_v = w.im / emit(frame_[1]);
+        const Expr log_size = ellipse_ ? 0.5 * log(part_u * part_u + part_v * part_v)
+                                       : log(max(abs(part_u), abs(part_v)));
+        const Expr into_ring = exp(log_scale * floor(-log_size / log_scale));
+        return {emit(at_[0]) + into_ring * w.re, emit(at_[1]) + into_ring * w.im};
+    }
+
+private:
+    Scalar scale_;
+    double turns_;
+    Pair frame_;
+    bool ellipse_;
+    Pair at_;
+};
+
+StageParameter cut_parameter() {
+    return {.name = "cut",
+            .unit = Unit::angle,
+            .default_value = {pi},
+            .meaning = "the direction from the centre in which the seam runs"};
+}
+
+StageParameter complex_parameter(std::string_view name, double value, std::string_view meaning) {
+    return pair_parameter(name, {value, 0.0}, meaning);
+}
+
+/// Whether a d = b c, where all is known.
+bool is_degenerate(const Arguments& arguments) {
+    std::array<double, 8> value{};
+    std::size_t i = 0;
+    for (const char* name : {"a", "b", "c", "d"}) {
+        for (const Scalar& part : arguments.pair(name)) {
+            const std::optional<double> known = part.constant();
+            if (!known) {
+                return false;
+            }
+            value[i++] = *known;
+        }
+    }
+    const auto& [ar, ai, br, bi, cr, ci, dr, di] = value;
+    return ar * dr - ai * di == br * cr - bi * ci && ar * di + ai * dr == br * ci + bi * cr;
+}
+
+}  // namespace
+
+std::vector<StageEntry> complex_maps() {
+    using enum ParameterType;
+    const StageKind kind = StageKind::parameter_transformer;
+    const StageParameter center = pair_parameter("at", {0.0, 0.0}, "the centre");
+    return {
+        {kind,
+         "power",
+         "z^w of z = u + i v; a whole w from 1 to 16 has no seam",
+         {number_parameter("exponent", 2.0, "the real part of w"),
+          number_parameter("imaginary", 0.0, "the imaginary part of w"), cut_parameter(), center},
+         [](const Arguments& a) {
+             return made<Power>(Pair{a.number("exponent"), a.number("imaginary")}, a.number("cut"),
+                                a.pair("at"));
+         },
+         {},
+         0,
+         R"(camera power {
+    map    u = 1.2 .. -1.2, v = square
+    warp   power(2)
+    eye    point
+    toward plane((1, 0, 0))
+})"},
+        {kind,
+         "exponential",
+         "e^z of z = u + i v: columns become circles, rows become rays from (0, 0)",
+         {},
+         [](const Arguments&) { return made<Exponential>(); },
+         {},
+         0,
+         R"(camera exponential {
+    map    u = 180deg .. -180deg, v = square
+    warp   exponential
+    eye    point
+    toward plane((1, 0, 0))
+})"},
+        {kind,
+         "logarithm",
+         "log z of z = u + i v: unrolls what lies round (0, 0); all round it is a width of 360deg",
+         {cut_parameter()},
+         [](const Arguments& a) { return made<Logarithm>(a.number("cut")); },
+         {},
+         0,
+         R"(camera logarithm {
+    map  u = 3 .. -3, v = square
+    warp logarithm, rotate(90deg)
+    eye  sphere(1)
+})"},
+        {kind,
+         "moebius",
+         "(a z + b) / (c z + d) of z = u + i v: circles and lines become circles and lines",
+         {complex_parameter("a", 1.0, "(real part, imaginary part)"),
+          complex_parameter("b", 0.0, "(real part, imaginary part)"),
+          complex_parameter("c", 0.0, "(real part, imaginary part)"),
+          complex_parameter("d", 1.0, "(real part, imaginary part); a d is not b c")},
+         [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
+             if (is_degenerate(a)) {
+                 return error("a d = b c, so that all of parameter space goes to one point", {},
+                              "change one of a, b, c and d");
+             }
+             return made<Moebius>(a.pair("a"), a.pair("b"), a.pair("c"), a.pair("d"));
+         },
+         {},
+         0,
+         R"(camera moebius {
+    map    u = 1.2 .. -1.2, v = square
+    warp   moebius(a = (1, 0), b = (0.3, 0), c = (0.4, 0.4), d = (1, 0))
+    eye    point
+    toward plane((1, 0, 0))
+})"},
+        {kind,
+         "print_gallery",
+         "Escher's Print Gallery: going round the centre, all becomes `scale` times larger and is "
+         "the same again",
+         {{.name = "scale",
+           .default_value = {256.0},
+           .least = 1.0,
+           .above_least = true,
+           .meaning = "how much larger a picture is than the one within it"},
+          {.name = "turns",
+           .type = count,
+           .default_value = {1.0},
+           .least = 0.0,
+           .most = 16.0,
+           .constant = true,
+           .meaning =
+               "how many scales one way round spans; 0 is the picture within the picture, not "
+               "twisted"},
+          {.name = "grows",
+           .type = choice,
+           .choices = {"clockwise", "counter_clockwise"},
+           .meaning = "which way round things become larger, with u to the right and v up"},
+          {.name = "frame",
+           .type = size,
+           .unit = Unit::parameter,
+           .default_value = {1.0, 1.0},
+           .least = 0.0,
+           .above_least = true,
+           .meaning =
+               "half the width and height of the picture that repeats; its edge is the seam"},
+          {.name = "shape",
+           .type = choice,
+           .choices = {"rectangle", "ellipse"},
+           .meaning = "of the frame"},
+          center},
+         [](const Arguments& a) {
+             const double sense = a.choice("grows") == "clockwise" ? 1.0 : -1.0;
+             return made<PrintGallery>(a.number("scale"), sense * a.constant("turns"),
+                                       a.pair("frame"), a.choice("shape") == "ellipse",
+                                       a.pair("at"));
+         },
+         {},
+         0,
+         R"(camera print_gallery {
+    map    u = 1 .. -1, v = square
+    warp   print_gallery(scale = 16)
+    eye    point
+    toward plane((1, 0, 0))
+})"},
+    };
+}
+
+}  // namespace balcony::camera

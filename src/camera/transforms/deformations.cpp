@@ -1,0 +1,216 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Object transformers, OCS → OCS: twist, taper and bend after A. H. Barr, "Global and Local
+// Deformations of Solid Primitives" (SIGGRAPH 1984). Each works up along an axis between two
+// heights; what lies below the first stays, what lies above the second goes along.
+
+#include "camera/families.hpp"
+#include "camera/stage_parameters.hpp"
+
+namespace balcony::camera {
+
+namespace {
+
+/// The stretch of the axis over which a deformation works: heights above `at`.
+struct Stretch {
+    Triple axis, at;
+    Scalar from, to;
+};
+
+ObjectVector unit(const ObjectVector& v) { return (1.0 / sqrt(dot(v, v))) * v; }
+
+Expr clamp(Expr value, Expr from, Expr to) { return min(max(value, min(from, to)), max(from, to)); }
+
+/// From 0 at the first height to 1 at the second.
+Expr progress(Expr height, const Stretch& along, const Emitter& emit) {
+    const Expr from = emit(along.from);
+    return clamp((height - from) / (emit(along.to) - from), emit(0.0), emit(1.0));
+}
+
+class Twist final : public ObjectTransformer {
+public:
+    Twist(Stretch along, Scalar angle) : along_(std::move(along)), angle_(std::move(angle)) {}
+    ObjectPoint transform(const ObjectPoint& p, Emitter& emit) const override {
+        const ObjectVector axis = unit(vector_of(along_.axis, emit));
+        const ObjectVector d = p - point_of(along_.at, emit);
+        const Expr height = dot(axis, d);
+        const Expr angle = emit(angle_) * progress(height, along_, emit);
+        const ObjectVector aside = d + (-height) * axis;
+        return p + ((cos(angle) - 1.0) * aside + sin(angle) * cross(axis, aside));
+    }
+
+private:
+    Stretch along_;
+    Scalar angle_;
+};
+
+class Taper final : public ObjectTransformer {
+public:
+    Taper(Stretch along, Scalar factor) : along_(std::move(along)), factor_(std::move(factor)) {}
+    ObjectPoint transform(const ObjectPoint& p, Emitter& emit) const override {
+        const ObjectVector axis = unit(vector_of(along_.axis, emit));
+        const ObjectVector d = p - point_of(along_.at, emit);
+        const Expr height = dot(axis, d);
+        const ObjectVector aside = d + (-height) * axis;
+        return p + ((emit(factor_) - 1.0) * progress(height, along_, emit)) * aside;
+    }
+
+private:
+    Stretch along_;
+    Scalar factor_;
+};
+
+/// With k = angle/(to - from), the curvature, s the height clamped to the stretch and
+/// theta = k (s - from), a point at height h and depth n (towards the side that it bends to) goes
+/// to
+///     h' = from + sin(theta) (1/k - n) + cos(theta) (h - s)
+///     n' = 1/k + cos(theta) (n - 1/k) + sin(theta) (h - s).
+/// The line through `at` along the axis keeps its length.
+class Bend final : public ObjectTransformer {
+public:
+    Bend(Stretch along, Triple toward, Scalar angle)
+        : along_(std::move(along)), toward_(std::move(toward)), angle_(std::move(angle)) {}
+    ObjectPoint transform(const ObjectPoint& p, Emitter& emit) const override {
+        const ObjectVector axis = unit(vector_of(along_.axis, emit));
+        const ObjectVector given = vector_of(toward_, emit);
+        const ObjectVector side = unit(given + (-dot(axis, given)) * axis);
+        const ObjectVector d = p - point_of(along_.at, emit);
+        const Expr h = dot(axis, d);
+        const Expr n = dot(side, d);
+        const Expr from = emit(along_.from);
+        const Expr s = clamp(h, from, emit(along_.to));
+        // Straight is a curvature too small to be seen, so that nothing divides by 0.
+        const Expr curvature = emit(angle_) / (emit(along_.to) - from);
+        const Expr k = select(abs(curvature) < 1e-12, emit(1e-12), curvature);
+        const Expr theta = k * (s - from);
+        // (1 - cos(theta))/k, as a product so that nothing cancels.
+        const Expr half = sin(0.5 * theta);
+        const Expr sag = 2.0 * half * half / k;
+        const Expr h_new = from + sin(theta) / k - sin(theta) * n + cos(theta) * (h - s);
+        const Expr n_new = sag + cos(theta) * n + sin(theta) * (h - s);
+        return p + ((h_new - h) * axis + (n_new - n) * side);
+    }
+
+private:
+    Stretch along_;
+    Triple toward_;
+    Scalar angle_;
+};
+
+Stretch stretch_of(const Arguments& a) {
+    return {a.triple("axis"), a.triple("at"), a.number("from"), a.number("to")};
+}
+
+std::optional<ObjectVector> known(const Triple& t, Graph& graph) {
+    for (const Scalar& coordinate : t) {
+        if (!coordinate.constant()) {
+            return std::nullopt;
+        }
+    }
+    return vector_of(t, Emitter(graph));
+}
+
+Diagnostics unfit(const Arguments& a) {
+    Graph graph;
+    const auto axis = known(a.triple("axis"), graph);
+    if (axis && dot(*axis, *axis).is_constant(0.0)) {
+        return {error("the axis is (0, 0, 0), which is no direction", {},
+                      "write x, y, z or a vector such as (1, 1, 0)")};
+    }
+    const std::optional<double> from = a.number("from").constant();
+    if (from && from == a.number("to").constant()) {
+        return {error("from and to are the same height, so that nothing lies between them", {},
+                      "give two different heights along the axis")};
+    }
+    return {};
+}
+
+/// A Concrete(stretch, amount).
+template <class Concrete>
+Result<std::shared_ptr<const Stage>> deformation(const Arguments& a, std::string_view amount) {
+    if (Diagnostics said = unfit(a); !said.empty()) {
+        return said;
+    }
+    return made<Concrete>(stretch_of(a), a.number(amount));
+}
+
+Result<std::shared_ptr<const Stage>> bend(const Arguments& a) {
+    if (Diagnostics said = unfit(a); !said.empty()) {
+        return said;
+    }
+    Graph graph;
+    const auto axis = known(a.triple("axis"), graph);
+    const auto toward = known(a.triple("toward"), graph);
+    if (axis && toward) {
+        const ObjectVector across = cross(*axis, *toward);
+        if (dot(across, across).is_constant(0.0)) {
+            return error("toward runs along the axis, which bends to a side", {},
+                         "give a direction across the axis, such as toward = x for axis = z");
+        }
+    }
+    return made<Bend>(stretch_of(a), a.triple("toward"), a.number("angle"));
+}
+
+std::vector<StageParameter> deformation_parameters(std::vector<StageParameter> own) {
+    own.insert(own.begin(), {.name = "axis",
+                             .type = ParameterType::axis,
+                             .meaning = "along which it works: x, y, z or a vector"});
+    own.push_back(number_parameter("from", -1.0, "the height along the axis where it begins"));
+    own.push_back(number_parameter("to", 1.0, "the height along the axis where it ends"));
+    own.push_back(triple_parameter("at", {0.0, 0.0, 0.0}, "a point of the axis, at height 0"));
+    return own;
+}
+
+}  // namespace
+
+std::vector<StageEntry> deformations() {
+    const StageKind kind = StageKind::object_transformer;
+    return {
+        {kind,
+         "twist",
+         "turns about an axis, the more the further along it",
+         deformation_parameters(
+             {{.name = "angle", .unit = Unit::angle, .meaning = "turn between from and to"}}),
+         [](const Arguments& a) { return deformation<Twist>(a, "angle"); },
+         {},
+         0,
+         R"(camera twist {
+    map  u = 2 .. -2, v = square
+    eye  plane
+    move twist(z, 120deg)
+})"},
+        {kind,
+         "taper",
+         "scales across an axis, the more the further along it",
+         deformation_parameters(
+             {positive_parameter("factor", 0.5, "scale at to; at from it is 1")}),
+         [](const Arguments& a) { return deformation<Taper>(a, "factor"); },
+         {},
+         0,
+         R"(camera taper {
+    map  u = 180deg .. -180deg, v = -1 .. 1
+    eye  cylinder(1)
+    move taper(z, 0.3)
+})"},
+        {kind,
+         "bend",
+         "bends what stands along an axis into an arc",
+         deformation_parameters(
+             {{.name = "angle", .unit = Unit::angle, .meaning = "of the arc between from and to"},
+              {.name = "toward",
+               .type = ParameterType::axis,
+               .default_value = {1.0, 0.0, 0.0},
+               .meaning = "to which side"}}),
+         bend,
+         {},
+         0,
+         R"(camera bend {
+    map  u = 2 .. -2, v = square
+    eye  plane
+    move bend(y, 120deg, toward = -x, from = -1.5, to = 1.5)
+})"},
+    };
+}
+
+}  // namespace balcony::camera

@@ -1,0 +1,111 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Parameter and object transformers that apply a sequence of others a number of times.
+
+#include <fmt/format.h>
+
+#include "camera/families.hpp"
+#include "camera/stage_parameters.hpp"
+
+namespace balcony::camera {
+
+namespace {
+
+constexpr double most_times = 64.0;
+/// How many stages repeats within repeats may come to.
+constexpr std::size_t most_applied = 4096;
+
+template <class Port, class Point>
+class Repeat final : public Port {
+public:
+    Repeat(std::size_t times, std::vector<std::shared_ptr<const Port>> stages)
+        : times_(times), stages_(std::move(stages)) {}
+
+    Point transform(const Point& p, Emitter& emit) const override {
+        Point q = p;
+        for (std::size_t i = 0; i < times_; ++i) {
+            for (const auto& stage : stages_) {
+                q = stage->transform(q, emit);
+            }
+        }
+        return q;
+    }
+
+    /// How many stages it applies in all.
+    [[nodiscard]] std::size_t applied() const {
+        std::size_t once = 0;
+        for (const auto& stage : stages_) {
+            const auto* repeat = dynamic_cast<const Repeat*>(stage.get());
+            once += repeat != nullptr ? repeat->applied() : 1;
+        }
+        return times_ * once;
+    }
+
+private:
+    std::size_t times_;
+    std::vector<std::shared_ptr<const Port>> stages_;
+};
+
+template <class Port, class Point>
+Result<std::shared_ptr<const Stage>> make_repeat(const Arguments& a) {
+    auto repeat =
+        std::make_shared<const Repeat<Port, Point>>(a.count("times"), a.stages<Port>("stages"));
+    if (const std::size_t applied = repeat->applied(); applied > most_applied) {
+        return error(fmt::format("repeats within repeats come to {} stages", applied), {},
+                     fmt::format("repeat so that there are at most {}", most_applied));
+    }
+    return {std::shared_ptr<const Stage>(std::move(repeat))};
+}
+
+std::vector<StageParameter> parameters(StageKind kind) {
+    return {{.name = "times",
+             .type = ParameterType::count,
+             .least = 1.0,
+             .most = most_times,
+             .constant = true,
+             .meaning = "how often"},
+            {.name = "stages",
+             .type = ParameterType::stages,
+             .stage_kind = kind,
+             .meaning = "what is applied, in sequence"}};
+}
+
+}  // namespace
+
+std::vector<StageEntry> repeats() {
+    const StageKind parameter_kind = StageKind::parameter_transformer;
+    const StageKind object_kind = StageKind::object_transformer;
+    return {
+        {parameter_kind,
+         "repeat",
+         "applies parameter transformers several times over",
+         parameters(parameter_kind),
+         make_repeat<ParameterTransformer, ParameterPoint>,
+         {},
+         0,
+         R"(camera repeat {
+    map    u = 1.4 .. -1.4, v = square
+    warp   repeat(5, zoom(at = (0.6, 0), radius = 0.6, strength = 1.4), rotate(72deg))
+    eye    point
+    toward plane((1, 0, 0))
+})"},
+        {object_kind,
+         "repeat",
+         "applies object transformers several times over",
+         parameters(object_kind),
+         make_repeat<ObjectTransformer, ObjectPoint>,
+         {},
+         0,
+         R"(camera repeat {
+    map    u = 1.6 .. -1.6, v = square
+    eye    point
+    toward {
+        object plane((2, 0, 0))
+        move   repeat(6, coin((2, 0.9, 0), strength = 0.6, radius = 0.5), rotate(x, 60deg))
+    }
+})"},
+    };
+}
+
+}  // namespace balcony::camera
