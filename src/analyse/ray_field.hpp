@@ -10,12 +10,10 @@
 #include <Imath/ImathVec.h>
 
 #include "balcony/camera.hpp"
+#include "balcony/diagnose.hpp"
 #include "balcony/program.hpp"
 
 namespace balcony::analyse {
-
-using Imath::V2d;
-using Imath::V3d;
 
 /// A ray with its exact derivatives by picture x and y, all a pixel.
 struct Ray {
@@ -25,24 +23,6 @@ struct Ray {
     V2d parameters;  ///< (u, v) of the eye object.
     V3d origin_by_x{0.0}, origin_by_y{0.0};
     V3d direction_by_x{0.0}, direction_by_y{0.0};
-};
-
-/// Equally spaced points of a picture, one in the middle of each of its cells.
-struct SampleGrid {
-    double picture_width = 0.0;  ///< In pixels, as are all lengths here.
-    double picture_height = 0.0;
-    double step = 1.0;  ///< From sample to sample in both directions.
-    std::size_t columns = 0;
-    std::size_t rows = 0;
-
-    /// As many samples, at least one, as cells of the given size fit into the picture; what is left
-    /// over is at its borders.
-    [[nodiscard]] static SampleGrid over(double picture_width, double picture_height, double step);
-
-    [[nodiscard]] std::size_t size() const { return columns * rows; }
-    [[nodiscard]] V2d first() const;
-    /// Where the sample of an index (row by row) lies.
-    [[nodiscard]] V2d at(std::size_t index) const;
 };
 
 /// A camera compiled for a picture of one size. Belongs to one thread.

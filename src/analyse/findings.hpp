@@ -1,0 +1,27 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// What a report says in words.
+
+#include <vector>
+
+#include "analyse/ray_field.hpp"
+#include "analyse/repeats.hpp"
+#include "analyse/seams.hpp"
+
+namespace balcony::analyse {
+
+/// All that findings are made of: a report whose samples are filled in, and what they came from.
+struct Evidence {
+    const Report& report;
+    const std::vector<Ray>& rays;
+    const std::vector<Crossing>& crossings;
+    const Repeats& repeats;
+    RayProgram& program;
+};
+
+/// Defects first, then by kind.
+[[nodiscard]] std::vector<Finding> find_all(const Evidence& evidence);
+
+}  // namespace balcony::analyse

@@ -1,0 +1,32 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Connected regions of samples.
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "balcony/diagnose.hpp"
+
+namespace balcony::analyse {
+
+/// Samples that hang together, each with one of its four neighbours.
+struct Region {
+    std::vector<std::size_t> samples;  ///< Row by row.
+    std::size_t middle = 0;            ///< The one nearest to the mean place of all.
+};
+
+/// Whether the sample is in a region; whether two neighbours that are hang together.
+using SampleTest = std::function<bool(std::size_t)>;
+using PairTest = std::function<bool(std::size_t, std::size_t)>;
+
+/// The largest first.
+[[nodiscard]] std::vector<Region> find_regions(const SampleGrid& grid, const SampleTest& inside,
+                                               const PairTest& connected);
+
+/// The up to four neighbours of a sample.
+[[nodiscard]] std::vector<std::size_t> neighbours(const SampleGrid& grid, std::size_t sample);
+
+}  // namespace balcony::analyse

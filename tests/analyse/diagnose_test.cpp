@@ -1,0 +1,252 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Diagnostics against what is known of a camera: closed forms from the textbook, and faults of
+// known place and size.
+
+#include "balcony/diagnose.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support.hpp"
+
+namespace balcony::analyse {
+namespace {
+
+using test::camera_of;
+using test::standard;
+
+constexpr double pi = std::numbers::pi;
+
+Report report_on(const camera::Camera& camera, double width, double height,
+                 std::optional<double> distance = {}) {
+    DiagnoseSettings settings;
+    settings.width = width;
+    settings.height = height;
+    settings.distance = distance;
+    return diagnose(camera, settings);
+}
+
+std::vector<Finding> findings(const Report& report, FindingKind kind) {
+    std::vector<Finding> found;
+    for (const Finding& finding : report.findings) {
+        if (finding.kind == kind) {
+            found.push_back(finding);
+        }
+    }
+    return found;
+}
+
+std::string words(const Report& report) {
+    std::string text;
+    for (const Finding& finding : report.findings) {
+        text += finding.message + "\n";
+    }
+    return text;
+}
+
+TEST(Measures, PinholeHasTheSolidAngleOfPerspective) {
+    const double width = 400;
+    const Report report = report_on(standard("pinhole", {{"fov", "90deg"}}), width, 300);
+    EXPECT_TRUE(report.single_viewpoint);
+    EXPECT_FALSE(report.distance);
+    EXPECT_EQ(words(report), "");
+    // The picture plane is `focal` pixels away; a pixel there has cos^3 / focal^2 of the sphere.
+    const double focal = width / 2;
+    for (std::size_t i = 0; i < report.samples.size(); i += 997) {
+        const V2d off = report.grid.at(i) - V2d(200, 150);
+        const double cosine = focal / std::sqrt(focal * focal + off.length2());
+        const double expected = pi / 180 * focal / std::pow(cosine, 1.5);
+        EXPECT_NEAR(report.samples[i].magnification, expected, 1e-10 * expected);
+        EXPECT_NEAR(report.samples[i].anisotropy, 1 / cosine, 1e-10);
+        EXPECT_EQ(report.samples[i].orientation, 1);
+        EXPECT_EQ(report.samples[i].views, 1);
+    }
+    // The least is in the middle, the most in a corner.
+    EXPECT_LT((report.magnification->least_at.point - V2d(200, 150)).length(), 3.0);
+    EXPECT_GT((report.magnification->most_at.point - V2d(200, 150)).length(), 240.0);
+}
+
+TEST(Measures, OrthographicShowsAllAlikeAtAnyDistance) {
+    const camera::Camera camera = standard("orthographic", {{"width", "8"}});
+    for (const auto& distance : {std::optional<double>(), std::optional<double>(100.0)}) {
+        const Report report = report_on(camera, 320, 200, distance);
+        EXPECT_FALSE(report.single_viewpoint);
+        for (const Statistics& row : {*report.magnification, *report.anisotropy}) {
+            EXPECT_NEAR(row.most, row.least, 1e-10);
+        }
+        EXPECT_NEAR(report.magnification->median, 40.0, 1e-10);
+        EXPECT_NEAR(report.anisotropy->median, 1.0, 1e-7);
+        EXPECT_EQ(words(report), "");
+    }
+}
+
+TEST(Measures, EquirectangularIsAsAnisotropicAsTheSecantOfLatitude) {
+    const Report report = report_on(standard("panorama"), 400, 200);
+    for (std::size_t i = 0; i < report.samples.size(); i += 331) {
+        const double latitude = (0.5 - report.grid.at(i).y / 200) * pi;
+        const double expected = 1 / std::cos(latitude);
+        EXPECT_NEAR(report.samples[i].anisotropy, expected, 1e-9 * expected);
+    }
+    // A sphere all round has no seam within the picture, and shows nothing twice.
+    EXPECT_EQ(words(report), "");
+}
+
+TEST(Measures, ACubeShapedCameraLooksSquarelyAtItsDistance) {
+    // Normals of a cylinder of radius 2: at distance 1 a unit of the picture's width is 3/2 as
+    // long as on the cylinder.
+    const camera::Camera camera =
+        camera_of("camera c { map u = 90deg .. -90deg, v = -1 .. 1 eye cylinder(2) look normal }");
+    const Report report = report_on(camera, 300, 100, 1.0);
+    const double by_x = 3 * pi / 300;
+    const double by_y = 2.0 / 100;
+    EXPECT_NEAR(report.magnification->median, 1 / std::sqrt(by_x * by_y), 1e-9);
+    EXPECT_NEAR(report.anisotropy->median, by_x / by_y, 1e-9);
+}
+
+TEST(Findings, SuperellipticCameraHasNone) {
+    const Report report =
+        report_on(camera_of("camera superelliptic {\n"
+                            "    aspect 5\n"
+                            "    map u = 210.85deg .. -149.15deg, v = -36deg .. 36deg\n"
+                            "    eye product(superellipse(1, 25/45, 1/4, by = arc_length),\n"
+                            "                superellipse(45, 25, 1/4, by = arc_length))\n"
+                            "    look normal\n"
+                            "}"),
+                  1600, 320);
+    EXPECT_EQ(words(report), "");
+}
+
+TEST(Findings, StandardCamerasHaveNone) {
+    for (const std::string& name : lang::standard_cameras()) {
+        const camera::Camera camera = standard(name);
+        const double width = 500 * std::sqrt(camera.parts().aspect);
+        const Report report =
+            report_on(camera, std::round(width), std::round(width / camera.parts().aspect));
+        EXPECT_FALSE(report.has_defects()) << name << ": " << words(report);
+    }
+}
+
+std::string zoomed(const std::string& strength) {
+    return "camera zoomed { map u = 2 .. -2, v = -1 .. 1\n"
+           "warp zoom(at = (-1, 0.25), radius = 0.5, strength = " +
+           strength + ")\n eye point(0, 0, 0)\n toward plane((1, 0, 0)) }";
+}
+
+TEST(Findings, AZoomFoldsBelow32Of81) {
+    EXPECT_EQ(words(report_on(camera_of(zoomed("0.4")), 400, 200)), "");
+    const Report report = report_on(camera_of(zoomed("0.25")), 400, 200);
+    const auto folds = findings(report, FindingKind::fold);
+    ASSERT_EQ(folds.size(), 1U) << words(report);
+    EXPECT_TRUE(folds[0].defect);
+    EXPECT_EQ(folds[0].count, 1U);
+    // It folds on a ring where 3 (1 - q)^2 (7 q - 1) > 1; k is -3. Both ends of q by bisection.
+    const auto end = [](double inside, double outside) {
+        for (int i = 0; i < 60; ++i) {
+            const double q = (inside + outside) / 2;
+            (3 * (1 - q) * (1 - q) * (7 * q - 1) > 1 ? inside : outside) = q;
+        }
+        return inside;
+    };
+    const double ring = pi * 0.25 * (end(3.0 / 7, 1) - end(3.0 / 7, 0));
+    // A ring as wide as fifteen samples is known to a few per cent.
+    EXPECT_NEAR(folds[0].share, ring / 8, 0.03 * ring / 8);
+    const double q = ((folds[0].place.point - V2d(300, 75)) / 50.0).length2();
+    EXPECT_TRUE(end(3.0 / 7, 0) < q && q < end(3.0 / 7, 1)) << q;
+    EXPECT_FALSE(findings(report, FindingKind::repeated).empty());
+}
+
+TEST(Findings, OneSeamOfKnownLength) {
+    const camera::Camera straight = camera_of(
+        "camera s { map u = 1 .. -1, v = -1 .. 1 eye surface(u, v) = [0, u, v]\n"
+        "toward surface(u, v) = [1, u + floor((u - 0.3)/4)/2, v] look relative }");
+    const Report report = report_on(straight, 200, 100);
+    const auto seams = findings(report, FindingKind::seam);
+    ASSERT_EQ(seams.size(), 1U) << words(report);
+    EXPECT_NEAR(seams[0].length, 100.0, 1e-9);
+    EXPECT_NEAR(seams[0].place.point.x, 70.0, 1e-4);
+    EXPECT_NEAR(seams[0].place.parameters.x, 0.3, 1e-5);
+
+    const camera::Camera slanting = camera_of(
+        "camera s { map u = 1 .. -1, v = -1 .. 1 eye surface(u, v) = [0, u, v]\n"
+        "toward surface(u, v) = [1, u + floor((u - v/2)/4)/2, v] look relative }");
+    const Report across = report_on(slanting, 200, 200);
+    const auto slant = findings(across, FindingKind::seam);
+    ASSERT_EQ(slant.size(), 1U) << words(across);
+    EXPECT_NEAR(slant[0].length, 200 * std::sqrt(1.25), 1.0);
+}
+
+TEST(Findings, WhatIsSteepIsNoSeam) {
+    const camera::Camera steep = camera_of(
+        "camera s { map u = 1 .. -1, v = -1 .. 1 eye surface(u, v) = [0, u, v]\n"
+        "toward surface(u, v) = [1, u + tanh(300*(u - 0.3)) + sqrt(abs(v)), v]\n"
+        "look relative }");
+    EXPECT_TRUE(findings(report_on(steep, 200, 100), FindingKind::seam).empty());
+}
+
+TEST(Findings, TwoTurnsShowAllTwice) {
+    const camera::Camera camera =
+        camera_of("camera c { map u = 360deg .. -360deg, v = -1 .. 1 eye cylinder(1) }");
+    // A width for which no two samples have the same ray exactly, too.
+    for (const double width : {400.0, 397.0}) {
+        const Report report = report_on(camera, width, 100);
+        const auto repeated = findings(report, FindingKind::repeated);
+        ASSERT_EQ(repeated.size(), 1U) << words(report);
+        EXPECT_EQ(repeated[0].share, 1.0);
+        EXPECT_NEAR(std::abs(repeated[0].place.point.x - repeated[0].other->point.x), width / 2,
+                    0.1);
+        for (std::size_t i = 0; i < report.samples.size(); ++i) {
+            // What is just in the middle is at both borders, too.
+            const bool in_middle = report.grid.at(i).x == width / 2;
+            ASSERT_EQ(report.samples[i].views, in_middle ? 3 : 2);
+        }
+        EXPECT_EQ(report.findings.size(), 1U) << words(report);
+    }
+}
+
+TEST(Findings, ARoundPictureFillsAQuarterOfPi) {
+    const camera::Camera camera = camera_of(
+        "camera round { aspect 1 map u = 1 .. -1, v = -1 .. 1 eye point(0, 0, 0)\n"
+        "toward surface(u, v) = [sqrt(1 - u^2 - v^2), u, v] look relative }");
+    const Report report = report_on(camera, 250, 250);
+    EXPECT_NEAR(report.valid_share, pi / 4, 1e-3);
+    const auto none = findings(report, FindingKind::no_ray);
+    ASSERT_EQ(none.size(), 1U);
+    EXPECT_EQ(none[0].count, 4U);
+    EXPECT_NEAR(none[0].share, 1 - pi / 4, 1e-3);
+}
+
+TEST(Findings, NoRayAtAll) {
+    const Report report =
+        report_on(camera_of("camera none { map u = 1 .. -1, v = -1 .. 1 eye point(0, 0, 0)\n"
+                            "toward surface(u, v) = [sqrt(-1 - u^2), u, v] look relative }"),
+                  50, 50);
+    EXPECT_FALSE(report.magnification);
+    EXPECT_EQ(words(report), "no point of the picture has a ray\n");
+}
+
+TEST(Findings, AMirroredPictureIsSaidToBeOne) {
+    const Report report = report_on(
+        camera_of(
+            "camera m { map u = -1 .. 1, v = -1 .. 1 eye point(0,0,0) toward plane((1, 0, 0)) }"),
+        100, 100);
+    ASSERT_EQ(report.findings.size(), 1U) << words(report);
+    EXPECT_EQ(report.findings[0].kind, FindingKind::mirrored);
+    EXPECT_FALSE(report.has_defects());
+}
+
+TEST(Findings, ACameraThatMakesNoUseOfVIsSingular) {
+    const Report report = report_on(
+        camera_of("camera s { map u = 1 .. -1, v = -1 .. 1 eye point(0, 0, 0) toward circle(1) }"),
+        100, 100);
+    const auto singular = findings(report, FindingKind::singular);
+    ASSERT_EQ(singular.size(), 1U) << words(report);
+    EXPECT_EQ(singular[0].share, 1.0);
+    EXPECT_FALSE(report.magnification);
+}
+
+}  // namespace
+}  // namespace balcony::analyse
