@@ -25,6 +25,7 @@ Result<std::shared_ptr<const Stage>> made(Values&&... values) {
 [[nodiscard]] std::vector<StageEntry> complex_maps();
 [[nodiscard]] std::vector<StageEntry> coins();
 [[nodiscard]] std::vector<StageEntry> deformations();
+[[nodiscard]] std::vector<StageEntry> grids();
 [[nodiscard]] std::vector<StageEntry> repeats();
 [[nodiscard]] std::vector<StageEntry> formula_transformers();
 [[nodiscard]] std::vector<StageEntry> primitives();
@@ -35,10 +36,12 @@ Result<std::shared_ptr<const Stage>> made(Values&&... values) {
 [[nodiscard]] std::vector<StageEntry> direction_rules();
 
 inline constexpr auto families = {
-    picture_arrangers,    picture_mappers, parameter_affine, local_zoom,
-    complex_maps,         coins,           deformations,     repeats,
-    formula_transformers, primitives,      superconics,      spherical_product,
-    formula_objects,      object_affine,   direction_rules,
+    picture_arrangers,    picture_mappers, parameter_affine,
+    local_zoom,           complex_maps,    coins,
+    deformations,         grids,           repeats,
+    formula_transformers, primitives,      superconics,
+    spherical_product,    formula_objects, object_affine,
+    direction_rules,
 };
 
 }  // namespace balcony::camera

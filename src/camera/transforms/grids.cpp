@@ -1,0 +1,287 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Grid distortion: a lattice of control points over a box of parameter space (PCS → PCS) or of
+// object space (OCS → OCS). The second is free-form deformation after T. W. Sederberg and
+// S. R. Parry (SIGGRAPH 1986), with Bernstein polynomials as there or with B-splines.
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "camera/families.hpp"
+#include "camera/stage_parameters.hpp"
+#include "camera/transforms/control_lattice.hpp"
+
+namespace balcony::camera {
+
+namespace {
+
+using expr::Table;
+using TablePointer = std::shared_ptr<const Table>;
+
+/// A table's coefficients take 8 bytes each.
+constexpr std::size_t most_coefficients = std::size_t{1} << 20;
+
+/// What the points of a lattice add to a place in its box; one table a co-ordinate, whose axes are
+/// in the order ..., v, u.
+struct Offsets {
+    std::vector<LatticeAxis> axes;
+    std::vector<TablePointer> tables;
+
+    /// The offset at the place of the box that is nearest to p.
+    [[nodiscard]] std::vector<Expr> operator()(std::vector<Expr> p, const Emitter& emit) const {
+        std::reverse(p.begin(), p.end());
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            const auto [least, most] = std::minmax(axes[i].first, axes[i].last);
+            p[i] = min(max(p[i], emit(least)), emit(most));
+        }
+        std::vector<Expr> offset;
+        for (const TablePointer& table : tables) {
+            offset.push_back(emit.graph().lookup(table, p));
+        }
+        return offset;
+    }
+};
+
+class ParameterGrid final : public ParameterTransformer {
+public:
+    ParameterGrid(Offsets offsets, Scalar amount)
+        : offsets_(std::move(offsets)), amount_(std::move(amount)) {}
+    ParameterPoint transform(const ParameterPoint& p, Emitter& emit) const override {
+        const std::vector<Expr> offset = offsets_({p.u, p.v}, emit);
+        const Expr amount = emit(amount_);
+        return {p.u + amount * offset[0], p.v + amount * offset[1]};
+    }
+
+private:
+    Offsets offsets_;
+    Scalar amount_;
+};
+
+class ObjectGrid final : public ObjectTransformer {
+public:
+    ObjectGrid(Offsets offsets, Scalar amount)
+        : offsets_(std::move(offsets)), amount_(std::move(amount)) {}
+    ObjectPoint transform(const ObjectPoint& p, Emitter& emit) const override {
+        const std::vector<Expr> offset = offsets_({p.x, p.y, p.z}, emit);
+        return p + emit(amount_) * ObjectVector{offset[0], offset[1], offset[2]};
+    }
+
+private:
+    Offsets offsets_;
+    Scalar amount_;
+};
+
+LatticeBasis basis_of(const Arguments& a) {
+    const std::string& word = a.choice("basis");
+    return word == "b_spline"        ? LatticeBasis::b_spline
+           : word == "interpolating" ? LatticeBasis::interpolating
+                                     : LatticeBasis::bernstein;
+}
+
+/// The numbers of points along each axis as the words say them: columns, rows, layers.
+struct Counts {
+    std::vector<std::size_t> along;
+    std::vector<std::string_view> names;
+};
+
+Result<Counts> counts_of(const Arguments& a, std::vector<std::string_view> names) {
+    const std::size_t total = a.points("points").size();
+    Counts counts{{}, std::move(names)};
+    std::size_t slab = 1;
+    for (std::size_t i = 0; i + 1 < counts.names.size(); ++i) {
+        counts.along.push_back(a.count(counts.names[i]));
+        slab *= counts.along.back();
+    }
+    if (total % slab != 0) {
+        return error(fmt::format("{} points do not fill {} of {} each", total, counts.names.back(),
+                                 slab),
+                     {}, fmt::format("give a multiple of {} points", slab));
+    }
+    counts.along.push_back(total / slab);
+    if (counts.along.back() < 2) {
+        return error(fmt::format("the points are one of the {} alone", counts.names.back()), {},
+                     fmt::format("give at least {} points", 2 * slab));
+    }
+    return counts;
+}
+
+/// Why the points cannot be a lattice of the basis, if they cannot.
+Diagnostics unfit(const Counts& counts, std::span<const LatticeAxis> axes, LatticeBasis basis) {
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        const std::string_view name = counts.names[axes.size() - 1 - i];
+        if (axes[i].first == axes[i].last) {
+            return {error(fmt::format("the box has no extent across its {}", name), {},
+                          "let from and to differ in every co-ordinate")};
+        }
+        if (basis == LatticeBasis::bernstein && axes[i].points > most_bernstein_points) {
+            return {error(fmt::format("a Bernstein lattice of {} {} has too high a degree",
+                                      axes[i].points, name),
+                          {},
+                          fmt::format("give at most {}, or take basis = b_spline",
+                                      most_bernstein_points))};
+        }
+    }
+    if (coefficient_count(axes, basis) > most_coefficients) {
+        return {error("the lattice has too many points", {},
+                      fmt::format("a lattice makes at most {} coefficients, and this one {}",
+                                  most_coefficients, coefficient_count(axes, basis)))};
+    }
+    return {};
+}
+
+/// The lattice's own place of its point number i, one of the co-ordinates.
+double regular_place(const LatticeAxis& axis, std::size_t i) {
+    const double part = static_cast<double>(i) / static_cast<double>(axis.points - 1);
+    return axis.first + part * (axis.last - axis.first);
+}
+
+template <class Box>
+Result<Offsets> offsets_of(const Arguments& a, const Box& from, const Box& to,
+                           std::vector<std::string_view> names) {
+    const Result<Counts> counts = counts_of(a, std::move(names));
+    if (!counts) {
+        return counts.diagnostics;
+    }
+    const std::size_t dimension = from.size();
+    Offsets offsets;
+    for (std::size_t axis = dimension; axis-- > 0;) {
+        offsets.axes.push_back({from[axis].constant().value_or(0.0),
+                                to[axis].constant().value_or(0.0), counts->along[axis]});
+    }
+    const LatticeBasis basis = basis_of(a);
+    if (Diagnostics said = unfit(*counts, offsets.axes, basis); !said.empty()) {
+        return said;
+    }
+    const PointList& points = a.points("points");
+    const bool positions = a.choice("given") == "positions";
+    std::size_t step = 1;
+    for (std::size_t axis = 0; axis < dimension; ++axis) {
+        const LatticeAxis& along = offsets.axes[dimension - 1 - axis];
+        std::vector<double> values;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const double place = regular_place(along, i / step % along.points);
+            values.push_back(points[i][axis] - (positions ? place : 0.0));
+        }
+        offsets.tables.push_back(std::make_shared<const Table>(
+            lattice_table(offsets.axes, std::move(values), basis)));
+        step *= along.points;
+    }
+    return offsets;
+}
+
+StageParameter count_parameter(std::string_view name, std::string_view meaning) {
+    return {.name = name,
+            .type = ParameterType::count,
+            .least = 2.0,
+            .most = 1000.0,
+            .constant = true,
+            .meaning = meaning};
+}
+
+/// The parameters that stand behind the points and their counts.
+std::vector<StageParameter> with_box(std::vector<StageParameter> own, StageParameter from,
+                                     StageParameter to) {
+    using enum ParameterType;
+    from.name = "from";
+    to.name = "to";
+    from.constant = to.constant = true;
+    own.push_back(std::move(from));
+    own.push_back(std::move(to));
+    own.push_back({.name = "given",
+                   .type = choice,
+                   .choices = {"offsets", "positions"},
+                   .meaning = "whether the points are added to the regular lattice's or stand "
+                              "where its points go"});
+    own.push_back({.name = "basis",
+                   .type = choice,
+                   .choices = {"b_spline", "interpolating", "bernstein"},
+                   .meaning = "near the points, through the points, or one polynomial of at most "
+                              "8 points along an axis"});
+    own.push_back(number_parameter("amount", 1.0, "how much of the distortion; 0 is none"));
+    return own;
+}
+
+std::vector<StageParameter> parameter_grid_parameters() {
+    using enum ParameterType;
+    return with_box(
+        {{.name = "points",
+          .type = points,
+          .unit = Unit::parameter,
+          .coordinates = {2},
+          .points_least = 4,
+          .meaning = "(u, v), from the corner `from` on along u, then row by row along v"},
+         count_parameter("columns", "how many points a row has")},
+        pair_parameter("from", {-1.0, -1.0}, "the corner (u, v) of the box at the first point"),
+        pair_parameter("to", {1.0, 1.0}, "the corner at the last point"));
+}
+
+std::vector<StageParameter> object_grid_parameters() {
+    using enum ParameterType;
+    return with_box({{.name = "points",
+                      .type = points,
+                      .coordinates = {3},
+                      .points_least = 8,
+                      .meaning = "(x, y, z), from the corner `from` on along x, then row by row "
+                                 "along y, then layer by layer along z"},
+                     count_parameter("columns", "how many points a row has, along x"),
+                     count_parameter("rows", "how many rows a layer has, along y")},
+                    triple_parameter("from", {-1.0, -1.0, -1.0},
+                                     "the corner (x, y, z) of the box at the first point"),
+                    triple_parameter("to", {1.0, 1.0, 1.0}, "the corner at the last point"));
+}
+
+}  // namespace
+
+std::vector<StageEntry> grids() {
+    return {
+        {StageKind::parameter_transformer,
+         "grid",
+         "distorts parameter space by a lattice of control points; outside its box the offset of "
+         "the nearest border point goes on",
+         parameter_grid_parameters(),
+         [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
+             auto offsets = offsets_of(a, a.pair("from"), a.pair("to"), {"columns", "rows"});
+             if (!offsets) {
+                 return std::move(offsets.diagnostics);
+             }
+             return made<ParameterGrid>(std::move(*offsets), a.number("amount"));
+         },
+         {},
+         0,
+         R"(camera grid {
+    map    u = 1.2 .. -1.2, v = square
+    warp   grid([(0, 0), (0, 0),      (0, 0),       (0, 0),
+                 (0, 0), (0.4, 0.2),  (0.2, -0.4),  (0, 0),
+                 (0, 0), (-0.2, 0.4), (-0.4, -0.2), (0, 0),
+                 (0, 0), (0, 0),      (0, 0),       (0, 0)], columns = 4)
+    eye    point
+    toward plane((1, 0, 0))
+})"},
+        {StageKind::object_transformer,
+         "grid",
+         "free-form deformation: distorts object space by a lattice of control points; outside "
+         "its box the offset of the nearest border point goes on",
+         object_grid_parameters(),
+         [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
+             auto offsets =
+                 offsets_of(a, a.triple("from"), a.triple("to"), {"columns", "rows", "layers"});
+             if (!offsets) {
+                 return std::move(offsets.diagnostics);
+             }
+             return made<ObjectGrid>(std::move(*offsets), a.number("amount"));
+         },
+         {},
+         0,
+         R"(camera grid {
+    map  u = 1.5 .. -1.5, v = square
+    eye  plane
+    move grid([(0, 0, 0), (0, 0, 0), (0.8, 0, 0), (0.8, 0, 0), (0, 0, 0), (0, 0, 0),
+               (0, 0, 0), (0, 0, 0), (-0.8, 0, 0), (-0.8, 0, 0), (0, 0, 0), (0, 0, 0)],
+              columns = 2, rows = 3)
+})"},
+    };
+}
+
+}  // namespace balcony::camera
