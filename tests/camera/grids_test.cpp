@@ -257,10 +257,9 @@ TEST(Grids, SayWhatCannotBe) {
                        {"basis", std::string("bernstein")}})
                   .find("9 columns"),
               std::string::npos);
-    EXPECT_NE(
-        message({{"points", random_offsets(300 * 300, 2)}, {"columns", numbers({300.0})}}).find(
-            "too many points"),
-        std::string::npos);
+    EXPECT_NE(message({{"points", random_offsets(300 * 300, 2)}, {"columns", numbers({300.0})}})
+                  .find("too many points"),
+              std::string::npos);
 }
 
 }  // namespace balcony::camera

@@ -95,9 +95,9 @@ Result<Counts> counts_of(const Arguments& a, std::vector<std::string_view> names
         slab *= counts.along.back();
     }
     if (total % slab != 0) {
-        return error(fmt::format("{} points do not fill {} of {} each", total, counts.names.back(),
-                                 slab),
-                     {}, fmt::format("give a multiple of {} points", slab));
+        return error(
+            fmt::format("{} points do not fill {} of {} each", total, counts.names.back(), slab),
+            {}, fmt::format("give a multiple of {} points", slab));
     }
     counts.along.push_back(total / slab);
     if (counts.along.back() < 2) {
@@ -116,11 +116,11 @@ Diagnostics unfit(const Counts& counts, std::span<const LatticeAxis> axes, Latti
                           "let from and to differ in every co-ordinate")};
         }
         if (basis == LatticeBasis::bernstein && axes[i].points > most_bernstein_points) {
-            return {error(fmt::format("a Bernstein lattice of {} {} has too high a degree",
-                                      axes[i].points, name),
-                          {},
-                          fmt::format("give at most {}, or take basis = b_spline",
-                                      most_bernstein_points))};
+            return {error(
+                fmt::format("a Bernstein lattice of {} {} has too high a degree", axes[i].points,
+                            name),
+                {},
+                fmt::format("give at most {}, or take basis = b_spline", most_bernstein_points))};
         }
     }
     if (coefficient_count(axes, basis) > most_coefficients) {
@@ -164,8 +164,8 @@ Result<Offsets> offsets_of(const Arguments& a, const Box& from, const Box& to,
             const double place = regular_place(along, i / step % along.points);
             values.push_back(points[i][axis] - (positions ? place : 0.0));
         }
-        offsets.tables.push_back(std::make_shared<const Table>(
-            lattice_table(offsets.axes, std::move(values), basis)));
+        offsets.tables.push_back(
+            std::make_shared<const Table>(lattice_table(offsets.axes, std::move(values), basis)));
         step *= along.points;
     }
     return offsets;
