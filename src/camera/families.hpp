@@ -16,6 +16,15 @@ Result<std::shared_ptr<const Stage>> made(Values&&... values) {
     return {std::make_shared<const Concrete>(std::forward<Values>(values)...)};
 }
 
+/// A stage of a known port as a maker returns it.
+template <class Port>
+Result<std::shared_ptr<const Stage>> as_stage(Result<std::shared_ptr<const Port>> made) {
+    if (!made) {
+        return std::move(made.diagnostics);
+    }
+    return {std::move(*made), std::move(made.diagnostics)};
+}
+
 // Each family of stages stands in a file of its own with the rows of the catalogue that make them.
 // A new stage is a class and a row in its family's file; a new family is a line here as well.
 [[nodiscard]] std::vector<StageEntry> picture_arrangers();
@@ -29,19 +38,39 @@ Result<std::shared_ptr<const Stage>> made(Values&&... values) {
 [[nodiscard]] std::vector<StageEntry> repeats();
 [[nodiscard]] std::vector<StageEntry> formula_transformers();
 [[nodiscard]] std::vector<StageEntry> primitives();
+[[nodiscard]] std::vector<StageEntry> curve_primitives();
+[[nodiscard]] std::vector<StageEntry> surface_primitives();
+[[nodiscard]] std::vector<StageEntry> spheres();
+[[nodiscard]] std::vector<StageEntry> conics();
 [[nodiscard]] std::vector<StageEntry> superconics();
 [[nodiscard]] std::vector<StageEntry> spherical_product();
+[[nodiscard]] std::vector<StageEntry> quadrics();
 [[nodiscard]] std::vector<StageEntry> formula_objects();
 [[nodiscard]] std::vector<StageEntry> object_affine();
 [[nodiscard]] std::vector<StageEntry> direction_rules();
 
 inline constexpr auto families = {
-    picture_arrangers,    picture_mappers, parameter_affine,
-    local_zoom,           complex_maps,    coins,
-    deformations,         grids,           repeats,
-    formula_transformers, primitives,      superconics,
-    spherical_product,    formula_objects, object_affine,
+    picture_arrangers,
+    picture_mappers,
+    parameter_affine,
+    local_zoom,
+    formula_transformers,
+    primitives,
+    curve_primitives,
+    surface_primitives,
+    spheres,
+    conics,
+    superconics,
+    spherical_product,
+    quadrics,
+    formula_objects,
+    object_affine,
     direction_rules,
+    complex_maps,
+    coins,
+    deformations,
+    repeats,
+    grids,
 };
 
 }  // namespace balcony::camera

@@ -77,7 +77,17 @@ std::vector<StageEntry> picture_mappers() {
          [](const Arguments& a) {
              return made<RangeMapper>(a.number("u_first"), a.number("u_last"), a.number("v_first"),
                                       a.number("v_last"));
-         }},
+         },
+         {},
+         0,
+         R"(
+// All longitudes and the latitudes between the polar circles.
+camera temperate {
+    map    u = 180deg .. -180deg, v = -66deg .. 66deg
+    eye    point
+    toward sphere(1)
+}
+)"},
         {kind,
          "square_v",
          "u = a .. b, v = square: v is 0 in the middle, with u's units a pixel",
@@ -85,7 +95,17 @@ std::vector<StageEntry> picture_mappers() {
          [](const Arguments& a) {
              return made<SquareMapper>(SquareMapper::Given::u, a.number("u_first"),
                                        a.number("u_last"));
-         }},
+         },
+         {},
+         0,
+         R"(
+// 90 degrees in width, and in height as many as make a degree one size in both.
+camera wide {
+    map    u = 45deg .. -45deg, v = square
+    eye    point
+    toward sphere(1)
+}
+)"},
         {kind,
          "square_u",
          "u = square, v = a .. b: u is 0 in the middle, with v's units a pixel",
@@ -93,7 +113,18 @@ std::vector<StageEntry> picture_mappers() {
          [](const Arguments& a) {
              return made<SquareMapper>(SquareMapper::Given::v, a.number("v_first"),
                                        a.number("v_last"));
-         }},
+         },
+         {},
+         0,
+         R"(
+// 60 degrees in height, and in width as many as make a degree one size in both.
+camera high {
+    map    u = square, v = -30deg .. 30deg
+    eye    point
+    toward sphere(1)
+    move   mirror(y)
+}
+)"},
     };
 }
 

@@ -48,14 +48,30 @@ std::vector<StageEntry> formula_objects() {
          {},
          [](const Arguments& a) { return made<FormulaCurve>(a.formula()); },
          FormulaShape{1, 2, 3},
-         1},
+         1,
+         R"(
+// A walk through a winding valley, with a look across the way to both sides of its end.
+camera valley_walk {
+    map    u = -3 .. 3, v = -1 .. 1
+    eye    curve(u) = [u, sin(u), 0.2*u^2]
+    toward surface(u, v) = [u + 1, sin(u) + cos(u), 0.2*u^2 + v]
+}
+)"},
         {kind,
          "surface",
          "a surface by formula: surface(u, v) = [x, y, z]",
          {},
          [](const Arguments& a) { return made<FormulaSurface>(a.formula()); },
          FormulaShape{2, 3, 3},
-         2},
+         2,
+         R"(
+// The normals of a shallow trough meet in front of it and spread again.
+camera trough {
+    map  u = 1.2 .. -1.2, v = -1 .. 1
+    eye  surface(u, v) = [-3*cosh(u), 3*sinh(u), v]
+    look normal
+}
+)"},
     };
 }
 

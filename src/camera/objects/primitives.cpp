@@ -61,20 +61,6 @@ private:
     Triple at_, along_u_, along_v_;
 };
 
-/// By longitude u and latitude v.
-class Sphere final : public ObjectGenerator {
-public:
-    explicit Sphere(Scalar radius) : radius_(std::move(radius)) {}
-    int dimension() const override { return 2; }
-    ObjectPoint generate(const ParameterPoint& p, Emitter& emit) const override {
-        const Expr r = emit(radius_);
-        return {r * cos(p.u) * cos(p.v), r * sin(p.u) * cos(p.v), r * sin(p.v)};
-    }
-
-private:
-    Scalar radius_;
-};
-
 /// By angle u and height v.
 class Cylinder final : public ObjectGenerator {
 public:
@@ -121,7 +107,16 @@ std::vector<StageEntry> primitives() {
          {coordinate("x"), coordinate("y"), coordinate("z")},
          [](const Arguments& a) { return made<Point>(xyz_of(a)); },
          {},
-         0},
+         0,
+         R"(
+// From one place all round: the ceiling and the floor are drawn out at the edges.
+camera all_round {
+    aspect 2
+    map    u = 180deg .. -180deg, v = -90deg .. 90deg
+    eye    point(0, 0, 0)
+    toward sphere(1)
+}
+)"},
         {kind,
          "line",
          "at + u along",
@@ -129,14 +124,30 @@ std::vector<StageEntry> primitives() {
           triple_parameter("along", {1.0, 0.0, 0.0}, "the step for one unit of u")},
          [](const Arguments& a) { return made<Line>(a.triple("at"), a.triple("along")); },
          {},
-         1},
+         1,
+         R"(
+// From a train's window: the eye moves along a line, and the picture is perspective in height alone.
+camera train_window {
+    map    u = -4 .. 4, v = -1 .. 1
+    eye    line(along = (0, -1, 0))
+    toward plane((1, 0, 0), along_u = (0, -1, 0))
+}
+)"},
         {kind,
          "circle",
          "a circle round the z axis in the plane z = 0, by angle",
          {radius()},
          [](const Arguments& a) { return made<Circle>(a.number("radius")); },
          {},
-         1},
+         1,
+         R"(
+// Rays start on a circle and pass through a torus round it.
+camera flight(R = 10, r = 2) {
+    map    u = 90deg .. 0deg, v = -180deg .. 180deg
+    eye    circle(R)
+    toward torus(R, r)
+}
+)"},
         {kind,
          "plane",
          "at + u along_u + v along_v",
@@ -147,21 +158,30 @@ std::vector<StageEntry> primitives() {
              return made<Plane>(a.triple("at"), a.triple("along_u"), a.triple("along_v"));
          },
          {},
-         2},
-        {kind,
-         "sphere",
-         "a sphere by longitude u and latitude v",
-         {radius()},
-         [](const Arguments& a) { return made<Sphere>(a.number("radius")); },
-         {},
-         2},
+         2,
+         R"(
+// Parallel rays from a flat picture: no perspective.
+camera flat {
+    map  u = 4 .. -4, v = square
+    eye  plane
+    look normal
+}
+)"},
         {kind,
          "cylinder",
          "a cylinder round the z axis by angle u and height v",
          {radius()},
          [](const Arguments& a) { return made<Cylinder>(a.number("radius")); },
          {},
-         2},
+         2,
+         R"(
+// Unrolls a vase that stands in the cylinder.
+camera unrolled_vase {
+    map  u = -180deg .. 180deg, v = -1.5 .. 1.5
+    eye  cylinder(3)
+    look normal(side = back)
+}
+)"},
         {kind,
          "torus",
          "a torus round the z axis by the angle u round the axis and v round the tube",
@@ -169,7 +189,15 @@ std::vector<StageEntry> primitives() {
           positive_parameter("minor", 1.0, "of the tube")},
          [](const Arguments& a) { return made<Torus>(a.number("major"), a.number("minor")); },
          {},
-         2},
+         2,
+         R"(
+// The outer half of a ring: all round and beyond the zenith and the nadir.
+camera ring_outside {
+    map  u = 180deg .. -180deg, v = -110deg .. 110deg
+    eye  torus(3, 1)
+    look normal
+}
+)"},
     };
 }
 

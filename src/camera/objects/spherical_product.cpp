@@ -4,6 +4,8 @@
 // Object generator, PCS → OCS: the spherical product of two plane curves, which makes quadrics and
 // superquadrics.
 
+#include "camera/objects/spherical_product.hpp"
+
 #include "camera/families.hpp"
 
 namespace balcony::camera {
@@ -35,6 +37,10 @@ bool lies_in_xy_plane(const ObjectGenerator& curve) {
 
 }  // namespace
 
+ObjectGeneratorPointer spherical_product_of(ObjectGeneratorPointer g, ObjectGeneratorPointer h) {
+    return std::make_shared<const SphericalProduct>(std::move(g), std::move(h));
+}
+
 std::vector<StageEntry> spherical_product() {
     using enum ParameterType;
     return {
@@ -54,7 +60,17 @@ std::vector<StageEntry> spherical_product() {
              return made<SphericalProduct>(a.curve("g"), a.curve("h"));
          },
          {},
-         2},
+         2,
+         R"(
+// A long room unfolded: the four walls, ceiling and floor of a superellipsoid, two curves' product.
+camera room(a = 45, b = 25, c = 25, gamma = 1/4) {
+    aspect 4
+    map  u = 180deg .. -180deg, v = -60deg .. 60deg
+    eye  product(superellipse(1, b/a, gamma, by = arc_length),
+                 superellipse(a, c, gamma, by = arc_length))
+    look normal
+}
+)"},
     };
 }
 

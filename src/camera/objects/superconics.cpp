@@ -11,7 +11,7 @@
 
 #include "camera/arc_length.hpp"
 #include "camera/families.hpp"
-#include "camera/stage_parameters.hpp"
+#include "camera/objects/superconics.hpp"
 
 namespace balcony::camera {
 
@@ -171,58 +171,62 @@ class AngleCentreSuperhyperbola final : public Superconic {
 };
 
 template <class Concrete>
-Result<std::shared_ptr<const Stage>> make_superconic(const Arguments& a) {
-    return made<Concrete>(a.number("a"), a.number("b"), a.number("gamma"));
+Result<ObjectGeneratorPointer> made_curve(Scalar a, Scalar b, Scalar gamma) {
+    return {std::make_shared<const Concrete>(std::move(a), std::move(b), std::move(gamma))};
 }
 
-Result<std::shared_ptr<const Stage>> make_superellipse(const Arguments& a) {
-    if (a.choice("by") == "angle_centre") {
-        return make_superconic<AngleCentreSuperellipse>(a);
-    }
-    if (a.choice("by") == "trigonometric") {
-        return make_superconic<TrigonometricSuperellipse>(a);
-    }
-    const auto constant_a = a.number("a").constant();
-    const auto constant_b = a.number("b").constant();
-    const auto gamma = a.number("gamma").constant();
-    if (!constant_a || !constant_b || !gamma) {
+Result<ObjectGeneratorPointer> arc_length_superellipse(const Scalar& a, const Scalar& b,
+                                                       const Scalar& gamma) {
+    const auto constant_a = a.constant();
+    const auto constant_b = b.constant();
+    const auto constant_gamma = gamma.constant();
+    if (!constant_a || !constant_b || !constant_gamma) {
         return error("a superellipse by arc_length cannot change with time", {},
                      "use constants for a, b and gamma, or by = angle_centre");
     }
     constexpr double most_gamma = 2.0;
-    if (*gamma > most_gamma) {
+    if (*constant_gamma > most_gamma) {
         return error(fmt::format("a superellipse by arc_length cannot have the gamma {}, which is "
                                  "above {}",
-                                 *gamma, most_gamma),
+                                 *constant_gamma, most_gamma),
                      {}, "use by = angle_centre or trigonometric");
     }
-    return made<ArcLengthSuperellipse>(*constant_a, *constant_b, *gamma);
+    return {
+        std::make_shared<const ArcLengthSuperellipse>(*constant_a, *constant_b, *constant_gamma)};
 }
 
-Result<std::shared_ptr<const Stage>> make_superhyperbola(const Arguments& a) {
-    if (a.choice("by") == "cartesian") {
-        return make_superconic<CartesianSuperhyperbola>(a);
+}  // namespace
+
+Result<ObjectGeneratorPointer> superellipse(Scalar a, Scalar b, Scalar gamma, std::string_view by) {
+    if (by == "angle_centre") {
+        return made_curve<AngleCentreSuperellipse>(std::move(a), std::move(b), std::move(gamma));
     }
-    if (a.choice("by") == "hyperbolic") {
-        return make_superconic<HyperbolicSuperhyperbola>(a);
+    if (by == "trigonometric") {
+        return made_curve<TrigonometricSuperellipse>(std::move(a), std::move(b), std::move(gamma));
     }
-    if (a.choice("by") == "trigonometric") {
-        return make_superconic<TrigonometricSuperhyperbola>(a);
+    return arc_length_superellipse(a, b, gamma);
+}
+
+Result<ObjectGeneratorPointer> superhyperbola(Scalar a, Scalar b, Scalar gamma,
+                                              std::string_view by) {
+    if (by == "cartesian") {
+        return made_curve<CartesianSuperhyperbola>(std::move(a), std::move(b), std::move(gamma));
     }
-    return make_superconic<AngleCentreSuperhyperbola>(a);
+    if (by == "hyperbolic") {
+        return made_curve<HyperbolicSuperhyperbola>(std::move(a), std::move(b), std::move(gamma));
+    }
+    if (by == "trigonometric") {
+        return made_curve<TrigonometricSuperhyperbola>(std::move(a), std::move(b),
+                                                       std::move(gamma));
+    }
+    return made_curve<AngleCentreSuperhyperbola>(std::move(a), std::move(b), std::move(gamma));
 }
 
 // Below the least gamma the corners are sharper than the arc-length table resolves, above the most
 // the points reach the centre.
-StageParameter gamma_parameter() {
-    return {.name = "gamma",
-            .default_value = {1.0},
-            .least = 0.05,
-            .most = 20.0,
-            .meaning = "superconic parameter: 1 is the conic, less is more square"};
+StageParameter gamma_parameter(std::string_view name, std::string_view meaning) {
+    return {.name = name, .default_value = {1.0}, .least = 0.05, .most = 20.0, .meaning = meaning};
 }
-
-}  // namespace
 
 std::vector<StageEntry> superconics() {
     using enum ParameterType;
@@ -233,32 +237,58 @@ std::vector<StageEntry> superconics() {
          "|x/a|^e + |y/b|^e = 1 with e = 2/gamma, as a curve in u",
          {positive_parameter("a", 1.0, "half axis along x"),
           positive_parameter("b", 1.0, "half axis along y"),
-          gamma_parameter(),
+          gamma_parameter("gamma", "superconic parameter: 1 is the conic, less is more square"),
           {.name = "by",
            .type = choice,
-           .choices = {"angle_centre", "trigonometric", "arc_length"},
+           .choices = superellipse_parametrisations(),
            .meaning =
                "the parametrisation: u is the polar angle before a and b are applied, the "
                "classical parameter, or proportional to the length (the whole is 360deg; "
                "off by less than 1e-7 of the whole in proportions of up to 10, gamma <= 2)"}},
-         make_superellipse,
+         [](const Arguments& a) {
+             return as_stage(
+                 superellipse(a.number("a"), a.number("b"), a.number("gamma"), a.choice("by")));
+         },
          {},
-         1},
+         1,
+         R"(
+// A street's four sides from the middle of the road, each in one scale: the eye follows a rounded
+// rectangle, and rays cross a wider one.
+camera round_the_block {
+    aspect 4
+    map    u = 180deg .. -180deg, v = -3 .. 3
+    eye    superellipse(6, 3, gamma = 1/4, by = arc_length)
+    toward product(superellipse(1, 2/3, gamma = 1/4, by = arc_length), curve(v) = [9, v])
+}
+)"},
         {kind,
          "superhyperbola",
          "one branch, x > 0, of |x/a|^e - |y/b|^e = 1 with e = 2/gamma, as a curve in u",
          {positive_parameter("a", 1.0, "half axis along x"),
           positive_parameter("b", 1.0, "half axis along y"),
-          gamma_parameter(),
+          gamma_parameter("gamma", "superconic parameter: 1 is the conic, less is more square"),
           {.name = "by",
            .type = choice,
-           .choices = {"cartesian", "hyperbolic", "trigonometric", "angle_centre"},
+           .choices = superhyperbola_parametrisations(),
            .meaning =
                "the parametrisation: u is y/b, the hyperbolic parameter, the classical angle "
                "(below 90deg), or the polar angle before a and b are applied (below 45deg)"}},
-         make_superhyperbola,
+         [](const Arguments& a) {
+             return as_stage(
+                 superhyperbola(a.number("a"), a.number("b"), a.number("gamma"), a.choice("by")));
+         },
          {},
-         1},
+         1,
+         R"(
+// Two walls that meet in a corner, each squarely, with a narrow bend between them: the rays cross
+// from one superhyperbola to another one.
+camera corner(gamma = 1/2) {
+    map    u = -2 .. 2, v = -1 .. 1
+    eye    superhyperbola(2, 2, gamma)
+    toward product(superhyperbola(1, 3, gamma), curve(v) = [1, v])
+    move   rotate(z, 180deg)
+}
+)"},
     };
 }
 

@@ -45,13 +45,33 @@ std::vector<StageEntry> formula_transformers() {
          "a map of parameter space: formula(u, v) = [u', v']",
          {},
          [](const Arguments& a) { return made<ParameterFormula>(a.formula()); },
-         FormulaShape{2, 2, 2}},
+         FormulaShape{2, 2, 2},
+         0,
+         R"(
+// Looks through rippled glass.
+camera rippled {
+    map    u = 40deg .. -40deg, v = square
+    warp   formula(u, v) = [u + 1deg*sin(20*v), v + 1deg*sin(20*u)]
+    eye    point
+    toward sphere(1)
+}
+)"},
         {StageKind::object_transformer,
          "formula",
          "a map of object space: formula(x, y, z) = [x', y', z']",
          {},
          [](const Arguments& a) { return made<ObjectFormula>(a.formula()); },
-         FormulaShape{3, 3, 3}},
+         FormulaShape{3, 3, 3},
+         0,
+         R"(
+// A plane bent by a wave: its normals spread on crests and meet over troughs.
+camera bent {
+    map  u = 2 .. -2, v = square
+    eye  plane
+    look normal
+    move formula(x, y, z) = [x + 0.1*cos(3*y), y, z]
+}
+)"},
     };
 }
 

@@ -57,7 +57,18 @@ std::vector<StageEntry> local_zoom() {
            .meaning = "magnification in the middle"}},
          [](const Arguments& a) {
              return made<LocalZoom>(a.pair("at"), a.pair("radius"), a.number("strength"));
-         }},
+         },
+         {},
+         0,
+         R"(
+// Enlarges the middle twice and a half, and nothing of the rest is lost.
+camera overview_and_detail {
+    map    u = 40deg .. -40deg, v = square
+    warp   zoom(at = (0, 0), radius = 20deg, strength = 2.5)
+    eye    point
+    toward sphere(1)
+}
+)"},
     };
 }
 

@@ -112,7 +112,18 @@ std::vector<StageEntry> object_affine() {
          "moves by a vector",
          {number_parameter("x", 0.0, "along x"), number_parameter("y", 0.0, "along y"),
           number_parameter("z", 0.0, "along z")},
-         [](const Arguments& a) { return made<Translate>(xyz_of(a)); }},
+         [](const Arguments& a) { return made<Translate>(xyz_of(a)); },
+         {},
+         0,
+         R"(
+// The same parallel rays from a place two units forward and one up.
+camera moved {
+    map  u = 3 .. -3, v = square
+    eye  plane
+    look normal
+    move translate(2, 0, 1)
+}
+)"},
         {kind,
          "rotate",
          "turns about an axis, counter-clockwise as seen from its tip",
@@ -124,7 +135,18 @@ std::vector<StageEntry> object_affine() {
                  return null_axis();
              }
              return made<Rotate>(a.triple("axis"), a.number("angle"), a.triple("at"));
-         }},
+         },
+         {},
+         0,
+         R"(
+// A plan seen from above on the left: the plane is bent down, then turned to the right.
+camera from_above {
+    map  u = 3 .. -3, v = square
+    eye  plane
+    look normal
+    move rotate(y, 35deg), rotate(z, -30deg)
+}
+)"},
         {kind,
          "scale",
          "scales about a point",
@@ -132,14 +154,36 @@ std::vector<StageEntry> object_affine() {
          [](const Arguments& a) {
              const Scalar factor = a.number("factor");
              return made<Stretch>(Triple{factor, factor, factor}, a.triple("at"));
-         }},
+         },
+         {},
+         0,
+         R"(
+// A sphere of half the size: rays start nearer to its centre, their directions stay.
+camera smaller {
+    map  u = 180deg .. -180deg, v = -80deg .. 80deg
+    eye  sphere(4)
+    look normal
+    move scale(1/2)
+}
+)"},
         {kind,
          "stretch",
          "scales along each axis about a point",
          {number_parameter("x", 1.0, "factor along x"),
           number_parameter("y", 1.0, "factor along y"),
           number_parameter("z", 1.0, "factor along z"), center()},
-         [](const Arguments& a) { return made<Stretch>(xyz_of(a), a.triple("at")); }},
+         [](const Arguments& a) { return made<Stretch>(xyz_of(a), a.triple("at")); },
+         {},
+         0,
+         R"(
+// A sphere drawn up into an egg, whose normals crowd towards the horizon.
+camera egg {
+    map  u = 180deg .. -180deg, v = -80deg .. 80deg
+    eye  sphere(1)
+    look normal
+    move stretch(z = 2)
+}
+)"},
         {kind,
          "mirror",
          "reflects across an axis, in the plane through a point",
@@ -149,7 +193,18 @@ std::vector<StageEntry> object_affine() {
                  return null_axis();
              }
              return made<Mirror>(a.triple("axis"), a.triple("at"));
-         }},
+         },
+         {},
+         0,
+         R"(
+// What a flat mirror in the plane y = 0 would show of the left side.
+camera mirrored {
+    map    u = 0.6 .. -0.6, v = square
+    eye    point(0, 1, 0)
+    toward plane((1, 1.5, 0))
+    move   mirror(y)
+}
+)"},
         {kind,
          "affine",
          "at + x (image of x) + y (image of y) + z (image of z)",
@@ -159,7 +214,18 @@ std::vector<StageEntry> object_affine() {
           triple_parameter("at", {0.0, 0.0, 0.0}, "where (0, 0, 0) goes")},
          [](const Arguments& a) {
              return made<Affine>(a.triple("x"), a.triple("y"), a.triple("z"), a.triple("at"));
-         }},
+         },
+         {},
+         0,
+         R"(
+// Oblique parallel projection: the picture plane leans, its rays keep at right angles to it.
+camera sheared {
+    map  u = 3 .. -3, v = square
+    eye  plane
+    look normal
+    move affine(z = (0.5, 0.3, 1), at = (0, 0, 1))
+}
+)"},
     };
 }
 

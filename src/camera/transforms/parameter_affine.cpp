@@ -95,17 +95,50 @@ std::vector<StageEntry> parameter_affine() {
          {addend("u", "added to u"), addend("v", "added to v")},
          [](const Arguments& a) {
              return made<Translate>(Pair{a.number("u"), a.number("v")});
-         }},
+         },
+         {},
+         0,
+         R"(
+// Looks 30 degrees further to the left and 10 up, in the same angles.
+camera aside {
+    map    u = 40deg .. -40deg, v = square
+    warp   translate(30deg, 10deg)
+    eye    point
+    toward sphere(1)
+}
+)"},
         {kind,
          "scale",
          "scales about a point; a factor above 1 shows more of the object",
          {{.name = "factor", .type = ParameterType::size, .meaning = "for u and v"}, center()},
-         [](const Arguments& a) { return made<Scale>(a.pair("factor"), a.pair("at")); }},
+         [](const Arguments& a) { return made<Scale>(a.pair("factor"), a.pair("at")); },
+         {},
+         0,
+         R"(
+// Shows one and a half times as much across and as much as before in height.
+camera wider {
+    map    u = 40deg .. -40deg, v = square
+    warp   scale((1.5, 1))
+    eye    point
+    toward sphere(1)
+}
+)"},
         {kind,
          "rotate",
          "turns parameter space counter-clockwise about a point",
          {{.name = "angle", .unit = Unit::angle, .meaning = "how far"}, center()},
-         [](const Arguments& a) { return made<Rotate>(a.number("angle"), a.pair("at")); }},
+         [](const Arguments& a) { return made<Rotate>(a.number("angle"), a.pair("at")); },
+         {},
+         0,
+         R"(
+// The picture lies askew, as with a camera that is held so.
+camera askew {
+    map    u = 40deg .. -40deg, v = square
+    warp   rotate(20deg)
+    eye    point
+    toward sphere(1)
+}
+)"},
         {kind,
          "shear",
          "(u + a v, v + b u)",
@@ -113,14 +146,36 @@ std::vector<StageEntry> parameter_affine() {
           number_parameter("v", 0.0, "how much of u is added to v")},
          [](const Arguments& a) {
              return made<Shear>(Pair{a.number("u"), a.number("v")});
-         }},
+         },
+         {},
+         0,
+         R"(
+// Uprights lean like italic letters.
+camera leaning {
+    map    u = 40deg .. -40deg, v = square
+    warp   shear(u = 0.3)
+    eye    point
+    toward sphere(1)
+}
+)"},
         {kind,
          "affine",
          "at + u (image of u) + v (image of v)",
          {pair_parameter("u", {1.0, 0.0}, "where (1, 0) goes, before at is added"),
           pair_parameter("v", {0.0, 1.0}, "where (0, 1) goes, before at is added"),
           pair_parameter("at", {0.0, 0.0}, "where (0, 0) goes")},
-         [](const Arguments& a) { return made<Affine>(a.pair("u"), a.pair("v"), a.pair("at")); }},
+         [](const Arguments& a) { return made<Affine>(a.pair("u"), a.pair("v"), a.pair("at")); },
+         {},
+         0,
+         R"(
+// Any affine map of the angles: here turned, narrowed and moved at once.
+camera any_affine {
+    map    u = 40deg .. -40deg, v = square
+    warp   affine(u = (0.8, 0.3), v = (-0.2, 0.6), at = (10deg, 0))
+    eye    point
+    toward sphere(1)
+}
+)"},
     };
 }
 

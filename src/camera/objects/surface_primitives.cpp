@@ -1,0 +1,269 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Object generators, PCS → OCS: disc, ring, cone, paraboloids and the Möbius band.
+
+#include <numbers>
+
+#include "camera/families.hpp"
+#include "camera/stage_parameters.hpp"
+
+namespace balcony::camera {
+
+namespace {
+
+/// Flat in the plane z = 0, whose front looks up in every parametrisation and in the centre too.
+class FlatSurface : public ObjectGenerator {
+public:
+    int dimension() const final { return 2; }
+    std::optional<ObjectVector> normal(const ParameterPoint&, Emitter& emit) const final {
+        return ObjectVector{emit(0.0), emit(0.0), emit(1.0)};
+    }
+};
+
+/// By the angle u and the place v between the two circles, 0 at the inner and 1 at the outer one.
+class Ring final : public FlatSurface {
+public:
+    Ring(Scalar inner, Scalar outer) : inner_(std::move(inner)), outer_(std::move(outer)) {}
+    ObjectPoint generate(const ParameterPoint& p, Emitter& emit) const override {
+        emit.require(0.0 <= p.v && p.v <= emit(1.0));
+        const Expr r = emit(inner_) + (emit(outer_) - emit(inner_)) * p.v;
+        return {r * cos(p.u), r * sin(p.u), emit(0.0)};
+    }
+
+private:
+    Scalar inner_, outer_;
+};
+
+/// The square |u|, |v| <= 1 on the disc, squares round its centre on circles: the concentric map of
+/// Shirley and Chiu (1997), by which areas keep their proportions.
+class ConcentricDisc final : public FlatSurface {
+public:
+    explicit ConcentricDisc(Scalar radius) : radius_(std::move(radius)) {}
+    ObjectPoint generate(const ParameterPoint& p, Emitter& emit) const override {
+        emit.require(abs(p.u) <= emit(1.0) && abs(p.v) <= emit(1.0));
+        const Expr beside = abs(p.v) < abs(p.u);  // rather than above or below the centre
+        const Expr r = select(beside, p.u, p.v);
+        const Expr across = select(beside, p.v, p.u);
+        const Expr angle =
+            0.25 * std::numbers::pi * across / select(equal(r, emit(0.0)), emit(1.0), r);
+        const Expr main = emit(radius_) * r * cos(angle);
+        const Expr side = emit(radius_) * r * sin(angle);
+        return {select(beside, main, side), select(beside, side, main), emit(0.0)};
+    }
+
+private:
+    Scalar radius_;
+};
+
+/// By angle u and height v; ends at its apex.
+class Cone final : public ObjectGenerator {
+public:
+    Cone(Scalar radius, Scalar top, Scalar height)
+        : radius_(std::move(radius)), top_(std::move(top)), height_(std::move(height)) {}
+    int dimension() const override { return 2; }
+    ObjectPoint generate(const ParameterPoint& p, Emitter& emit) const override {
+        const Expr r = emit(radius_) + (emit(top_) - emit(radius_)) / emit(height_) * p.v;
+        emit.require(0.0 <= r);
+        return {r * cos(p.u), r * sin(p.u), p.v};
+    }
+
+private:
+    Scalar radius_, top_, height_;
+};
+
+/// z = x^2/a^2 + y^2/b^2 by the angle u and the distance v from the axis before a and b are
+/// applied.
+class PolarParaboloid final : public ObjectGenerator {
+public:
+    explicit PolarParaboloid(Pair axes) : axes_(std::move(axes)) {}
+    int dimension() const override { return 2; }
+    ObjectPoint generate(const ParameterPoint& p, Emitter& emit) const override {
+        return {emit(axes_[0]) * p.v * cos(p.u), emit(axes_[1]) * p.v * sin(p.u), p.v * p.v};
+    }
+
+private:
+    Pair axes_;
+};
+
+/// z = x^2/a^2 + sign y^2/b^2 by u = x/a and v = y/b.
+class CartesianParaboloid final : public ObjectGenerator {
+public:
+    CartesianParaboloid(Pair axes, double sign) : axes_(std::move(axes)), sign_(sign) {}
+    int dimension() const override { return 2; }
+    ObjectPoint generate(const ParameterPoint& p, Emitter& emit) const override {
+        return {emit(axes_[0]) * p.u, emit(axes_[1]) * p.v, p.u * p.u + sign_ * (p.v * p.v)};
+    }
+
+private:
+    Pair axes_;
+    double sign_;
+};
+
+/// A segment that turns about a circle's tangent by half_turns/2 turns while it goes round: by the
+/// angle u round the z axis and the distance v from the circle.
+class MobiusBand final : public ObjectGenerator {
+public:
+    MobiusBand(Scalar radius, std::size_t half_turns)
+        : radius_(std::move(radius)), turns_(0.5 * static_cast<double>(half_turns)) {}
+    int dimension() const override { return 2; }
+    ObjectPoint generate(const ParameterPoint& p, Emitter& emit) const override {
+        const Expr twist = turns_ * p.u;
+        const Expr r = emit(radius_) + p.v * cos(twist);
+        return {r * cos(p.u), r * sin(p.u), p.v * sin(twist)};
+    }
+
+private:
+    Scalar radius_;
+    double turns_;
+};
+
+Pair axes_of(const Arguments& a) { return {a.number("a"), a.number("b")}; }
+
+std::vector<StageParameter> half_widths() {
+    return {positive_parameter("a", 1.0, "half its width along x at z = 1"),
+            positive_parameter("b", 1.0, "half its width along y at z = 1")};
+}
+
+}  // namespace
+
+std::vector<StageEntry> surface_primitives() {
+    using enum ParameterType;
+    const StageKind kind = StageKind::object_generator;
+    std::vector<StageParameter> paraboloid_parameters = half_widths();
+    paraboloid_parameters.push_back(
+        {.name = "by",
+         .type = choice,
+         .choices = {"polar", "cartesian"},
+         .meaning = "the parametrisation: u is the angle and v the root of z, front outside; or u "
+                    "is x/a and v is y/b, front inside"});
+    return {
+        {kind,
+         "disc",
+         "a disc round the z axis in the plane z = 0, whose front looks up",
+         {positive_parameter("radius", 1.0, "its radius"),
+          {.name = "by",
+           .type = choice,
+           .choices = {"polar", "concentric"},
+           .meaning = "the parametrisation: u is the angle and v the distance from the centre, 1 "
+                      "at the rim; or the square of u and v from -1 to 1, areas in proportion"}},
+         [](const Arguments& a) {
+             return a.choice("by") == "polar" ? made<Ring>(0.0, a.number("radius"))
+                                              : made<ConcentricDisc>(a.number("radius"));
+         },
+         {},
+         2,
+         R"(
+// All that lies below a round window, from the middle at the lower edge to the rim at the upper.
+camera round_window(radius = 2) {
+    map  u = 180deg .. -180deg, v = 0 .. 1
+    eye  disc(radius)
+    look normal(side = back)
+}
+)"},
+        {kind,
+         "ring",
+         "the part of the plane z = 0 between two circles round the z axis, whose front looks up; "
+         "u is the angle, v runs from 0 at the inner to 1 at the outer circle",
+         {{.name = "inner",
+           .default_value = {0.5},
+           .least = 0.0,
+           .meaning = "radius of the inner circle"},
+          positive_parameter("outer", 1.0, "radius of the outer circle")},
+         [](const Arguments& a) { return made<Ring>(a.number("inner"), a.number("outer")); },
+         {},
+         2,
+         R"(
+// A ring of seats seen from above and unrolled: the stage is below, the last row above.
+camera arena {
+    aspect 4
+    map  u = 180deg .. -180deg, v = 0 .. 1
+    eye  ring(inner = 2, outer = 5)
+    look normal(side = back)
+    move translate(0, 0, 3)
+}
+)"},
+        {kind,
+         "cone",
+         "a cone or a frustum round the z axis by angle u and height v; ends at its apex",
+         {{.name = "radius", .default_value = {1.0}, .least = 0.0, .meaning = "at height 0"},
+          {.name = "top", .default_value = {0.0}, .least = 0.0, .meaning = "radius at the height"},
+          positive_parameter("height", 1.0, "where its radius is `top`")},
+         [](const Arguments& a) {
+             return made<Cone>(a.number("radius"), a.number("top"), a.number("height"));
+         },
+         {},
+         2,
+         R"(
+// Looks out of a pointed roof all round, upwards by the slope of its sides.
+camera roof {
+    map  u = 180deg .. -180deg, v = 0 .. 1.8
+    eye  cone(radius = 2, height = 2)
+    look normal
+}
+)"},
+        {kind,
+         "paraboloid",
+         "the elliptic paraboloid z = x^2/a^2 + y^2/b^2",
+         std::move(paraboloid_parameters),
+         [](const Arguments& a) {
+             return a.choice("by") == "polar" ? made<PolarParaboloid>(axes_of(a))
+                                              : made<CartesianParaboloid>(axes_of(a), 1.0);
+         },
+         {},
+         2,
+         R"(
+// A headlight's reflector, whose normals spread over the half space in front of it.
+camera headlight {
+    map  u = -2 .. 2, v = square
+    eye  paraboloid(by = cartesian)
+    look normal(side = back)
+    move rotate(y, -90deg)
+}
+)"},
+        {kind,
+         "hyperbolic_paraboloid",
+         "the saddle z = x^2/a^2 - y^2/b^2 by u = x/a and v = y/b, whose front looks up",
+         half_widths(),
+         [](const Arguments& a) { return made<CartesianParaboloid>(axes_of(a), -1.0); },
+         {},
+         2,
+         R"(
+// A saddle's normals meet across and spread along: the picture is mirrored in one direction once
+// its rays have met.
+camera saddle {
+    map  u = 0.8 .. -0.8, v = square
+    eye  hyperbolic_paraboloid
+    look normal
+}
+)"},
+        {kind,
+         "mobius_band",
+         "a band that twists while it goes round the z axis, by the angle u and the distance v "
+         "from its middle circle",
+         {positive_parameter("radius", 1.0, "of its middle circle"),
+          {.name = "half_turns",
+           .type = count,
+           .default_value = {1.0},
+           .least = 0.0,
+           .most = 1000.0,
+           .meaning = "how often it turns over in one round: with an odd number it has one side"}},
+         [](const Arguments& a) {
+             return made<MobiusBand>(a.number("radius"), a.count("half_turns"));
+         },
+         {},
+         2,
+         R"(
+// Twice round a band that has one side: the second half of the picture looks where the first half
+// has its back.
+camera both_sides {
+    aspect 4
+    map  u = 720deg .. 0deg, v = -0.8 .. 0.8
+    eye  mobius_band(radius = 2)
+    look normal
+}
+)"},
+    };
+}
+
+}  // namespace balcony::camera
