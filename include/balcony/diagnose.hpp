@@ -19,6 +19,7 @@
 
 #include "balcony/base.hpp"
 #include "balcony/camera.hpp"
+#include "balcony/image.hpp"
 
 namespace balcony::analyse {
 
@@ -121,5 +122,30 @@ struct Report {
 };
 
 [[nodiscard]] Report diagnose(const camera::Camera& camera, const DiagnoseSettings& settings);
+
+// --------------------------------------------------------------------------------------- maps
+
+/// What a picture in false colours can show.
+enum class MapKind : std::uint8_t {
+    magnification,
+    anisotropy,
+    orientation,
+    validity,
+    seams,
+    repeated,
+    origins,
+};
+
+struct MapDescription {
+    MapKind kind;
+    std::string_view name;     ///< As users write it.
+    std::string_view meaning;  ///< One line for documentation.
+};
+
+[[nodiscard]] const std::vector<MapDescription>& map_kinds();
+[[nodiscard]] std::optional<MapKind> find_map_kind(std::string_view name);
+
+/// The samples of a report as a picture in false colours, with a legend below it.
+[[nodiscard]] Image false_color(const Report& report, MapKind kind);
 
 }  // namespace balcony::analyse
