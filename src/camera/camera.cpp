@@ -113,19 +113,20 @@ Result<Camera> Camera::make(Parts parts) {
     return {Camera(std::move(parts)), std::move(said)};
 }
 
-RayExpressions Camera::emit(Graph& graph, double width, double height) const {
+namespace {
+
+// A rule may look at more than one place of the camera's own picture, so the ray is written as
+// expressions of picture x and y as if that were the whole picture; the arrangers come later.
+RayExpressions ray_in_own_picture(const Camera::Parts& parts, const PictureSize& size) {
+    Graph& graph = size.width.graph();
     Emitter emit(graph);
-    ArrangedPoint picture{{graph.picture_x(), graph.picture_y()},
-                          {graph.constant(width), graph.constant(height)}};
-    for (const PictureArrangerPointer& arranger : parts_->arrangers) {
-        picture = arranger->arrange(picture, emit);
-    }
-    const PathPoint eye = parts_->eye.emit(picture, emit);
+    const ArrangedPoint picture{{graph.picture_x(), graph.picture_y()}, size};
+    const PathPoint eye = parts.eye.emit(picture, emit);
     std::optional<PathPoint> toward;
-    if (parts_->toward) {
-        toward = parts_->toward->emit(picture, emit);
+    if (parts.toward) {
+        toward = parts.toward->emit(picture, emit);
     }
-    const ObjectVector direction = parts_->look->direction(eye, toward ? &*toward : nullptr, emit);
+    const ObjectVector direction = parts.look->direction(eye, toward ? &*toward : nullptr, emit);
 
     // A sum of squares is finite only if every term is, so that one speaks for all six values.
     // Directions so short that their squares lose digits cannot be brought to unit length.
@@ -136,6 +137,33 @@ RayExpressions Camera::emit(Graph& graph, double width, double height) const {
     emit.require(least_squared_length < squared_length);
     emit.require(is_finite(squared_length + origin_size));
     return {eye.point, (1.0 / sqrt(squared_length)) * direction, emit.valid(), eye.parameters};
+}
+
+RayExpressions with_picture_point(const RayExpressions& ray, const DevicePoint& point) {
+    Graph& graph = point.x.graph();
+    const std::array values{ray.origin.x,    ray.origin.y,     ray.origin.z,
+                            ray.direction.x, ray.direction.y,  ray.direction.z,
+                            ray.valid,       ray.parameters.u, ray.parameters.v};
+    const std::array put{expr::Substitution{graph.picture_x(), point.x},
+                         expr::Substitution{graph.picture_y(), point.y}};
+    const std::vector<Expr> r = expr::substitute(graph, values, put);
+    return {{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, r[6], {r[7], r[8]}};
+}
+
+}  // namespace
+
+RayExpressions Camera::emit(Graph& graph, double width, double height) const {
+    Emitter emit(graph);
+    ArrangedPoint picture{{graph.picture_x(), graph.picture_y()},
+                          {graph.constant(width), graph.constant(height)}};
+    for (const PictureArrangerPointer& arranger : parts_->arrangers) {
+        picture = arranger->arrange(picture, emit);
+    }
+    RayExpressions ray =
+        with_picture_point(ray_in_own_picture(*parts_, picture.size), picture.point);
+    emit.require(ray.valid);
+    ray.valid = emit.valid();
+    return ray;
 }
 
 }  // namespace balcony::camera

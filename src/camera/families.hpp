@@ -47,7 +47,9 @@ Result<std::shared_ptr<const Stage>> as_stage(Result<std::shared_ptr<const Port>
 [[nodiscard]] std::vector<StageEntry> quadrics();
 [[nodiscard]] std::vector<StageEntry> formula_objects();
 [[nodiscard]] std::vector<StageEntry> object_affine();
+[[nodiscard]] std::vector<StageEntry> normal_rule();
 [[nodiscard]] std::vector<StageEntry> direction_rules();
+[[nodiscard]] std::vector<StageEntry> blended_rule();
 
 inline constexpr auto families = {
     picture_arrangers,
@@ -65,7 +67,9 @@ inline constexpr auto families = {
     quadrics,
     formula_objects,
     object_affine,
+    normal_rule,
     direction_rules,
+    blended_rule,
     complex_maps,
     coins,
     deformations,

@@ -1,28 +1,15 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// getDirVec: the direction of a ray along the normal of the eye object, absolute (from the
-// direction object alone) or relative (from the eye point to the direction point).
+// getDirVec: the direction of a ray absolute (from the direction object alone), relative (from the
+// eye point to the direction point), along a tangent of the eye object or along a fixed vector.
 
 #include "camera/families.hpp"
+#include "camera/stage_parameters.hpp"
 
 namespace balcony::camera {
 
 namespace {
-
-/// One object gives origins and directions: the normal is the cross product of its tangents.
-class NormalRule final : public DirectionRule {
-public:
-    explicit NormalRule(bool back) : back_(back) {}
-    int least_eye_dimension() const override { return 2; }
-    ObjectVector direction(const PathPoint& eye, const PathPoint*, Emitter&) const override {
-        const ObjectVector normal = eye.normal;
-        return back_ ? -normal : normal;
-    }
-
-private:
-    bool back_;
-};
 
 /// The direction object alone: its points as seen from its own origin.
 class AbsoluteRule final : public DirectionRule {
@@ -42,6 +29,44 @@ public:
     }
 };
 
+/// The way that the eye point goes when one of its parameters grows.
+class TangentRule final : public DirectionRule {
+public:
+    enum class Parameter : std::uint8_t { u, v };
+    TangentRule(Parameter along, bool backward) : along_(along), backward_(backward) {}
+    int least_eye_dimension() const override { return along_ == Parameter::u ? 1 : 2; }
+    ObjectVector direction(const PathPoint& eye, const PathPoint*, Emitter&) const override {
+        const ObjectVector tangent = along_ == Parameter::u ? eye.along_u : eye.along_v;
+        return backward_ ? -tangent : tangent;
+    }
+
+private:
+    Parameter along_;
+    bool backward_;
+};
+
+/// One vector for all rays, whatever the moves.
+class FixedRule final : public DirectionRule {
+public:
+    explicit FixedRule(Triple direction) : direction_(std::move(direction)) {}
+    ObjectVector direction(const PathPoint&, const PathPoint*, Emitter& emit) const override {
+        return vector_of(direction_, emit);
+    }
+
+private:
+    Triple direction_;
+};
+
+Result<std::shared_ptr<const Stage>> make_fixed_rule(const Arguments& a) {
+    const Triple direction = a.triple("direction");
+    if (direction[0].constant() == 0.0 && direction[1].constant() == 0.0 &&
+        direction[2].constant() == 0.0) {
+        return error("a direction must not be (0, 0, 0)", {},
+                     "write x, y, z, or a vector such as (1, 0, -1)");
+    }
+    return made<FixedRule>(direction);
+}
+
 }  // namespace
 
 std::vector<StageEntry> direction_rules() {
@@ -49,23 +74,79 @@ std::vector<StageEntry> direction_rules() {
     const StageKind kind = StageKind::direction_rule;
     return {
         {kind,
-         "normal",
-         "along the normals of the eye object",
-         {{.name = "side",
-           .type = choice,
-           .choices = {"front", "back"},
-           .meaning = "front: the cross product of the tangents along u and v; back: against it"}},
-         [](const Arguments& a) { return made<NormalRule>(a.choice("side") == "back"); }},
-        {kind,
          "absolute",
          "the direction object alone, as seen from its own origin",
          {},
-         [](const Arguments&) { return made<AbsoluteRule>(); }},
+         [](const Arguments&) { return made<AbsoluteRule>(); },
+         {},
+         0,
+         R"(
+// The directions of a panorama from the places of a street: each column from a step further on.
+camera walking_panorama {
+    map    u = 120deg .. -120deg, v = -45deg .. 45deg
+    eye    line(along = (0, -2, 0))
+    toward sphere(1)
+    look   absolute
+}
+)"},
         {kind,
          "relative",
          "from the eye point to the point of the direction object",
          {},
-         [](const Arguments&) { return made<RelativeRule>(); }},
+         [](const Arguments&) { return made<RelativeRule>(); },
+         {},
+         0,
+         R"(
+// The perspective of drawing books: all rays leave one point and cross a plane.
+camera perspective {
+    map    u = 0.6 .. -0.6, v = square
+    eye    point
+    toward plane((1, 0, 0))
+    look   relative
+}
+)"},
+        {kind,
+         "tangent",
+         "along a tangent of the eye object",
+         {{.name = "along",
+           .type = choice,
+           .choices = {"u", "v"},
+           .meaning = "the parameter that grows: u, or v of a surface"},
+          {.name = "sense",
+           .type = choice,
+           .choices = {"forward", "backward"},
+           .meaning = "the way that the point goes, or against it"}},
+         [](const Arguments& a) {
+             using enum TangentRule::Parameter;
+             return made<TangentRule>(a.choice("along") == "u" ? u : v,
+                                      a.choice("sense") == "backward");
+         },
+         {},
+         0,
+         R"(
+// Looks round a pillar: rays leave its wall sideways, all to the left.
+camera round_the_pillar {
+    map  u = 180deg .. -180deg, v = -1 .. 1
+    eye  cylinder(1)
+    look tangent(along = u)
+}
+)"},
+        {kind,
+         "along",
+         "along a fixed vector of the camera's axes, which no move turns",
+         {{.name = "direction", .type = axis, .meaning = "x, y, z, -z or a vector"}},
+         make_fixed_rule,
+         {},
+         0,
+         R"(
+// A plan of a ring-shaped building, unrolled: everything is seen from above.
+camera unrolled_plan {
+    map  u = 180deg .. -180deg, v = 0 .. 1
+    eye  ring(inner = 8, outer = 14)
+    look along(-z)
+    move translate(0, 0, 20)
+}
+)"},
     };
 }
 

@@ -1,0 +1,111 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// getDirVec from two rules: directions between those of both, by a formula of the parameters.
+
+#include <algorithm>
+
+#include "camera/families.hpp"
+
+namespace balcony::camera {
+
+namespace {
+
+ObjectVector to_unit_length(const ObjectVector& a) { return (1.0 / sqrt(dot(a, a))) * a; }
+
+/// Weight 0 is the first rule, 1 the second; beyond them the directions go on.
+class BlendedRule : public DirectionRule {
+public:
+    BlendedRule(DirectionRulePointer first, DirectionRulePointer second, Formula weight)
+        : first_(std::move(first)), second_(std::move(second)), weight_(std::move(weight)) {}
+    int least_eye_dimension() const final {
+        return std::max(first_->least_eye_dimension(), second_->least_eye_dimension());
+    }
+    bool needs_direction_object() const final {
+        return first_->needs_direction_object() || second_->needs_direction_object();
+    }
+    ObjectVector direction(const PathPoint& eye, const PathPoint* toward,
+                           Emitter& emit) const final {
+        const std::array uv{eye.parameters.u, eye.parameters.v};
+        return between(to_unit_length(first_->direction(eye, toward, emit)),
+                       to_unit_length(second_->direction(eye, toward, emit)),
+                       weight_.emit(emit.graph(), uv).front());
+    }
+
+private:
+    /// Of two unit vectors.
+    virtual ObjectVector between(const ObjectVector& a, const ObjectVector& b,
+                                 Expr weight) const = 0;
+
+    DirectionRulePointer first_, second_;
+    Formula weight_;
+};
+
+class LinearlyBlendedRule final : public BlendedRule {
+    using BlendedRule::BlendedRule;
+    ObjectVector between(const ObjectVector& a, const ObjectVector& b, Expr weight) const override {
+        return (1.0 - weight) * a + weight * b;
+    }
+};
+
+/// On the great circle from a to b, at an angle in proportion to the weight.
+class SphericallyBlendedRule final : public BlendedRule {
+    using BlendedRule::BlendedRule;
+    ObjectVector between(const ObjectVector& a, const ObjectVector& b, Expr weight) const override {
+        const Expr cosine = dot(a, b);
+        const ObjectVector across = b + -(cosine * a);
+        // Where a is b the sine is next to nothing, and so is the angle.
+        constexpr double tiny = 1e-300;
+        const Expr sine = sqrt(max(dot(across, across), weight.graph().constant(tiny)));
+        const Expr angle = weight * atan2(sine, cosine);
+        return cos(angle) * a + sin(angle) / sine * across;
+    }
+};
+
+}  // namespace
+
+std::vector<StageEntry> blended_rule() {
+    using enum ParameterType;
+    const auto rule = [](std::string_view name, std::string_view meaning) {
+        return StageParameter{.name = name,
+                              .type = stage,
+                              .stage_kind = StageKind::direction_rule,
+                              .meaning = meaning};
+    };
+    return {
+        {StageKind::direction_rule,
+         "blend",
+         "between two rules, by a formula of the eye object's parameters",
+         {rule("first", "where the weight is 0"),
+          rule("second", "where the weight is 1"),
+          {.name = "weight",
+           .type = formula,
+           .shape = {2, 1, 1},
+           .meaning = "weight(u, v) = [w]; below 0 and above 1 directions go on beyond the rules'"},
+          {.name = "by",
+           .type = choice,
+           .choices = {"mixing", "angle"},
+           .meaning = "the sum (1 - w) first + w second of unit vectors, or a turn from the first "
+                      "to the second by w times the angle between them"}},
+         [](const Arguments& a) {
+             const auto first = a.stage<DirectionRule>("first");
+             const auto second = a.stage<DirectionRule>("second");
+             return a.choice("by") == "mixing"
+                        ? made<LinearlyBlendedRule>(first, second, a.formula("weight"))
+                        : made<SphericallyBlendedRule>(first, second, a.formula("weight"));
+         },
+         {},
+         0,
+         R"(
+// Perspective in the middle, the walls squarely at both sides.
+camera half_perspective {
+    map    u = 2 .. -2, v = square
+    eye    surface(u, v) = [-cosh(u), sinh(u), v]
+    toward sphere(1)
+    look   blend(normal, absolute, weight(u, v) = [1/(1 + u^4)])
+}
+)"},
+    };
+}
+
+}  // namespace balcony::camera

@@ -1,0 +1,138 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// getDirVec from one object: the normal of the eye object, on a side that is chosen once for the
+// whole surface.
+
+#include <algorithm>
+#include <cmath>
+
+#include "camera/families.hpp"
+
+namespace balcony::camera {
+
+namespace {
+
+/// What a cell of a grid over the picture shows of the surface, to first order.
+struct SurfaceElement {
+    std::array<double, 3> point{};
+    std::array<double, 3> area{};  ///< Along the normal, as long as the element is large.
+};
+
+constexpr int cells = 16;  // of the grid, in width and in height
+
+/// The camera's own picture at time 0, without the places where there is no ray. Elements are of
+/// cells of equal size.
+std::vector<SurfaceElement> elements_in_picture(const PathPoint& eye, const Emitter& emit) {
+    Graph& graph = emit.graph();
+    const std::array parameters{eye.parameters.u, eye.parameters.v};
+    const std::vector<Expr> by_x = expr::derive(parameters, graph.picture_x());
+    const std::vector<Expr> by_y = expr::derive(parameters, graph.picture_y());
+    const Expr parameter_area = abs(by_x[0] * by_y[1] - by_x[1] * by_y[0]);
+    const ObjectVector spanned = cross(eye.along_u, eye.along_v);
+    const Expr scale = parameter_area * sqrt(dot(spanned, spanned) / dot(eye.normal, eye.normal));
+    const ObjectVector area = scale * eye.normal;
+
+    const std::array extent{eye.size.width, eye.size.height};
+    const std::array roots{eye.point.x, eye.point.y, eye.point.z, area.x,
+                           area.y,      area.z,      emit.valid()};
+    const std::vector<double> size = expr::evaluate(extent, {});
+    std::vector<SurfaceElement> elements;
+    for (int i = 0; i < cells * cells; ++i) {
+        const double x = (i % cells + 0.5) / cells * size[0];
+        const double y = (i / cells + 0.5) / cells * size[1];
+        const std::vector<double> r = expr::evaluate(roots, {x, y, 0.0, {}});
+        if (std::all_of(r.begin(), r.end(), [](double value) { return std::isfinite(value); }) &&
+            r.back() != 0.0) {
+            elements.push_back({{r[0], r[1], r[2]}, {r[3], r[4], r[5]}});
+        }
+    }
+    return elements;
+}
+
+double length(const std::array<double, 3>& a) { return std::hypot(a[0], a[1], a[2]); }
+
+/// Whether the normals point inwards: the sum of area . (point - middle) is three times the volume
+/// of a closed surface if they point outwards (Gauss), and positive for the convex side of an open
+/// one. It is 0 for a plane, which has no outside.
+bool point_inwards(const std::vector<SurfaceElement>& elements) {
+    double whole = 0.0;
+    std::array<double, 3> middle{};
+    for (const SurfaceElement& element : elements) {
+        const double area = length(element.area);
+        whole += area;
+        for (std::size_t k = 0; k < 3; ++k) {
+            middle[k] += area * element.point[k];
+        }
+    }
+    double flux = 0.0;
+    double largest = 0.0;
+    for (const SurfaceElement& element : elements) {
+        std::array<double, 3> offset{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            offset[k] = element.point[k] - middle[k] / whole;
+            flux += element.area[k] * offset[k];
+        }
+        largest += length(element.area) * length(offset);
+    }
+    constexpr double rounding = 1e-9;
+    return flux < -rounding * largest;
+}
+
+/// One object gives origins and directions: the normal is the cross product of its tangents, unless
+/// the object has normals of its own.
+class NormalRule final : public DirectionRule {
+public:
+    enum class Side : std::uint8_t { front, back, outward, inward };
+    explicit NormalRule(Side side) : side_(side) {}
+    int least_eye_dimension() const override { return 2; }
+    ObjectVector direction(const PathPoint& eye, const PathPoint*, Emitter& emit) const override {
+        return back(eye, emit) ? -eye.normal : eye.normal;
+    }
+
+private:
+    bool back(const PathPoint& eye, const Emitter& emit) const {
+        if (side_ == Side::front || side_ == Side::back) {
+            return side_ == Side::back;
+        }
+        return point_inwards(elements_in_picture(eye, emit)) == (side_ == Side::outward);
+    }
+
+    Side side_;
+};
+
+NormalRule::Side side_of(std::string_view name) {
+    using enum NormalRule::Side;
+    return name == "front" ? front : name == "back" ? back : name == "outward" ? outward : inward;
+}
+
+}  // namespace
+
+std::vector<StageEntry> normal_rule() {
+    using enum ParameterType;
+    return {
+        {StageKind::direction_rule,
+         "normal",
+         "along the normals of the eye object",
+         {{.name = "side",
+           .type = choice,
+           .choices = {"front", "back", "outward", "inward"},
+           .meaning = "front: the cross product of the tangents along u and v, unless the object "
+                      "says otherwise; back: against it; outward: front or back, whichever leaves "
+                      "the part of the surface in the picture on its convex side, the same in the "
+                      "whole picture (a plane has no outside: front); inward: against that"}},
+         [](const Arguments& a) { return made<NormalRule>(side_of(a.choice("side"))); },
+         {},
+         0,
+         R"(
+// A room from within a glass bowl: outwards all round, whichever way the bowl was made.
+camera bowl {
+    map  u = 180deg .. -180deg, v = 0.3 .. 1.5
+    eye  paraboloid(2, 2)
+    look normal(outward)
+}
+)"},
+    };
+}
+
+}  // namespace balcony::camera
