@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "balcony/lang.hpp"
 #include "balcony/render.hpp"
+#include "cli/camera_argument.hpp"
 #include "cli/command.hpp"
 #include "cli/default_camera.hpp"
 #include "cli/interruption.hpp"
@@ -41,48 +41,6 @@ Outcome fail(Outcome outcome, ExitCode code, const Diagnostics& said = {}) {
     return outcome;
 }
 
-/// FILE, FILE:NAME or the name of a standard camera.
-struct CameraName {
-    fs::path file;
-    std::string name;
-};
-
-CameraName split_camera(const std::string& text) {
-    const auto colon = text.rfind(':');
-    std::error_code ignored;
-    if (colon == std::string::npos || fs::exists(text, ignored)) {
-        return {text, ""};
-    }
-    return {text.substr(0, colon), text.substr(colon + 1)};
-}
-
-Result<camera::Camera> load_camera(const RenderOptions& options) {
-    std::vector<lang::Override> overrides;
-    for (const std::string& text : options.set) {
-        const auto equals = text.find('=');
-        if (equals == std::string::npos || equals == 0) {
-            return error(fmt::format("--set {} sets nothing", text), {},
-                         "write --set name=value, such as --set gamma=1/2");
-        }
-        overrides.push_back({text.substr(0, equals), text.substr(equals + 1)});
-    }
-    const CameraName wanted = split_camera(options.camera);
-    if (wanted.name.empty() && options.camera.ends_with(':')) {
-        return error(fmt::format("'{}' names no camera after the colon", options.camera), {},
-                     fmt::format("write {}:NAME, or {} for its last camera", wanted.file.string(),
-                                 wanted.file.string()));
-    }
-    return lang::load_camera(wanted.file, wanted.name, overrides);
-}
-
-std::string ending_of(const fs::path& file) {
-    std::string ending = file.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
-    return ending;
-}
-
 /// Where the picture goes: what the user says, or the scene's name here.
 fs::path output_of(const RenderOptions& options) {
     if (options.output) {
@@ -112,7 +70,7 @@ ExitCode check_output(const fs::path& file, Diagnostics& said) {
 /// Refuses to write over what the picture is made from, be it by another name or through a link.
 Diagnostics check_inputs_kept(const RenderOptions& options, const scene::Scene& scene,
                               const fs::path& output) {
-    std::vector<fs::path> inputs{options.scene, split_camera(options.camera).file};
+    std::vector<fs::path> inputs{options.scene, camera_file(options.camera)};
     for (const scene::Texture& texture : scene.textures) {
         inputs.push_back(texture.file);
     }
@@ -238,7 +196,7 @@ Outcome render_picture(const RenderOptions& options) {
     // A named camera takes no time and its mistakes should not wait for a large scene.
     Result<camera::Camera> camera;
     if (!options.camera.empty()) {
-        camera = load_camera(options);
+        camera = load_camera(options.camera, options.set);
         add(outcome, camera.diagnostics);
     }
     if (has_errors(outcome.said)) {
@@ -322,10 +280,7 @@ void add_render_command(CLI::App& app, ExitCode& code) {
                      "a camera file or its camera NAME (the last if not said), or a camera of "
                      "'balcony list cameras' (default: a pinhole that sees all)")
         ->type_name("FILE[:NAME]");
-    command->add_option("--set", options->set, "a parameter of the camera; may be repeated")
-        ->type_name("NAME=VALUE")
-        ->allow_extra_args(false)
-        ->take_all();
+    add_set_option(*command, options->set);
     command->add_option("--time", options->time, "the t of the camera's formulas")
         ->type_name("T")
         ->capture_default_str();

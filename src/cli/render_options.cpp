@@ -4,60 +4,19 @@
 #include "cli/render_options.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <string_view>
 
 #include <fmt/format.h>
 
+#include "cli/option_values.hpp"
+
 namespace balcony::cli {
 
 namespace {
 
 constexpr std::size_t longest_side = 1'000'000;
-
-/// The whole of a text as a number that is finite, or nothing.
-template <class Number>
-std::optional<Number> number_of(std::string_view text) {
-    Number number{};
-    const char* end = text.data() + text.size();
-    const auto [read_to, failed] = std::from_chars(text.data(), end, number);
-    if (failed != std::errc() || read_to != end) {
-        return std::nullopt;
-    }
-    if constexpr (std::is_floating_point_v<Number>) {
-        if (!std::isfinite(number)) {
-            return std::nullopt;
-        }
-    }
-    return number;
-}
-
-void refuse(Diagnostics& said, std::string_view option, std::string_view text, std::string remedy) {
-    said.push_back(error(fmt::format("{} cannot be '{}'", option, text), {}, std::move(remedy)));
-}
-
-std::size_t read_count(std::string_view option, const std::string& text, std::size_t least,
-                       std::size_t most, Diagnostics& said) {
-    const auto count = number_of<std::size_t>(text);
-    if (!count || *count < least || *count > most) {
-        refuse(said, option, text, fmt::format("give a whole number from {} to {}", least, most));
-        return least;
-    }
-    return *count;
-}
-
-template <class Number>
-Number read_number(std::string_view option, const std::string& text, Number least, Number most,
-                   std::string remedy, Diagnostics& said) {
-    const auto number = number_of<Number>(text);
-    if (!number || *number < least || *number > most) {
-        refuse(said, option, text, std::move(remedy));
-        return Number{};
-    }
-    return *number;
-}
 
 /// One number of radiance, or three with commas between.
 std::optional<render::Color3f> color_of(std::string_view text) {

@@ -52,22 +52,6 @@ std::vector<Sample> to_samples(const Film& film, float gain) {
     return samples;
 }
 
-template <class Sample>
-bool encode(const Film& film, float gain, OIIO::TypeDesc type, std::vector<unsigned char>& bytes) {
-    OIIO::ImageSpec spec(static_cast<int>(film.width), static_cast<int>(film.height),
-                         static_cast<int>(channels), type);
-    spec.attribute("oiio:ColorSpace", "sRGB");
-    spec.attribute("oiio:UnassociatedAlpha", 1);
-    OIIO::Filesystem::IOVecOutput memory(bytes);
-    const auto output = OIIO::ImageOutput::create("png");
-    if (!output || !output->set_ioproxy(&memory)) {
-        return false;
-    }
-    const std::vector<Sample> samples = to_samples<Sample>(film, gain);
-    return output->open("picture.png", spec) && output->write_image(type, samples.data()) &&
-           output->close();
-}
-
 }  // namespace
 
 Diagnostics write_png(const Film& film, const std::filesystem::path& file,
@@ -78,18 +62,9 @@ Diagnostics write_png(const Film& film, const std::filesystem::path& file,
                       {}, "give 8 or 16 bits and a finite exposure")};
     }
     const auto gain = static_cast<float>(std::exp2(options.exposure));
-    // Encoded in memory, so that writing has one place to fail.
-    std::vector<unsigned char> bytes;
-    const bool encoded = options.bits == 8
-                             ? encode<std::uint8_t>(film, gain, OIIO::TypeDesc::UINT8, bytes)
-                             : encode<std::uint16_t>(film, gain, OIIO::TypeDesc::UINT16, bytes);
-    if (!encoded) {
-        return {error(fmt::format("'{}' cannot be made: {}", file.string(), OIIO::geterror()))};
-    }
-    OutputFile output(file);
-    output.stream().write(reinterpret_cast<const char*>(bytes.data()),
-                          static_cast<std::streamsize>(bytes.size()));
-    return output.commit();
+    const PngSize size{film.width, film.height, channels};
+    return options.bits == 8 ? write_png(to_samples<std::uint8_t>(film, gain), size, file)
+                             : write_png(to_samples<std::uint16_t>(film, gain), size, file);
 }
 
 }  // namespace balcony::render

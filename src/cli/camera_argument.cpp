@@ -1,0 +1,70 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "cli/camera_argument.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "balcony/lang.hpp"
+
+namespace balcony::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CameraName {
+    fs::path file;
+    std::string name;
+};
+
+CameraName split_camera(const std::string& text) {
+    const auto colon = text.rfind(':');
+    std::error_code ignored;
+    if (colon == std::string::npos || fs::exists(text, ignored)) {
+        return {text, ""};
+    }
+    return {text.substr(0, colon), text.substr(colon + 1)};
+}
+
+}  // namespace
+
+fs::path camera_file(const std::string& camera) { return split_camera(camera).file; }
+
+Result<camera::Camera> load_camera(const std::string& camera, const std::vector<std::string>& set) {
+    std::vector<lang::Override> overrides;
+    for (const std::string& text : set) {
+        const auto equals = text.find('=');
+        if (equals == std::string::npos || equals == 0) {
+            return error(fmt::format("--set {} sets nothing", text), {},
+                         "write --set name=value, such as --set gamma=1/2");
+        }
+        overrides.push_back({text.substr(0, equals), text.substr(equals + 1)});
+    }
+    const CameraName wanted = split_camera(camera);
+    if (wanted.name.empty() && camera.ends_with(':')) {
+        return error(fmt::format("'{}' names no camera after the colon", camera), {},
+                     fmt::format("write {}:NAME, or {} for its last camera", wanted.file.string(),
+                                 wanted.file.string()));
+    }
+    return lang::load_camera(wanted.file, wanted.name, overrides);
+}
+
+void add_set_option(CLI::App& command, std::vector<std::string>& set) {
+    command.add_option("--set", set, "a parameter of the camera; may be repeated")
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false)
+        ->take_all();
+}
+
+std::string ending_of(const fs::path& file) {
+    std::string ending = file.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    return ending;
+}
+
+}  // namespace balcony::cli

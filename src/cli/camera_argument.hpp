@@ -1,0 +1,27 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "balcony/camera.hpp"
+#include "cli/command.hpp"
+
+namespace balcony::cli {
+
+/// The file of a camera that a user named: FILE, FILE:NAME or a standard camera's name.
+[[nodiscard]] std::filesystem::path camera_file(const std::string& camera);
+
+/// Makes the camera that a user named, with the values of --set, each NAME=VALUE.
+[[nodiscard]] Result<camera::Camera> load_camera(const std::string& camera,
+                                                 const std::vector<std::string>& set);
+
+/// --set NAME=VALUE, which may be repeated.
+void add_set_option(CLI::App& command, std::vector<std::string>& set);
+
+/// The ending of a file's name in small letters, with its point.
+[[nodiscard]] std::string ending_of(const std::filesystem::path& file);
+
+}  // namespace balcony::cli
