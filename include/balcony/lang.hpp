@@ -53,6 +53,29 @@ struct CameraDescription {
 /// Makes every camera of a file, to find all that is wrong with it.
 [[nodiscard]] Diagnostics check(const std::filesystem::path& file);
 
+/// What a camera does, in words.
+struct Explanation {
+    struct Parameter {
+        std::string name;
+        std::string value;
+    };
+    /// A statement, in the order in which a picture point goes through them.
+    struct Step {
+        std::string statement;              ///< "map", "eye", ...
+        std::string written;                ///< As in the file; empty if a block follows.
+        std::vector<std::string> meanings;  ///< What each stage in it does.
+        std::size_t depth = 0;              ///< 1 in the block of the step before.
+    };
+    std::string name;
+    std::string summary;
+    std::vector<Parameter> parameters;
+    std::vector<Step> steps;
+};
+
+/// Explains the camera that load_camera() makes of the same arguments.
+[[nodiscard]] Result<Explanation> explain(const std::filesystem::path& file, std::string_view name,
+                                          const std::vector<Override>& overrides = {});
+
 /// The text of a camera file of at most 1 MB.
 [[nodiscard]] Result<std::shared_ptr<const SourceText>> read_text(
     const std::filesystem::path& file);

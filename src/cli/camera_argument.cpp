@@ -7,49 +7,47 @@
 
 #include <fmt/format.h>
 
-#include "balcony/lang.hpp"
-
 namespace balcony::cli {
 
 namespace {
 
 namespace fs = std::filesystem;
 
-struct CameraName {
-    fs::path file;
-    std::string name;
-};
-
-CameraName split_camera(const std::string& text) {
+CameraArgument split_camera(const std::string& text) {
     const auto colon = text.rfind(':');
     std::error_code ignored;
     if (colon == std::string::npos || fs::exists(text, ignored)) {
-        return {text, ""};
+        return {text, "", {}};
     }
-    return {text.substr(0, colon), text.substr(colon + 1)};
+    return {text.substr(0, colon), text.substr(colon + 1), {}};
 }
 
 }  // namespace
 
 fs::path camera_file(const std::string& camera) { return split_camera(camera).file; }
 
-Result<camera::Camera> load_camera(const std::string& camera, const std::vector<std::string>& set) {
-    std::vector<lang::Override> overrides;
+Result<CameraArgument> read_camera(const std::string& camera, const std::vector<std::string>& set) {
+    CameraArgument wanted = split_camera(camera);
     for (const std::string& text : set) {
         const auto equals = text.find('=');
         if (equals == std::string::npos || equals == 0) {
             return error(fmt::format("--set {} sets nothing", text), {},
                          "write --set name=value, such as --set gamma=1/2");
         }
-        overrides.push_back({text.substr(0, equals), text.substr(equals + 1)});
+        wanted.overrides.push_back({text.substr(0, equals), text.substr(equals + 1)});
     }
-    const CameraName wanted = split_camera(camera);
     if (wanted.name.empty() && camera.ends_with(':')) {
         return error(fmt::format("'{}' names no camera after the colon", camera), {},
                      fmt::format("write {}:NAME, or {} for its last camera", wanted.file.string(),
                                  wanted.file.string()));
     }
-    return lang::load_camera(wanted.file, wanted.name, overrides);
+    return wanted;
+}
+
+Result<camera::Camera> load_camera(const std::string& camera, const std::vector<std::string>& set) {
+    const Result<CameraArgument> wanted = read_camera(camera, set);
+    return wanted ? lang::load_camera(wanted->file, wanted->name, wanted->overrides)
+                  : Result<camera::Camera>(wanted.diagnostics);
 }
 
 void add_set_option(CLI::App& command, std::vector<std::string>& set) {

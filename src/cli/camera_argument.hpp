@@ -6,13 +6,24 @@
 #include <string>
 #include <vector>
 
-#include "balcony/camera.hpp"
+#include "balcony/lang.hpp"
 #include "cli/command.hpp"
 
 namespace balcony::cli {
 
 /// The file of a camera that a user named: FILE, FILE:NAME or a standard camera's name.
 [[nodiscard]] std::filesystem::path camera_file(const std::string& camera);
+
+/// What a user says of a camera, as the language takes it.
+struct CameraArgument {
+    std::filesystem::path file;
+    std::string name;  ///< Empty for the file's last camera.
+    std::vector<lang::Override> overrides;
+};
+
+/// Reads FILE[:NAME] and the values of --set, each NAME=VALUE.
+[[nodiscard]] Result<CameraArgument> read_camera(const std::string& camera,
+                                                 const std::vector<std::string>& set);
 
 /// Makes the camera that a user named, with the values of --set, each NAME=VALUE.
 [[nodiscard]] Result<camera::Camera> load_camera(const std::string& camera,

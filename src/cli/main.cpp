@@ -62,6 +62,7 @@ ExitCode run(CLI::App& app, int argc, char** argv) {
     ExitCode code = ExitCode::done;
     cli::add_render_command(app, code);
     cli::add_check_command(app, code);
+    cli::add_explain_command(app, code);
     cli::add_fmt_command(app, code);
     cli::add_list_command(app, code);
     cli::add_info_command(app, code);

@@ -8,6 +8,7 @@
 
 #include "balcony/lang.hpp"
 #include "lang/build_camera.hpp"
+#include "lang/explain.hpp"
 #include "lang/session.hpp"
 #include "lang/standard_cameras.hpp"
 
@@ -65,19 +66,26 @@ void warn_of_unused_lets(const Module& module, Reporter& reporter) {
     }
 }
 
+// The camera that is meant; an empty name means the file's last one. Nothing, with the reason
+// reported, if there is none.
+std::optional<CameraPlace> find(const Module* module, std::string_view name, Reporter& reporter) {
+    if (module == nullptr || (name.empty() && !require_cameras(*module, reporter))) {
+        return std::nullopt;
+    }
+    if (name.empty()) {
+        return own_cameras(*module).back();
+    }
+    const std::vector<CameraPlace> visible = visible_cameras(*module);
+    const CameraPlace* place = choose(visible, name, *module, reporter);
+    return place != nullptr ? std::optional(*place) : std::nullopt;
+}
+
 Result<camera::Camera> make(Session& session, const Module* module, std::string_view name,
                             const std::vector<Override>& overrides) {
     Reporter& reporter = session.reporter();
-    std::optional<camera::Camera> made;
-    if (module != nullptr && (!name.empty() || require_cameras(*module, reporter))) {
-        const std::vector<CameraPlace> own = own_cameras(*module);
-        const std::vector<CameraPlace> visible = visible_cameras(*module);
-        const CameraPlace* place =
-            name.empty() ? &own.back() : choose(visible, name, *module, reporter);
-        if (place != nullptr) {
-            made = build_camera(*place, overrides, session);
-        }
-    }
+    const std::optional<CameraPlace> place = find(module, name, reporter);
+    std::optional<camera::Camera> made =
+        place ? build_camera(*place, overrides, session) : std::nullopt;
     const bool failed = reporter.error_count() > 0;
     if (!failed) {
         warn_of_unused_lets(*module, reporter);
@@ -162,6 +170,19 @@ Result<camera::Camera> make_camera(std::shared_ptr<const SourceText> source, std
                                    const std::filesystem::path& folder) {
     Session session;
     return make(session, session.load(std::move(source), folder), name, overrides);
+}
+
+Result<Explanation> explain(const std::filesystem::path& file, std::string_view name,
+                            const std::vector<Override>& overrides) {
+    Session session;
+    const std::optional<CameraPlace> place = find(session.load(file), name, session.reporter());
+    const std::optional<camera::Camera> made =
+        place ? build_camera(*place, overrides, session) : std::nullopt;
+    if (session.reporter().error_count() > 0) {
+        return session.reporter().take();
+    }
+    Explanation explanation = explain_camera(*place, *made, overrides, session);
+    return {std::move(explanation), session.reporter().take()};
 }
 
 Diagnostics check(const std::filesystem::path& file) {

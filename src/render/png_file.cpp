@@ -7,7 +7,7 @@
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
-#include "render/output_file.hpp"
+#include "base/output_file.hpp"
 
 namespace balcony::render {
 
@@ -32,10 +32,7 @@ Diagnostics write(const void* samples, OIIO::TypeDesc type, const PngSize& size,
     if (!encode(samples, type, size, bytes)) {
         return {error(fmt::format("'{}' cannot be made: {}", file.string(), OIIO::geterror()))};
     }
-    OutputFile output(file);
-    output.stream().write(reinterpret_cast<const char*>(bytes.data()),
-                          static_cast<std::streamsize>(bytes.size()));
-    return output.commit();
+    return write_whole(file, bytes);
 }
 
 }  // namespace

@@ -6,12 +6,10 @@
 #include <limits>
 #include <vector>
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include "balcony/render.hpp"
-#include "base/output_file.hpp"
+#include "render/png_file.hpp"
 
 namespace balcony::render {
 
