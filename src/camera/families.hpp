@@ -35,6 +35,8 @@ Result<std::shared_ptr<const Stage>> as_stage(Result<std::shared_ptr<const Port>
 [[nodiscard]] std::vector<StageEntry> coins();
 [[nodiscard]] std::vector<StageEntry> deformations();
 [[nodiscard]] std::vector<StageEntry> grids();
+[[nodiscard]] std::vector<StageEntry> seed_warps();
+[[nodiscard]] std::vector<StageEntry> line_pair_warp();
 [[nodiscard]] std::vector<StageEntry> repeats();
 [[nodiscard]] std::vector<StageEntry> formula_transformers();
 [[nodiscard]] std::vector<StageEntry> primitives();
@@ -75,6 +77,8 @@ inline constexpr auto families = {
     deformations,
     repeats,
     grids,
+    seed_warps,
+    line_pair_warp,
 };
 
 }  // namespace balcony::camera

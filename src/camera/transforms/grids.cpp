@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include "camera/families.hpp"
-#include "camera/stage_parameters.hpp"
 #include "camera/transforms/control_lattice.hpp"
+#include "camera/transforms/offset_stages.hpp"
 
 namespace balcony::camera {
 
@@ -30,8 +30,9 @@ struct Offsets {
     std::vector<TablePointer> tables;
 
     /// The offset at the place of the box that is nearest to p.
-    [[nodiscard]] std::vector<Expr> operator()(std::vector<Expr> p, const Emitter& emit) const {
-        std::reverse(p.begin(), p.end());
+    [[nodiscard]] std::vector<Expr> operator()(std::span<const Expr> point,
+                                               const Emitter& emit) const {
+        std::vector<Expr> p(point.rbegin(), point.rend());
         for (std::size_t i = 0; i < p.size(); ++i) {
             const auto [least, most] = std::minmax(axes[i].first, axes[i].last);
             p[i] = min(max(p[i], emit(least)), emit(most));
@@ -42,35 +43,6 @@ struct Offsets {
         }
         return offset;
     }
-};
-
-class ParameterGrid final : public ParameterTransformer {
-public:
-    ParameterGrid(Offsets offsets, Scalar amount)
-        : offsets_(std::move(offsets)), amount_(std::move(amount)) {}
-    ParameterPoint transform(const ParameterPoint& p, Emitter& emit) const override {
-        const std::vector<Expr> offset = offsets_({p.u, p.v}, emit);
-        const Expr amount = emit(amount_);
-        return {p.u + amount * offset[0], p.v + amount * offset[1]};
-    }
-
-private:
-    Offsets offsets_;
-    Scalar amount_;
-};
-
-class ObjectGrid final : public ObjectTransformer {
-public:
-    ObjectGrid(Offsets offsets, Scalar amount)
-        : offsets_(std::move(offsets)), amount_(std::move(amount)) {}
-    ObjectPoint transform(const ObjectPoint& p, Emitter& emit) const override {
-        const std::vector<Expr> offset = offsets_({p.x, p.y, p.z}, emit);
-        return p + emit(amount_) * ObjectVector{offset[0], offset[1], offset[2]};
-    }
-
-private:
-    Offsets offsets_;
-    Scalar amount_;
 };
 
 LatticeBasis basis_of(const Arguments& a) {
@@ -199,7 +171,7 @@ std::vector<StageParameter> with_box(std::vector<StageParameter> own, StageParam
                    .choices = {"b_spline", "interpolating", "bernstein"},
                    .meaning = "near the points, through the points, or one polynomial of at most "
                               "8 points along an axis"});
-    own.push_back(number_parameter("amount", 1.0, "how much of the distortion; 0 is none"));
+    own.push_back(amount_parameter());
     return own;
 }
 
@@ -246,7 +218,7 @@ std::vector<StageEntry> grids() {
              if (!offsets) {
                  return std::move(offsets.diagnostics);
              }
-             return made<ParameterGrid>(std::move(*offsets), a.number("amount"));
+             return made<ParameterOffset<Offsets>>(std::move(*offsets), a.number("amount"));
          },
          {},
          0,
@@ -270,7 +242,7 @@ std::vector<StageEntry> grids() {
              if (!offsets) {
                  return std::move(offsets.diagnostics);
              }
-             return made<ObjectGrid>(std::move(*offsets), a.number("amount"));
+             return made<ObjectOffset<Offsets>>(std::move(*offsets), a.number("amount"));
          },
          {},
          0,

@@ -1,0 +1,144 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Parameter transformer, PCS → PCS: warping by pairs of lines after T. Beier and S. Neely,
+// "Feature-Based Image Metamorphosis" (SIGGRAPH 1992).
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "camera/families.hpp"
+#include "camera/transforms/offset_stages.hpp"
+
+namespace balcony::camera {
+
+namespace {
+
+constexpr std::size_t most_lines = 1000;
+
+struct Vector2 {
+    double u = 0.0;
+    double v = 0.0;
+};
+
+Vector2 operator-(const Vector2& a, const Vector2& b) { return {a.u - b.u, a.v - b.v}; }
+double length(const Vector2& a) { return std::hypot(a.u, a.v); }
+/// Of the same length, a quarter turn counter-clockwise.
+Vector2 perpendicular(const Vector2& a) { return {-a.v, a.u}; }
+
+/// The line P Q in the picture and where it goes, P' Q'.
+struct LinePair {
+    Vector2 from, to, from_new, to_new;
+};
+
+/// A point X keeps its place along each line, in units of its length, and its distance from it:
+///     along = (X - P) . (Q - P) / |Q - P|^2,  aside = (X - P) . perp(Q - P) / |Q - P|,
+///     X' = P' + along (Q' - P') + aside perp(Q' - P') / |Q' - P'|.
+/// What it gets is the mean of X' - X with the weights (|Q - P|^p / (a + distance))^b, the distance
+/// being that from the line's nearest point.
+struct LineField {
+    std::vector<LinePair> lines;
+    double a = 0.1;
+    double b = 2.0;
+    double p = 0.5;
+
+    [[nodiscard]] std::vector<Expr> operator()(std::span<const Expr> x, const Emitter& emit) const {
+        Expr weights = emit(0.0);
+        std::vector<Expr> offset(2, emit(0.0));
+        for (const LinePair& line : lines) {
+            const Vector2 pq = line.to - line.from;
+            const Vector2 pq_new = line.to_new - line.from_new;
+            const Vector2 across = perpendicular(pq);
+            const Vector2 across_new = perpendicular(pq_new);
+            const double size = length(pq);
+            const double size_new = length(pq_new);
+            const Expr du = x[0] - line.from.u;
+            const Expr dv = x[1] - line.from.v;
+            const Expr along = (pq.u / (size * size)) * du + (pq.v / (size * size)) * dv;
+            const Expr aside = (across.u / size) * du + (across.v / size) * dv;
+
+            const Expr beyond = along - min(max(along, emit(0.0)), emit(1.0));
+            const Expr squared = aside * aside + (size * size) * (beyond * beyond);
+            // The root's slope is infinite at 0, hence the least value that it sees.
+            const Expr distance = sqrt(max(squared, emit(1e-24 * size * size)));
+            const Expr weight = pow(std::pow(size, p) / (a + distance), b);
+
+            weights = weights + weight;
+            const Vector2 shift = line.from_new - line.from;
+            const Vector2 stretch = pq_new - pq;
+            const Vector2 turn{across_new.u / size_new - across.u / size,
+                               across_new.v / size_new - across.v / size};
+            offset[0] = offset[0] + weight * (shift.u + stretch.u * along + turn.u * aside);
+            offset[1] = offset[1] + weight * (shift.v + stretch.v * along + turn.v * aside);
+        }
+        return {offset[0] / weights, offset[1] / weights};
+    }
+};
+
+Result<std::shared_ptr<const Stage>> line_pairs(const Arguments& arguments) {
+    const PointList& points = arguments.points("lines");
+    if (points.size() > most_lines) {
+        return error(fmt::format("{} pairs of lines are too many", points.size()), {},
+                     fmt::format("give at most {}", most_lines));
+    }
+    LineField field{{}, arguments.constant("a"), arguments.constant("b"), arguments.constant("p")};
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const std::span<const double> c = points[i];
+        const LinePair line{{c[0], c[1]}, {c[2], c[3]}, {c[4], c[5]}, {c[6], c[7]}};
+        if (length(line.to - line.from) == 0.0 || length(line.to_new - line.from_new) == 0.0) {
+            return error(fmt::format("a line of pair {} begins where it ends", i + 1), {},
+                         "a line has two different ends");
+        }
+        field.lines.push_back(line);
+    }
+    return made<ParameterOffset<LineField>>(std::move(field), arguments.number("amount"));
+}
+
+}  // namespace
+
+std::vector<StageEntry> line_pair_warp() {
+    using enum ParameterType;
+    return {
+        {StageKind::parameter_transformer,
+         "line_pairs",
+         "field warping: lines in the picture take along what is next to them (Beier and Neely)",
+         {{.name = "lines",
+           .type = points,
+           .unit = Unit::parameter,
+           .coordinates = {8},
+           .meaning = "(P, Q, P', Q') as 8 numbers: along the line P Q the picture has what was "
+                      "along P' Q'"},
+          {.name = "a",
+           .default_value = {0.1},
+           .least = 0.0,
+           .above_least = true,
+           .constant = true,
+           .meaning = "a distance: the smaller, the more exactly a line goes where it shall"},
+          {.name = "b",
+           .default_value = {2.0},
+           .least = 0.0,
+           .most = 16.0,
+           .constant = true,
+           .meaning = "how fast a line loses with distance; at 0 all count the same everywhere"},
+          {.name = "p",
+           .default_value = {0.5},
+           .least = 0.0,
+           .most = 4.0,
+           .constant = true,
+           .meaning = "how much more a long line counts; at 0 all count the same"},
+          amount_parameter()},
+         line_pairs,
+         {},
+         0,
+         R"(camera line_pairs {
+    map    u = 1.2 .. -1.2, v = square
+    warp   line_pairs([(-1, -0.6, 1, -0.6, -1, -0.6, 1, -0.6), (-1, 0.6, 1, 0.6, -1, 0.6, 1, 0.6),
+                       (0, -0.3, 0, 0.3, -0.2, -0.2, 0.2, 0.2)])
+    eye    point
+    toward plane((1, 0, 0))
+})"},
+    };
+}
+
+}  // namespace balcony::camera

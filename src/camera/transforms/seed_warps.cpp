@@ -1,0 +1,305 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Warping by seed points: correspondences between scattered points and where they go, in parameter
+// space (PCS → PCS) and in object space (OCS → OCS), by thin-plate splines and by inverse-distance
+// weighting (D. Shepard 1968).
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "camera/families.hpp"
+#include "camera/transforms/offset_stages.hpp"
+#include "camera/transforms/thin_plate_spline.hpp"
+
+namespace balcony::camera {
+
+namespace {
+
+constexpr std::size_t most_seeds = 1000;
+/// The squared distance from a seed, in units of the seeds' spread, below which a point counts as
+/// that far off: so that no logarithm, root or quotient sees 0.
+constexpr double least_squared_distance = 1e-30;
+
+/// Seeds and what each adds to its place, in co-ordinates from their mean in units of their spread
+/// (the root of the mean squared distance from the mean).
+struct Seeds {
+    std::size_t dimension = 2;
+    std::vector<double> mean;
+    double spread = 1.0;
+    std::vector<double> places;
+    std::vector<double> offsets;
+
+    [[nodiscard]] std::size_t size() const { return places.size() / dimension; }
+
+    [[nodiscard]] std::vector<Expr> normalized(std::span<const Expr> p) const {
+        std::vector<Expr> q;
+        for (std::size_t k = 0; k < dimension; ++k) {
+            q.push_back((p[k] - mean[k]) / spread);
+        }
+        return q;
+    }
+
+    [[nodiscard]] Expr squared_distance(std::size_t seed, std::span<const Expr> q,
+                                        const Emitter& emit) const {
+        Expr sum = emit(0.0);
+        for (std::size_t k = 0; k < dimension; ++k) {
+            const Expr d = q[k] - places[seed * dimension + k];
+            sum = sum + d * d;
+        }
+        return sum;
+    }
+};
+
+Seeds seeds_of(const PointList& points) {
+    Seeds seeds;
+    seeds.dimension = points.coordinates / 2;
+    seeds.mean.resize(seeds.dimension);
+    const double count = static_cast<double>(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        for (std::size_t k = 0; k < seeds.dimension; ++k) {
+            seeds.mean[k] += points[i][k] / count;
+        }
+    }
+    double squared_spread = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        for (std::size_t k = 0; k < seeds.dimension; ++k) {
+            const double place = points[i][k] - seeds.mean[k];
+            seeds.places.push_back(place);
+            seeds.offsets.push_back(points[i][seeds.dimension + k] - points[i][k]);
+            squared_spread += place * place / count;
+        }
+    }
+    if (squared_spread > 0.0) {
+        seeds.spread = std::sqrt(squared_spread);
+        for (double& place : seeds.places) {
+            place /= seeds.spread;
+        }
+    }
+    return seeds;
+}
+
+struct ThinPlateField {
+    Seeds seeds;
+    ThinPlateSpline spline;
+
+    [[nodiscard]] std::vector<Expr> operator()(std::span<const Expr> p, const Emitter& emit) const {
+        const std::vector<Expr> q = seeds.normalized(p);
+        const std::size_t dimension = seeds.dimension;
+        std::vector<Expr> offset;
+        for (std::size_t k = 0; k < dimension; ++k) {
+            offset.push_back(emit(spline.affine[k]));
+            for (std::size_t i = 0; i < dimension; ++i) {
+                offset[k] = offset[k] + spline.affine[(i + 1) * dimension + k] * q[i];
+            }
+        }
+        for (std::size_t i = 0; i < seeds.size(); ++i) {
+            const Expr r2 = seeds.squared_distance(i, q, emit);
+            const Expr apart = max(r2, emit(least_squared_distance));
+            const Expr kernel = dimension == 2 ? r2 * log(apart) : -sqrt(apart);
+            for (std::size_t k = 0; k < dimension; ++k) {
+                offset[k] = offset[k] + spline.weights[i * dimension + k] * kernel;
+            }
+        }
+        return offset;
+    }
+};
+
+/// The mean of the seeds' offsets with weights 1/(r^2 + s^2)^(power/2).
+struct InverseDistanceField {
+    Seeds seeds;
+    double power = 2.0;
+    double smoothing = 0.0;
+
+    [[nodiscard]] std::vector<Expr> operator()(std::span<const Expr> p, const Emitter& emit) const {
+        const std::vector<Expr> q = seeds.normalized(p);
+        Expr weights = emit(0.0);
+        std::vector<Expr> offset(seeds.dimension, emit(0.0));
+        for (std::size_t i = 0; i < seeds.size(); ++i) {
+            const Expr r2 = seeds.squared_distance(i, q, emit);
+            const Expr apart = max(r2, emit(least_squared_distance)) + smoothing * smoothing;
+            const Expr weight = pow(apart, -0.5 * power);
+            weights = weights + weight;
+            for (std::size_t k = 0; k < seeds.dimension; ++k) {
+                offset[k] = offset[k] + seeds.offsets[i * seeds.dimension + k] * weight;
+            }
+        }
+        for (Expr& coordinate : offset) {
+            coordinate = coordinate / weights;
+        }
+        return offset;
+    }
+};
+
+std::string place_of(const PointList& points, std::size_t i) {
+    const auto place = points[i].first(points.coordinates / 2);
+    return fmt::format("({})", fmt::join(place, ", "));
+}
+
+Diagnostics too_many(const PointList& points) {
+    if (points.size() <= most_seeds) {
+        return {};
+    }
+    return {error(fmt::format("{} seeds are too many", points.size()), {},
+                  fmt::format("give at most {}", most_seeds))};
+}
+
+/// Two seeds at one place that go to different places contradict each other, and even if they do
+/// not, the system of equations has no single solution.
+Diagnostics twins(const PointList& points) {
+    const std::size_t dimension = points.coordinates / 2;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        for (std::size_t k = i + 1; k < points.size(); ++k) {
+            if (std::ranges::equal(points[i].first(dimension), points[k].first(dimension))) {
+                return {error(fmt::format("seeds {} and {} are both at {}", i + 1, k + 1,
+                                          place_of(points, i)),
+                              {}, "leave one of them out, or give smoothing above 0")};
+            }
+        }
+    }
+    return {};
+}
+
+template <template <class> class Target>
+Result<std::shared_ptr<const Stage>> thin_plate(const Arguments& a) {
+    const PointList& points = a.points("seeds");
+    if (Diagnostics said = too_many(points); !said.empty()) {
+        return said;
+    }
+    const double smoothing = a.constant("smoothing");
+    if (Diagnostics said = twins(points); smoothing == 0.0 && !said.empty()) {
+        return said;
+    }
+    Seeds seeds = seeds_of(points);
+    auto spline =
+        fit_thin_plate(seeds.places, seeds.dimension, seeds.offsets, seeds.dimension, smoothing);
+    if (!spline) {
+        return error(fmt::format("the seeds lie on one {}, or some nearly on each other",
+                                 seeds.dimension == 2 ? "line" : "plane"),
+                     {}, "add a seed away from the others that goes where it is");
+    }
+    return made<Target<ThinPlateField>>(ThinPlateField{std::move(seeds), std::move(*spline)},
+                                        a.number("amount"));
+}
+
+template <template <class> class Target>
+Result<std::shared_ptr<const Stage>> inverse_distance(const Arguments& a) {
+    const PointList& points = a.points("seeds");
+    if (Diagnostics said = too_many(points); !said.empty()) {
+        return said;
+    }
+    const double smoothing = a.constant("smoothing");
+    if (Diagnostics said = twins(points); smoothing == 0.0 && !said.empty()) {
+        return said;
+    }
+    return made<Target<InverseDistanceField>>(
+        InverseDistanceField{seeds_of(points), a.constant("power"), smoothing}, a.number("amount"));
+}
+
+StageParameter seeds_parameter(StageKind kind, std::size_t least) {
+    const bool plane = kind == StageKind::parameter_transformer;
+    return {.name = "seeds",
+            .type = ParameterType::points,
+            .unit = plane ? Unit::parameter : Unit::number,
+            .coordinates = {plane ? std::size_t{4} : std::size_t{6}},
+            .points_least = least,
+            .meaning = plane ? "(u, v, u', v'): the picture has at (u, v) what was at (u', v')"
+                             : "(x, y, z, x', y', z'): a point and where it goes"};
+}
+
+StageParameter smoothing_parameter(std::string_view meaning) {
+    return {.name = "smoothing",
+            .default_value = {0.0},
+            .least = 0.0,
+            .constant = true,
+            .meaning = meaning};
+}
+
+std::vector<StageParameter> thin_plate_parameters(StageKind kind) {
+    return {seeds_parameter(kind, kind == StageKind::parameter_transformer ? 3 : 4),
+            smoothing_parameter("0 goes through the seeds; 0.01 is a little, 100 the affine map "
+                                "that fits best"),
+            amount_parameter()};
+}
+
+std::vector<StageParameter> inverse_distance_parameters(StageKind kind) {
+    return {seeds_parameter(kind, 1),
+            {.name = "power",
+             .default_value = {2.0},
+             .least = 1.0,
+             .most = 8.0,
+             .above_least = true,
+             .constant = true,
+             .meaning = "of the distance; the higher, the more a seed rules what is next to it"},
+            smoothing_parameter("0 goes through the seeds; else a radius, in units of the seeds' "
+                                "spread, within which a seed is no nearer"),
+            amount_parameter()};
+}
+
+}  // namespace
+
+std::vector<StageEntry> seed_warps() {
+    const StageKind parameter_kind = StageKind::parameter_transformer;
+    const StageKind object_kind = StageKind::object_transformer;
+    return {
+        {parameter_kind,
+         "thin_plate",
+         "the smoothest warp that takes seed points where they shall go, like a bent thin plate",
+         thin_plate_parameters(parameter_kind),
+         thin_plate<ParameterOffset>,
+         {},
+         0,
+         R"(camera thin_plate {
+    map    u = 1.2 .. -1.2, v = square
+    warp   thin_plate([(-1, -0.6, -1, -0.6), (1, -0.6, 1, -0.6), (1, 0.6, 1, 0.6),
+                       (-1, 0.6, -1, 0.6), (0.4, 0, 0.1, 0.2), (-0.4, 0, -0.1, -0.2)])
+    eye    point
+    toward plane((1, 0, 0))
+})"},
+        {parameter_kind,
+         "inverse_distance",
+         "the mean of what seed points ask for, the nearer ones counting more (Shepard)",
+         inverse_distance_parameters(parameter_kind),
+         inverse_distance<ParameterOffset>,
+         {},
+         0,
+         R"(camera inverse_distance {
+    map    u = 1.2 .. -1.2, v = square
+    warp   inverse_distance([(-1, -0.6, -1, -0.6), (1, -0.6, 1, -0.6), (1, 0.6, 1, 0.6),
+                             (-1, 0.6, -1, 0.6), (0, 0, 0.3, 0.2)], smoothing = 0.2)
+    eye    point
+    toward plane((1, 0, 0))
+})"},
+        {object_kind,
+         "thin_plate",
+         "the smoothest deformation of space that takes seed points where they shall go",
+         thin_plate_parameters(object_kind),
+         thin_plate<ObjectOffset>,
+         {},
+         0,
+         R"(camera thin_plate {
+    map    u = 180deg .. -180deg, v = -90deg .. 90deg
+    eye    sphere(1)
+    move   thin_plate([(1, 0, 0, 2, 0, 0), (-1, 0, 0, -1, 0, 0), (0, 1, 0, 0, 1, 0.5),
+                       (0, -1, 0, 0, -1, 0.5), (0, 0, 1, 0, 0, 1), (0, 0, -1, 0, 0, -1)])
+})"},
+        {object_kind,
+         "inverse_distance",
+         "a deformation of space: the mean of what seed points ask for, the nearer ones counting "
+         "more",
+         inverse_distance_parameters(object_kind),
+         inverse_distance<ObjectOffset>,
+         {},
+         0,
+         R"(camera inverse_distance {
+    map    u = 180deg .. -180deg, v = -90deg .. 90deg
+    eye    sphere(1)
+    move   inverse_distance([(1, 0, 0, 2, 0, 0), (-1, 0, 0, -1, 0, 0), (0, 1, 0, 0, 1, 0),
+                             (0, -1, 0, 0, -1, 0)], smoothing = 0.5)
+})"},
+    };
+}
+
+}  // namespace balcony::camera
