@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -125,5 +126,9 @@ struct Scene {
 /// that is no number) is left out or replaced with a warning that names it; an error means that
 /// there is nothing to render.
 [[nodiscard]] Result<Scene> load(const std::filesystem::path& file);
+/// The same from the bytes of a file; its name says the format, and where other files that it
+/// names are looked for.
+[[nodiscard]] Result<Scene> load(const std::filesystem::path& name,
+                                 std::span<const std::uint8_t> bytes);
 
 }  // namespace balcony::scene

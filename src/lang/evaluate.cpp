@@ -58,6 +58,9 @@ private:
             case ExpressionKind::list:
                 error(node.span, "expected a number, but this is a list");
                 return false;
+            case ExpressionKind::text:
+                error(node.span, "expected a number, but this is a file's name");
+                return false;
             case ExpressionKind::formula:
                 error(node.span, "expected a number, but this is a formula of its own");
                 return false;

@@ -158,6 +158,9 @@ std::optional<ExpressionId> ExpressionParser::primary() {
     if (token.is("[")) {
         return list();
     }
+    if (token.kind == TokenKind::text) {
+        return add_name(tokens_.next(), ExpressionKind::text);
+    }
     tokens_.expected("a number, a name or '('");
     return std::nullopt;
 }
@@ -209,9 +212,9 @@ std::optional<ExpressionId> ExpressionParser::list() {
     return add(std::move(node), first);
 }
 
-ExpressionId ExpressionParser::add_name(const Token& name) {
+ExpressionId ExpressionParser::add_name(const Token& name, ExpressionKind kind) {
     Expression node;
-    node.kind = ExpressionKind::name;
+    node.kind = kind;
     node.name = {name.text, name.span};
     node.span = name.span;
     return add(std::move(node), nodes_.size());

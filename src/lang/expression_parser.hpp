@@ -35,7 +35,7 @@ private:
     [[nodiscard]] std::optional<ExpressionId> formula(Expression call);
     [[nodiscard]] std::optional<std::vector<Argument>> arguments(Span opening);
     [[nodiscard]] bool at_word() const;
-    ExpressionId add_name(const Token& name);
+    ExpressionId add_name(const Token& name, ExpressionKind kind = ExpressionKind::name);
     ExpressionId add(Expression node, std::size_t first);
     std::optional<ExpressionId> add_operation(const Token& symbol, std::size_t first,
                                               std::vector<ExpressionId> operands);

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "balcony/catalogue.hpp"
 #include "balcony/expr.hpp"
 #include "lang/parser.hpp"
 #include "lang/scope.hpp"
@@ -38,6 +39,14 @@ public:
 
     [[nodiscard]] Reporter& reporter() { return reporter_; }
     [[nodiscard]] const std::shared_ptr<expr::Graph>& graph() const { return graph_; }
+
+    /// The images and meshes that stages were given, by the names of their files.
+    [[nodiscard]] std::map<std::string, std::shared_ptr<const camera::GreyImage>>& images() {
+        return images_;
+    }
+    [[nodiscard]] std::map<std::string, std::shared_ptr<const camera::TexturedMesh>>& meshes() {
+        return meshes_;
+    }
 
     /// Reads a file or a standard camera, as the user names it, and what it imports; null, with the
     /// reason reported, if there is none. Other errors are reported and leave a module behind.
@@ -70,6 +79,8 @@ private:
     std::map<std::string, std::unique_ptr<Module>> modules_;
     std::vector<Opened> opened_;  // The chain of imports that is being read.
     std::vector<std::unique_ptr<SyntaxTree>> overrides_;
+    std::map<std::string, std::shared_ptr<const camera::GreyImage>> images_;
+    std::map<std::string, std::shared_ptr<const camera::TexturedMesh>> meshes_;
 };
 
 /// The cameras that a file makes visible: its own in their order, then those of its imports.

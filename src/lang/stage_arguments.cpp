@@ -74,6 +74,7 @@ std::string_view described(const Expression& node) {
     switch (node.kind) {
         case ExpressionKind::tuple: return "a tuple";
         case ExpressionKind::list: return "a list";
+        case ExpressionKind::text: return "a file's name";
         case ExpressionKind::formula: return "a formula";
         default: return "a number";
     }
@@ -214,9 +215,10 @@ const StageParameter* StageBuilder::parameter_of_word(const StageEntry& row,
 
 bool StageBuilder::set_argument(const StageEntry& row, const StageParameter& parameter,
                                 std::span<const ExpressionId> given, Arguments& arguments) {
+    // `made` is an optional value or a pointer.
     const auto set = [&parameter, &arguments](auto made) {
         const bool good = static_cast<bool>(made);
-        if constexpr (std::is_same_v<decltype(made), Stage>) {
+        if constexpr (std::is_constructible_v<Arguments::Value, decltype(made)>) {
             if (good) {
                 arguments.set(parameter.name, std::move(made));
             }
@@ -228,6 +230,8 @@ bool StageBuilder::set_argument(const StageEntry& row, const StageParameter& par
     switch (parameter.type) {
         case ParameterType::choice: return set(choice(row, parameter, given.front()));
         case ParameterType::points: return set(points(row, parameter, given.front()));
+        case ParameterType::image: return set(image(row, parameter, given.front()));
+        case ParameterType::mesh: return set(mesh(row, parameter, given.front()));
         case ParameterType::curve: return set(curve(row, parameter, given.front()));
         case ParameterType::stage: return set(nested_stage(row, parameter, given.front()));
         case ParameterType::stages: return set(nested_stages(row, parameter, given));

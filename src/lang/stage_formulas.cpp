@@ -30,9 +30,9 @@ std::optional<camera::Formula> StageBuilder::stage_formula(const StageEntry& row
               fmt::format("it is written {}", written));
         return std::nullopt;
     }
-    const auto fits = [this, &row](const Value& result, Span span) {
+    const auto fits = [this, &row](const Value& result, const SourceSpan& place) {
         if (result.is_angle() && row.kind != StageKind::parameter_transformer) {
-            error(span,
+            error(place,
                   fmt::format("the results of '{}' are lengths, but this is an angle", row.name),
                   "divide it by 1rad for the number of radians");
             return false;
@@ -52,8 +52,8 @@ std::optional<camera::Formula> StageBuilder::formula_argument(const StageEntry& 
               fmt::format("it is written {}", written));
         return std::nullopt;
     }
-    const auto in_unit = [this, &row, &parameter](const Value& result, Span span) {
-        return fits(row, parameter, result, span);
+    const auto in_unit = [this, &row, &parameter](const Value& result, const SourceSpan& place) {
+        return fits(row, parameter, result, place);
     };
     return formula({parameter.name, parameter.shape, written, in_unit}, node);
 }
@@ -106,7 +106,7 @@ std::optional<std::vector<expr::Expr>> StageBuilder::formula_results(const Formu
     std::vector<expr::Expr> results;
     for (const Argument& result : node.arguments) {
         const Value value = evaluate(tree_, result.value, scope, *graph_, reporter_);
-        if (!value.failed() && rules.fits(value, tree_[result.value].span)) {
+        if (!value.failed() && rules.fits(value, tree_.at(tree_[result.value].span))) {
             results.push_back(value.expr);
         }
     }

@@ -136,7 +136,7 @@ std::optional<std::vector<Scalar>> StageBuilder::numbers(const StageEntry& row,
 std::optional<Scalar> StageBuilder::number(const StageEntry& row, const StageParameter& parameter,
                                            ExpressionId given) {
     const Value value = evaluate(tree_, given, scope_, *graph_, reporter_);
-    if (value.failed() || !fits(row, parameter, value, tree_[given].span)) {
+    if (value.failed() || !fits(row, parameter, value, tree_.at(tree_[given].span))) {
         return std::nullopt;
     }
     if (value.is_constant()) {
@@ -146,25 +146,27 @@ std::optional<Scalar> StageBuilder::number(const StageEntry& row, const StagePar
 }
 
 bool StageBuilder::fits(const StageEntry& row, const StageParameter& parameter, const Value& value,
-                        Span span) {
+                        const SourceSpan& place) {
     const std::string what = fmt::format("'{}' of '{}'", parameter.name, row.name);
     if (parameter.unit == Unit::number && value.is_angle()) {
-        error(span, fmt::format("{} is a plain number, but this is an angle", what),
+        error(place, fmt::format("{} is a plain number, but this is an angle", what),
               "leave out deg or rad, or divide the angle by 1rad");
         return false;
     }
     if (parameter.unit == Unit::angle && value.is_plain_number()) {
-        const bool literal = tree_.text(span).find_first_not_of("0123456789.") == std::string::npos;
-        error(span, fmt::format("{} is an angle, but this is a plain number", what),
-              literal ? fmt::format("write {0}deg or {0}rad", tree_.text(span))
+        const std::string_view written =
+            place.source->text().substr(place.begin, place.end - place.begin);
+        const bool literal = written.find_first_not_of("0123456789.") == std::string::npos;
+        error(place, fmt::format("{} is an angle, but this is a plain number", what),
+              literal ? fmt::format("write {0}deg or {0}rad", written)
                       : "multiply it by 1rad if it counts radians, by 1deg if degrees");
         return false;
     }
     if (value.is_constant()) {
-        return in_range(row, parameter, value.constant(), span);
+        return in_range(row, parameter, value.constant(), place);
     }
     if (must_be_constant(parameter)) {
-        error(span, fmt::format("{} cannot change with time", what),
+        error(place, fmt::format("{} cannot change with time", what),
               "it decides what the stage is made of, which is done once for all times");
         return false;
     }
@@ -172,18 +174,18 @@ bool StageBuilder::fits(const StageEntry& row, const StageParameter& parameter, 
 }
 
 bool StageBuilder::in_range(const StageEntry& row, const StageParameter& parameter, double value,
-                            Span span) {
+                            const SourceSpan& place) {
     const std::string what = fmt::format("'{}' of '{}'", parameter.name, row.name);
     if (parameter.type == ParameterType::count && std::floor(value) != value) {
-        error(span, fmt::format("{} must be a whole number, but is {}", what,
-                                written(value, parameter.unit)));
+        error(place, fmt::format("{} must be a whole number, but is {}", what,
+                                 written(value, parameter.unit)));
         return false;
     }
     const bool too_small =
         parameter.above_least ? value <= parameter.least : value < parameter.least;
     if (too_small || value > parameter.most) {
-        error(span, fmt::format("{} must be {}, but is {}", what, range_text(parameter),
-                                written(value, parameter.unit)));
+        error(place, fmt::format("{} must be {}, but is {}", what, range_text(parameter),
+                                 written(value, parameter.unit)));
         return false;
     }
     return true;

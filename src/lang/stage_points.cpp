@@ -48,41 +48,42 @@ std::string example_of(const StageParameter& parameter) {
     return fmt::format("[{}]", text);
 }
 
+bool is_list_of_numbers(const StageParameter& parameter) {
+    return parameter.coordinates == std::vector<std::size_t>{1};
+}
+
 }  // namespace
 
 std::optional<PointList> StageBuilder::points(const StageEntry& row,
                                               const StageParameter& parameter, ExpressionId given) {
     const Expression& list = tree_[given];
-    const std::string what = fmt::format("'{}' of '{}'", parameter.name, row.name);
-    const bool numbers = parameter.coordinates == std::vector<std::size_t>{1};
-    const char* noun = numbers ? "number" : "point";
+    if (list.kind == ExpressionKind::text) {
+        return table(row, parameter, given);
+    }
     if (list.kind != ExpressionKind::list) {
-        error(list.span, fmt::format("{} is a list of {}s", what, noun),
-              fmt::format("write it in brackets, such as {}", example_of(parameter)));
+        error(
+            list.span,
+            fmt::format("'{}' of '{}' is a list of {}", parameter.name, row.name,
+                        is_list_of_numbers(parameter) ? "numbers" : "points"),
+            fmt::format("write it in brackets, such as {}, or name a table, such as \"table.csv\"",
+                        example_of(parameter)));
         return std::nullopt;
     }
-    const std::size_t count = list.arguments.size();
-    if (count < parameter.points_least || count > most_points) {
-        const bool few = count < parameter.points_least;
-        const std::size_t bound = few ? parameter.points_least : most_points;
-        error(list.span,
-              fmt::format("{} needs at {} {} {}{}, but has {}", what, few ? "least" : "most", bound,
-                          noun, bound == 1 ? "" : "s", count));
+    if (!enough_points(row, parameter, list.arguments.size(), list.span)) {
         return std::nullopt;
     }
     PointList made;
     bool good = true;
     for (const Argument& element : list.arguments) {
         const Expression& node = tree_[element.value];
-        std::vector<ExpressionId> coordinates;
-        if (node.kind == ExpressionKind::tuple) {
-            for (const Argument& coordinate : node.arguments) {
-                coordinates.push_back(coordinate.value);
-            }
-        } else {
-            coordinates.push_back(element.value);
+        const bool tuple = node.kind == ExpressionKind::tuple;
+        const std::vector<Argument> one{element};
+        std::vector<Coordinate> coordinates;
+        for (const Argument& coordinate : tuple ? node.arguments : one) {
+            coordinates.push_back({evaluate(tree_, coordinate.value, scope_, *graph_, reporter_),
+                                   tree_.at(tree_[coordinate.value].span)});
         }
-        good = add_point(row, parameter, node, coordinates, made) && good;
+        good = add_point(row, parameter, tree_.at(node.span), coordinates, made) && good;
         if (reporter_.full()) {
             return std::nullopt;
         }
@@ -90,36 +91,55 @@ std::optional<PointList> StageBuilder::points(const StageEntry& row,
     return good ? std::optional(std::move(made)) : std::nullopt;
 }
 
+bool StageBuilder::enough_points(const StageEntry& row, const StageParameter& parameter,
+                                 std::size_t count, Span span) {
+    const bool few = count < parameter.points_least;
+    if (!few && count <= most_points) {
+        return true;
+    }
+    const std::size_t bound = few ? parameter.points_least : most_points;
+    error(span, fmt::format("'{}' of '{}' needs at {} {} {}{}, but has {}", parameter.name,
+                            row.name, few ? "least" : "most", bound,
+                            is_list_of_numbers(parameter) ? "number" : "point",
+                            bound == 1 ? "" : "s", count));
+    return false;
+}
+
 bool StageBuilder::add_point(const StageEntry& row, const StageParameter& parameter,
-                             const Expression& node, std::span<const ExpressionId> coordinates,
+                             const SourceSpan& place, std::span<const Coordinate> coordinates,
                              PointList& points) {
-    const std::size_t count = coordinates.size();
-    const auto numbers = [](std::size_t n) {
-        return fmt::format("{} number{}", n, n == 1 ? "" : "s");
-    };
+    if (!has_coordinates(row, parameter, coordinates.size(), place, points)) {
+        return false;
+    }
+    points.coordinates = coordinates.size();
+    bool good = true;
+    for (const Coordinate& coordinate : coordinates) {
+        if (coordinate.value.failed() ||
+            !fits(row, parameter, coordinate.value, coordinate.place)) {
+            good = false;
+        } else {
+            points.values.push_back(coordinate.value.constant());
+        }
+    }
+    return good;
+}
+
+bool StageBuilder::has_coordinates(const StageEntry& row, const StageParameter& parameter,
+                                   std::size_t count, const SourceSpan& place,
+                                   const PointList& points) {
     const auto& allowed = parameter.coordinates;
     if (std::find(allowed.begin(), allowed.end(), count) == allowed.end()) {
-        error(node.span, fmt::format("a point of '{}' of '{}' has {} number{}, but this has {}",
-                                     parameter.name, row.name, numbers_in_words(allowed),
-                                     allowed == std::vector<std::size_t>{1} ? "" : "s", count));
+        error(place, fmt::format("a point of '{}' of '{}' has {} number{}, but this has {}",
+                                 parameter.name, row.name, numbers_in_words(allowed),
+                                 is_list_of_numbers(parameter) ? "" : "s", count));
         return false;
     }
     if (points.coordinates != 0 && points.coordinates != count) {
-        error(node.span, fmt::format("this point has {}, but the first has {}", numbers(count),
-                                     points.coordinates));
+        error(place, fmt::format("this point has {} number{}, but the first has {}", count,
+                                 count == 1 ? "" : "s", points.coordinates));
         return false;
     }
-    points.coordinates = count;
-    bool good = true;
-    for (const ExpressionId coordinate : coordinates) {
-        const Value value = evaluate(tree_, coordinate, scope_, *graph_, reporter_);
-        if (value.failed() || !fits(row, parameter, value, tree_[coordinate].span)) {
-            good = false;
-            continue;
-        }
-        points.values.push_back(value.constant());
-    }
-    return good;
+    return true;
 }
 
 }  // namespace balcony::lang

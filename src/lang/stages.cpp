@@ -120,8 +120,10 @@ const StageEntry* StageBuilder::find_row(StageKind kind, const Identifier& name)
             return nullptr;
         }
     }
+    const auto nearest = nearest_name(name.text, names_of_kind(kind));
     error(name.span, fmt::format("there is no {} named '{}'", camera::name_of(kind), name.text),
-          suggestion(name.text, names_of_kind(kind), "there are"));
+          nearest ? fmt::format("did you mean '{}'?", *nearest)
+                  : "'balcony list' names all there are");
     return nullptr;
 }
 

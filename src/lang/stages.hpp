@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "balcony/catalogue.hpp"
+#include "balcony/data.hpp"
 #include "lang/session.hpp"
 
 namespace balcony::lang {
@@ -18,7 +20,9 @@ namespace balcony::lang {
 class StageBuilder {
 public:
     StageBuilder(const Module& module, Scope& scope, Session& session)
-        : tree_(module.tree),
+        : module_(module),
+          session_(session),
+          tree_(module.tree),
           scope_(scope),
           graph_(session.graph()),
           reporter_(session.reporter()) {}
@@ -85,17 +89,46 @@ private:
                                          const camera::StageParameter& parameter,
                                          ExpressionId given);
     bool fits(const camera::StageEntry& row, const camera::StageParameter& parameter,
-              const Value& value, Span span);
+              const Value& value, const SourceSpan& place);
     bool in_range(const camera::StageEntry& row, const camera::StageParameter& parameter,
-                  double value, Span span);
+                  double value, const SourceSpan& place);
 
     // -------------------------------------------------------------------------------- points
     std::optional<camera::PointList> points(const camera::StageEntry& row,
                                             const camera::StageParameter& parameter,
                                             ExpressionId given);
+    /// A number of a point, where it is written.
+    struct Coordinate {
+        Value value;
+        SourceSpan place;
+    };
+    bool enough_points(const camera::StageEntry& row, const camera::StageParameter& parameter,
+                       std::size_t count, Span span);
     bool add_point(const camera::StageEntry& row, const camera::StageParameter& parameter,
-                   const Expression& node, std::span<const ExpressionId> coordinates,
+                   const SourceSpan& place, std::span<const Coordinate> coordinates,
                    camera::PointList& points);
+    bool has_coordinates(const camera::StageEntry& row, const camera::StageParameter& parameter,
+                         std::size_t count, const SourceSpan& place,
+                         const camera::PointList& points);
+
+    // --------------------------------------------------------------------------------- files
+    std::optional<camera::PointList> table(const camera::StageEntry& row,
+                                           const camera::StageParameter& parameter,
+                                           ExpressionId given);
+    std::shared_ptr<const camera::GreyImage> image(const camera::StageEntry& row,
+                                                   const camera::StageParameter& parameter,
+                                                   ExpressionId given);
+    std::shared_ptr<const camera::TexturedMesh> mesh(const camera::StageEntry& row,
+                                                     const camera::StageParameter& parameter,
+                                                     ExpressionId given);
+    std::optional<data::File> file(const camera::StageEntry& row,
+                                   const camera::StageParameter& parameter, ExpressionId given,
+                                   std::string_view what, std::string_view example);
+    void report_file(Diagnostics said, Span named);
+    template <class Data>
+    std::shared_ptr<const Data> read_once(
+        std::map<std::string, std::shared_ptr<const Data>>& known, const data::File& file,
+        Result<std::shared_ptr<const Data>> (*read)(const data::File&), ExpressionId given);
 
     // ------------------------------------------------------------------------------ formulas
     /// What a formula must be, and what may be said of its results.
@@ -103,7 +136,7 @@ private:
         std::string_view name;
         const camera::FormulaShape& shape;
         std::string written;
-        std::function<bool(const Value& result, Span span)> fits;
+        std::function<bool(const Value& result, const SourceSpan& place)> fits;
     };
     std::optional<camera::Formula> stage_formula(const camera::StageEntry& row,
                                                  const Expression& node);
@@ -115,13 +148,18 @@ private:
                                                            const Expression& node, Scope& scope);
 
     void error(Span span, std::string message, std::string remedy = {}) {
-        reporter_.error(tree_.at(span), std::move(message), std::move(remedy));
+        error(tree_.at(span), std::move(message), std::move(remedy));
     }
+    /// Of a place in the camera file or in a table that it names.
+    void error(SourceSpan place, std::string message, std::string remedy = {});
 
+    const Module& module_;
+    Session& session_;
     const SyntaxTree& tree_;
     Scope& scope_;
     std::shared_ptr<expr::Graph> graph_;
     Reporter& reporter_;
+    Span named_;  // Where the camera file names the table that is being read.
 };
 
 /// A parameter transformer, an object generator.

@@ -31,6 +31,7 @@ enum class ExpressionKind : std::uint8_t {
     call,       ///< name(arguments): a function or a stage.
     tuple,      ///< (a, b) or (a, b, c).
     list,       ///< [a, b, ...], with expressions or tuples; may be empty.
+    text,       ///< "seeds.csv"; `name` is what the quotes hold and the place of the quotes.
     formula,    ///< name(parameters) = [results].
 };
 

@@ -17,6 +17,10 @@ void Import::warn(std::string message, std::string remedy) {
     diagnostics.push_back(warning(std::move(message), {}, std::move(remedy)));
 }
 
+std::vector<std::uint8_t> Import::bytes() const {
+    return given ? std::vector<std::uint8_t>(given->begin(), given->end()) : read_bytes(file);
+}
+
 std::string in_quotes(std::string_view name) {
     constexpr std::size_t longest = 80;
     std::string shown;

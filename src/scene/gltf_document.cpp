@@ -135,9 +135,9 @@ std::string decode_percent(std::string_view uri) {
     return path;
 }
 
-GltfDocument::GltfDocument(const std::filesystem::path& file) : file_(file) {
-    const std::string name = in_quotes(file.string());
-    const std::vector<std::uint8_t> bytes = read_bytes(file);
+GltfDocument::GltfDocument(const Import& import) : file_(import.file) {
+    const std::string name = in_quotes(file_.string());
+    const std::vector<std::uint8_t> bytes = import.bytes();
     const Bytes all(bytes);
     is_binary_ = begins_with(all, "glTF");
     if (is_binary_) {
@@ -146,7 +146,7 @@ GltfDocument::GltfDocument(const std::filesystem::path& file) : file_(file) {
         read_buffers(chunks.binary);
         return;
     }
-    if (file.extension() != ".gltf") {
+    if (file_.extension() != ".gltf") {
         throw ReadError{error(fmt::format("{} is not a GLB: it does not begin with 'glTF'", name),
                               {},
                               begins_with(all, "{") ? "it looks like JSON: name it .gltf" : "")};

@@ -19,7 +19,7 @@ namespace balcony::scene {
 class GltfDocument {
 public:
     /// Reads a .glb or .gltf file and the buffers beside it. Throws ReadError.
-    explicit GltfDocument(const std::filesystem::path& file);
+    explicit GltfDocument(const Import& import);
 
     [[nodiscard]] const Json& root() const { return root_; }
     [[nodiscard]] bool is_binary() const { return is_binary_; }

@@ -102,7 +102,7 @@ void refuse_compressed(const Json& root, const std::filesystem::path& file) {
 }  // namespace
 
 void read_gltf(Import& import) {
-    const GltfDocument document(import.file);
+    const GltfDocument document(import);
     refuse_compressed(document.root(), import.file);
     import.scene.format = document.is_binary() ? "glTF 2.0 binary" : "glTF 2.0";
     GltfReader(document, import).read();

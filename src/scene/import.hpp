@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,10 +25,13 @@ struct ReadError {
 /// A scene in the making, with what there is to say about it.
 struct Import {
     std::filesystem::path file;
+    std::optional<std::span<const std::uint8_t>> given;  ///< Its bytes, if they need no reading.
     Scene scene;
     Diagnostics diagnostics;
 
     void warn(std::string message, std::string remedy = {});
+    /// The bytes of the file. Throws ReadError if it cannot be read.
+    [[nodiscard]] std::vector<std::uint8_t> bytes() const;
 };
 
 /// The two families of formats. Both throw ReadError.

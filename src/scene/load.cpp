@@ -71,7 +71,9 @@ void limit_warnings(Diagnostics& diagnostics) {
 
 void read(Import& import) {
     const fs::path& file = import.file;
-    refuse_missing_or_directory(file);
+    if (!import.given) {
+        refuse_missing_or_directory(file);
+    }
     const Format* format = format_of(file);
     if (format == nullptr) {
         throw ReadError{
@@ -87,11 +89,8 @@ void read(Import& import) {
     import.scene.default_light = !lights_itself(import.scene);
 }
 
-}  // namespace
-
-Result<Scene> load(const fs::path& file) {
-    Import import;
-    import.file = file;
+Result<Scene> load(Import import) {
+    const fs::path& file = import.file;
     import.scene.name = file.string();
     const auto failed = [&](Diagnostic reason) -> Result<Scene> {
         import.diagnostics.push_back(std::move(reason));
@@ -110,6 +109,21 @@ Result<Scene> load(const fs::path& file) {
         return failed(
             error(fmt::format("{} cannot be read: {}", in_quotes(file.string()), reason.what())));
     }
+}
+
+}  // namespace
+
+Result<Scene> load(const fs::path& file) {
+    Import import;
+    import.file = file;
+    return load(std::move(import));
+}
+
+Result<Scene> load(const fs::path& name, std::span<const std::uint8_t> bytes) {
+    Import import;
+    import.file = name;
+    import.given = bytes;
+    return load(std::move(import));
 }
 
 }  // namespace balcony::scene

@@ -112,7 +112,7 @@ private:
 
 void read_obj(Import& import) {
     import.scene.format = "Wavefront OBJ";
-    const std::vector<std::uint8_t> bytes = read_bytes(import.file);
+    const std::vector<std::uint8_t> bytes = import.bytes();
     const ObjText text = check_obj({reinterpret_cast<const char*>(bytes.data()), bytes.size()},
                                    import.file.stem().string(), import);
     if (text.sections.empty()) {

@@ -31,13 +31,13 @@ struct Read {
 
 /// Reads a call, such as stage(1, 2), by the parameters of a row. `a` is 2.
 Read read(std::vector<StageParameter> parameters, const std::string& call,
-          const std::string& statement = "eye") {
+          const std::string& statement = "eye", const std::filesystem::path& folder = {}) {
     const StageEntry row{StageKind::object_generator, "stage", "", std::move(parameters), nullptr};
     Session session;
     const Module* module = session.load(
         std::make_shared<const SourceText>(
             "test.cam", test::joined({"let a = 2 camera c { ", statement, " ", call, " }"})),
-        {});
+        folder);
     const CameraSyntax& syntax = *own_cameras(*module).front().camera;
     if (syntax.statements.empty() || syntax.statements.front().stages.empty()) {
         return {std::nullopt, session.reporter().take()};
@@ -121,9 +121,10 @@ TEST(StageArguments, PointsAreAList) {
 TEST(StageArguments, WrongPointsAreErrors) {
     EXPECT_EQ(refused(points({2}), "stage(3)"),
               "'at' of 'stage' is a list of points; write it in brackets, such as "
-              "[(0, 0), (1, 1)]");
+              "[(0, 0), (1, 1)], or name a table, such as \"table.csv\"");
     EXPECT_EQ(refused(points({1}), "stage((1, 2))"),
-              "'at' of 'stage' is a list of numbers; write it in brackets, such as [0, 1]");
+              "'at' of 'stage' is a list of numbers; write it in brackets, such as [0, 1], "
+              "or name a table, such as \"table.csv\"");
     EXPECT_EQ(refused(points({2}), "stage([])"),
               "'at' of 'stage' needs at least 2 points, but has 0");
     EXPECT_EQ(refused(points({2, 3}), "stage([(1, 2), 3])"),
@@ -148,6 +149,46 @@ TEST(StageArguments, TooManyPointsAreOneError) {
     EXPECT_EQ(refused(points({1}), "stage([" + list + "])"),
               "'at' of 'stage' needs at most 65536 numbers, but has 65537");
     EXPECT_TRUE(read(points({1}), "stage([" + list.substr(2) + "])").arguments);
+}
+
+TEST(StageArguments, PointsMayStandInATable) {
+    const test::TemporaryFolder folder;
+    folder.write("points.csv", "x,y\n0,1\n2,30deg\n");
+    folder.write("numbers.csv", "0,0,0.5\n1,1\n");
+    const Read pairs =
+        read(points({2}, Unit::parameter), "stage(\"points.csv\")", "eye", folder.path());
+    ASSERT_TRUE(pairs.arguments) << to_text(pairs.said);
+    EXPECT_EQ(pairs.arguments->points("at").values,
+              (std::vector<double>{0, 1, 2, std::numbers::pi / 6}));
+    const Read knots = read(points({1}), "stage(at = \"numbers.csv\")", "eye", folder.path());
+    EXPECT_EQ(knots.arguments->points("at").values, (std::vector<double>{0, 0, 0.5, 1, 1}));
+    // What is wrong in the table is said of the table, with the place that names it.
+    const Read angle = read(points({2}), "stage(\"points.csv\")", "eye", folder.path());
+    ASSERT_EQ(angle.said.size(), 1U) << to_text(angle.said);
+    EXPECT_EQ(angle.message(), "'at' of 'stage' is a plain number, but this is an angle");
+    EXPECT_EQ(to_text(angle.said).rfind((folder.path() / "points.csv").string() + ":3:3", 0), 0U);
+    ASSERT_EQ(angle.said[0].notes.size(), 1U);
+    EXPECT_EQ(angle.said[0].notes[0].span.source->name(), "test.cam");
+    EXPECT_EQ(read(points({3}), "stage(\"points.csv\")", "eye", folder.path()).message(),
+              "a point of 'at' of 'stage' has 3 numbers, but this has 2");
+}
+
+TEST(StageArguments, ImagesAndMeshesAreFiles) {
+    const std::vector<StageParameter> row{
+        {.name = "file", .type = ParameterType::mesh, .meaning = "its use"}};
+    const Read vase = read(row, "stage(\"vase.obj\")");
+    ASSERT_TRUE(vase.arguments) << to_text(vase.said);
+    EXPECT_GT(vase.arguments->mesh("file")->triangles.size(), 1000U);
+    EXPECT_EQ(refused(row, "stage(vase)"),
+              "'file' of 'stage' is a mesh; name its file in quotation marks, such as "
+              "\"vase.obj\"");
+    EXPECT_EQ(refused(row, "stage(\"vaze.obj\")"),
+              "there is no file 'vaze.obj' and none of that name comes with Balcony; did you mean "
+              "'vase.obj'?");
+    const std::vector<StageParameter> mask{
+        {.name = "mask", .type = ParameterType::image, .meaning = "its use"}};
+    EXPECT_TRUE(refused(mask, "stage(\"vase.obj\")")
+                    .starts_with("'standard/vase.obj' cannot be read as an image: "));
 }
 
 TEST(StageArguments, AStageTakesAStageOfItsKind) {

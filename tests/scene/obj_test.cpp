@@ -153,4 +153,14 @@ TEST_F(Obj, LinesMayContinueAndEndAnyWay) {
     EXPECT_EQ(scene->triangle_count(), 1U);
 }
 
+TEST_F(Obj, BytesNeedNoFile) {
+    const std::string text = std::string(square) + "f 1 2 3 4\n";
+    const std::vector<std::uint8_t> bytes(text.begin(), text.end());
+    const auto scene = load("nowhere/square.obj", bytes);
+    ASSERT_TRUE(scene) << said(scene);
+    EXPECT_EQ(scene->triangle_count(), 2U);
+    EXPECT_EQ(scene->name, "nowhere/square.obj");
+    EXPECT_FALSE(load("square.glb", bytes));
+}
+
 }  // namespace balcony::scene::testing

@@ -1,0 +1,127 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "data/files.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include "data/standard_files.hpp"
+
+namespace balcony::data {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const StandardFile* find_standard_file(std::string_view name) {
+    const std::span<const StandardFile> all = embedded_files();
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [name](const StandardFile& file) { return file.name == name; });
+    return found == all.end() ? nullptr : &*found;
+}
+
+// The names beside a file that is not there, in their order.
+std::vector<std::string> names_in(const fs::path& folder) {
+    std::vector<std::string> names;
+    std::error_code failure;
+    for (fs::directory_iterator entry(folder.empty() ? "." : folder, failure), end;
+         !failure && entry != end; entry.increment(failure)) {
+        names.push_back(entry->path().filename().string());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+Diagnostic not_found(std::string_view name, const std::optional<fs::path>& folder) {
+    std::vector<std::string> known;
+    if (folder) {
+        known = names_in((*folder / name).parent_path());
+    }
+    const std::vector<std::string> standard = standard_files();
+    known.insert(known.end(), standard.begin(), standard.end());
+    const fs::path path = folder ? (*folder / name).lexically_normal() : fs::path();
+    std::string message =
+        folder ? fmt::format("there is no file '{}' and none of that name comes with Balcony",
+                             path.string())
+               : fmt::format("no file '{}' comes with Balcony", name);
+    const auto nearest = nearest_name(fs::path(name).filename().string(), known);
+    return error(std::move(message), {},
+                 nearest ? fmt::format("did you mean '{}'?", *nearest)
+                         : "a file is looked for in the folder of the camera file that names it");
+}
+
+}  // namespace
+
+std::vector<std::string> standard_files() {
+    std::vector<std::string> names;
+    for (const StandardFile& file : embedded_files()) {
+        names.emplace_back(file.name);
+    }
+    return names;
+}
+
+Result<File> find_file(std::string_view name, const std::optional<fs::path>& folder) {
+    if (name.empty()) {
+        return error("the name of this file is empty");
+    }
+    std::error_code failure;
+    if (folder) {
+        fs::path path = (*folder / name).lexically_normal();
+        const fs::file_status status = fs::status(path, failure);
+        if (fs::is_directory(status)) {
+            return error(fmt::format("'{}' is a folder, not a file", path.string()), {},
+                         "name a file in it");
+        }
+        // A pipe or a device could make us wait for ever.
+        if (fs::exists(status) && !fs::is_regular_file(status)) {
+            return error(fmt::format("'{}' is not a regular file", path.string()));
+        }
+        if (fs::exists(status)) {
+            return File{path.string(), std::move(path), std::nullopt};
+        }
+    }
+    if (const StandardFile* standard = find_standard_file(name)) {
+        return File{fmt::format("standard/{}", name), fs::path(name), standard->bytes};
+    }
+    return not_found(name, folder);
+}
+
+Result<std::uintmax_t> size_of(const File& file) {
+    if (file.standard) {
+        return std::uintmax_t{file.standard->size()};
+    }
+    std::error_code failure;
+    const std::uintmax_t size = fs::file_size(file.path, failure);
+    return failure ? Result<std::uintmax_t>(cannot_read(file)) : Result<std::uintmax_t>(size);
+}
+
+Result<std::string> read_text(const File& file, std::size_t largest) {
+    const Result<std::uintmax_t> size = size_of(file);
+    if (!size) {
+        return size.diagnostics;
+    }
+    if (*size > largest) {
+        return error(fmt::format("'{}' is larger than {} MB", file.name, largest / 1'000'000), {},
+                     "check that it is the file you mean");
+    }
+    if (file.standard) {
+        return std::string(file.standard->begin(), file.standard->end());
+    }
+    std::string text(static_cast<std::size_t>(*size), '\0');
+    std::ifstream stream(file.path, std::ios::binary);
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    if (stream.gcount() != static_cast<std::streamsize>(text.size())) {
+        return cannot_read(file);
+    }
+    return text;
+}
+
+Diagnostic cannot_read(const File& file) {
+    return error(fmt::format("'{}' cannot be read", file.name), {},
+                 "check that you have the right to read it");
+}
+
+}  // namespace balcony::data

@@ -1,0 +1,183 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Tables of numbers as spreadsheets and scripts write them: CSV and what goes by that name.
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "data/files.hpp"
+
+namespace balcony::data {
+
+namespace {
+
+constexpr std::size_t most_errors = 10;
+constexpr std::string_view blanks = " \t\r";
+
+bool begins_number(std::string_view field) {
+    return !field.empty() && (std::string_view("+-.").find(field.front()) != field.npos ||
+                              (field.front() >= '0' && field.front() <= '9'));
+}
+
+class TableReader {
+public:
+    explicit TableReader(std::shared_ptr<const SourceText> source) : text_(source->text()) {
+        table_.source = std::move(source);
+    }
+
+    Result<Table> run() {
+        for (std::size_t begin = 0; begin < text_.size() && !stopped();) {
+            const std::size_t end = std::min(text_.find('\n', begin), text_.size());
+            line(begin, std::min(text_.find('#', begin), end));
+            begin = end + 1;
+        }
+        if (diagnostics_.empty() && table_.rows.empty()) {
+            error({table_.source, 0, 0}, fmt::format("'{}' has no numbers", table_.source->name()),
+                  "write a point a line, its numbers separated by commas");
+        }
+        return diagnostics_.empty() ? Result<Table>(std::move(table_))
+                                    : Result<Table>(std::move(diagnostics_));
+    }
+
+private:
+    struct Field {
+        std::size_t begin, end;
+    };
+
+    void error(SourceSpan span, std::string message, std::string remedy = {}) {
+        diagnostics_.push_back(
+            balcony::error(std::move(message), std::move(span), std::move(remedy)));
+    }
+    [[nodiscard]] SourceSpan at(Field field) const {
+        return {table_.source, field.begin, field.end};
+    }
+    [[nodiscard]] std::string_view text(Field field) const {
+        return text_.substr(field.begin, field.end - field.begin);
+    }
+    [[nodiscard]] bool stopped() const {
+        return diagnostics_.size() >= most_errors || numbers_ > most_numbers;
+    }
+
+    [[nodiscard]] Field trimmed(Field field) const {
+        const std::string_view all = text(field);
+        const std::size_t first = all.find_first_not_of(blanks);
+        if (first == all.npos) {
+            return {field.begin, field.begin};
+        }
+        return {field.begin + first, field.begin + all.find_last_not_of(blanks) + 1};
+    }
+
+    void line(std::size_t begin, std::size_t end) {
+        const Field all = trimmed({begin, end});
+        if (all.begin == all.end) {
+            return;
+        }
+        const std::vector<Field> fields = split(all);
+        const bool header = first_line_ && std::none_of(fields.begin(), fields.end(), [&](Field f) {
+                                return begins_number(text(f));
+                            });
+        first_line_ = false;
+        if (!header) {
+            row(fields);
+        }
+    }
+
+    // A line keeps to one separator: with two, one of them is likely a decimal comma.
+    std::vector<Field> split(Field all) {
+        const std::string_view line = text(all);
+        char separator = ' ';
+        for (const char candidate : {',', ';', '\t'}) {
+            const std::size_t place = line.find(candidate);
+            if (place == line.npos) {
+                continue;
+            }
+            if (separator != ' ') {
+                const std::size_t begin = all.begin + place;
+                error(at({begin, begin + 1}), "this line has separators of two kinds",
+                      "numbers are written with a point, 0.5, and separated by commas");
+                return {};
+            }
+            separator = candidate;
+        }
+        std::vector<Field> fields;
+        for (std::size_t begin = all.begin; begin <= all.end;) {
+            const std::size_t end = std::min(text_.find(separator, begin), all.end);
+            const Field field = trimmed({begin, end});
+            if (separator != ' ' || field.begin < field.end) {
+                fields.push_back(field);
+            }
+            begin = end + 1;
+        }
+        return fields;
+    }
+
+    void row(const std::vector<Field>& fields) {
+        std::vector<Table::Number> numbers;
+        for (const Field field : fields) {
+            if (const auto read = number(field)) {
+                numbers.push_back(*read);
+            }
+        }
+        numbers_ += numbers.size();
+        if (numbers_ > most_numbers) {
+            error(at({fields.front().begin, fields.back().end}),
+                  fmt::format("this table has more than {} numbers", most_numbers),
+                  "points that a stage takes are fewer; leave some out");
+        } else if (!numbers.empty()) {
+            table_.rows.push_back(std::move(numbers));
+        }
+    }
+
+    std::optional<Table::Number> number(Field field) {
+        std::string_view written = text(field);
+        Table::Number made{0.0, false, static_cast<std::uint32_t>(field.begin),
+                           static_cast<std::uint32_t>(field.end)};
+        if (written.empty()) {
+            error(at({field.begin, std::min(field.begin + 1, text_.size())}),
+                  "there is no number between these separators",
+                  "write one, or take a separator away");
+            return std::nullopt;
+        }
+        double factor = 1.0;
+        if (written.ends_with("deg") || written.ends_with("rad")) {
+            made.angle = true;
+            factor = written.ends_with("deg") ? std::numbers::pi / 180.0 : 1.0;
+            written.remove_suffix(3);
+        }
+        if (written.starts_with("+")) {
+            written.remove_prefix(1);
+        }
+        const char* end = written.data() + written.size();
+        const auto [stop, status] = std::from_chars(written.data(), end, made.value);
+        made.value *= factor;
+        if (status != std::errc() || stop != end || !std::isfinite(made.value)) {
+            error(at(field), "this is not a number",
+                  "a table holds numbers such as -0.5, 2e-3 or 30deg; '#' begins a comment");
+            return std::nullopt;
+        }
+        return made;
+    }
+
+    std::string_view text_;
+    Table table_;
+    Diagnostics diagnostics_;
+    std::size_t numbers_ = 0;
+    bool first_line_ = true;
+};
+
+}  // namespace
+
+Result<Table> read_table(const File& file) {
+    Result<std::string> text = read_text(file, largest_table);
+    if (!text) {
+        return text.diagnostics;
+    }
+    return TableReader(std::make_shared<const SourceText>(file.name, std::move(*text))).run();
+}
+
+}  // namespace balcony::data

@@ -1,0 +1,289 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Tables, grey images and meshes: what is read, and what is said of what cannot be.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <numbers>
+
+#include <OpenImageIO/imageio.h>
+
+#include "balcony/data.hpp"
+
+namespace balcony::data {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Data : public testing::Test {
+protected:
+    Data() {
+        std::string pattern = (fs::temp_directory_path() / "balcony-XXXXXX").string();
+        folder_ = mkdtemp(pattern.data());
+    }
+    ~Data() override {
+        std::error_code ignored;
+        fs::remove_all(folder_, ignored);
+    }
+
+    [[nodiscard]] File write(const std::string& name, const std::string& text) const {
+        std::ofstream(folder_ / name, std::ios::binary) << text;
+        return {name, folder_ / name, std::nullopt};
+    }
+
+    /// The numbers of a table row by row, with | between rows; what is said if there is an error.
+    [[nodiscard]] std::string table(const std::string& text) const {
+        const Result<Table> read = read_table(write("table.csv", text));
+        if (!read) {
+            return to_text(read.diagnostics);
+        }
+        std::string shown;
+        for (const auto& row : read->rows) {
+            shown += shown.empty() ? "" : "|";
+            for (const Table::Number& number : row) {
+                shown += (number.angle ? " <" : " ") + std::to_string(number.value).substr(0, 5);
+            }
+        }
+        return shown;
+    }
+
+    /// An image that goes through a file: EXR has colours times alpha, PNG colours and alpha.
+    [[nodiscard]] Result<std::shared_ptr<const camera::GreyImage>> image(
+        const std::string& name, int width, int height, int channels,
+        const std::vector<float>& values) const {
+        const fs::path path = folder_ / name;
+        const auto output = OIIO::ImageOutput::create(path.string());
+        OIIO::ImageSpec spec(width, height, channels, OIIO::TypeDesc::FLOAT);
+        spec.attribute("oiio:UnassociatedAlpha", name.ends_with("png") ? 1 : 0);
+        EXPECT_TRUE(output->open(path.string(), spec));
+        EXPECT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, values.data()));
+        output->close();
+        return read_grey_image({name, path, std::nullopt});
+    }
+
+    fs::path folder_;
+};
+
+std::string first_message(const Diagnostics& said) {
+    return said.empty() ? "" : said.front().message;
+}
+
+// ------------------------------------------------------------------------------------- files
+
+TEST_F(Data, AFileIsLookedForInTheFolderFirst) {
+    (void)write("vase.obj", "");
+    EXPECT_EQ(find_file("vase.obj", folder_)->path, folder_ / "vase.obj");
+    EXPECT_FALSE(find_file("vase.obj", folder_)->standard);
+    EXPECT_TRUE(find_file("vase.obj", std::nullopt)->standard);
+    EXPECT_TRUE(find_file("vase.obj", folder_ / "nowhere")->standard);
+}
+
+TEST_F(Data, AMissingFileGetsThePathAndTheNearestName) {
+    (void)write("seeds.csv", "");
+    const auto missing = find_file("seed.csv", folder_);
+    ASSERT_FALSE(missing);
+    EXPECT_EQ(first_message(missing.diagnostics), "there is no file '" +
+                                                      (folder_ / "seed.csv").string() +
+                                                      "' and none of that name comes with Balcony");
+    EXPECT_EQ(missing.diagnostics[0].remedy, "did you mean 'seeds.csv'?");
+    EXPECT_EQ(find_file("vsae.obj", folder_).diagnostics[0].remedy, "did you mean 'vase.obj'?");
+    EXPECT_EQ(first_message(find_file("vsae.obj", std::nullopt).diagnostics),
+              "no file 'vsae.obj' comes with Balcony");
+}
+
+TEST_F(Data, WhatIsNoFileIsAnError) {
+    EXPECT_EQ(first_message(find_file("", folder_).diagnostics), "the name of this file is empty");
+    EXPECT_EQ(first_message(find_file(".", folder_.parent_path()).diagnostics).back(), 'e');
+    EXPECT_EQ(first_message(find_file("/dev/zero", folder_).diagnostics),
+              "'/dev/zero' is not a regular file");
+}
+
+// ------------------------------------------------------------------------------------- tables
+
+TEST_F(Data, ATableHasNumbersInRows) {
+    EXPECT_EQ(table("1,2\n3,4\n"), " 1.000 2.000| 3.000 4.000");
+    EXPECT_EQ(table("1;2\r\n3;-.5"), " 1.000 2.000| 3.000 -0.50");
+    EXPECT_EQ(table("+1\t2e1\n\n  3 \t 4\n"), " 1.000 20.00| 3.000 4.000");
+    EXPECT_EQ(table("1 2  3"), " 1.000 2.000 3.000");
+    EXPECT_EQ(table("\xef\xbb\xbf"
+                    "1"),
+              " 1.000");
+}
+
+TEST_F(Data, ATableMayHaveAHeaderAndComments) {
+    EXPECT_EQ(table("# seeds\nx, y\n1, 2 # the first\n\n# the end"), " 1.000 2.000");
+    EXPECT_EQ(table("\"x\";\"y\"\n1;2"), " 1.000 2.000");
+}
+
+TEST_F(Data, AnglesHaveUnits) { EXPECT_EQ(table("180deg, 0.5rad, 1"), " <3.141 <0.500 1.000"); }
+
+TEST_F(Data, WhatIsNoNumberIsSaidWithItsPlace) {
+    EXPECT_EQ(table("x,y\n1,2\n3,four\n"),
+              "table.csv:3:3: error: this is not a number\n"
+              "    3 | 3,four\n"
+              "      |   ^~~~\n"
+              "  help: a table holds numbers such as -0.5, 2e-3 or 30deg; '#' begins a comment\n");
+    EXPECT_EQ(table("1,,2"),
+              "table.csv:1:3: error: there is no number between these separators\n"
+              "    1 | 1,,2\n"
+              "      |   ^\n"
+              "  help: write one, or take a separator away\n");
+    EXPECT_EQ(table("0,5;1,5"),
+              "table.csv:1:4: error: this line has separators of two kinds\n"
+              "    1 | 0,5;1,5\n"
+              "      |    ^\n"
+              "  help: numbers are written with a point, 0.5, and separated by commas\n");
+    for (const char* wrong : {"1,nan", "1,inf", "1,1e999", "1,2x", "1,0x1", "1,--2", "1,2deg3"}) {
+        EXPECT_NE(table(wrong).find("1:3: error: this is not a number"), std::string::npos)
+            << wrong;
+    }
+}
+
+TEST_F(Data, ATableWithoutNumbersIsAnError) {
+    for (const char* empty : {"", "# nothing\n\n", "x,y\n"}) {
+        EXPECT_NE(table(empty).find("'table.csv' has no numbers"), std::string::npos) << empty;
+    }
+}
+
+TEST_F(Data, TablesAreBounded) {
+    std::string many;
+    for (std::size_t i = 0; i < most_numbers; ++i) {
+        many += "1\n";
+    }
+    EXPECT_TRUE(read_table(write("many.csv", many)));
+    EXPECT_EQ(first_message(read_table(write("many.csv", many + "1\n")).diagnostics),
+              "this table has more than 262144 numbers");
+    const File large = write("large.csv", "");
+    fs::resize_file(large.path, largest_table + 1);
+    EXPECT_EQ(first_message(read_table(large).diagnostics), "'large.csv' is larger than 16 MB");
+    std::string rubbish;
+    for (int i = 0; i < 5000; ++i) {
+        rubbish += "1,rubbish\n";
+    }
+    EXPECT_EQ(read_table(write("rubbish.csv", rubbish)).diagnostics.size(), 10U);
+}
+
+// ------------------------------------------------------------------------------------- images
+
+TEST_F(Data, GreyIsTheLumaOfColors) {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const auto grey = image("grey.exr", 4, 1, 1, {0.25F, 2.0F, -1.0F, nan});
+    ASSERT_TRUE(grey) << to_text(grey.diagnostics);
+    EXPECT_EQ((*grey)->values, (std::vector<float>{0.25F, 1.0F, 0.0F, 0.0F}));
+    const auto colors = image("colors.exr", 1, 3, 3, {1, 0, 0, 0, 1, 0, 0, 0, 1});
+    ASSERT_TRUE(colors);
+    EXPECT_EQ((*colors)->height, 3U);
+    EXPECT_EQ((*colors)->values, (std::vector<float>{0.2126F, 0.7152F, 0.0722F}));
+}
+
+TEST_F(Data, AlphaCountsOnce) {
+    const std::vector<float> values{0.6F, 0.6F, 0.6F, 0.2F, 1, 1, 1, 0};
+    const auto apart = image("apart.png", 2, 1, 4, values);
+    ASSERT_TRUE(apart) << to_text(apart.diagnostics);
+    EXPECT_NEAR((*apart)->values[0], 0.6F * 0.2F, 1e-6F);  // Both are whole in 8 bits.
+    EXPECT_EQ((*apart)->values[1], 0.0F);
+    const auto multiplied = image("multiplied.exr", 2, 1, 4, values);
+    ASSERT_TRUE(multiplied);
+    EXPECT_FLOAT_EQ((*multiplied)->values[0], 0.6F);
+}
+
+TEST_F(Data, WhatIsNoImageIsAnError) {
+    const auto text = read_grey_image(write("text.png", "no image at all"));
+    ASSERT_FALSE(text);
+    EXPECT_TRUE(
+        first_message(text.diagnostics).starts_with("'text.png' cannot be read as an image: "))
+        << first_message(text.diagnostics);
+    EXPECT_FALSE(read_grey_image(write("unknown.xyz", "")));
+}
+
+TEST_F(Data, AnImageTooLargeIsRefusedByItsHeader) {
+    // A portable grey map says its size in text; its pixels are not there.
+    const auto large = read_grey_image(write("large.pgm", "P5 16384 1025 255\n"));
+    ASSERT_FALSE(large);
+    EXPECT_EQ(first_message(large.diagnostics),
+              "'large.pgm' has 16384 x 1025 pixels, more than 16 million");
+}
+
+// ------------------------------------------------------------------------------------- meshes
+
+const std::string square = R"(
+v 0 0 0
+v 1 0 0
+v 1 2 0
+v 0 2 0
+vt 0 0
+vt 1 0
+vt 1 1
+vt 0 1
+vn 0 0 1
+)";
+
+TEST_F(Data, AMeshIsTurnedUpright) {
+    const auto mesh = read_mesh(write("square.obj", square + "f 1/1/1 2/2/1 3/3/1 4/4/1\n"));
+    ASSERT_TRUE(mesh) << to_text(mesh.diagnostics);
+    EXPECT_TRUE(mesh.diagnostics.empty()) << to_text(mesh.diagnostics);
+    ASSERT_EQ((*mesh)->triangles.size(), 2U);
+    for (const auto& triangle : (*mesh)->triangles) {
+        for (const auto& corner : triangle) {
+            // y is up in the file: (x, y, z) is (x, -z, y); v runs upwards.
+            EXPECT_EQ(corner.position[0], corner.uv[0]);
+            EXPECT_EQ(corner.position[1], 0.0);
+            EXPECT_EQ(corner.position[2], 2.0 * corner.uv[1]);
+            EXPECT_EQ(corner.normal, (std::array<double, 3>{0.0, -1.0, 0.0}));
+        }
+    }
+}
+
+TEST_F(Data, TrianglesThatNoPointLiesInAreLeftOut) {
+    const auto mesh = read_mesh(write("mixed.obj", square + "f 1/1/1 2/2/1 3/3/1\n"
+                                                            "f 1/1/1 2/1/1 3/1/1\n"
+                                                            "f 1/1/1 2/2/1 1/4/1\n"
+                                                            "o bare\nf 1//1 2//1 3//1\n"));
+    ASSERT_TRUE(mesh) << to_text(mesh.diagnostics);
+    EXPECT_EQ((*mesh)->triangles.size(), 1U);
+    EXPECT_EQ(to_text(mesh.diagnostics),
+              "warning: 1 of 4 triangles of 'mixed.obj' have no texture co-ordinates and are left "
+              "out\n"
+              "warning: 1 of 4 triangles of 'mixed.obj' have no area in texture co-ordinates and "
+              "are left out\n"
+              "warning: 1 of 4 triangles of 'mixed.obj' have no area in space and are left out\n");
+}
+
+TEST_F(Data, AMeshWithoutTextureCoordinatesIsAnError) {
+    const auto bare = read_mesh(write("bare.obj", square + "f 1//1 2//1 3//1\n"));
+    EXPECT_EQ(first_message(bare.diagnostics),
+              "'bare.obj' has no triangle with texture co-ordinates");
+    EXPECT_FALSE(read_mesh(write("empty.obj", "")));
+    EXPECT_FALSE(read_mesh(write("mesh.stl", "")));
+}
+
+// The vase is a solid of revolution: its normals point away from its axis, its texture
+// co-ordinates are its angle and height.
+TEST_F(Data, TheVaseComesAlong) {
+    const auto file = find_file("vase.obj", std::nullopt);
+    ASSERT_TRUE(file);
+    const auto mesh = read_mesh(*file);
+    ASSERT_TRUE(mesh) << to_text(mesh.diagnostics);
+    EXPECT_TRUE(mesh.diagnostics.empty()) << to_text(mesh.diagnostics);
+    EXPECT_EQ((*mesh)->triangles.size(), 2U * 32U * 20U);
+    for (const auto& triangle : (*mesh)->triangles) {
+        for (const auto& corner : triangle) {
+            const auto& [x, y, z] = corner.position;
+            const double radius = std::hypot(x, y);
+            const double angle = 2.0 * std::numbers::pi * corner.uv[0];
+            // The file has five digits.
+            EXPECT_NEAR(x, radius * std::cos(angle), 2e-5);
+            EXPECT_NEAR(y, radius * std::sin(angle), 2e-5);
+            EXPECT_NEAR(z, 2.0 * corner.uv[1], 2e-5);
+            EXPECT_GT(x * corner.normal[0] + y * corner.normal[1], 0.1 * radius);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace balcony::data
