@@ -47,6 +47,7 @@ Result<std::shared_ptr<const Stage>> as_stage(Result<std::shared_ptr<const Port>
 [[nodiscard]] std::vector<StageEntry> superconics();
 [[nodiscard]] std::vector<StageEntry> spherical_product();
 [[nodiscard]] std::vector<StageEntry> quadrics();
+[[nodiscard]] std::vector<StageEntry> fractals();
 [[nodiscard]] std::vector<StageEntry> formula_objects();
 [[nodiscard]] std::vector<StageEntry> object_affine();
 [[nodiscard]] std::vector<StageEntry> normal_rule();
@@ -67,6 +68,7 @@ inline constexpr auto families = {
     superconics,
     spherical_product,
     quadrics,
+    fractals,
     formula_objects,
     object_affine,
     normal_rule,

@@ -20,9 +20,9 @@ public:
         parts.name = "random";
         parts.look =
             std::dynamic_pointer_cast<const DirectionRule>(stage(StageKind::direction_rule));
-        parts.eye = path(parts.look->least_eye_dimension() == 2);
+        parts.eye = path(parts.look->least_eye_dimension());
         if (parts.look->needs_direction_object()) {
-            parts.toward = path(false);
+            parts.toward = path(0);
         }
         return camera::camera(std::move(parts));
     }
@@ -63,14 +63,14 @@ private:
         return std::uniform_real_distribution<double>(least, most)(engine_);
     }
 
-    Path path(bool surface) {
+    Path path(int least_dimension) {
         Path path;
         path.mapper =
             std::dynamic_pointer_cast<const PictureMapper>(stage(StageKind::picture_mapper));
         do {
             path.generator = std::dynamic_pointer_cast<const ObjectGenerator>(
                 stage(StageKind::object_generator));
-        } while (surface && path.generator->dimension() < 2);
+        } while (path.generator->dimension() < least_dimension);
         for (std::size_t i = below(4); i > 0; --i) {
             path.parameter_transformers.push_back(
                 std::dynamic_pointer_cast<const ParameterTransformer>(

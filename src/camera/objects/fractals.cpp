@@ -1,0 +1,141 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Object generators, PCS → OCS: seeded fractal height fields over a plane and over a sphere.
+
+#include "camera/families.hpp"
+#include "camera/objects/fractal_noise.hpp"
+#include "camera/stage_parameters.hpp"
+
+namespace balcony::camera {
+
+namespace {
+
+/// Heights over a surface, as a function of the surface's points in space.
+class HeightField {
+public:
+    explicit HeightField(const Arguments& a)
+        : noise_(a.count("seed"), a.count("octaves")),
+          height_(a.number("height")),
+          scale_(a.number("scale")),
+          hurst_(a.number("hurst")),
+          lacunarity_(a.number("lacunarity")) {}
+
+    [[nodiscard]] Expr over(const ObjectPoint& p, const Emitter& emit) const {
+        const Expr fineness = 1.0 / emit(scale_);
+        return emit(height_) * noise_.emit({fineness * p.x, fineness * p.y, fineness * p.z},
+                                           emit(lacunarity_), emit(hurst_));
+    }
+
+private:
+    FractalNoise noise_;
+    Scalar height_, scale_, hurst_, lacunarity_;
+};
+
+class FractalPlane final : public ObjectGenerator {
+public:
+    explicit FractalPlane(HeightField heights) : heights_(std::move(heights)) {}
+    int dimension() const override { return 2; }
+    ObjectPoint generate(const ParameterPoint& p, Emitter& emit) const override {
+        return {p.u, p.v, heights_.over({p.u, p.v, emit(0.0)}, emit)};
+    }
+
+private:
+    HeightField heights_;
+};
+
+/// By longitude u and latitude v, without a seam and without poles that show.
+class FractalSphere final : public ObjectGenerator {
+public:
+    FractalSphere(Scalar radius, HeightField heights)
+        : radius_(std::move(radius)), heights_(std::move(heights)) {}
+    int dimension() const override { return 2; }
+    ObjectPoint generate(const ParameterPoint& p, Emitter& emit) const override {
+        const Expr x = cos(p.u) * cos(p.v);
+        const Expr y = sin(p.u) * cos(p.v);
+        const Expr z = sin(p.v);
+        const Expr r = emit(radius_);
+        const Expr distance = r + heights_.over({r * x, r * y, r * z}, emit);
+        emit.require(0.0 < distance);
+        return {distance * x, distance * y, distance * z};
+    }
+
+private:
+    Scalar radius_;
+    HeightField heights_;
+};
+
+std::vector<StageParameter> height_field_parameters() {
+    using enum ParameterType;
+    // Sixteen octaves of lacunarity 2 reach from a landscape to a pebble.
+    return {number_parameter("height", 0.1, "the standard deviation of its heights"),
+            positive_parameter("scale", 1.0, "the size of its largest features"),
+            {.name = "hurst",
+             .default_value = {0.8},
+             .least = 0.0,
+             .most = 1.0,
+             .meaning = "Hurst exponent: 1 is smooth hills, 1/2 is rough rock; heights at a "
+                        "distance d differ by about d^hurst"},
+            {.name = "octaves",
+             .type = count,
+             .default_value = {8.0},
+             .least = 1.0,
+             .most = 16.0,
+             .meaning = "how many sizes of features, each finer by the lacunarity"},
+            {.name = "lacunarity",
+             .default_value = {2.0},
+             .least = 1.0,
+             .most = 8.0,
+             .above_least = true,
+             .meaning = "how much finer each octave is than the one before"},
+            {.name = "seed",
+             .type = count,
+             .default_value = {1.0},
+             .least = 0.0,
+             .most = 1e6,
+             .meaning = "which of the landscapes: the same seed gives the same one everywhere"}};
+}
+
+}  // namespace
+
+std::vector<StageEntry> fractals() {
+    const StageKind kind = StageKind::object_generator;
+    std::vector<StageParameter> sphere_parameters = height_field_parameters();
+    sphere_parameters.insert(sphere_parameters.begin(),
+                             positive_parameter("radius", 1.0, "of height 0"));
+    return {
+        {kind,
+         "fractal_plane",
+         "a fractal landscape, z = height over (x, y) = (u, v), by fractional Brownian motion",
+         height_field_parameters(),
+         [](const Arguments& a) { return made<FractalPlane>(HeightField(a)); },
+         {},
+         2,
+         R"(
+// What is above a landscape, seen through each point of its ground: rocks instead of a lens.
+camera from_the_rocks {
+    map  u = 2 .. -2, v = square
+    eye  fractal_plane(height = 0.05, octaves = 5)
+    look normal
+    move rotate(y, 90deg)
+}
+)"},
+        {kind,
+         "fractal_sphere",
+         "a fractal planet by longitude u and latitude v, heights by fractional Brownian motion",
+         std::move(sphere_parameters),
+         [](const Arguments& a) { return made<FractalSphere>(a.number("radius"), HeightField(a)); },
+         {},
+         2,
+         R"(
+// All round from a boulder: every face of it looks elsewhere.
+camera boulder {
+    map  u = 180deg .. -180deg, v = -80deg .. 80deg
+    eye  fractal_sphere(radius = 1, height = 0.03, octaves = 3, seed = 7)
+    look normal
+}
+)"},
+    };
+}
+
+}  // namespace balcony::camera
