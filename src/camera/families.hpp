@@ -49,6 +49,7 @@ Result<std::shared_ptr<const Stage>> as_stage(Result<std::shared_ptr<const Port>
 [[nodiscard]] std::vector<StageEntry> quadrics();
 [[nodiscard]] std::vector<StageEntry> fractals();
 [[nodiscard]] std::vector<StageEntry> formula_objects();
+[[nodiscard]] std::vector<StageEntry> mesh_surface();
 [[nodiscard]] std::vector<StageEntry> object_affine();
 [[nodiscard]] std::vector<StageEntry> normal_rule();
 [[nodiscard]] std::vector<StageEntry> direction_rules();
@@ -70,6 +71,7 @@ inline constexpr auto families = {
     quadrics,
     fractals,
     formula_objects,
+    mesh_surface,
     object_affine,
     normal_rule,
     direction_rules,
