@@ -23,7 +23,7 @@ ObjectTransformerPointer coin(const char* fall_off, double strength, double radi
 
 std::vector<Vector> some_points() {
     std::mt19937_64 engine(7);
-    std::uniform_real_distribution<double> part(-2.0, 2.0);
+    std::uniform_real_distribution<double> part(-0.7, 0.7);
     std::vector<Vector> points;
     for (int i = 0; i < 100; ++i) {
         points.push_back({2.0 + part(engine), part(engine), part(engine)});
