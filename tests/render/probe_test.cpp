@@ -1,0 +1,113 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a camera sees of a scene and where its rays start, in scenes where that is known.
+
+#include "balcony/probe.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support.hpp"
+
+namespace balcony::render {
+namespace {
+
+using namespace test;
+
+/// A cube with edges of length 2 round a point, facing outwards, or inwards as a room does.
+scene::Mesh cube(const V3f& center, bool inwards = false) {
+    scene::Mesh mesh;
+    for (int corner = 0; corner < 8; ++corner) {
+        const auto side = [&](int bit) { return (corner >> bit & 1) != 0 ? 1.0F : -1.0F; };
+        mesh.positions.push_back(center + V3f(side(0), side(1), side(2)));
+    }
+    mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                      {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    if (inwards) {
+        for (auto& triangle : mesh.triangles) {
+            std::swap(triangle[1], triangle[2]);
+        }
+    }
+    mesh.normals.assign(mesh.positions.size(), V3f(0.0F, 0.0F, 1.0F));
+    return mesh;
+}
+
+Probe probed(const scene::Scene& scene, const camera::Camera& camera) {
+    ProbeSettings settings;
+    settings.width = 128;
+    settings.height = 128;
+    Result<Probe> made = probe(scene, camera, settings);
+    EXPECT_TRUE(made) << to_text(made.diagnostics);
+    return *made;
+}
+
+TEST(Probe, SeesWhatIsNotHiddenHoweverSmall) {
+    scene::Scene scene;
+    add(scene, wall(-3.0F, 20.0F), white());
+    add(scene, wall(-4.0F, 1.0F), white());
+    // A sixteenth of the distance between the rays of the first look, but wider than a pixel.
+    add(scene, parallelogram({0.3F, 0.3F, -1.0F}, {0.017F, 0.0F, 0.0F}, {0.0F, 0.017F, 0.0F}),
+        white());
+    add(scene, scene::Mesh{}, white());
+    const Probe found = probed(scene, orthographic(view_down_z(0.0, 0.0, 0.0)));
+    EXPECT_EQ(found.rays, 1024U);
+    ASSERT_EQ(found.objects.size(), 4U);
+    EXPECT_TRUE(found.objects[0].seen);
+    EXPECT_FALSE(found.objects[1].seen);
+    EXPECT_TRUE(found.objects[1].has_surface);
+    EXPECT_TRUE(found.objects[2].seen);
+    EXPECT_FALSE(found.objects[3].has_surface);
+    EXPECT_NEAR(*found.median_distance, 3.0, 1e-6);
+}
+
+TEST(Probe, SeesThroughWhatIsNotOpaque) {
+    scene::Scene scene;
+    scene::Material glass = white();
+    glass.alpha_mode = scene::AlphaMode::blend;
+    add(scene, wall(-1.0F, 20.0F), glass);
+    add(scene, wall(-2.0F, 20.0F), glass);
+    add(scene, wall(-3.0F, 20.0F), white());
+    add(scene, wall(-4.0F, 20.0F), white());
+    const Probe found = probed(scene, orthographic(view_down_z(0.0, 0.0, 0.0)));
+    EXPECT_TRUE(found.objects[0].seen && found.objects[1].seen && found.objects[2].seen);
+    EXPECT_FALSE(found.objects[3].seen);
+}
+
+TEST(Probe, CountsRaysThatStartInside) {
+    // Origins from -1 to 1 in x and y; the cube holds those with x > 0.5.
+    const camera::Camera camera = orthographic(view_down_z(0.0, 0.0, 0.0));
+    scene::Scene scene;
+    add(scene, cube({1.5F, 0.0F, 0.0F}), white());
+    Probe found = probed(scene, camera);
+    EXPECT_EQ(found.objects[0].rays_from_inside, 1024U / 4);
+    EXPECT_GT(found.objects[0].inside_at.x, 96.0);
+    // A small one in it does not hide the large one's inside.
+    add(scene, cube({1.5F, 0.0F, -2.5F}), white());
+    EXPECT_EQ(probed(scene, camera).objects[0].rays_from_inside, 1024U / 4);
+}
+
+TEST(Probe, OnlyWhatIsClosedAndFacesOutwardsHasAnInside) {
+    const camera::Camera camera = orthographic(view_down_z(0.0, 0.0, 0.0));
+    scene::Mesh open = cube({0.0F, 0.0F, 0.0F});
+    open.triangles.pop_back();
+    scene::M44d mirror;
+    mirror[0][0] = -1.0;
+    scene::Scene scene;
+    add(scene, cube({0.0F, 0.0F, 0.0F}, true), white());
+    EXPECT_EQ(probed(scene, camera).objects[0].rays_from_inside, 0U);
+    scene = {};
+    add(scene, open, white());
+    EXPECT_EQ(probed(scene, camera).objects[0].rays_from_inside, 0U);
+    // A mirror image is turned round again; and a wall seen from behind is no inside.
+    scene = {};
+    add(scene, cube({1.5F, 0.0F, 0.0F}), white(), mirror);
+    add(scene, parallelogram({-5.0F, -5.0F, -9.0F}, {0.0F, 10.0F, 0.0F}, {10.0F, 0.0F, 0.0F}),
+        white());
+    const Probe found = probed(scene, camera);
+    EXPECT_EQ(found.objects[0].rays_from_inside, 1024U / 4);
+    EXPECT_EQ(found.objects[1].rays_from_inside, 0U);
+    EXPECT_TRUE(found.objects[1].seen);
+}
+
+}  // namespace
+}  // namespace balcony::render
