@@ -160,6 +160,15 @@ Design design_of(const Report& report, MapKind kind) {
     return {};
 }
 
+// A legend does not explain what the map does not show.
+void leave_out_unused(const Report& report, Design& design) {
+    std::erase_if(design.swatches, [&](const Swatch& swatch) {
+        return std::none_of(
+            report.samples.begin(), report.samples.end(),
+            [&](const Sample& sample) { return design.color(sample) == swatch.color; });
+    });
+}
+
 /// The legend: a title, the scale with its ticks, and swatches.
 class Legend {
 public:
@@ -244,7 +253,8 @@ std::optional<MapKind> find_map_kind(std::string_view name) {
 
 Image false_color(const Report& report, MapKind kind) {
     constexpr std::size_t least_width = 800;
-    const Design design = design_of(report, kind);
+    Design design = design_of(report, kind);
+    leave_out_unused(report, design);
     const SampleGrid& grid = report.grid;
     const std::size_t side =
         std::max(static_cast<std::size_t>(std::lround(grid.step)),

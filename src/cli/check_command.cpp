@@ -1,57 +1,315 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+#include <filesystem>
+#include <utility>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "balcony/lang.hpp"
+#include "cli/camera_argument.hpp"
+#include "cli/check_report.hpp"
 #include "cli/command.hpp"
 #include "cli/json.hpp"
+#include "cli/option_values.hpp"
+#include "cli/render_options.hpp"
 #include "cli/report.hpp"
+#include "render/png_file.hpp"
 
 namespace balcony::cli {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 struct CheckOptions {
-    std::vector<std::string> files;
+    std::vector<std::string> cameras;
+    std::vector<std::string> set;
+    std::string scene;
+    std::string size;
+    std::string time = "0";
+    std::string distance = "auto";
+    std::vector<std::pair<std::string, std::string>> maps;
+    bool strict = false;
     bool json = false;
 };
 
-ExitCode check(const CheckOptions& options) {
-    Diagnostics all;
-    nlohmann::json files = nlohmann::json::array();
-    for (const std::string& file : options.files) {
+/// A picture in false colours that is asked for.
+struct Map {
+    analyse::MapKind kind;
+    fs::path file;
+};
+
+/// The options as they are meant.
+struct Wishes {
+    PictureSize size;
+    double time = 0.0;
+    std::optional<double> distance;
+    std::vector<Map> maps;
+};
+
+std::string names_of_maps() {
+    std::string names;
+    for (const analyse::MapDescription& row : analyse::map_kinds()) {
+        names += (names.empty() ? "" : ", ") + std::string(row.name);
+    }
+    return names;
+}
+
+Map read_map(const std::string& name, const std::string& file, Diagnostics& said) {
+    const auto kind = analyse::find_map_kind(name);
+    if (!kind) {
+        std::vector<std::string> known;
+        for (const analyse::MapDescription& row : analyse::map_kinds()) {
+            known.emplace_back(row.name);
+        }
+        const auto nearest = nearest_name(name, known);
+        refuse(said, "--map", name,
+               nearest ? fmt::format("did you mean '{}'?", *nearest) : "write " + names_of_maps());
+    }
+    if (ending_of(file) != ".png") {
+        said.push_back(
+            error(fmt::format("'{}' cannot be a map", file), {}, "name a file that ends in .png"));
+    }
+    return {kind.value_or(analyse::MapKind::magnification), file};
+}
+
+Wishes read_wishes(const CheckOptions& options, Diagnostics& said) {
+    constexpr double largest = 1e12;
+    Wishes wishes;
+    wishes.size = read_size(options.size, said);
+    wishes.time = read_number("--time", options.time, -largest, largest, "give a number", said);
+    if (options.distance != "auto") {
+        wishes.distance = read_number("--distance", options.distance, 1e-12, largest,
+                                      "give auto, or a distance above 0 in scene units", said);
+    }
+    for (const auto& [name, file] : options.maps) {
+        wishes.maps.push_back(read_map(name, file, said));
+        for (const std::string& camera : options.cameras) {
+            std::error_code failed;
+            if (fs::equivalent(file, camera_file(camera), failed) && !failed) {
+                said.push_back(error(fmt::format("'{}' would be overwritten", file), {},
+                                     "name another file for the map"));
+            }
+        }
+    }
+    return wishes;
+}
+
+/// One run of the command: what it says to people or to programs grows as it goes.
+class Run {
+public:
+    Run(const CheckOptions& options, Wishes wishes)
+        : options_(options), wishes_(std::move(wishes)) {}
+
+    ExitCode operator()() {
+        if (!options_.scene.empty()) {
+            load_scene();
+        }
+        if (code_ == ExitCode::done) {
+            for (const std::string& camera : options_.cameras) {
+                check_file(camera);
+            }
+        }
+        if (options_.json) {
+            print_json({{"files", files_}, {"diagnostics", to_json(said_)}});
+        }
+        return code_;
+    }
+
+private:
+    // To people at once, to programs in the end.
+    void say(const Diagnostics& said) {
+        said_.insert(said_.end(), said.begin(), said.end());
+        if (!options_.json) {
+            report(said);
+        }
+        if (has_errors(said) && code_ == ExitCode::done) {
+            code_ = ExitCode::bad_input;
+        }
+    }
+
+    void tell(const std::string& text) const {
+        if (!options_.json) {
+            print_result(text);
+        }
+    }
+
+    void load_scene() {
+        Result<scene::Scene> loaded = scene::load(options_.scene);
+        say(loaded.diagnostics);
+        scene_ = std::move(loaded.value);
+    }
+
+    void check_file(const std::string& argument) {
+        const std::string file = camera_file(argument).string();
         const Diagnostics said = lang::check(file);
-        all.insert(all.end(), said.begin(), said.end());
         const auto cameras = lang::describe(file);
         const std::size_t count = cameras ? cameras->size() : 0;
-        files.push_back({{"file", file}, {"cameras", count}, {"good", !has_errors(said)}});
-        if (options.json) {
-            continue;
-        }
-        report(said);
+        nlohmann::json entry{{"file", file},
+                             {"cameras", count},
+                             {"good", !has_errors(said)},
+                             {"reports", nlohmann::json::array()}};
+        say(said);
         if (!has_errors(said)) {
-            print_result(fmt::format("{}: {}, no errors\n", printable(file),
-                                     counted(count, "camera", "cameras")));
+            tell(fmt::format("{}: {}, no errors\n", printable(file),
+                             counted(count, "camera", "cameras")));
+            if (argument != file) {
+                check_camera(argument, entry["reports"]);
+            } else {
+                for (const lang::CameraDescription& camera : *cameras) {
+                    check_camera(file + ":" + camera.name, entry["reports"]);
+                }
+            }
+        }
+        files_.push_back(std::move(entry));
+    }
+
+    void check_camera(const std::string& name, nlohmann::json& reports) {
+        const Result<camera::Camera> camera = load_camera(name, options_.set);
+        if (!camera) {
+            // Nothing else can be wrong with a camera that is good by itself.
+            say(camera.diagnostics);
+            return;
+        }
+        const auto [width, height] = wishes_.size.resolve(camera->parts().aspect);
+        analyse::DiagnoseSettings settings;
+        settings.width = static_cast<double>(width);
+        settings.height = static_cast<double>(height);
+        settings.time = wishes_.time;
+        settings.distance = wishes_.distance;
+        CameraCheck check;
+        if (scene_) {
+            const Result<render::Probe> probe = render::probe(
+                *scene_, *camera, {.width = width, .height = height, .time = wishes_.time});
+            if (!probe) {
+                say(probe.diagnostics);
+                return;
+            }
+            check.in_scene = in_scene(*scene_, *probe);
+            scene_distance_ = probe->median_distance;
+        }
+        check.report = analyse::diagnose(*camera, settings);
+        if (scene_distance_ && !settings.distance && !check.report.single_viewpoint) {
+            settings.distance = scene_distance_;
+            check.report = analyse::diagnose(*camera, settings);
+        }
+        finish(check, reports);
+    }
+
+    void finish(const CameraCheck& check, nlohmann::json& reports) {
+        reports.push_back(check_json(check));
+        tell(check_text(check));
+        for (const Map& map : wishes_.maps) {
+            write_map(check.report, map);
+        }
+        if (options_.strict && check.defect_count() > 0) {
+            say({error(fmt::format("camera '{}' has {}, and --strict allows none",
+                                   check.report.camera,
+                                   counted(check.defect_count(), "defect", "defects")))});
         }
     }
-    if (options.json) {
-        print_json({{"files", files}, {"diagnostics", to_json(all)}});
+
+    void write_map(const analyse::Report& report, const Map& map) {
+        const Image image = analyse::false_color(report, map.kind);
+        const Diagnostics said =
+            render::write_png(image.samples, {image.width, image.height, 3}, map.file);
+        if (has_errors(said)) {
+            code_ = ExitCode::environment;
+        }
+        say(said);
+        if (!has_errors(said)) {
+            tell(line_of_map(map));
+        }
     }
-    return has_errors(all) ? ExitCode::bad_input : ExitCode::done;
+
+    static std::string line_of_map(const Map& map) {
+        return fmt::format("  {:<14} {}\n", "map", printable(map.file.string()));
+    }
+
+    const CheckOptions& options_;
+    Wishes wishes_;
+    std::optional<scene::Scene> scene_;
+    std::optional<double> scene_distance_;
+    ExitCode code_ = ExitCode::done;
+    Diagnostics said_;
+    nlohmann::json files_ = nlohmann::json::array();
+};
+
+ExitCode check_command(const CheckOptions& options) {
+    Diagnostics said;
+    Wishes wishes = read_wishes(options, said);
+    if (!wishes.maps.empty() && !has_errors(said)) {
+        const std::string& only = options.cameras.front();
+        const std::string file = camera_file(only).string();
+        const auto cameras = lang::describe(file);
+        if (options.cameras.size() > 1 || (only == file && cameras && cameras->size() > 1)) {
+            said.push_back(error("--map shows one camera, here are several", {},
+                                 fmt::format("name it: {}:NAME", file)));
+        }
+    }
+    if (has_errors(said)) {
+        if (options.json) {
+            print_json(nlohmann::json::object({{"diagnostics", to_json(said)}}));
+        } else {
+            report(said);
+        }
+        return ExitCode::wrong_usage;
+    }
+    return Run(options, std::move(wishes))();
 }
 
 }  // namespace
 
 void add_check_command(CLI::App& app, ExitCode& code) {
-    auto* command = app.add_subcommand("check", "says what is wrong with camera files");
+    auto* command = app.add_subcommand(
+        "check", "says what is wrong with camera files, and what their pictures will be like");
     command->group("Commands");
     const auto options = std::make_shared<CheckOptions>();
-    command->add_option("FILE", options->files, "camera files (.cam)")->required()->take_all();
-    command->add_flag("--json", options->json, "files and diagnostics, for programs");
-    command->footer("Example:\n  balcony check gallery.cam room.cam");
-    command->callback([options, &code] { code = check(*options); });
+    command
+        ->add_option("FILE", options->cameras,
+                     "camera files or one of their cameras, FILE:NAME, or cameras of 'balcony list "
+                     "cameras'")
+        ->required()
+        ->take_all();
+    add_set_option(*command, options->set);
+    command->add_option("--time", options->time, "the t of the cameras' formulas")
+        ->type_name("T")
+        ->capture_default_str();
+    command
+        ->add_option("--scene", options->scene,
+                     "a scene: says which of its objects are never seen, and which rays start "
+                     "inside one")
+        ->type_name("SCENE");
+    command
+        ->add_option("--size", options->size,
+                     "of the picture whose pixels are meant (default: about a million, in the "
+                     "camera's proportion)")
+        ->type_name("WIDTH[xHEIGHT]");
+    command
+        ->add_option("--distance", options->distance,
+                     "where magnification is measured: how far from where the rays start; auto is "
+                     "the scene's, or one that suits the camera")
+        ->type_name("UNITS")
+        ->capture_default_str();
+    command
+        ->add_option(
+            "--map", options->maps,
+            "writes a picture in false colours; may be repeated. KIND is " + names_of_maps())
+        ->type_name("KIND FILE.png")
+        ->allow_extra_args(false)
+        ->take_all();
+    command->add_flag("--strict", options->strict,
+                      "ends with exit code 1 if a camera has a defect: a fold, a seam, parts "
+                      "without a ray, ...");
+    command->add_flag("--json", options->json, "all of it, for programs");
+    command->footer(
+        "Examples:\n"
+        "  balcony check gallery.cam room.cam\n"
+        "  balcony check gallery.cam:closeup --scene gallery.glb --strict\n"
+        "  balcony check superelliptic --set gamma=1/2 --map magnification size.png");
+    command->callback([options, &code] { code = check_command(*options); });
 }
 
 }  // namespace balcony::cli

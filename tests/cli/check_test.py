@@ -1,0 +1,140 @@
+# Balcony: rendering through extended cameras.
+# SPDX-License-Identifier: Apache-2.0
+"""What `balcony check` says of cameras, besides what is wrong with their text."""
+
+import struct
+import zlib
+
+import support
+
+CAMERAS = """// Looks at the front of the scene.
+camera front(turn = 0) {
+    axes y_up
+    map  u = -2 .. 2, v = square
+    eye  surface(u, v) = [u, v, 5]
+    toward surface(u, v) = [u + turn, v, 0]
+    look relative
+}
+
+// Shows a part of it several times, once mirrored.
+camera folded {
+    axes y_up
+    map  u = -2 .. 2, v = square
+    warp zoom(at = (0.5, 0), radius = 0.5, strength = 0.2)
+    eye  surface(u, v) = [u, v, 5]
+    toward surface(u, v) = [u, v, 0]
+    look relative
+}
+"""
+
+
+def box(first, last):
+    """A closed box that faces outwards: from first to last along x, -9 to 9 along y and z."""
+    corners = [f"v {x} {y} {z}" for z in (-9, 9) for y in (-9, 9) for x in (first, last)]
+    return "\n".join(["o box", *corners, "f 1 3 4 2", "f 5 6 8 7", "f 1 2 6 5", "f 3 7 8 4",
+                      "f 1 5 7 3", "f 2 4 8 6", ""])
+
+
+def png_size(path):
+    """Width and height of a PNG file, each chunk checked."""
+    data, place, size = path.read_bytes(), 8, None
+    while place < len(data):
+        length, kind = struct.unpack_from(">I4s", data, place)
+        body = data[place + 8:place + 8 + length]
+        (check,) = struct.unpack_from(">I", data, place + 8 + length)
+        assert zlib.crc32(kind + body) == check, "a chunk's check sum is wrong"
+        size = struct.unpack_from(">II", body) if kind == b"IHDR" else size
+        place += 12 + length
+    return size
+
+
+class Check(support.CommandTest):
+    def setUp(self):
+        super().setUp()
+        (self.folder / "two.cam").write_text(CAMERAS)
+
+    def reports(self, *words, code=0):
+        return self.json_of("check", *words, "--size", "160x90", code=code)["files"][0]["reports"]
+
+    def test_text(self):
+        out, err = self.run_command("check", "two.cam")
+        self.assertEqual(err, "")
+        front, folded = out.split("\ncamera ")[1:]
+        self.assertTrue(front.startswith("front: "), out)
+        self.assertIn("all is well", front)
+        self.assertRegex(folded, r"fold +the picture folds over: \S+ % of it, in one region")
+        self.assertRegex(folded, r"at \(\S+, \S+\), u = \S+, v = ")
+        self.assertIn("help: ", folded)
+        self.assertNotIn("all is well", folded)
+
+    def test_one_camera_with_parameters(self):
+        (report,) = self.reports("two.cam:front")
+        self.assertEqual((report["camera"], report["width"], report["defects"]), ("front", 160, 0))
+        self.assertAlmostEqual(report["magnification"]["median"], 40, places=9)
+        # Slanting rays see what is straight before them compressed.
+        (report,) = self.reports("two.cam:front", "--set", "turn=5")
+        self.assertAlmostEqual(report["anisotropy"]["median"], 2 ** 0.5, places=9)
+        (report,) = self.reports("pinhole", "--distance", "3")
+        self.assertEqual((report["single_viewpoint"], report["distance"]), (True, 3))
+        (report,) = self.reports("my.cam:nowhere")
+        self.assertEqual((report["magnification"], report["valid_share"]), (None, 0))
+        self.refused_after_text("two.cam:front", "--set", "turm=5", says="'turm'")
+        self.refused_after_text("two.cam:frnt", says="'frnt'")
+
+    def refused_after_text(self, *words, says):
+        _, err = self.run_command("check", *words, code=1)
+        self.assertIn("error: ", err)
+        self.assertIn(says, err)
+
+    def test_strict(self):
+        self.run_command("check", "two.cam:front", "--strict")
+        _, err = self.run_command("check", "two.cam:folded", "--strict", code=1)
+        self.assertIn("camera 'folded' has ", err)
+        (report,) = self.reports("two.cam:folded", "--strict", code=1)
+        self.assertIn("fold", [finding["kind"] for finding in report["findings"]])
+        self.run_command("check", "my.cam:half", "--strict", code=1)
+
+    def test_in_a_scene(self):
+        (report,) = self.reports("two.cam:front", "--scene", "scene.obj")
+        self.assertEqual(report["in_scene"],
+                         {"scene": "scene.obj", "never_seen": [], "starts_inside": []})
+        # The wall is 6 away, the triangle before it 5; more of the rays meet the wall.
+        self.assertAlmostEqual(report["distance"], 6, places=5)
+        (self.folder / "box.obj").write_text(box(0.5, 3))
+        (report,) = self.reports("two.cam:front", "--scene", "box.obj", "--strict", code=1)
+        (start,) = report["in_scene"]["starts_inside"]
+        self.assertEqual(start["object"], "box")
+        # Origins from -2 to 2, of which those right of 0.5.
+        self.assertAlmostEqual(start["share"], 1.5 / 4, delta=0.02)
+        (self.folder / "aside.obj").write_text(box(90, 99))
+        out, _ = self.run_command("check", "two.cam:front", "--scene", "aside.obj")
+        self.assertRegex(out, r"never seen +1 object: box\n")
+        self.refused("check", "two.cam", "--scene", "none.obj", code=1, says="'none.obj'")
+
+    def test_maps(self):
+        kinds = ("magnification", "anisotropy", "orientation", "validity", "seams", "repeated",
+                 "origins")
+        words = [word for kind in kinds for word in ("--map", kind, f"{kind}.png")]
+        out, _ = self.run_command("check", "two.cam:folded", *words)
+        for kind in kinds:
+            self.assertRegex(out, rf"map +{kind}.png\n")
+            width, height = png_size(self.folder / f"{kind}.png")
+            self.assertGreaterEqual(width, 800)
+            self.assertGreater(height, width // 2)
+
+    def test_mistakes(self):
+        one = ("check", "two.cam:front")
+        self.refused(*one, "--map", "seam", "a.png", code=2, says="'seam'", helps="'seams'")
+        self.refused(*one, "--map", "seams", "a.jpg", code=2, says="'a.jpg'", helps=".png")
+        self.refused("check", "two.cam", "--map", "seams", "a.png", code=2, says="several",
+                     helps="two.cam:NAME")
+        self.refused(*one, "--distance", "0", code=2, says="--distance")
+        self.refused(*one, "--size", "0x9", code=2, says="--size")
+        (self.folder / "cam.png").write_text(CAMERAS)
+        self.refused("check", "cam.png:front", "--map", "seams", "cam.png", code=2,
+                     says="'cam.png' would be overwritten")
+        self.run_command(*one, "--map", "seams", "nowhere/a.png", code=3)
+
+
+if __name__ == "__main__":
+    support.main()
