@@ -3,6 +3,7 @@
 
 #include "camera/arc_length.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -29,46 +30,74 @@ double EndGrading::slope(double position) const {
 
 namespace {
 
-// Gauss-Legendre quadrature with three points.
-double integral(const std::function<double(double)>& f, double from, double to) {
-    const double middle = 0.5 * (from + to);
-    const double reach = 0.5 * (to - from);
-    const double offset = reach * std::sqrt(0.6);
-    return reach * (5.0 * f(middle - offset) + 8.0 * f(middle) + 5.0 * f(middle + offset)) / 9.0;
-}
-
 double fraction_of(std::size_t i, std::size_t count) {
     return static_cast<double>(i) / static_cast<double>(count);
 }
 
+// The length up to each of the parameters, by Gauss-Legendre quadrature with three points a step.
+std::vector<double> lengths_up_to(const Speeds& speeds, std::span<const double> parameters) {
+    constexpr std::array weights{5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+    const double offset = 0.5 * std::sqrt(0.6);
+    std::vector<double> nodes;
+    for (std::size_t i = 0; i + 1 < parameters.size(); ++i) {
+        for (const double fraction : {0.5 - offset, 0.5, 0.5 + offset}) {
+            nodes.push_back(std::lerp(parameters[i], parameters[i + 1], fraction));
+        }
+    }
+    const std::vector<double> speed = speeds(nodes);
+    std::vector<double> lengths{0.0};
+    for (std::size_t i = 0; i + 1 < parameters.size(); ++i) {
+        double mean = 0.0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            mean += weights[k] * speed[3 * i + k];
+        }
+        lengths.push_back(lengths.back() + mean * (parameters[i + 1] - parameters[i]));
+    }
+    return lengths;
+}
+
+// A slope that lets a cubic increase over a cell of that mean slope (Fritsch and Carlson 1980); it
+// may have been infinite.
+double monotone(double slope, double mean_slope) { return std::min(slope, 3.0 * mean_slope); }
+
 }  // namespace
 
-Knots parameter_by_length(const std::function<double(double)>& speed, double parameter_last,
-                          const EndGrading& grading, std::size_t cells) {
+Knots parameter_by_length(const Speeds& speeds, double parameter_last, const EndGrading& grading,
+                          std::size_t cells) {
     // The length at graded steps of the parameter, ...
     const std::size_t steps = 2 * cells;
-    std::vector<double> parameter(steps + 1, 0.0);
-    std::vector<double> length(steps + 1, 0.0);
-    for (std::size_t i = 1; i <= steps; ++i) {
+    std::vector<double> parameter(steps + 1);
+    for (std::size_t i = 0; i <= steps; ++i) {
         parameter[i] = parameter_last * grading.fraction(fraction_of(i, steps));
-        length[i] = length[i - 1] + integral(speed, parameter[i - 1], parameter[i]);
     }
+    const std::vector<double> length = lengths_up_to(speeds, parameter);
+    const std::vector<double> speed = speeds(parameter);
     // ... turned round: in each step the parameter is a cubic in the length, whose slopes at the
     // ends are known, and the wanted knots are read off it.
     Knots knots;
     std::size_t i = 0;
     for (std::size_t knot = 0; knot <= cells; ++knot) {
-        const double position = fraction_of(knot, cells);
-        const double target = length[steps] * grading.fraction(position);
+        const double target = length[steps] * grading.fraction(fraction_of(knot, cells));
         while (i + 1 < steps && length[i + 1] < target) {
             ++i;
         }
         const std::array ends{parameter[i], parameter[i + 1]};
-        const std::array end_slopes{1.0 / speed(ends[0]), 1.0 / speed(ends[1])};
+        const double mean = (ends[1] - ends[0]) / (length[i + 1] - length[i]);
+        const std::array end_slopes{monotone(1.0 / speed[i], mean),
+                                    monotone(1.0 / speed[i + 1], mean)};
         const expr::Table inverse = expr::hermite_table(length[i], length[i + 1], ends, end_slopes);
         knots.values.push_back(inverse(target));
-        knots.slopes.push_back(length[steps] * grading.slope(position) /
-                               speed(knots.values.back()));
+    }
+    const std::vector<double> knot_speed = speeds(knots.values);
+    for (std::size_t knot = 0; knot <= cells; ++knot) {
+        double slope = length[steps] * grading.slope(fraction_of(knot, cells)) / knot_speed[knot];
+        for (const std::size_t cell : {knot - 1, knot}) {
+            if (cell < cells) {
+                const double rise = knots.values[cell + 1] - knots.values[cell];
+                slope = monotone(slope, rise * static_cast<double>(cells));
+            }
+        }
+        knots.slopes.push_back(slope);
     }
     return knots;
 }

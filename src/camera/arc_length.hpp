@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace balcony::camera {
@@ -33,12 +34,14 @@ struct Knots {
     std::vector<double> slopes;
 };
 
-/// The parameter of the curve that runs over [0, parameter_last] with the given positive speed
-/// |dC/dparameter|, as a function of the graded fraction of its length. Where the speed is smooth
-/// the error falls with the fourth power of the number of cells; at the ends the speed may be
-/// singular if the grading crowds there.
-[[nodiscard]] Knots parameter_by_length(const std::function<double(double)>& speed,
-                                        double parameter_last, const EndGrading& grading,
-                                        std::size_t cells);
+/// The speeds |dC/dparameter| of a curve at many parameters, none negative.
+using Speeds = std::function<std::vector<double>(std::span<const double> parameters)>;
+
+/// The parameter of the curve that runs over [0, parameter_last] with the given speeds, as a
+/// function of the graded fraction of its length; it increases throughout. Where the speed is
+/// smooth and not 0 the error falls with the fourth power of the number of cells; at the ends the
+/// speed may be singular if the grading crowds there.
+[[nodiscard]] Knots parameter_by_length(const Speeds& speeds, double parameter_last,
+                                        const EndGrading& grading, std::size_t cells);
 
 }  // namespace balcony::camera

@@ -48,6 +48,9 @@ Result<std::shared_ptr<const Stage>> as_stage(Result<std::shared_ptr<const Port>
 [[nodiscard]] std::vector<StageEntry> spherical_product();
 [[nodiscard]] std::vector<StageEntry> quadrics();
 [[nodiscard]] std::vector<StageEntry> fractals();
+[[nodiscard]] std::vector<StageEntry> spline_curves();
+[[nodiscard]] std::vector<StageEntry> spline_surfaces();
+[[nodiscard]] std::vector<StageEntry> arc_length_curve();
 [[nodiscard]] std::vector<StageEntry> formula_objects();
 [[nodiscard]] std::vector<StageEntry> mesh_surface();
 [[nodiscard]] std::vector<StageEntry> object_affine();
@@ -70,6 +73,9 @@ inline constexpr auto families = {
     spherical_product,
     quadrics,
     fractals,
+    spline_curves,
+    spline_surfaces,
+    arc_length_curve,
     formula_objects,
     mesh_surface,
     object_affine,

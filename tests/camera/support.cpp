@@ -114,7 +114,11 @@ Arguments arguments_for(const StageEntry& row, const Given& given) {
     Arguments arguments;
     for (const StageParameter& parameter : row.parameters) {
         const auto value = given.find(parameter.name);
-        arguments.set(parameter.name, value != given.end() ? value->second : default_of(parameter));
+        if (value != given.end()) {
+            arguments.set(parameter.name, value->second);
+        } else if (!parameter.optional) {
+            arguments.set(parameter.name, default_of(parameter));
+        }
     }
     if (row.formula) {
         arguments.set_formula(some_formula(*row.formula));

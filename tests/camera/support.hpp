@@ -26,8 +26,8 @@ Vector operator-(const Vector& a, const Vector& b);
 Vector operator*(double factor, const Vector& a);
 void expect_near(const Vector& found, const Vector& wanted, double tolerance);
 
-/// Values of parameters by name; what is not given takes its default or, where there is none, some
-/// sensible value.
+/// Values of parameters by name; what is not given is left out if it may be, else it takes its
+/// default or, where there is none, some sensible value.
 using Given = std::map<std::string_view, Arguments::Value>;
 Arguments::Value numbers(std::vector<double> values);
 Arguments arguments_for(const StageEntry& row, const Given& given);

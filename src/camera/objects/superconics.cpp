@@ -4,6 +4,7 @@
 // Object generators, PCS → OCS: superellipse and superhyperbola, curves of their own and factors of
 // spherical products.
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -84,9 +85,13 @@ double superellipse_speed(double a, double b, double gamma, double u) {
 /// The table takes quarters of the curve to its angle. The curve is symmetric in both axes: each
 /// quarter is the one before it run backwards.
 expr::Table angle_by_quarters(double a, double b, double gamma, const EndGrading& grading) {
-    const Knots quarter =
-        parameter_by_length([=](double u) { return superellipse_speed(a, b, gamma, u); },
-                            quarter_turn, grading, cells_a_quarter);
+    const auto speeds = [=](std::span<const double> angles) {
+        std::vector<double> made(angles.size());
+        std::transform(angles.begin(), angles.end(), made.begin(),
+                       [=](double u) { return superellipse_speed(a, b, gamma, u); });
+        return made;
+    };
+    const Knots quarter = parameter_by_length(speeds, quarter_turn, grading, cells_a_quarter);
     std::vector<double> angles(4 * cells_a_quarter + 1);
     std::vector<double> slopes(4 * cells_a_quarter + 1);
     for (std::size_t i = 0; i < angles.size(); ++i) {

@@ -1,0 +1,43 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "balcony/camera.hpp"
+
+namespace balcony::camera {
+
+/// From a parameter in [0, 1] to the position among cells of any widths: the number of the cell and
+/// the fraction of it. Tables have equal cells; this is what puts a spline with unequal knots into
+/// them. Piecewise linear and exact, and so are its derivatives. It costs a search by table, the
+/// same for any number of cells.
+class CellPosition {
+public:
+    /// The breaks increase from 0 to 1. Unless they are equally spaced, no cell may be narrower
+    /// than narrowest_cell.
+    CellPosition(std::span<const double> breaks, bool closed);
+    static constexpr double narrowest_cell = 1.0 / 16384.0;
+
+    /// Where the parameter goes round; outside an open range there is no ray.
+    [[nodiscard]] Expr operator()(Expr parameter, Emitter& emit) const;
+
+    /// Whether the breaks are equal up to rounding.
+    [[nodiscard]] static bool equally_spaced(std::span<const double> breaks);
+    [[nodiscard]] static double narrowest(std::span<const double> breaks);
+
+private:
+    using TablePointer = std::shared_ptr<const expr::Table>;
+
+    double cells_;
+    bool closed_;
+    // For unequal cells, over buckets so narrow that none holds two breaks: the break in the
+    // bucket, and the position on either side of it. Null for equal cells.
+    TablePointer break_, before_, behind_;
+};
+
+/// `parameter` minus its whole part if closed; else itself, and no ray outside [0, 1].
+[[nodiscard]] Expr within_unit_range(Expr parameter, bool closed, Emitter& emit);
+
+}  // namespace balcony::camera

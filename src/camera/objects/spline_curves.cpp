@@ -1,0 +1,401 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Object generators, PCS → OCS: curves from points. All of them run from u = 0 to u = 1; an open
+// one has no point outside, a closed one goes round. With points of two co-ordinates a curve lies
+// in the plane z = 0 and can be a factor of a spherical product.
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "camera/families.hpp"
+#include "camera/spline_tables.hpp"
+#include "camera/stage_parameters.hpp"
+
+namespace balcony::camera {
+
+namespace {
+
+/// A piecewise polynomial for each co-ordinate; all divided by one more if there are weights.
+class SplineCurve final : public ObjectGenerator {
+public:
+    SplineCurve(CellPosition position, std::vector<TablePointer> coordinates, TablePointer weight)
+        : position_(std::move(position)),
+          coordinates_(std::move(coordinates)),
+          weight_(std::move(weight)) {}
+    int dimension() const override { return 1; }
+    ObjectPoint generate(const ParameterPoint& p, Emitter& emit) const override {
+        const Expr at = position_(p.u, emit);
+        const auto value = [&](const TablePointer& table) {
+            const Expr sum = emit.graph().lookup(table, at);
+            return weight_ ? sum / emit.graph().lookup(weight_, at) : sum;
+        };
+        return {value(coordinates_[0]), value(coordinates_[1]),
+                coordinates_.size() > 2 ? value(coordinates_[2]) : emit(0.0)};
+    }
+
+private:
+    CellPosition position_;
+    std::vector<TablePointer> coordinates_;
+    TablePointer weight_;
+};
+
+using Made = Result<std::shared_ptr<const Stage>>;
+
+/// The cells of a curve and the polynomials of its co-ordinates in them.
+struct Pieces {
+    std::vector<double> breaks;
+    std::size_t degree = 3;
+    bool closed = false;
+    std::vector<std::vector<double>> coordinates{};
+    std::vector<double> weight{};  ///< Empty: all are 1.
+};
+
+Made curve_of(const Pieces& pieces) {
+    if (std::optional<Diagnostic> fault = fault_of_breaks(pieces.breaks)) {
+        return std::move(*fault);
+    }
+    const auto table = [&](const std::vector<double>& coefficients) {
+        const std::array axes{cells_axis(pieces.breaks.size() - 1, pieces.degree)};
+        return table_of(axes, coefficients);
+    };
+    std::vector<TablePointer> coordinates;
+    for (const std::vector<double>& coefficients : pieces.coordinates) {
+        coordinates.push_back(table(coefficients));
+    }
+    return made<SplineCurve>(CellPosition(pieces.breaks, pieces.closed), std::move(coordinates),
+                             pieces.weight.empty() ? nullptr : table(pieces.weight));
+}
+
+Made curve_of(const Spline& spline, const PointList& points) {
+    Pieces pieces{spline.breaks(), spline.degree(), spline.closed()};
+    for (std::size_t k = 0; k < points.coordinates; ++k) {
+        pieces.coordinates.push_back(spline.coefficients(coordinate(points, k)));
+    }
+    return curve_of(pieces);
+}
+
+// ---------------------------------------------------------------------------- through points
+
+double distance(std::span<const double> a, std::span<const double> b) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < a.size(); ++k) {
+        sum += (b[k] - a[k]) * (b[k] - a[k]);
+    }
+    return std::sqrt(sum);
+}
+
+/// Where between 0 and 1 a curve passes its points: in equal steps, in steps as long as those from
+/// point to point, or as their square roots.
+Result<std::vector<double>> places_of(const PointList& points, std::string_view spacing,
+                                      bool closed) {
+    const std::size_t steps = closed ? points.size() : points.size() - 1;
+    std::vector<double> places{0.0};
+    for (std::size_t i = 0; i < steps; ++i) {
+        const std::size_t next = (i + 1) % points.size();
+        const double chord = distance(points[i], points[next]);
+        const double step = spacing == "uniform"       ? 1.0
+                            : spacing == "centripetal" ? std::sqrt(chord)
+                                                       : chord;
+        if (step == 0.0) {
+            return error(fmt::format("points {} and {} are the same, which spacing = {} cannot "
+                                     "have",
+                                     i + 1, next + 1, spacing),
+                         {}, "leave one of them out, or take spacing = uniform");
+        }
+        places.push_back(places.back() + step);
+    }
+    const double whole = places.back();
+    for (double& place : places) {
+        place /= whole;
+    }
+    return places;
+}
+
+bool is_closed(const Arguments& a) { return a.choice("closed") == "yes"; }
+
+Made make_polyline(const Arguments& a) {
+    const PointList& points = a.points("points");
+    const bool closed = is_closed(a);
+    Result<std::vector<double>> places = places_of(points, a.choice("spacing"), closed);
+    if (!places) {
+        return std::move(places.diagnostics);
+    }
+    Pieces pieces{std::move(*places), 1, closed};
+    for (std::size_t k = 0; k < points.coordinates; ++k) {
+        const std::vector<double> values = coordinate(points, k);
+        std::vector<double>& lines = pieces.coordinates.emplace_back();
+        for (std::size_t i = 0; i + 1 < pieces.breaks.size(); ++i) {
+            lines.insert(lines.end(), {values[i], values[(i + 1) % values.size()] - values[i]});
+        }
+    }
+    return curve_of(pieces);
+}
+
+/// A tangent at an open end, for one segment at its pace.
+std::optional<Diagnostic> fault_of_tangent(const Arguments& a, std::string_view name,
+                                           std::size_t coordinates) {
+    if (!a.has(name)) {
+        return std::nullopt;
+    }
+    if (is_closed(a)) {
+        return error(fmt::format("a closed curve has no ends, and so no {}", name), {},
+                     "leave it out or take closed = no");
+    }
+    if (coordinates == 2 && a.triple(name)[2].constant() != 0.0) {
+        return error(fmt::format("{} leaves the plane of the points", name), {},
+                     "let its third co-ordinate be 0, or give the points a third co-ordinate");
+    }
+    return std::nullopt;
+}
+
+template <Interpolation interpolation>
+Made make_interpolating(const Arguments& a) {
+    const PointList& points = a.points("points");
+    const bool closed = is_closed(a);
+    for (const std::string_view name : {"start_tangent", "end_tangent"}) {
+        if (std::optional<Diagnostic> fault = fault_of_tangent(a, name, points.coordinates)) {
+            return std::move(*fault);
+        }
+    }
+    Result<std::vector<double>> places = places_of(points, a.choice("spacing"), closed);
+    if (!places) {
+        return std::move(places.diagnostics);
+    }
+    const InterpolatingSpline spline(interpolation, std::move(*places), closed);
+    const std::vector<double>& breaks = spline.breaks();
+    const auto slope = [&](std::string_view name, std::size_t k, double width) {
+        return a.has(name) ? std::optional(*a.triple(name)[k].constant() / width) : std::nullopt;
+    };
+    Pieces pieces{breaks, spline.degree(), closed};
+    for (std::size_t k = 0; k < points.coordinates; ++k) {
+        const EndSlopes ends{slope("start_tangent", k, breaks[1]),
+                             slope("end_tangent", k, 1.0 - breaks[breaks.size() - 2])};
+        pieces.coordinates.push_back(spline.coefficients(coordinate(points, k), ends));
+    }
+    return curve_of(pieces);
+}
+
+Made make_hermite(const Arguments& a) {
+    const PointList& points = a.points("points");
+    const PointList& tangents = a.points("tangents");
+    if (points.size() != tangents.size() || points.coordinates != tangents.coordinates) {
+        return error(
+            fmt::format("{} points of {} co-ordinates cannot have {} tangents of {}", points.size(),
+                        points.coordinates, tangents.size(), tangents.coordinates),
+            {}, "give one tangent for each point, with as many co-ordinates");
+    }
+    const bool closed = is_closed(a);
+    const std::size_t segments = closed ? points.size() : points.size() - 1;
+    Pieces pieces{equal_breaks(segments), 3, closed};
+    for (std::size_t k = 0; k < points.coordinates; ++k) {
+        std::vector<double> slopes = coordinate(tangents, k);
+        for (double& slope : slopes) {
+            slope *= static_cast<double>(segments);
+        }
+        pieces.coordinates.push_back(
+            hermite_coefficients(pieces.breaks, coordinate(points, k), slopes));
+    }
+    return curve_of(pieces);
+}
+
+// ------------------------------------------------------------------------------ near points
+
+Made make_bezier_curve(const Arguments& a) {
+    const PointList& points = a.points("points");
+    const bool closed = is_closed(a);
+    const Result<SplinePointer> spline =
+        bezier_spline(points.size(), optional_count(a, "degree"), closed);
+    return spline ? curve_of(**spline, points) : Made(spline.diagnostics);
+}
+
+Made make_bspline_curve(const Arguments& a) {
+    const PointList& points = a.points("points");
+    const Result<SplinePointer> spline =
+        make_bspline(points.size(), degree_for(points.size(), optional_count(a, "degree")),
+                     ends_of(a.choice("ends")));
+    return spline ? curve_of(**spline, points) : Made(spline.diagnostics);
+}
+
+Made make_nurbs_curve(const Arguments& a) {
+    const Result<WeightedPoints> weighted = weighted_points(a, 4);
+    if (!weighted) {
+        return weighted.diagnostics;
+    }
+    const std::size_t count = weighted->weights.size();
+    const Result<SplinePointer> spline =
+        make_bspline(count, degree_for(count, optional_count(a, "degree")),
+                     ends_of(a.choice("ends")), optional_numbers(a, "knots"));
+    if (!spline) {
+        return spline.diagnostics;
+    }
+    Pieces pieces{(*spline)->breaks(), (*spline)->degree(), (*spline)->closed()};
+    for (const std::vector<double>& values : weighted->coordinates) {
+        pieces.coordinates.push_back((*spline)->coefficients(values));
+    }
+    pieces.weight = (*spline)->coefficients(weighted->weights);
+    return curve_of(pieces);
+}
+
+StageParameter spacing_parameter(std::vector<std::string_view> choices) {
+    return {.name = "spacing",
+            .type = ParameterType::choice,
+            .choices = std::move(choices),
+            .meaning =
+                "how much of u lies between two points: as much as between any others "
+                "(uniform), by their distance (chordal) or its square root (centripetal)"};
+}
+
+StageParameter tangent_parameter(std::string_view name, std::string_view meaning) {
+    return {.name = name,
+            .type = ParameterType::triple,
+            .optional = true,
+            .constant = true,
+            .meaning = meaning};
+}
+
+std::vector<StageParameter> interpolating_parameters() {
+    return {points_parameter({2, 3}, 2, "the points that the curve passes, in sequence"),
+            spacing_parameter({"centripetal", "uniform", "chordal"}),
+            closed_parameter("closed", "whether it goes on to the first point"),
+            tangent_parameter("start_tangent",
+                              "the tangent at the first point, as long as the "
+                              "first segment would be at that pace"),
+            tangent_parameter("end_tangent",
+                              "the tangent at the last point, as long as the last "
+                              "segment would be at that pace")};
+}
+
+}  // namespace
+
+std::vector<StageEntry> spline_curves() {
+    const StageKind kind = StageKind::object_generator;
+    return {
+        {kind,
+         "polyline",
+         "straight lines from point to point, for u from 0 to 1",
+         {points_parameter({2, 3}, 2, "the corners, in sequence"),
+          spacing_parameter({"chordal", "uniform", "centripetal"}),
+          closed_parameter("closed", "whether it goes on to the first point")},
+         make_polyline,
+         {},
+         1,
+         R"(// A room whose plan is drawn corner by corner.
+camera angular_room {
+    map  u = 1 .. 0, v = -40deg .. 40deg
+    eye  product(polyline([(2, 0), (0.6, 1.2), (-2, 1), (-1.2, -1), (1, -1.2)], closed = yes),
+                 circle)
+    look normal
+})"},
+        {kind,
+         "catmull_rom",
+         "a smooth curve through points, each tangent made from the neighbours, for u from 0 to 1",
+         interpolating_parameters(),
+         make_interpolating<Interpolation::catmull_rom>,
+         {},
+         1,
+         R"(// A vase from the points of its outline.
+camera vase {
+    aspect 1
+    map  u = 180deg .. -180deg, v = 0 .. 1
+    eye  product(circle, catmull_rom([(0.5, -1.2), (0.9, -0.5), (0.8, 0.2), (0.3, 0.8), (0.5, 1.2)]))
+    look normal
+})"},
+        {kind,
+         "natural_spline",
+         "the cubic spline through points, whose curvature is continuous, for u from 0 to 1",
+         interpolating_parameters(),
+         make_interpolating<Interpolation::natural>,
+         {},
+         1,
+         R"(// A tower round a plan with soft corners.
+camera soft_tower {
+    aspect 3
+    map  u = 1 .. 0, v = -0.6 .. 0.6
+    eye  product(natural_spline([(2, 0), (0.7, 0.7), (0, 2), (-1.5, 1.5), (-1, -1), (0.5, -1.5)],
+                                closed = yes),
+                 curve(v) = [1 + v^2/2, v])
+    look normal
+})"},
+        {kind,
+         "hermite",
+         "cubic segments between points with given tangents, for u from 0 to 1",
+         {points_parameter({2, 3}, 2, "the points that the curve passes, in sequence"),
+          {.name = "tangents",
+           .type = ParameterType::points,
+           .coordinates = {2, 3},
+           .points_least = 2,
+           .meaning = "the tangent at each point, as long as a segment would be at that pace"},
+          closed_parameter("closed", "whether it goes on to the first point")},
+         make_hermite,
+         {},
+         1,
+         R"(// A wall that leaves the line of sight and comes back to it.
+camera swerving_wall {
+    map  u = 1 .. 0, v = -40deg .. 40deg
+    eye  product(hermite([(1, -2), (1.5, 0), (1, 2)], tangents = [(0, 2), (1, 1.5), (0, 2)]),
+                 circle)
+    look normal
+})"},
+        {kind,
+         "bezier",
+         "a Bézier curve, which begins at its first point and ends at its last, for u from 0 to 1",
+         {points_parameter({2, 3}, 2, "the control points, at most 8 for each piece"),
+          optional_degree_parameter("of each piece; without it there is one piece"),
+          closed_parameter("closed", "whether the last piece ends with the first point")},
+         make_bezier_curve,
+         {},
+         1,
+         R"(// A fan vault: rays leave a quarter of an arch turned round the z axis.
+camera vault {
+    map  u = 70deg .. -70deg, v = 0 .. 1
+    eye  product(circle, bezier([(3, 0), (3, 1.6), (2, 2), (0.5, 2.2)]))
+    look normal
+})"},
+        {kind,
+         "bspline",
+         "a B-spline curve, which follows its points without passing them, for u from 0 to 1",
+         {points_parameter({2, 3}, 2, "the control points"),
+          optional_degree_parameter("of its pieces; 3, or 1 less than there are points"),
+          ends_parameter("ends",
+                         "clamped touches the end points, open ends within them, closed "
+                         "goes round")},
+         make_bspline_curve,
+         {},
+         1,
+         R"(// All round from a plan like a cloverleaf.
+camera clover {
+    aspect 3
+    map  u = 1 .. 0, v = -30deg .. 30deg
+    eye  product(bspline([(2, 0), (2, 2), (0, 1.6), (-2, 2), (-2, 0), (-2, -2), (0, -1.6), (2, -2)],
+                         ends = closed),
+                 circle)
+    look normal
+})"},
+        {kind,
+         "nurbs",
+         "a rational B-spline curve, which conics are exactly, for u from 0 to 1",
+         {points_parameter({2, 3, 4}, 2, "the control points; a fourth co-ordinate is the weight"),
+          weights_parameter(),
+          optional_degree_parameter("of its pieces; 3, or 1 less than there are points"),
+          ends_parameter("ends",
+                         "clamped touches the end points, open ends within them, closed "
+                         "goes round; given knots decide instead"),
+          knots_parameter("knots")},
+         make_nurbs_curve,
+         {},
+         1,
+         R"(// A half circle that is exactly one, turned into a globe.
+camera globe {
+    map  u = 180deg .. -180deg, v = 0 .. 1
+    eye  product(circle,
+                 nurbs([(0, -1), (1, -1), (1, 0), (1, 1), (0, 1)],
+                       weights = [1, sqrt(1/2), 1, sqrt(1/2), 1],
+                       degree = 2, knots = [0, 0, 0, 1, 1, 2, 2, 2]))
+    look normal
+})"},
+    };
+}
+
+}  // namespace balcony::camera

@@ -1,0 +1,311 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Object generators, PCS → OCS: free-form surfaces from a net of points. The net is a list, row
+// after row; u runs along the rows and v across them, both from 0 to 1. Outside an open side there
+// is no point, a closed one goes round.
+
+#include <fmt/format.h>
+
+#include "camera/families.hpp"
+#include "camera/spline_tables.hpp"
+
+namespace balcony::camera {
+
+namespace {
+
+/// A piecewise polynomial of both parameters for each co-ordinate; all divided by one more if there
+/// are weights.
+class SplineSurface final : public ObjectGenerator {
+public:
+    SplineSurface(CellPosition along_u, CellPosition along_v,
+                  std::array<TablePointer, 3> coordinates, TablePointer weight)
+        : along_u_(std::move(along_u)),
+          along_v_(std::move(along_v)),
+          coordinates_(std::move(coordinates)),
+          weight_(std::move(weight)) {}
+    int dimension() const override { return 2; }
+    ObjectPoint generate(const ParameterPoint& p, Emitter& emit) const override {
+        const std::array at{along_u_(p.u, emit), along_v_(p.v, emit)};
+        const auto value = [&](const TablePointer& table) {
+            const Expr sum = emit.graph().lookup(table, at);
+            return weight_ ? sum / emit.graph().lookup(weight_, at) : sum;
+        };
+        return {value(coordinates_[0]), value(coordinates_[1]), value(coordinates_[2])};
+    }
+
+private:
+    CellPosition along_u_, along_v_;
+    std::array<TablePointer, 3> coordinates_;
+    TablePointer weight_;
+};
+
+using Made = Result<std::shared_ptr<const Stage>>;
+
+struct NetSize {
+    std::size_t columns, rows;
+};
+
+Result<NetSize> net_size(const Arguments& a) {
+    const std::size_t points = a.points("points").size();
+    const std::size_t columns = a.count("columns");
+    if (points % columns != 0 || points < 2 * columns) {
+        return error(fmt::format("{} points make no rows of {} columns", points, columns), {},
+                     "give whole rows, two at least, one after another");
+    }
+    return NetSize{columns, points / columns};
+}
+
+/// The tensor product of two splines: first along each row of values, then, for each polynomial
+/// coefficient of that, across the rows. The results are in the order of a table.
+std::vector<double> tensor_coefficients(const Spline& along_u, const Spline& along_v,
+                                        std::span<const double> values, std::size_t columns) {
+    const std::size_t powers_u = along_u.degree() + 1;
+    const std::size_t powers_v = along_v.degree() + 1;
+    const std::size_t in_row = along_u.cells() * powers_u;
+    std::vector<std::vector<double>> across(in_row);
+    for (std::size_t begin = 0; begin < values.size(); begin += columns) {
+        const std::vector<double> row = along_u.coefficients(values.subspan(begin, columns));
+        for (std::size_t i = 0; i < in_row; ++i) {
+            across[i].push_back(row[i]);
+        }
+    }
+    std::vector<double> made(in_row * along_v.cells() * powers_v);
+    for (std::size_t i = 0; i < in_row; ++i) {
+        const std::vector<double> column = along_v.coefficients(across[i]);
+        for (std::size_t k = 0; k < column.size(); ++k) {
+            const std::size_t cell = i / powers_u * along_v.cells() + k / powers_v;
+            made[(cell * powers_u + i % powers_u) * powers_v + k % powers_v] = column[k];
+        }
+    }
+    return made;
+}
+
+/// Of one table: 32 MB. There are four at most, and their derivatives.
+constexpr std::size_t most_coefficients = std::size_t{1} << 22U;
+
+/// The surface over a net; `coordinates` hold the values of three co-ordinates, times the weights
+/// if there are any.
+Made surface_of(const Spline& along_u, const Spline& along_v, std::size_t columns,
+                std::span<const std::vector<double>> coordinates,
+                const std::vector<double>& weights = {}) {
+    for (const Spline* along : {&along_u, &along_v}) {
+        if (std::optional<Diagnostic> fault = fault_of_breaks(along->breaks())) {
+            return std::move(*fault);
+        }
+    }
+    const std::array axes{cells_axis(along_u.cells(), along_u.degree()),
+                          cells_axis(along_v.cells(), along_v.degree())};
+    const std::size_t in_cell = (along_u.degree() + 1) * (along_v.degree() + 1);
+    if (along_u.cells() * along_v.cells() * in_cell > most_coefficients) {
+        return error(fmt::format("a surface of {} x {} pieces, each of {} coefficients, is too "
+                                 "large",
+                                 along_u.cells(), along_v.cells(), in_cell),
+                     {}, "give fewer points, or lower the degree");
+    }
+    const auto table = [&](std::span<const double> values) {
+        return table_of(axes, tensor_coefficients(along_u, along_v, values, columns));
+    };
+    return made<SplineSurface>(
+        CellPosition(along_u.breaks(), along_u.closed()),
+        CellPosition(along_v.breaks(), along_v.closed()),
+        std::array{table(coordinates[0]), table(coordinates[1]), table(coordinates[2])},
+        weights.empty() ? nullptr : table(weights));
+}
+
+/// From the parameters points and columns, and what makes the spline along a side from the number
+/// of its points and the side's letter.
+template <class MakeSpline>
+Made unweighted_surface(const Arguments& a, const MakeSpline& make_spline) {
+    const Result<NetSize> size = net_size(a);
+    if (!size) {
+        return size.diagnostics;
+    }
+    const Result<SplinePointer> along_u = make_spline(size->columns, "u");
+    const Result<SplinePointer> along_v = make_spline(size->rows, "v");
+    if (!along_u || !along_v) {
+        return along_u ? along_v.diagnostics : along_u.diagnostics;
+    }
+    const PointList& points = a.points("points");
+    return surface_of(
+        **along_u, **along_v, size->columns,
+        std::array{coordinate(points, 0), coordinate(points, 1), coordinate(points, 2)});
+}
+
+/// The parameters that there are one of for each side.
+struct Side {
+    std::string_view degree, ends, knots, closed;
+};
+Side side(std::string_view letter) {
+    return letter == "u" ? Side{"degree_u", "ends_u", "knots_u", "closed_u"}
+                         : Side{"degree_v", "ends_v", "knots_v", "closed_v"};
+}
+
+Made make_bezier_patch(const Arguments& a) {
+    return unweighted_surface(a, [&](std::size_t points, std::string_view letter) {
+        return bezier_spline(points, optional_count(a, side(letter).degree),
+                             a.choice(side(letter).closed) == "yes");
+    });
+}
+
+Made make_bspline_patch(const Arguments& a) {
+    return unweighted_surface(a, [&](std::size_t points, std::string_view letter) {
+        return make_bspline(points, degree_for(points, optional_count(a, side(letter).degree)),
+                            ends_of(a.choice(side(letter).ends)));
+    });
+}
+
+Made make_interpolating_patch(const Arguments& a) {
+    const Interpolation by =
+        a.choice("by") == "natural" ? Interpolation::natural : Interpolation::catmull_rom;
+    return unweighted_surface(
+        a, [&](std::size_t points, std::string_view letter) -> Result<SplinePointer> {
+            const bool closed = a.choice(side(letter).closed) == "yes";
+            return SplinePointer(std::make_shared<const InterpolatingSpline>(
+                by, equal_breaks(closed ? points : points - 1), closed));
+        });
+}
+
+Made make_nurbs_patch(const Arguments& a) {
+    const Result<NetSize> size = net_size(a);
+    const Result<WeightedPoints> weighted = weighted_points(a, 4);
+    if (!size || !weighted) {
+        return size ? weighted.diagnostics : size.diagnostics;
+    }
+    const auto spline = [&](std::size_t points, const Side& along) {
+        return make_bspline(points, degree_for(points, optional_count(a, along.degree)),
+                            ends_of(a.choice(along.ends)), optional_numbers(a, along.knots));
+    };
+    const Result<SplinePointer> along_u = spline(size->columns, side("u"));
+    const Result<SplinePointer> along_v = spline(size->rows, side("v"));
+    if (!along_u || !along_v) {
+        return along_u ? along_v.diagnostics : along_u.diagnostics;
+    }
+    return surface_of(**along_u, **along_v, size->columns, weighted->coordinates,
+                      weighted->weights);
+}
+
+std::vector<StageParameter> net_parameters(std::vector<std::size_t> coordinates,
+                                           std::string_view meaning) {
+    return {points_parameter(std::move(coordinates), 4, meaning),
+            {.name = "columns",
+             .type = ParameterType::count,
+             .least = 2.0,
+             .most = 65536.0,
+             .meaning = "how many points there are in a row, along u"}};
+}
+
+std::vector<StageParameter> operator+(std::vector<StageParameter> some,
+                                      const std::vector<StageParameter>& more) {
+    some.insert(some.end(), more.begin(), more.end());
+    return some;
+}
+
+constexpr std::string_view bspline_degree = "of the pieces; 3, or 1 less than there are points";
+constexpr std::string_view bspline_ends =
+    "clamped touches the border of the net, open ends within it, closed goes round";
+
+}  // namespace
+
+std::vector<StageEntry> spline_surfaces() {
+    const StageKind kind = StageKind::object_generator;
+    return {
+        {kind,
+         "bezier_patch",
+         "a Bézier surface, which touches the corners of its net, for u and v from 0 to 1",
+         net_parameters({3}, "the control points, row after row; at most 8 to a side of a piece") +
+             std::vector{
+                 optional_degree_parameter("of each piece along u; else there is one piece",
+                                           "degree_u"),
+                 optional_degree_parameter("of each piece along v; else there is one piece",
+                                           "degree_v"),
+                 closed_parameter("closed_u", "whether rows end with their first point"),
+                 closed_parameter("closed_v", "whether the last row is followed by the first")},
+         make_bezier_patch,
+         {},
+         2,
+         R"(// A sail in the wind: rays leave it along its normals.
+camera sail {
+    aspect 1
+    map  u = 1 .. 0, v = 0 .. 1
+    eye  bezier_patch([(0, -1, -1),  (2, -0.4, -1.2), (2, 0.6, -1.2), (0, 1.2, -1),
+                       (0.5, -1, 0), (3, -0.3, 0),    (2.5, 0.5, 0),  (0.2, 1, 0),
+                       (0, -0.6, 1), (1.5, -0.2, 1.4), (1, 0.2, 1.6), (0, 0.5, 2)], columns = 4)
+    look normal
+})"},
+        {kind,
+         "bspline_patch",
+         "a B-spline surface, which follows its net without passing it, for u and v from 0 to 1",
+         net_parameters({3}, "the control points, row after row") +
+             std::vector{optional_degree_parameter(bspline_degree, "degree_u"),
+                         optional_degree_parameter(bspline_degree, "degree_v"),
+                         ends_parameter("ends_u", bspline_ends),
+                         ends_parameter("ends_v", bspline_ends)},
+         make_bspline_patch,
+         {},
+         2,
+         R"(// A tube that leans and swells, seen from its axis outwards.
+camera leaning_tube {
+    aspect 3
+    map  u = 1 .. 0, v = 0 .. 1
+    eye  bspline_patch([(2, 0, -1),    (0, 2, -1),    (-2, 0, -1),   (0, -2, -1),
+                        (1.6, 0, 0),   (0.3, 1.4, 0), (-1, 0, 0),    (0.3, -1.4, 0),
+                        (3, 0, 1),     (0.6, 2.4, 1), (-1.8, 0, 1),  (0.6, -2.4, 1),
+                        (2, 0, 2),     (0.8, 1.2, 2), (-0.4, 0, 2),  (0.8, -1.2, 2)],
+                       columns = 4, ends_u = closed)
+    look normal
+})"},
+        {kind,
+         "nurbs_patch",
+         "a rational B-spline surface, which quadrics are exactly, for u and v from 0 to 1",
+         net_parameters({3, 4},
+                        "the control points, row after row; a fourth co-ordinate is the "
+                        "weight") +
+             std::vector{weights_parameter(), optional_degree_parameter(bspline_degree, "degree_u"),
+                         optional_degree_parameter(bspline_degree, "degree_v"),
+                         ends_parameter("ends_u", bspline_ends),
+                         ends_parameter("ends_v", bspline_ends), knots_parameter("knots_u"),
+                         knots_parameter("knots_v")},
+         make_nurbs_patch,
+         {},
+         2,
+         R"(// A quarter of a cylinder that is exactly one, bent back at its upper end.
+camera apse {
+    let w = sqrt(1/2)
+    map  u = 1 .. 0, v = 0 .. 1
+    eye  nurbs_patch([(2, -2, -1, 1),  (4, 0, -1, w),   (2, 2, -1, 1),
+                      (2, -2, 0.4, 1), (4, 0, 0.4, w),  (2, 2, 0.4, 1),
+                      (1, -1, 1.6, 1), (2, 0, 1.6, w),  (1, 1, 1.6, 1)],
+                     columns = 3, degree_u = 2, degree_v = 2)
+    look normal
+})"},
+        {kind,
+         "interpolating_patch",
+         "a smooth surface through the points of a net, for u and v from 0 to 1",
+         net_parameters({3},
+                        "the points that the surface passes, row after row, evenly spaced "
+                        "in u and v") +
+             std::vector{StageParameter{
+                             .name = "by",
+                             .type = ParameterType::choice,
+                             .choices = {"catmull_rom", "natural"},
+                             .meaning = "tangents from the neighbours, which keeps the influence "
+                                        "of a point near it, or continuous curvature"},
+                         closed_parameter("closed_u", "whether rows go on to their first point"),
+                         closed_parameter("closed_v", "whether the last row goes on to the first")},
+         make_interpolating_patch,
+         {},
+         2,
+         R"(// A wall with a swelling in the middle, which shows what is there larger.
+camera swelling_wall {
+    map  u = 1 .. 0, v = 0 .. 1
+    eye  interpolating_patch([(0, -2, -1), (0, -1, -1),  (0, 0, -1),  (0, 1, -1),  (0, 2, -1),
+                              (0, -2, 0),  (0.5, -1, 0), (1, 0, 0),   (0.5, 1, 0), (0, 2, 0),
+                              (0, -2, 1),  (0, -1, 1),   (0, 0, 1),   (0, 1, 1),   (0, 2, 1)],
+                             columns = 5, by = natural)
+    look normal
+})"},
+    };
+}
+
+}  // namespace balcony::camera
