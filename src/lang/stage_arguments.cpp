@@ -69,17 +69,6 @@ private:
     std::size_t at_ = 0;
 };
 
-// What stands there instead of something else.
-std::string_view described(const Expression& node) {
-    switch (node.kind) {
-        case ExpressionKind::tuple: return "a tuple";
-        case ExpressionKind::list: return "a list";
-        case ExpressionKind::text: return "a file's name";
-        case ExpressionKind::formula: return "a formula";
-        default: return "a number";
-    }
-}
-
 bool may_be_stage(const Expression& node) {
     return node.kind == ExpressionKind::name || node.kind == ExpressionKind::call ||
            node.kind == ExpressionKind::formula;
@@ -96,6 +85,16 @@ std::string example_of(StageKind kind) {
 }
 
 }  // namespace
+
+std::string_view described(const Expression& node) {
+    switch (node.kind) {
+        case ExpressionKind::tuple: return "a tuple";
+        case ExpressionKind::list: return "a list";
+        case ExpressionKind::text: return "a file's name";
+        case ExpressionKind::formula: return "a formula";
+        default: return "a number";
+    }
+}
 
 std::optional<Arguments> StageBuilder::arguments(const StageEntry& row, const Expression& call) {
     Arguments made;

@@ -113,15 +113,17 @@ std::optional<std::vector<Scalar>> StageBuilder::numbers(const StageEntry& row,
         return value ? std::optional(std::vector<Scalar>(count, *value)) : std::nullopt;
     }
     if (one || node.arguments.size() != count) {
+        const bool number = described(node) == "a number";
+        const std::string_view instead = number ? "one number" : described(node);
         const std::string form = count == 1   ? "one number"
                                  : count == 2 ? "two numbers, (a, b)"
                                               : "three numbers, (a, b, c)";
         error(node.span,
-              fmt::format(
-                  "'{}' of '{}' is {}{}{}, but {}", parameter.name, row.name, form,
-                  parameter.type == ParameterType::axis ? ", or x, y or z" : "",
-                  parameter.type == ParameterType::size ? ", or one for both" : "",
-                  one ? "this is one number" : fmt::format("these are {}", node.arguments.size())));
+              fmt::format("'{}' of '{}' is {}{}{}, but {}", parameter.name, row.name, form,
+                          parameter.type == ParameterType::axis ? ", or x, y or z" : "",
+                          parameter.type == ParameterType::size ? ", or one for both" : "",
+                          one ? fmt::format("this is {}", instead)
+                              : fmt::format("these are {}", node.arguments.size())));
         return std::nullopt;
     }
     std::vector<Scalar> values;

@@ -162,6 +162,8 @@ private:
     Span named_;  // Where the camera file names the table that is being read.
 };
 
+/// What stands in the place of something else: a number, a list, a file's name, ...
+[[nodiscard]] std::string_view described(const Expression& node);
 /// A parameter transformer, an object generator.
 [[nodiscard]] std::string with_article(std::string_view noun);
 /// How a stage is written: circle(radius), surface(u, v) = [x, y, z].

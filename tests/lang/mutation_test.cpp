@@ -50,6 +50,19 @@ constexpr std::string_view more_cameras[] = {
     toward product(superhyperbola(3, 2, gamma, by = hyperbolic),
                    superellipse(3, 2, gamma, by = trigonometric))
     look   absolute
+})",
+    R"(camera e(turn = 72deg) {
+    map    u = -2 .. 2, v = square
+    warp   repeat(5, zoom(at = (0.6, 0), radius = 0.6, strength = 1.4), rotate(turn))
+    eye    sphere(2)
+    toward plane
+    look   blend(normal, relative, weight(u, v) = [1/(1 + u^4)])
+    move   coins([(2, 0.9, 0), (0, 1, 2)], strength = 0.6, radius = 0.5)
+})",
+    R"(camera f {
+    map  u = 180deg .. -180deg, v = -1 .. 1
+    eye  cylinder(3)
+    look normal outward
 })"};
 
 std::vector<std::string> seeds() {
