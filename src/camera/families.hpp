@@ -51,6 +51,7 @@ Result<std::shared_ptr<const Stage>> as_stage(Result<std::shared_ptr<const Port>
 [[nodiscard]] std::vector<StageEntry> spline_curves();
 [[nodiscard]] std::vector<StageEntry> spline_surfaces();
 [[nodiscard]] std::vector<StageEntry> arc_length_curve();
+[[nodiscard]] std::vector<StageEntry> sweeps();
 [[nodiscard]] std::vector<StageEntry> formula_objects();
 [[nodiscard]] std::vector<StageEntry> mesh_surface();
 [[nodiscard]] std::vector<StageEntry> object_affine();
@@ -76,6 +77,7 @@ inline constexpr auto families = {
     spline_curves,
     spline_surfaces,
     arc_length_curve,
+    sweeps,
     formula_objects,
     mesh_surface,
     object_affine,

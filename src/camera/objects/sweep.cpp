@@ -1,0 +1,191 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Object generator, PCS → OCS: a curve swept along another.
+
+#include "camera/families.hpp"
+#include "camera/path_frame.hpp"
+#include "camera/spline_tables.hpp"
+#include "camera/stage_parameters.hpp"
+
+namespace balcony::camera {
+
+namespace {
+
+/// Three unit vectors, each at right angles to the others: right = tangent x up.
+struct Frame {
+    ObjectVector tangent, right, up;
+};
+
+ObjectVector unit(const ObjectVector& a) { return (1.0 / sqrt(dot(a, a))) * a; }
+
+/// A point of a path with its derivative by the path's parameter.
+struct PathPlace {
+    ObjectPoint point;
+    ObjectVector along;
+};
+
+PathPlace place_on(const ObjectGenerator& path, Expr parameter, Emitter& emit) {
+    Graph& graph = emit.graph();
+    const Expr free = graph.fresh_variable();
+    Emitter path_emit(graph);
+    const ObjectPoint p = path.generate({free, emit(0.0)}, path_emit);
+    const std::array coordinates{p.x, p.y, p.z};
+    const std::vector<Expr> slopes = expr::derive(coordinates, free);
+    const std::array made{p.x, p.y, p.z, slopes[0], slopes[1], slopes[2], path_emit.valid()};
+    const std::array put{expr::Substitution{free, parameter}};
+    const std::vector<Expr> there = expr::substitute(graph, made, put);
+    emit.require(there[6]);
+    return {{there[0], there[1], there[2]}, {there[3], there[4], there[5]}};
+}
+
+/// The points path(u) + right x + up y + tangent z with the profile's (x, y, z) at v, scaled and
+/// turned as the way along the path says.
+class Sweep final : public ObjectGenerator {
+public:
+    struct Parts {
+        ObjectGeneratorPointer profile, path;
+        double from, to;
+        PathFrame frame;  ///< Without tables: upright.
+        Triple up;
+        Scalar twist;
+        std::optional<Formula> scale;
+    };
+    explicit Sweep(Parts parts) : parts_(std::move(parts)) {}
+    int dimension() const override { return 2; }
+    ObjectPoint generate(const ParameterPoint& p, Emitter& emit) const override {
+        const Expr way = within_unit_range((p.u - parts_.from) / (parts_.to - parts_.from),
+                                           parts_.frame.closed, emit);
+        const PathPlace at =
+            place_on(*parts_.path, parts_.from + (parts_.to - parts_.from) * way, emit);
+        const Frame frame = frame_at(way, unit(at.along), emit);
+        const std::array<Expr, 2> scale = scale_at(way, emit);
+        const ObjectPoint q = parts_.profile->generate({p.v, emit(0.0)}, emit);
+        // Counter-clockwise as seen along the path.
+        const Expr angle = emit(parts_.twist) * way;
+        const Expr x = scale[0] * q.x;
+        const Expr y = scale[1] * q.y;
+        return at.point + (cos(angle) * x - sin(angle) * y) * frame.right +
+               (sin(angle) * x + cos(angle) * y) * frame.up + q.z * frame.tangent;
+    }
+
+private:
+    // Whatever a table or the user gives as up, its part across the tangent is taken, so that the
+    // frame is orthonormal exactly.
+    Frame frame_at(Expr way, const ObjectVector& tangent, Emitter& emit) const {
+        ObjectVector up = vector_of(parts_.up, emit);
+        if (parts_.frame.up[0]) {
+            const auto value = [&](std::size_t k) {
+                return emit.graph().lookup(parts_.frame.up[k], way);
+            };
+            up = {value(0), value(1), value(2)};
+        }
+        const ObjectVector across = up + -(dot(up, tangent) * tangent);
+        emit.require(0.0 < dot(across, across));
+        const ObjectVector unit_up = unit(across);
+        return {tangent, cross(tangent, unit_up), unit_up};
+    }
+
+    std::array<Expr, 2> scale_at(Expr way, Emitter& emit) const {
+        if (!parts_.scale) {
+            return {emit(1.0), emit(1.0)};
+        }
+        const std::vector<Expr> scale = parts_.scale->emit(emit.graph(), std::array{way});
+        return {scale.front(), scale.back()};
+    }
+
+    Parts parts_;
+};
+
+Result<std::shared_ptr<const Stage>> make_sweep(const Arguments& a) {
+    Sweep::Parts parts{a.curve("profile"),
+                       a.curve("path"),
+                       a.constant("from"),
+                       a.constant("to"),
+                       {},
+                       a.triple("up"),
+                       a.number("twist"),
+                       {}};
+    if (parts.from == parts.to) {
+        return error("from and to are the same, which leaves nothing of the path", {},
+                     "let them be two parameters of the path");
+    }
+    if (a.has("scale")) {
+        parts.scale = a.formula("scale");
+    }
+    Vector3 up{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        up[k] = *parts.up[k].constant();
+    }
+    if (norm(up) == 0.0) {
+        return error("up has no direction", {}, "let one of its co-ordinates differ from 0");
+    }
+    Result<PathFrame> frame = rotation_minimising_frame(*parts.path, parts.from, parts.to, up);
+    if (!frame) {
+        return frame.diagnostics;
+    }
+    parts.frame = std::move(*frame);
+    if (a.choice("frame") == "upright") {
+        parts.frame.up = {};
+    }
+    return made<Sweep>(std::move(parts));
+}
+
+}  // namespace
+
+std::vector<StageEntry> sweeps() {
+    using enum ParameterType;
+    return {
+        {StageKind::object_generator,
+         "sweep",
+         "a curve, the profile, swept along another, the path: u is the path's own parameter, v "
+         "the profile's",
+         {{.name = "profile",
+           .type = curve,
+           .meaning = "its x points to the right and its y up, as seen along the path"},
+          {.name = "path", .type = curve, .meaning = "the path, which may not change with time"},
+          {.name = "from",
+           .unit = Unit::parameter,
+           .default_value = {0.0},
+           .constant = true,
+           .meaning = "the path's parameter where it begins"},
+          {.name = "to",
+           .unit = Unit::parameter,
+           .default_value = {1.0},
+           .constant = true,
+           .meaning =
+               "the path's parameter where it ends; a path that comes back there goes round"},
+          {.name = "twist",
+           .unit = Unit::angle,
+           .default_value = {0.0},
+           .meaning = "how far the profile turns on the way, counter-clockwise as seen along it"},
+          {.name = "scale",
+           .type = formula,
+           .shape = {1, 1, 2},
+           .optional = true,
+           .meaning = "how large the profile is: scale(s) = [k], or [k, l] in x and y, with s from "
+                      "0 to 1 on the way"},
+          {.name = "frame",
+           .type = choice,
+           .choices = {"rotation_minimising", "upright"},
+           .meaning = "how the profile is held: without any turn about the path, or with its y as "
+                      "near to up as can be"},
+          {.name = "up",
+           .type = axis,
+           .default_value = {0.0, 0.0, 1.0},
+           .constant = true,
+           .meaning = "where the profile's y points: at the beginning, or throughout"}},
+         make_sweep,
+         {},
+         2,
+         R"(// The inside of a tube that winds through space, from its first bend to its last.
+camera winding_tube {
+    map  u = 0.02 .. 0.98, v = -180deg .. 180deg
+    eye  sweep(circle(0.4), natural_spline([(-4, -3, 0), (-2, 2, 1), (0, 0, -1), (2, -2, 1), (4, 3, 0)]),
+               twist = 180deg, scale(s) = [1 + sin(pi*s)])
+    look normal
+})"},
+    };
+}
+
+}  // namespace balcony::camera
