@@ -224,7 +224,7 @@ camera both_walls {
          R"(
 // From a comet's path, always towards the sun in its focus, a little above and below it.
 camera comet(focus = 2) {
-    map    u = -120deg .. 120deg, v = -1 .. 1
+    map    u = 120deg .. -120deg, v = -1 .. 1
     eye    parabola(focus, by = focal)
     toward surface(u, v) = [focus, 0, v]
 }

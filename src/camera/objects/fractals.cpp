@@ -112,12 +112,12 @@ std::vector<StageEntry> fractals() {
          {},
          2,
          R"(
-// What is above a landscape, seen through each point of its ground: rocks instead of a lens.
-camera from_the_rocks {
+// A view through frosted glass: each point of the pane, a landscape stood upright, looks elsewhere.
+camera frosted_glass {
     map  u = 2 .. -2, v = square
     eye  fractal_plane(height = 0.05, octaves = 5)
     look normal
-    move rotate(y, 90deg)
+    move rotate(z, 90deg), rotate(y, 90deg)
 }
 )"},
         {kind,

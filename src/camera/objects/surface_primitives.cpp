@@ -213,12 +213,12 @@ camera roof {
          {},
          2,
          R"(
-// A headlight's reflector, whose normals spread over the half space in front of it.
+// The outside of a headlight's reflector: right in the middle, wide and flatter at the border.
 camera headlight {
     map  u = -2 .. 2, v = square
     eye  paraboloid(by = cartesian)
     look normal(side = back)
-    move rotate(y, -90deg)
+    move rotate(z, -90deg), rotate(y, -90deg)
 }
 )"},
         {kind,

@@ -84,7 +84,7 @@ std::vector<StageEntry> direction_rules() {
 // The directions of a panorama from the places of a street: each column from a step further on.
 camera walking_panorama {
     map    u = 120deg .. -120deg, v = -45deg .. 45deg
-    eye    line(along = (0, -2, 0))
+    eye    line(along = (0, 2, 0))
     toward sphere(1)
     look   absolute
 }
