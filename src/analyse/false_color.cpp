@@ -178,7 +178,8 @@ public:
     static constexpr std::size_t bar_height = 12;
 
     static std::size_t height(const Design& design) {
-        return margin + 2 * line + (design.scale ? bar_height + margin + line : 0);
+        return margin + line + (design.scale ? bar_height + margin + line : 0) +
+               (design.swatches.empty() ? 0 : line);
     }
 
     Legend(Bitmap& bitmap, std::size_t top) : bitmap_(bitmap), y_(top + margin) {}

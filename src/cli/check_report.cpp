@@ -44,7 +44,7 @@ std::string finding_text(std::string_view name, const std::string& message,
     return remedy.empty() ? text : text + line("", "help: " + remedy);
 }
 
-std::string finding_text(const Finding& finding) {
+std::string finding_text(const Finding& finding, bool with_remedy) {
     std::string name(name_of(finding.kind));
     std::replace(name.begin(), name.end(), '_', ' ');
     std::string where;
@@ -54,7 +54,7 @@ std::string finding_text(const Finding& finding) {
             where += fmt::format("; and at {}", pixel_text(finding.other->point));
         }
     }
-    return finding_text(name, finding.message, where, finding.remedy);
+    return finding_text(name, finding.message, where, with_remedy ? finding.remedy : "");
 }
 
 std::string statistics_text(const Statistics& row, std::string_view unit) {
@@ -154,7 +154,6 @@ std::size_t CameraCheck::defect_count() const {
         std::count_if(report.findings.begin(), report.findings.end(),
                       [](const Finding& finding) { return finding.defect; }));
     if (in_scene) {
-        count += in_scene->never_seen.empty() ? 0 : 1;
         count += static_cast<std::size_t>(
             std::count_if(in_scene->starts_inside.begin(), in_scene->starts_inside.end(),
                           [](const Start& start) { return !start.room; }));
@@ -192,16 +191,17 @@ std::string check_text(const CameraCheck& check) {
                                      report.distance ? "; pixels a unit" : "; pixels a degree"));
         text += line("anisotropy", statistics_text(*report.anisotropy, ""));
     }
-    for (const Finding& finding : report.findings) {
-        text += finding_text(finding);
+    for (std::size_t i = 0; i < report.findings.size(); ++i) {
+        // What to do is said once of several of a kind.
+        const bool last_of_kind = i + 1 == report.findings.size() ||
+                                  report.findings[i + 1].kind != report.findings[i].kind;
+        text += finding_text(report.findings[i], last_of_kind);
     }
     if (check.in_scene) {
         text += scene_text(*check.in_scene);
     }
     if (check.defect_count() == 0) {
-        text += line("all is well", check.in_scene
-                                        ? "no folds, no seams; every object is seen"
-                                        : "rays everywhere, no folds, no seams, nothing twice");
+        text += line("all is well", "rays everywhere, no folds, no seams, nothing twice");
     }
     return text;
 }

@@ -31,7 +31,7 @@ struct CameraCheck {
     };
     std::optional<InScene> in_scene;
 
-    /// What --strict does not allow.
+    /// What --strict does not allow. Few pictures show every object, so that is not asked for.
     [[nodiscard]] std::size_t defect_count() const;
 };
 

@@ -107,7 +107,7 @@ class Check(support.CommandTest):
         # Origins from -2 to 2, of which those right of 0.5.
         self.assertAlmostEqual(start["share"], 1.5 / 4, delta=0.02)
         (self.folder / "aside.obj").write_text(box(90, 99))
-        out, _ = self.run_command("check", "two.cam:front", "--scene", "aside.obj")
+        out, _ = self.run_command("check", "two.cam:front", "--scene", "aside.obj", "--strict")
         self.assertRegex(out, r"never seen +1 object: box\n")
         self.refused("check", "two.cam", "--scene", "none.obj", code=1, says="'none.obj'")
 
