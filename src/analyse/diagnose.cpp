@@ -114,7 +114,7 @@ Report diagnose(const camera::Camera& camera, const DiagnoseSettings& settings) 
     std::size_t valid = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         measure(rays[i], report.distance, report.samples[i]);
-        valid += rays[i].valid ? 1 : 0;
+        valid += rays[i].valid ? 1U : 0U;
     }
     report.valid_share = static_cast<double>(valid) / static_cast<double>(rays.size());
     report.magnification = statistics(report, rays, &Sample::magnification);

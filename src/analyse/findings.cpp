@@ -196,12 +196,10 @@ private:
         constexpr double right_before = 1e-3;
         std::size_t turned = 0;
         for (std::size_t i = 0; i < grid_.size(); ++i) {
-            const Sample& sample = report_.samples[i];
-            turned +=
-                sample.orientation == -1 &&
-                        jacobian(evidence_.rays[i], right_before * *report_.distance).least > 0.0
-                    ? 1
-                    : 0;
+            if (report_.samples[i].orientation == -1 &&
+                jacobian(evidence_.rays[i], right_before * *report_.distance).least > 0.0) {
+                ++turned;
+            }
         }
         return 2 * turned > count_orientation(-1);
     }

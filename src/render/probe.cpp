@@ -114,7 +114,7 @@ private:
         }
         accelerator_.intersect_grid(tile.width, rays, active, hits);
         for (std::size_t i = 0; i < tile.size(); ++i) {
-            probe_.rays += measure ? active[i] : 0;
+            probe_.rays += measure && active[i] != 0 ? 1U : 0U;
             if (active[i] == 0 || !hits[i].any()) {
                 continue;
             }
