@@ -65,6 +65,7 @@ ExitCode run(CLI::App& app, int argc, char** argv) {
     cli::add_explain_command(app, code);
     cli::add_fmt_command(app, code);
     cli::add_list_command(app, code);
+    cli::add_locate_command(app, code);
     cli::add_info_command(app, code);
     // Asked for before the command line is understood, since that may fail.
     const bool as_json = std::any_of(

@@ -1,0 +1,256 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <iostream>
+#include <iterator>
+#include <limits>
+#include <span>
+#include <string_view>
+#include <tuple>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "balcony/data.hpp"
+#include "balcony/inverse.hpp"
+#include "cli/camera_argument.hpp"
+#include "cli/command.hpp"
+#include "cli/json.hpp"
+#include "cli/option_values.hpp"
+#include "cli/render_options.hpp"
+#include "cli/report.hpp"
+
+namespace balcony::cli {
+
+namespace {
+
+using analyse::V3d;
+
+struct LocateOptions {
+    std::string camera;
+    std::vector<std::string> points;
+    std::string file;
+    std::vector<std::string> set;
+    std::string size;
+    std::string time = "0";
+    std::string axes;
+    bool json = false;
+};
+
+// "1,2.5,-3"
+std::optional<V3d> point_of(std::string_view text) {
+    V3d point;
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::size_t comma = text.find(',');
+        const auto number = number_of<double>(text.substr(0, comma));
+        if (!number || (comma == std::string_view::npos) != (axis == 2)) {
+            return std::nullopt;
+        }
+        point[axis] = *number;
+        text.remove_prefix(std::min(comma, text.size() - 1) + 1);
+    }
+    return point;
+}
+
+// The rows of a table file, or of standard input if its name is "-".
+void read_rows(const std::string& name, std::vector<V3d>& points, Diagnostics& said) {
+    data::File file{name, name, {}};
+    std::string input;
+    if (name == "-") {
+        input.assign(std::istreambuf_iterator<char>(std::cin), {});
+        file.name = "standard input";
+        file.standard =
+            std::span(reinterpret_cast<const std::uint8_t*>(input.data()), input.size());
+    }
+    const Result<data::Table> table = data::read_table(file);
+    said.insert(said.end(), table.diagnostics.begin(), table.diagnostics.end());
+    for (std::size_t i = 0; table && i < table->rows.size(); ++i) {
+        const auto& row = table->rows[i];
+        if (row.size() != 3 || row[0].angle || row[1].angle || row[2].angle) {
+            said.push_back(error("this row is no point",
+                                 join(table->at(row.front()), table->at(row.back())),
+                                 "write three lengths a line: x,y,z"));
+            return;
+        }
+        points.emplace_back(row[0].value, row[1].value, row[2].value);
+    }
+}
+
+std::vector<V3d> read_points(const LocateOptions& options, Diagnostics& usage, Diagnostics& input) {
+    std::vector<V3d> points;
+    for (const std::string& text : options.points) {
+        if (const std::optional<V3d> point = point_of(text)) {
+            points.push_back(*point);
+        } else {
+            refuse(usage, "--point", text, "write three numbers, such as --point 1,0.5,-2");
+        }
+    }
+    if (options.points.empty() && options.file.empty()) {
+        usage.push_back(error("no point is given", {},
+                              "add --point X,Y,Z, or --points FILE with a point a line"));
+    } else if (!options.file.empty() && usage.empty()) {
+        read_rows(options.file, points, input);
+    }
+    return points;
+}
+
+std::optional<Axes> read_axes(const std::string& text, Diagnostics& said) {
+    if (!text.empty() && text != "y_up" && text != "z_up") {
+        refuse(said, "--axes", text, "write y_up or z_up");
+    }
+    return text.empty() ? std::nullopt : std::optional(text == "y_up" ? Axes::y_up : Axes::z_up);
+}
+
+V3d turned(const V3d& v, Axes from, Axes to) {
+    if (from == to) {
+        return v;
+    }
+    return to == Axes::y_up ? V3d(v.x, v.z, -v.y) : V3d(v.x, -v.z, v.y);
+}
+
+// What is to be located, and where it was found.
+struct Located {
+    std::string camera;
+    std::size_t width = 0;
+    std::size_t height = 0;
+    bool closed_form = false;
+    std::vector<V3d> points;  ///< As given.
+    std::vector<analyse::Sighting> sightings;
+};
+
+Result<Located> find_all(const LocateOptions& options, const PictureSize& size, double time,
+                         std::optional<Axes> axes, std::vector<V3d> points) {
+    const Result<camera::Camera> camera = load_camera(options.camera, options.set);
+    if (!camera) {
+        return camera.diagnostics;
+    }
+    Located found;
+    found.camera = camera->name();
+    std::tie(found.width, found.height) = size.resolve(camera->parts().aspect);
+    const auto locator = analyse::Locator::make(*camera, static_cast<double>(found.width),
+                                                static_cast<double>(found.height), time);
+    if (!locator) {
+        return locator.diagnostics;
+    }
+    const Axes own = camera->parts().axes;
+    std::vector<V3d> asked;
+    for (const V3d& point : points) {
+        asked.push_back(turned(point, axes.value_or(own), own));
+    }
+    found.closed_form = locator->closed_form();
+    found.points = std::move(points);
+    found.sightings = locator->locate(asked);
+    return {std::move(found), camera.diagnostics};
+}
+
+std::string text_of(const Located& located) {
+    std::string text = fmt::format("{}, {} x {} pixels\n", printable(located.camera), located.width,
+                                   located.height);
+    std::size_t next = 0;
+    for (std::size_t number = 0; number < located.points.size(); ++number) {
+        const V3d& point = located.points[number];
+        text += fmt::format("({}, {}, {})", point.x, point.y, point.z);
+        const std::size_t first = next;
+        for (; next < located.sightings.size() && located.sightings[next].point == number; ++next) {
+            const analyse::Sighting& sighting = located.sightings[next];
+            text += fmt::format("{}\n    x {:>10.4f}   y {:>10.4f}   distance {:.6g}",
+                                next == first ? " is seen at" : "", sighting.position.x,
+                                sighting.position.y, sighting.distance);
+        }
+        text += next == first ? " is not in the picture\n" : "\n";
+    }
+    return text;
+}
+
+nlohmann::json json_of(const Located& located) {
+    nlohmann::json points = nlohmann::json::array();
+    for (const V3d& point : located.points) {
+        points.push_back(
+            {{"point", {point.x, point.y, point.z}}, {"sightings", nlohmann::json::array()}});
+    }
+    for (const analyse::Sighting& sighting : located.sightings) {
+        points[sighting.point]["sightings"].push_back({{"x", sighting.position.x},
+                                                       {"y", sighting.position.y},
+                                                       {"distance", sighting.distance}});
+    }
+    return {{"camera", located.camera},
+            {"width", located.width},
+            {"height", located.height},
+            {"closed_form", located.closed_form},
+            {"points", std::move(points)}};
+}
+
+ExitCode locate(const LocateOptions& options) {
+    Diagnostics said;
+    Diagnostics input;
+    constexpr double any = std::numeric_limits<double>::max();
+    const PictureSize size = read_size(options.size, said);
+    const double time = read_number("--time", options.time, -any, any, "give a number", said);
+    const std::optional<Axes> axes = read_axes(options.axes, said);
+    std::vector<V3d> points = read_points(options, said, input);
+    ExitCode code = said.empty() ? ExitCode::bad_input : ExitCode::wrong_usage;
+    said.insert(said.end(), input.begin(), input.end());
+    nlohmann::json document = nlohmann::json::object();
+    if (said.empty()) {
+        const Result<Located> located = find_all(options, size, time, axes, std::move(points));
+        said = located.diagnostics;
+        if (located) {
+            code = ExitCode::done;
+            document = options.json ? json_of(*located) : document;
+            if (!options.json) {
+                print_result(text_of(*located));
+            }
+        }
+    }
+    if (options.json) {
+        document["diagnostics"] = to_json(said);
+        print_json(document);
+    } else {
+        report(said);
+    }
+    return code;
+}
+
+}  // namespace
+
+void add_locate_command(CLI::App& app, ExitCode& code) {
+    auto* command =
+        app.add_subcommand("locate", "says where in a picture points in space are seen");
+    command->group("Commands");
+    const auto options = std::make_shared<LocateOptions>();
+    command
+        ->add_option("CAMERA", options->camera,
+                     "a camera file or its camera NAME (the last if not said), or a camera of "
+                     "'balcony list cameras'")
+        ->type_name("FILE[:NAME]")
+        ->required();
+    command->add_option("--point", options->points, "a point in space; may be repeated")
+        ->type_name("X,Y,Z")
+        ->allow_extra_args(false)
+        ->take_all();
+    command
+        ->add_option("--points", options->file,
+                     "a table with a point in each line, - for standard input")
+        ->type_name("FILE");
+    add_set_option(*command, options->set);
+    command->add_option("--size", options->size, "the picture's size, or its width alone")
+        ->type_name("WxH");
+    command->add_option("--time", options->time, "the t of the camera's formulas")
+        ->capture_default_str()
+        ->type_name("T");
+    command
+        ->add_option("--axes", options->axes,
+                     "the axes of the points: y_up, as most scenes have them, or z_up; the "
+                     "camera's own if not said")
+        ->type_name("AXES");
+    command->add_flag("--json", options->json, "for programs");
+    command->footer(
+        "Examples:\n"
+        "  balcony locate panorama --point 3,2,0.5\n"
+        "  balcony locate pinhole --set fov=90deg --size 1920x1080 --axes y_up --point 1,0,-4\n"
+        "  balcony locate my.cam:closeup --points corners.csv --json");
+    command->callback([options, &code] { code = locate(*options); });
+}
+
+}  // namespace balcony::cli

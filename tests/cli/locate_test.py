@@ -1,0 +1,84 @@
+# Balcony: rendering through extended cameras.
+# SPDX-License-Identifier: Apache-2.0
+"""balcony locate: where points in space are seen."""
+
+import math
+import subprocess
+
+import support
+
+# Parallel rays that come three times through y = 0.
+FOLD = """camera fold {
+    map u = 1.5 .. -1.5, v = -1 .. 1
+    eye    surface(u, v) = [0, u^3 - u, v]
+    toward surface(u, v) = [1, u^3 - u, v]
+}
+"""
+
+
+class Locate(support.CommandTest):
+    def setUp(self):
+        super().setUp()
+        (self.folder / "fold.cam").write_text(FOLD)
+
+    def located(self, *words):
+        return self.json_of("locate", *words)["points"]
+
+    def test_the_pinhole_as_in_the_textbook(self):
+        (point,) = self.located("pinhole", "--set", "fov=90deg", "--size", "400x200", "--point",
+                                "4,1,-0.5")
+        self.assertEqual(point["point"], [4, 1, -0.5])
+        (seen,) = point["sightings"]
+        self.assertAlmostEqual(seen["x"], 150)
+        self.assertAlmostEqual(seen["y"], 125)
+        self.assertAlmostEqual(seen["distance"], math.sqrt(17.25))
+
+    def test_several_places_and_none(self):
+        several, none = self.located("fold.cam", "--size", "300x200", "--point", "5,0,0",
+                                     "--point", "-5,0,0")
+        for seen, x in zip(several["sightings"], (50, 150, 250), strict=True):
+            self.assertAlmostEqual(seen["x"], x, 5)
+        self.assertEqual(none["sightings"], [])
+        out, err = self.run_command("locate", "fold.cam", "--size", "300x200", "--point", "5,0,0",
+                                    "--point", "-5,0,0")
+        self.assertEqual(err, "")
+        self.assertEqual(out.count("distance 5"), 3)
+        self.assertIn("(-5, 0, 0) is not in the picture\n", out)
+
+    def test_axes_of_the_points(self):
+        words = ("pinhole", "--size", "400", "--point")
+        own = self.located(*words, "5,1,2")[0]["sightings"]
+        self.assertEqual(own, self.located(*words, "5,2,-1", "--axes", "y_up")[0]["sightings"])
+        self.assertEqual(own, self.located(*words, "5,1,2", "--axes", "z_up")[0]["sightings"])
+
+    def test_time(self):
+        (self.folder / "turning.cam").write_text(
+            "camera a { map u = 45deg .. -45deg, v = square eye point(0, 0, 0) toward sphere(1) "
+            "move rotate(z, t*10deg) }")
+        (point,) = self.located("turning.cam", "--size", "900", "--time", "2", "--point", "5,0,0")
+        self.assertAlmostEqual(point["sightings"][0]["x"], 650, 5)
+
+    def test_points_from_a_file_and_from_standard_input(self):
+        text = "x,y,z\n5,0,0\n# a comment\n\n5 1 0.5\n"
+        (self.folder / "points.csv").write_text(text)
+        from_file = self.run_command("locate", "pinhole", "--points", "points.csv")[0]
+        self.assertEqual(from_file.count("is seen at"), 2)
+        with self.start("locate", "pinhole", "--points", "-", stdin=subprocess.PIPE) as process:
+            out, _ = process.communicate(text.encode(), timeout=60)
+        self.assertEqual(out.decode(), from_file)
+
+    def test_mistakes(self):
+        self.refused("locate", "pinhole", code=2, says="no point", helps="--point")
+        for point in ("1,2", "1,2,3,4", "1,2,x", "1,,3", "nan,0,0", ""):
+            self.refused("locate", "pinhole", f"--point={point}", code=2, says="--point")
+        self.refused("locate", "pinhole", "--point", "1,2,3", "--axes", "up", code=2, says="--axes")
+        self.refused("locate", "pinhole", "--points", "none.csv", code=1, says="none.csv")
+        (self.folder / "bad.csv").write_text("1,2,3\n4,5\n")
+        self.refused("locate", "pinhole", "--points", "bad.csv", code=1, says="bad.csv:2:1")
+        self.refused("locate", "none.cam", "--point", "1,2,3", code=1, says="none.cam")
+        self.json_of("locate", "none.cam", "--point", "1,2,3", code=1)
+        self.json_of("locate", "pinhole", code=2)
+
+
+if __name__ == "__main__":
+    support.main()
