@@ -169,6 +169,7 @@ int main() {
     try {
         print_rays();
         bench::print_frames();
+        bench::print_inverse();
     } catch (const std::exception& problem) {
         fmt::print(stderr, "error: {}\n", problem.what());
         return 1;

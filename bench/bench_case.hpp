@@ -33,6 +33,9 @@ inline constexpr std::size_t ray_roots = 7;
 /// Prints whole frames: what an extended camera adds to the time of a picture.
 void print_frames();
 
+/// Prints how fast points in space are found in pictures.
+void print_inverse();
+
 // The constants of the cameras, for the graph and for the loop.
 
 struct Superelliptic {
