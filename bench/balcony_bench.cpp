@@ -1,88 +1,31 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// Prints rays a second on one core: each camera on each instruction set and as a plain loop, all in
-// one run. Every tile counts with the best of several passes over the picture, as anything else
-// that runs on the machine only ever makes it slower.
+// Prints the tables of speed, all of them or those that are named. Rays a second on one core: each
+// camera on each instruction set and as a plain loop, all in one run.
 
 #include <algorithm>
-#include <chrono>
+#include <array>
 #include <cmath>
 #include <exception>
-#include <limits>
-#include <numeric>
+#include <string_view>
 
 #include <fmt/core.h>
 
 #include "bench_case.hpp"
+#include "timing.hpp"
 
 namespace balcony::bench {
 
 namespace {
 
-using program::Tile;
-
 constexpr int passes = 9;
-
-// Where the rays of one tile go.
-class TileResults {
-public:
-    TileResults() : memory_(ray_roots * points_of_tile) {
-        for (std::size_t root = 0; root < ray_roots; ++root) {
-            pointers_.push_back(memory_.data() + root * points_of_tile);
-        }
-    }
-    [[nodiscard]] std::span<double* const> pointers() const { return pointers_; }
-
-private:
-    static constexpr std::size_t points_of_tile =
-        program::max_tile_width * program::max_tile_height;
-    std::vector<double> memory_;
-    std::vector<double*> pointers_;
-};
-
-std::vector<Tile> tiles_of_picture() {
-    using program::max_tile_height;
-    using program::max_tile_width;
-    std::vector<Tile> tiles;
-    for (std::size_t y = 0; y < picture_height; y += max_tile_height) {
-        for (std::size_t x = 0; x < picture_width; x += max_tile_width) {
-            tiles.push_back({.x = static_cast<double>(x) + 0.5,
-                             .y = static_cast<double>(y) + 0.5,
-                             .width = std::min(max_tile_width, picture_width - x),
-                             .height = std::min(max_tile_height, picture_height - y)});
-        }
-    }
-    return tiles;
-}
-
-// The least time of each tile.
-class Stopwatch {
-public:
-    explicit Stopwatch(std::size_t tiles)
-        : least_seconds_(tiles, std::numeric_limits<double>::infinity()) {}
-
-    template <class Function>
-    void time(std::size_t tile, Function function) {
-        const auto start = std::chrono::steady_clock::now();
-        function();
-        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-        least_seconds_[tile] = std::min(least_seconds_[tile], taken.count());
-    }
-
-    [[nodiscard]] double seconds() const {
-        return std::accumulate(least_seconds_.begin(), least_seconds_.end(), 0.0);
-    }
-
-private:
-    std::vector<double> least_seconds_;
-};
 
 // Seconds for the plain loop and then each instruction set. They take turns, so that whatever
 // disturbs the machine for a while disturbs all of them.
 std::vector<double> least_seconds(const Case& row) {
-    const std::vector<Tile> tiles = tiles_of_picture();
-    const TileResults results;
+    const std::vector<program::Tile> tiles = tiles_of_picture(picture_width, picture_height);
+    const TileResults results(ray_roots);
     program::Scratch scratch;
     const std::size_t sets = program::instruction_sets().size();
     std::vector<Stopwatch> stopwatches(1 + sets, Stopwatch(tiles.size()));
@@ -107,11 +50,11 @@ std::vector<double> least_seconds(const Case& row) {
 // The largest difference between a camera and its plain loop, relative to the size of the value
 // where that is above 1: a figure for another formula would mean nothing.
 double largest_difference(const Case& row) {
-    const TileResults loop;
-    const TileResults program;
+    const TileResults loop(ray_roots);
+    const TileResults program(ray_roots);
     program::Scratch scratch;
     double largest = 0.0;
-    for (const Tile& tile : tiles_of_picture()) {
+    for (const program::Tile& tile : tiles_of_picture(picture_width, picture_height)) {
         row.plain_loop(tile, loop.pointers());
         run(row.program, tile, scratch, program.pointers());
         for (std::size_t root = 0; root < ray_roots; ++root) {
@@ -165,11 +108,29 @@ void print_rays() {
 
 }  // namespace
 
-int main() {
+int main(int argc, char** argv) {
+    struct Section {
+        std::string_view name;
+        void (*print)();
+    };
+    constexpr std::array sections = {
+        Section{"rays", print_rays},
+        Section{"frames", bench::print_frames},
+        Section{"stages", bench::print_stages},
+        Section{"compile", bench::print_compilation},
+    };
+    const std::vector<std::string_view> wanted(argv + 1, argv + argc);
+    const auto is_wanted = [&wanted](const Section& section) {
+        return wanted.empty() ||
+               std::find(wanted.begin(), wanted.end(), section.name) != wanted.end();
+    };
     try {
-        print_rays();
-        bench::print_frames();
-        bench::print_inverse();
+        for (const Section& section : sections) {
+            if (is_wanted(section)) {
+                section.print();
+                fmt::print("\n");
+            }
+        }
     } catch (const std::exception& problem) {
         fmt::print(stderr, "error: {}\n", problem.what());
         return 1;

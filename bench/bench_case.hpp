@@ -30,11 +30,18 @@ inline constexpr std::size_t ray_roots = 7;
 /// The camera of a text in the camera language; throws what is wrong with it.
 [[nodiscard]] camera::Camera make_camera(const std::string& text);
 
+/// The program of a camera's rays for a picture of a size.
+[[nodiscard]] program::Program compile(const camera::Camera& camera, std::size_t width,
+                                       std::size_t height);
+
+/// Prints what each stage costs a ray, and cameras whose speed has a goal.
+void print_stages();
+
+/// Prints how long standard cameras take from text to program.
+void print_compilation();
+
 /// Prints whole frames: what an extended camera adds to the time of a picture.
 void print_frames();
-
-/// Prints how fast points in space are found in pictures.
-void print_inverse();
 
 // The constants of the cameras, for the graph and for the loop.
 

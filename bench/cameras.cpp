@@ -15,16 +15,6 @@ namespace balcony::bench {
 
 namespace {
 
-program::Program compile(const camera::Camera& camera) {
-    expr::Graph graph;
-    const auto ray =
-        camera.emit(graph, static_cast<double>(picture_width), static_cast<double>(picture_height));
-    const std::vector<expr::Expr> roots{ray.origin.x,    ray.origin.y,    ray.origin.z,
-                                        ray.direction.x, ray.direction.y, ray.direction.z,
-                                        ray.valid};
-    return program::Program(roots);
-}
-
 std::string superelliptic_text(const std::string& warp) {
     const Superelliptic camera;
     return fmt::format(
@@ -64,10 +54,19 @@ camera::Camera make_camera(const std::string& text) {
     return std::move(*made);
 }
 
+program::Program compile(const camera::Camera& camera, std::size_t width, std::size_t height) {
+    expr::Graph graph;
+    const auto ray = camera.emit(graph, static_cast<double>(width), static_cast<double>(height));
+    const std::vector<expr::Expr> roots{ray.origin.x,    ray.origin.y,    ray.origin.z,
+                                        ray.direction.x, ray.direction.y, ray.direction.z,
+                                        ray.valid};
+    return program::Program(roots);
+}
+
 std::vector<Case> cases() {
     std::vector<Case> rows;
     const auto add = [&rows](const char* name, const std::string& text, PlainLoop loop) {
-        rows.push_back({name, compile(make_camera(text)), loop});
+        rows.push_back({name, compile(make_camera(text), picture_width, picture_height), loop});
     };
     add("superelliptic (plate 2)", superelliptic_text(""), plain_superelliptic);
     add("superelliptic, local zoom", superelliptic_text(zoom_text()), plain_zoomed_superelliptic);

@@ -2,6 +2,7 @@
 # and the SIMD runner compute the same products and sums.
 option(BALCONY_WERROR "Treat warnings as errors" OFF)
 option(BALCONY_BENCH "Build the benchmarks" ON)
+option(BALCONY_FUZZ "Build the fuzzers, by clang++ and with -fsanitize=fuzzer-no-link" OFF)
 set(BALCONY_SANITIZE "" CACHE STRING "Sanitizers, as -fsanitize takes them (address,undefined or thread)")
 
 add_library(balcony_options INTERFACE)

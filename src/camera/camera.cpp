@@ -6,6 +6,7 @@
 #include "balcony/camera.hpp"
 
 #include <cmath>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -47,6 +48,26 @@ void check_path(const Path& path, std::string_view object, const std::string& ca
     if (!path.generator) {
         said.push_back(error(fmt::format("camera '{}' has no {} object", camera, object)));
     }
+}
+
+// A graph so large that deriving it could leave no room in memory; a camera of this size comes from
+// repetitions of repetitions. Emitting it once tells.
+std::optional<Diagnostic> too_large(const Camera& camera) {
+    constexpr std::size_t most_nodes = 250'000;
+    constexpr double side = 1000.0;
+    std::size_t nodes = most_nodes + 1;
+    try {
+        Graph graph;
+        (void)camera.emit(graph, side, side);
+        nodes = graph.size();
+    } catch (const std::length_error&) {
+    }
+    if (nodes <= most_nodes) {
+        return std::nullopt;
+    }
+    return error(fmt::format("camera '{}' is too large: its formulas have more than {} operations",
+                             camera.name(), most_nodes),
+                 {}, "repeat fewer stages");
 }
 
 }  // namespace
@@ -110,7 +131,12 @@ Result<Camera> Camera::make(Parts parts) {
     if (has_errors(said)) {
         return said;
     }
-    return {Camera(std::move(parts)), std::move(said)};
+    Camera made(std::move(parts));
+    if (const std::optional<Diagnostic> trouble = too_large(made)) {
+        said.push_back(*trouble);
+        return said;
+    }
+    return {std::move(made), std::move(said)};
 }
 
 namespace {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <stdexcept>
 
 #include "balcony/expr.hpp"
 #include "expr/local_rules.hpp"
@@ -49,6 +50,10 @@ Expr Graph::intern(Node node) {
         if (argument.valid()) {
             node.depends |= nodes_[argument.value()].depends;
         }
+    }
+    constexpr std::size_t most_nodes = std::size_t{1} << 22U;
+    if (nodes_.size() >= most_nodes) {
+        throw std::length_error("an expression graph of more than 4 million nodes");
     }
     const auto [known, is_new] = known_.try_emplace(node, NodeId(nodes_.size()));
     if (is_new) {

@@ -3,6 +3,7 @@
 //
 // Files, imports, names of cameras and values from outside.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "support.hpp"
@@ -153,4 +154,23 @@ TEST(Load, WarningsComeWithTheCamera) {
 }
 
 }  // namespace
+// Few words can ask for more than fits: seeds times repetitions.
+TEST(Limits, ACameraThatIsTooLargeIsSaidSo) {
+    std::string seeds;
+    for (int i = 0; i < 200; ++i) {
+        seeds += fmt::format("{}({}, {}, {}, {})", i == 0 ? "" : ", ", i % 20, i / 20, i % 20 + 0.1,
+                             i / 20);
+    }
+    const auto made =
+        test::make(fmt::format("camera large {{\n"
+                               "    map  u = 0 .. 19, v = 0 .. 9\n"
+                               "    warp repeat(64, repeat(8, inverse_distance([{}])))\n"
+                               "    eye  plane\n"
+                               "}}\n",
+                               seeds));
+    EXPECT_FALSE(made);
+    EXPECT_NE(to_text(made.diagnostics).find("camera 'large' is too large"), std::string::npos)
+        << to_text(made.diagnostics);
+}
+
 }  // namespace balcony::lang
