@@ -131,4 +131,13 @@ struct Scene {
 [[nodiscard]] Result<Scene> load(const std::filesystem::path& name,
                                  std::span<const std::uint8_t> bytes);
 
+/// The bytes of a binary glTF 2.0 file (GLB) that holds the scene: one node an instance (named
+/// after its object) or light, one mesh of a single primitive a mesh, embedded PNG images. Meshes
+/// are shared by their instances. A z_up scene is turned to glTF's y up: (x, y, z) becomes
+/// (x, z, -y), in positions, normals, placements and lights alike.
+///
+/// The scene must hold together: indices in range, normals and texture co-ordinates empty or one a
+/// vertex, textures embedded as PNG. The same scene always gives the same bytes.
+[[nodiscard]] std::vector<std::uint8_t> to_glb(const Scene& scene);
+
 }  // namespace balcony::scene

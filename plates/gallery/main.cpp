@@ -12,7 +12,6 @@
 #include <CLI/CLI.hpp>
 
 #include "base/output_file.hpp"
-#include "common/glb_writer.hpp"
 #include "gallery/gallery.hpp"
 
 namespace {
@@ -73,7 +72,7 @@ int run(int argc, char** argv) {
         if (!gallery) {
             return report(gallery.diagnostics);
         }
-        const std::vector<std::uint8_t> glb = plates::to_glb(*gallery);
+        const std::vector<std::uint8_t> glb = scene::to_glb(*gallery);
         if (const Diagnostics said = write_whole(output, glb); !said.empty()) {
             return report(said);
         }

@@ -24,6 +24,7 @@ void add_explain_command(CLI::App& app, ExitCode& code);
 void add_fmt_command(CLI::App& app, ExitCode& code);
 void add_list_command(CLI::App& app, ExitCode& code);
 void add_locate_command(CLI::App& app, ExitCode& code);
+void add_draw_command(CLI::App& app, ExitCode& code);
 void add_info_command(CLI::App& app, ExitCode& code);
 
 }  // namespace balcony::cli

@@ -10,66 +10,25 @@
 
 #include "balcony/catalogue.hpp"
 #include "balcony/lang.hpp"
+#include "base/output_file.hpp"
 #include "cli/command.hpp"
 #include "cli/json.hpp"
 #include "cli/report.hpp"
+#include "cli/stage_pages.hpp"
+#include "cli/stage_text.hpp"
 
 namespace balcony::cli {
 
 namespace {
 
-using camera::ParameterType;
 using camera::StageEntry;
 using camera::StageParameter;
 
 struct ListOptions {
     std::string what;
+    std::string markdown;
     bool json = false;
 };
-
-std::string type_text(const StageParameter& parameter) {
-    const char* unit = parameter.unit == camera::Unit::angle ? "angle" : "number";
-    switch (parameter.type) {
-        case ParameterType::number: return unit;
-        case ParameterType::count: return "whole number";
-        case ParameterType::pair: return "(a, b)";
-        case ParameterType::size: return "number or (a, b)";
-        case ParameterType::triple: return "(a, b, c)";
-        case ParameterType::axis: return "x, y, z or (a, b, c)";
-        case ParameterType::choice: return fmt::format("{}", fmt::join(parameter.choices, " | "));
-        case ParameterType::points: return "points or \"table.csv\"";
-        case ParameterType::curve: return "curve";
-        case ParameterType::stage: return std::string(camera::name_of(parameter.stage_kind));
-        case ParameterType::stages:
-            return fmt::format("{}s", camera::name_of(parameter.stage_kind));
-        case ParameterType::formula: return "formula";
-        case ParameterType::image: return "\"image.png\"";
-        case ParameterType::mesh: return "\"mesh.obj\"";
-    }
-    return {};
-}
-
-std::string default_text(const StageParameter& parameter) {
-    if (!parameter.choices.empty()) {
-        return std::string(parameter.choices.front());
-    }
-    const auto& values = parameter.default_value;
-    return values.size() == 1 ? fmt::format("{}", values.front())
-           : values.empty()   ? ""
-                              : fmt::format("({})", fmt::join(values, ", "));
-}
-
-std::string call_text(const StageEntry& row) {
-    if (row.formula) {
-        return std::string(row.meaning.substr(row.meaning.find(row.name)));
-    }
-    std::vector<std::string_view> names;
-    for (const StageParameter& parameter : row.parameters) {
-        names.push_back(parameter.name);
-    }
-    return names.empty() ? std::string(row.name)
-                         : fmt::format("{}({})", row.name, fmt::join(names, ", "));
-}
 
 std::string stage_text(const StageEntry& row) {
     std::string text =
@@ -227,7 +186,29 @@ ExitCode refuse(const ListOptions& options) {
     return ExitCode::wrong_usage;
 }
 
+// Writes the pages of the documentation, each whole or not at all.
+ExitCode write_pages(const ListOptions& options) {
+    Diagnostics said;
+    for (const StagePage& page : stage_pages()) {
+        const std::filesystem::path file = std::filesystem::path(options.markdown) / page.file;
+        std::error_code failed;
+        std::filesystem::create_directories(file.parent_path(), failed);
+        if (said = write_whole(file, page.text); has_errors(said)) {
+            break;
+        }
+    }
+    if (options.json) {
+        print_json(nlohmann::json::object({{"diagnostics", to_json(said)}}));
+    } else {
+        report(said);
+    }
+    return has_errors(said) ? ExitCode::environment : ExitCode::done;
+}
+
 ExitCode list(const ListOptions& options) {
+    if (!options.markdown.empty()) {
+        return write_pages(options);
+    }
     if (options.what == "stages" || is_stage(options.what)) {
         return list_stages(options, options.what == "stages" ? "" : options.what);
     }
@@ -250,6 +231,11 @@ void add_list_command(CLI::App& app, ExitCode& code) {
         "WHAT", options->what,
         "'stages' (if not said), 'cameras', the name of a stage or of a camera that "
         "comes along, or a camera file (.cam)");
+    command
+        ->add_option("--markdown", options->markdown,
+                     "write all stages as pages of documentation into a folder, with the examples "
+                     "as camera files")
+        ->type_name("FOLDER");
     command->add_flag("--json", options->json, "the same, for programs");
     command->footer(
         "Examples:\n"

@@ -67,6 +67,7 @@ ExitCode run(CLI::App& app, int argc, char** argv) {
     cli::add_list_command(app, code);
     cli::add_locate_command(app, code);
     cli::add_info_command(app, code);
+    cli::add_draw_command(app, code);
     // Asked for before the command line is understood, since that may fail.
     const bool as_json = std::any_of(
         argv, argv + argc, [](const char* word) { return std::string_view(word) == "--json"; });

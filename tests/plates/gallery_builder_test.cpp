@@ -12,8 +12,7 @@
 
 #include <sys/wait.h>
 
-#include "common/glb_writer.hpp"
-#include "glb_file.hpp"
+#include "../scene/glb_file.hpp"
 
 namespace balcony::plates {
 
@@ -24,6 +23,9 @@ using Imath::V2f;
 using Imath::V3d;
 using Imath::V3f;
 using nlohmann::json;
+using scene::testing::elements_of;
+using scene::testing::GlbFile;
+using scene::testing::read_glb;
 
 // Small paintings: all else does not depend on their size.
 constexpr double small = 0.04;

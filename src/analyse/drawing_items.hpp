@@ -1,0 +1,41 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// What a drawing shows, in space: what has to be painted, and in which order.
+
+#include <vector>
+
+#include "analyse/anatomy.hpp"
+#include "analyse/drawing_viewer.hpp"
+#include "balcony/drawing.hpp"
+
+namespace balcony::analyse {
+
+/// A shape of a drawing before it is projected.
+struct DrawingItem {
+    DrawingPart part = DrawingPart::eye;
+    std::vector<V3d> points;
+    DrawingColor color{};
+    double line_width = 0.0;  ///< On a page of 960 x 720; 0 is an area.
+    double opacity = 1.0;
+    bool hull = false;      ///< An area round all its points, which are corners of a convex body.
+    double distance = 0.0;  ///< Far ones are painted first.
+};
+
+/// The depicted parts of a camera, in no order.
+[[nodiscard]] std::vector<DrawingItem> drawing_items(const Anatomy& anatomy,
+                                                     const Depiction& depiction,
+                                                     const DrawingViewer& viewer);
+
+/// The axes of a camera: three lines from the origin, or from beside the objects if they are far
+/// from it.
+struct DrawnAxes {
+    V3d origin;
+    std::array<V3d, 3> tips;
+};
+[[nodiscard]] DrawnAxes drawn_axes(const Anatomy& anatomy, Axes axes, const DrawingViewer& viewer);
+[[nodiscard]] std::vector<DrawingItem> drawing_items(const DrawnAxes& axes,
+                                                     const DrawingViewer& viewer);
+
+}  // namespace balcony::analyse

@@ -1,0 +1,25 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Rows of the catalogue in words.
+
+#include <string>
+
+#include "balcony/catalogue.hpp"
+
+namespace balcony::cli {
+
+/// "number", "(a, b)", "x, y, z or (a, b, c)", ...
+[[nodiscard]] std::string type_text(const camera::StageParameter& parameter);
+
+/// As it is written in a camera file; empty if there is none.
+[[nodiscard]] std::string default_text(const camera::StageParameter& parameter);
+
+/// "above 0", "-1 to 1", ...; empty if anything will do.
+[[nodiscard]] std::string range_text(const camera::StageParameter& parameter);
+
+/// "torus(major, minor)", "curve(u) = [x, y, z]".
+[[nodiscard]] std::string call_text(const camera::StageEntry& row);
+
+}  // namespace balcony::cli

@@ -1,0 +1,287 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "balcony/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include <nlohmann/json.hpp>
+
+namespace balcony::scene {
+
+namespace {
+
+using nlohmann::json;
+using scene::Light;
+using scene::LightKind;
+using scene::M44d;
+using scene::Material;
+using scene::Mesh;
+using scene::V2f;
+using scene::V3d;
+using scene::V3f;
+
+// Numbers of the glTF 2.0 specification.
+constexpr int component_float = 5126;
+constexpr int component_unsigned_int = 5125;
+constexpr int target_array_buffer = 34962;
+constexpr int target_element_array_buffer = 34963;
+constexpr std::uint32_t glb_magic = 0x46546c67U;
+constexpr std::uint32_t glb_version = 2;
+constexpr std::uint32_t chunk_json = 0x4e4f534aU;
+constexpr std::uint32_t chunk_binary = 0x004e4942U;
+
+constexpr int wrap_mode(scene::Wrap wrap) {
+    return wrap == scene::Wrap::repeat ? 10497 : wrap == scene::Wrap::clamp ? 33071 : 33648;
+}
+
+// From z up to y up, for row vectors: p_y_up = p_z_up * M.
+M44d y_up_from(Axes axes) {
+    return axes == Axes::y_up ? M44d() : M44d(1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1);
+}
+
+json array_of(const V3d& v) { return json::array({v.x, v.y, v.z}); }
+
+class Writer {
+public:
+    explicit Writer(const scene::Scene& scene) : scene_(scene), turned_(y_up_from(scene.axes)) {
+        document_["asset"] = {{"version", "2.0"}, {"generator", "Balcony"}};
+        document_["scene"] = 0;
+    }
+
+    std::vector<std::uint8_t> write() {
+        add_textures();
+        for (const Material& material : scene_.materials) {
+            add_material(material);
+        }
+        for (const Mesh& mesh : scene_.meshes) {
+            add_mesh(mesh);
+        }
+        json roots = json::array();
+        for (const scene::Instance& instance : scene_.instances) {
+            roots.push_back(add_instance(instance));
+        }
+        for (const Light& light : scene_.lights) {
+            roots.push_back(add_light(light));
+        }
+        document_["scenes"] = json::array({{{"name", scene_.name}, {"nodes", roots}}});
+        return container();
+    }
+
+private:
+    // Appends raw bytes at a multiple of four and returns the index of their buffer view.
+    std::size_t add_view(const void* data, std::size_t size, int target) {
+        binary_.resize((binary_.size() + 3) / 4 * 4);
+        json view = {{"buffer", 0}, {"byteOffset", binary_.size()}, {"byteLength", size}};
+        if (target != 0) {
+            view["target"] = target;
+        }
+        const auto* bytes = static_cast<const std::uint8_t*>(data);
+        binary_.insert(binary_.end(), bytes, bytes + size);
+        return append("bufferViews", std::move(view));
+    }
+
+    std::size_t append(const char* list, json element) {
+        json& elements = document_[list];
+        elements.push_back(std::move(element));
+        return elements.size() - 1;
+    }
+
+    template <class Element>
+    json accessor(const std::vector<Element>& elements, const char* type) {
+        const std::size_t bytes = elements.size() * sizeof(Element);
+        return {{"bufferView", add_view(elements.data(), bytes, target_array_buffer)},
+                {"componentType", component_float},
+                {"count", elements.size()},
+                {"type", type}};
+    }
+
+    void add_textures() {
+        for (const scene::Texture& texture : scene_.textures) {
+            assert(!texture.bytes.empty());
+            const std::size_t view = add_view(texture.bytes.data(), texture.bytes.size(), 0);
+            const std::size_t image =
+                append("images",
+                       {{"name", texture.name}, {"mimeType", "image/png"}, {"bufferView", view}});
+            const std::size_t sampler = append("samplers", {{"wrapS", wrap_mode(texture.wrap_u)},
+                                                            {"wrapT", wrap_mode(texture.wrap_v)}});
+            append("textures", {{"source", image}, {"sampler", sampler}});
+        }
+    }
+
+    void add_material(const Material& material) {
+        json surface = {
+            {"baseColorFactor",
+             {material.base_color.x, material.base_color.y, material.base_color.z, material.alpha}},
+            {"metallicFactor", material.metallic},
+            {"roughnessFactor", material.roughness}};
+        if (material.base_color_texture.valid()) {
+            surface["baseColorTexture"] = {{"index", material.base_color_texture.value()}};
+        }
+        if (material.metallic_roughness_texture.valid()) {
+            surface["metallicRoughnessTexture"] = {
+                {"index", material.metallic_roughness_texture.value()}};
+        }
+        json written = {{"name", material.name}, {"pbrMetallicRoughness", surface}};
+        if (material.emission != scene::Color3f(0.0F)) {
+            written["emissiveFactor"] = {material.emission.x, material.emission.y,
+                                         material.emission.z};
+        }
+        if (material.emission_texture.valid()) {
+            written["emissiveTexture"] = {{"index", material.emission_texture.value()}};
+        }
+        if (material.alpha_mode == scene::AlphaMode::mask) {
+            written["alphaMode"] = "MASK";
+            written["alphaCutoff"] = material.alpha_cutoff;
+        } else if (material.alpha_mode == scene::AlphaMode::blend) {
+            written["alphaMode"] = "BLEND";
+        }
+        if (material.double_sided) {
+            written["doubleSided"] = true;
+        }
+        append("materials", std::move(written));
+    }
+
+    std::vector<V3f> turned_directions(const std::vector<V3f>& directions) const {
+        std::vector<V3f> turned(directions.size());
+        for (std::size_t i = 0; i < directions.size(); ++i) {
+            turned_.multDirMatrix(directions[i], turned[i]);
+        }
+        return turned;
+    }
+
+    void add_mesh(const Mesh& mesh) {
+        const std::vector<V3f> positions = turned_directions(mesh.positions);
+        scene::Box3f box;
+        for (const V3f& position : positions) {
+            box.extendBy(position);
+        }
+        json position_accessor = accessor(positions, "VEC3");
+        position_accessor["min"] = {box.min.x, box.min.y, box.min.z};
+        position_accessor["max"] = {box.max.x, box.max.y, box.max.z};
+        json attributes = {{"POSITION", append("accessors", std::move(position_accessor))}};
+        if (!mesh.normals.empty()) {
+            assert(mesh.normals.size() == mesh.positions.size());
+            attributes["NORMAL"] =
+                append("accessors", accessor(turned_directions(mesh.normals), "VEC3"));
+        }
+        if (!mesh.texture_coordinates.empty()) {
+            assert(mesh.texture_coordinates.size() == mesh.positions.size());
+            attributes["TEXCOORD_0"] =
+                append("accessors", accessor(mesh.texture_coordinates, "VEC2"));
+        }
+        const std::size_t bytes = mesh.triangles.size() * sizeof(mesh.triangles[0]);
+        const std::size_t view =
+            add_view(mesh.triangles.data(), bytes, target_element_array_buffer);
+        const std::size_t indices = append("accessors", {{"bufferView", view},
+                                                         {"componentType", component_unsigned_int},
+                                                         {"count", mesh.triangles.size() * 3},
+                                                         {"type", "SCALAR"}});
+        const json primitive = {
+            {"attributes", attributes}, {"indices", indices}, {"material", mesh.material.value()}};
+        append("meshes", {{"name", mesh.name}, {"primitives", json::array({primitive})}});
+    }
+
+    // glTF keeps matrices column by column for column vectors, which is the order in which Imath
+    // keeps them row by row for row vectors.
+    std::size_t add_instance(const scene::Instance& instance) {
+        const M44d placed = turned_.transposed() * instance.world_from_mesh * turned_;
+        json node = {{"name", scene_.objects[instance.object].name},
+                     {"mesh", instance.mesh.value()}};
+        const V3d translation = placed.translation();
+        if (placed != M44d().setTranslation(translation)) {
+            node["matrix"] = std::vector<double>(&placed[0][0], &placed[0][0] + 16);
+        } else if (translation != V3d(0.0)) {
+            node["translation"] = array_of(translation);
+        }
+        return append("nodes", std::move(node));
+    }
+
+    std::size_t add_light(const Light& light) {
+        const float strength =
+            std::max({light.intensity.x, light.intensity.y, light.intensity.z, 1e-30F});
+        const char* kinds[] = {"point", "spot", "directional"};
+        json written = {{"name", light.name},
+                        {"type", kinds[static_cast<std::size_t>(light.kind)]},
+                        {"intensity", strength},
+                        {"color",
+                         {light.intensity.x / strength, light.intensity.y / strength,
+                          light.intensity.z / strength}}};
+        if (light.range > 0.0F) {
+            written["range"] = light.range;
+        }
+        if (light.kind == LightKind::spot) {
+            written["spot"] = {{"innerConeAngle", light.inner_cone},
+                               {"outerConeAngle", light.outer_cone}};
+        }
+        json& lights = document_["extensions"]["KHR_lights_punctual"]["lights"];
+        lights.push_back(std::move(written));
+        document_["extensionsUsed"] = json::array({"KHR_lights_punctual"});
+
+        V3d position;
+        turned_.multDirMatrix(light.position, position);
+        json node = {{"name", light.name}, {"translation", array_of(position)}};
+        node["extensions"]["KHR_lights_punctual"]["light"] = lights.size() - 1;
+        if (light.kind != LightKind::point) {
+            node["rotation"] = rotation_towards(light.direction);
+        }
+        return append("nodes", std::move(node));
+    }
+
+    // The shortest rotation, as a quaternion (x, y, z, w), that turns -z, where glTF's lights
+    // shine, to a direction of the scene.
+    json rotation_towards(const V3d& direction) const {
+        V3d turned;
+        turned_.multDirMatrix(direction, turned);
+        const V3d towards = turned.normalized();
+        const V3d axis = V3d(0.0, 0.0, -1.0).cross(towards);
+        const double w = 1.0 - towards.z;
+        constexpr double nearly_opposite = 1e-12;
+        if (w < nearly_opposite) {
+            return {1.0, 0.0, 0.0, 0.0};
+        }
+        const double length = std::sqrt(axis.length2() + w * w);
+        return {axis.x / length, axis.y / length, axis.z / length, w / length};
+    }
+
+    static void put(std::vector<std::uint8_t>& bytes, std::uint32_t word) {
+        for (int shift = 0; shift < 32; shift += 8) {
+            bytes.push_back(static_cast<std::uint8_t>(word >> shift & 0xffU));
+        }
+    }
+
+    std::vector<std::uint8_t> container() {
+        binary_.resize((binary_.size() + 3) / 4 * 4);
+        document_["buffers"] = json::array({{{"byteLength", binary_.size()}}});
+        std::string text = document_.dump();
+        text.resize((text.size() + 3) / 4 * 4, ' ');
+
+        constexpr std::size_t header_bytes = 12;
+        constexpr std::size_t chunk_header_bytes = 8;
+        std::vector<std::uint8_t> bytes;
+        put(bytes, glb_magic);
+        put(bytes, glb_version);
+        put(bytes, static_cast<std::uint32_t>(header_bytes + 2 * chunk_header_bytes + text.size() +
+                                              binary_.size()));
+        put(bytes, static_cast<std::uint32_t>(text.size()));
+        put(bytes, chunk_json);
+        bytes.insert(bytes.end(), text.begin(), text.end());
+        put(bytes, static_cast<std::uint32_t>(binary_.size()));
+        put(bytes, chunk_binary);
+        bytes.insert(bytes.end(), binary_.begin(), binary_.end());
+        return bytes;
+    }
+
+    const scene::Scene& scene_;
+    M44d turned_;
+    json document_;
+    std::vector<std::uint8_t> binary_;
+};
+
+}  // namespace
+
+std::vector<std::uint8_t> to_glb(const scene::Scene& scene) { return Writer(scene).write(); }
+
+}  // namespace balcony::scene

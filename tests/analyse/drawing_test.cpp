@@ -1,0 +1,249 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Drawings of cameras: what must be on the page, whatever it looks like.
+
+#include "balcony/drawing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "analyse/anatomy.hpp"
+#include "support.hpp"
+
+namespace balcony::analyse {
+namespace {
+
+const char* const ball = R"(camera ball {
+    map  u = 180deg .. -180deg, v = -80deg .. 80deg
+    eye  sphere(2)
+    look normal
+})";
+
+// The left half of the picture lies 10 above the right half.
+const char* const torn = R"(camera torn {
+    aspect 1
+    map  u = 1 .. -1, v = -1 .. 1
+    eye  surface(u, v) = [v, u, if(u > 0.03, 10, 0)]
+    look normal
+})";
+
+const char* const half = R"(camera half {
+    aspect 1
+    map  u = 1 .. -1, v = -1 .. 1
+    eye  surface(u, v) = [v, u, sqrt(u - 0.03)]
+    look normal
+})";
+
+Drawing drawn(const std::string& text, const Depiction& depiction = {},
+              const DrawingView& view = {}) {
+    auto drawing = draw(test::camera_of(text), depiction, view);
+    EXPECT_TRUE(drawing) << to_text(drawing.diagnostics);
+    return drawing ? std::move(*drawing) : Drawing{};
+}
+
+std::size_t count(const Drawing& drawing, DrawingPart part) {
+    return static_cast<std::size_t>(
+        std::count_if(drawing.shapes.begin(), drawing.shapes.end(),
+                      [part](const DrawingShape& shape) { return shape.part == part; }));
+}
+
+TEST(Drawing, OfEveryCameraThatComesAlongIsOnThePage) {
+    for (const std::string& name : lang::standard_cameras()) {
+        const auto drawing = draw(test::standard(name));
+        ASSERT_TRUE(drawing) << name;
+        EXPECT_GT(drawing->shapes.size(), 100U) << name;
+        for (const DrawingShape& shape : drawing->shapes) {
+            ASSERT_FALSE(shape.points.empty()) << name;
+            for (const V2d& point : shape.points) {
+                // Letters may reach into the margin, so the page itself is the bound.
+                ASSERT_TRUE(point.x >= 0.0 && point.x <= 960.0 && point.y >= 0.0 &&
+                            point.y <= 720.0)
+                    << name << ' ' << point;
+            }
+        }
+        EXPECT_LT(to_svg(*drawing).size(), 250'000U) << name;
+    }
+}
+
+TEST(Drawing, FillsThePageInOneDirection) {
+    double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
+    for (const DrawingShape& shape : drawn(ball, {.axes = false}).shapes) {
+        for (const V2d& point : shape.points) {
+            left = std::min(left, point.x);
+            right = std::max(right, point.x);
+            top = std::min(top, point.y);
+            bottom = std::max(bottom, point.y);
+        }
+    }
+    constexpr double margin = 26.0;
+    // Thinned outlines may miss their extreme point by a tenth of a pixel.
+    EXPECT_NEAR(std::max((right - left) / (960 - 2 * margin), (bottom - top) / (720 - 2 * margin)),
+                1.0, 1e-3);
+    EXPECT_NEAR(left + right, 960.0, 1.0);
+    EXPECT_NEAR(top + bottom, 720.0, 1.0);
+}
+
+TEST(Drawing, ShowsWhatIsAskedFor) {
+    const Drawing all = drawn(ball);
+    EXPECT_EQ(count(all, DrawingPart::toward), 0U);
+    // Three axes, each a line in six parts with a head, and the letters' six strokes.
+    EXPECT_LE(count(all, DrawingPart::axis), 3U * 7U + 5U);
+    EXPECT_GE(count(all, DrawingPart::axis), 3U * 2U + 5U);
+    EXPECT_GT(count(all, DrawingPart::frame), 10U);
+    EXPECT_EQ(count(drawn(ball, {.rays = 0}), DrawingPart::ray), 0U);
+    EXPECT_EQ(count(drawn(ball, {.eye = false}), DrawingPart::eye), 0U);
+    EXPECT_EQ(count(drawn(ball, {.frame = false}), DrawingPart::frame), 0U);
+    EXPECT_EQ(count(drawn(ball, {.axes = false}), DrawingPart::axis), 0U);
+}
+
+TEST(Drawing, IsTheSameEachTime) {
+    EXPECT_EQ(to_svg(drawn(ball)), to_svg(drawn(ball)));
+    EXPECT_EQ(rasterise(drawn(ball)).samples, rasterise(drawn(ball)).samples);
+}
+
+TEST(Drawing, OfNothingIsRefused) {
+    const auto camera = test::camera_of(R"(camera nowhere {
+        map u = 1 .. -1, v = square
+        eye surface(u, v) = [u, v, sqrt(-1 - u^2)]
+    })");
+    EXPECT_FALSE(draw(camera));
+    EXPECT_FALSE(model(camera));
+    EXPECT_FALSE(draw(test::camera_of(ball), {}, {.width = 8}));
+}
+
+TEST(Sheet, LinesBreakAtSeamsAndGaps) {
+    const auto sheet_of = [](const char* text) {
+        const camera::Camera camera = test::camera_of(text);
+        return Sheet(camera.parts().eye, 1.0, Axes::z_up, 0.0);
+    };
+    constexpr double tolerance = 0.01;
+    Sheet jump = sheet_of(torn);
+    const auto two = jump.trace({0.1, 0.5}, {0.9, 0.5}, tolerance);
+    ASSERT_EQ(two.size(), 2U);
+    for (const Polyline& piece : two) {
+        for (const V3d& point : piece) {
+            EXPECT_EQ(point.z, piece.front().z);
+        }
+    }
+    // u = 0.03 is at 0.485 of the width; halving finds it to far less than this.
+    EXPECT_NEAR(two[0].back().y, 0.03, 1e-8);
+    EXPECT_NEAR(two[1].front().y, 0.03, 1e-8);
+    EXPECT_FALSE(jump.joined({0.4, 0.5}, {0.6, 0.5}));
+    EXPECT_TRUE(jump.joined({0.1, 0.5}, {0.4, 0.9}));
+
+    Sheet gap = sheet_of(half);
+    const auto one = gap.trace({0.1, 0.5}, {0.9, 0.5}, tolerance);
+    ASSERT_EQ(one.size(), 1U);
+    EXPECT_NEAR(one[0].back().y, 0.03, 1e-8);
+    EXPECT_FALSE(gap.joined({0.4, 0.5}, {0.6, 0.5}));
+}
+
+TEST(Sheet, SteepIsNotTorn) {
+    // An eighth root rises infinitely steeply at u = 0, without a jump.
+    const camera::Camera camera = test::camera_of(R"(camera steep {
+        aspect 1
+        map u = 1 .. -1, v = -1 .. 1
+        eye surface(u, v) = [v, u, spow(u, 1/8)]
+    })");
+    Sheet sheet(camera.parts().eye, 1.0, Axes::z_up, 0.0);
+    EXPECT_TRUE(sheet.joined({0.2, 0.5}, {0.9, 0.5}));
+}
+
+TEST(Sheet, LinesKeepWithinTheTolerance) {
+    const camera::Camera camera = test::camera_of(ball);
+    Sheet sheet(camera.parts().eye, 1.0, Axes::z_up, 0.0);
+    constexpr double tolerance = 0.001;
+    const auto pieces = sheet.trace({0.0, 0.5}, {1.0, 0.5}, tolerance);
+    ASSERT_EQ(pieces.size(), 1U);
+    const Polyline& equator = pieces.front();
+    for (std::size_t i = 0; i + 1 < equator.size(); ++i) {
+        const double apothem = (0.5 * (equator[i] + equator[i + 1])).length();
+        EXPECT_GE(apothem, 2.0 - tolerance);
+    }
+    EXPECT_LT(equator.size(), 200U);
+}
+
+TEST(Anatomy, ArrowsAreRays) {
+    const auto outward = dissect(test::camera_of(ball), {.rays = 8, .length = 0.5});
+    ASSERT_TRUE(outward);
+    // 8 over the width of a picture of 16 by 9 and 5 (4.5, rounded) over its height.
+    ASSERT_EQ(outward->rays.size(), 40U);
+    for (const Arrow& ray : outward->rays) {
+        EXPECT_NEAR(ray.from.length(), 2.0, 1e-12);
+        EXPECT_NEAR(ray.to.length(), 2.5, 1e-12);
+        EXPECT_NEAR(ray.to.cross(ray.from).length(), 0.0, 1e-12);
+    }
+}
+
+TEST(Anatomy, ArrowsGoThroughTheDirectionObject) {
+    const auto pinhole = dissect(test::standard("pinhole"), {});
+    ASSERT_TRUE(pinhole);
+    ASSERT_EQ(pinhole->screen(), pinhole->toward.get());
+    for (const Arrow& ray : pinhole->rays) {
+        EXPECT_EQ(ray.from, V3d(0.0));
+        EXPECT_NEAR(ray.to.x, 1.25, 1e-9);
+    }
+}
+
+TEST(Anatomy, DrawsCamerasWithYUpStandingUpright) {
+    const auto anatomy = dissect(test::camera_of(R"(camera upright {
+        axes y_up
+        map  u = -1 .. 1, v = -2 .. 2
+        eye  surface(u, v) = [u, v, 0]
+    })"),
+                                 {.rays = 0});
+    ASSERT_TRUE(anatomy);
+    EXPECT_NEAR(anatomy->bounds.size().z, 4.0, 1e-9);
+    EXPECT_NEAR(anatomy->bounds.size().y, 0.0, 1e-9);
+}
+
+TEST(DrawingSvg, EscapesAndRounds) {
+    const Drawing drawing{"a<b & c",
+                          20,
+                          10,
+                          {{DrawingPart::eye, {{1.04, 2}, {3, 1.5}, {3, 8}}, {1, 2, 255}, 0.0, 0.5},
+                           {DrawingPart::frame, {{4, 4}}, {0, 0, 0}, 2.0, 1.0}}};
+    const std::string svg = to_svg(drawing);
+    EXPECT_NE(svg.find("<title>a&lt;b &amp; c</title>"), std::string::npos);
+    EXPECT_NE(svg.find("fill=\"#0102ff\" fill-opacity=\"0.5\" d=\"M1 2l2-0.5 0 6.5z\""),
+              std::string::npos)
+        << svg;
+    EXPECT_NE(svg.find("stroke-width=\"2\" d=\"M4 4h0\""), std::string::npos) << svg;
+}
+
+TEST(DrawingRaster, CoversPixelsByTheirShare) {
+    const Drawing drawing{
+        "square",
+        16,
+        16,
+        {{DrawingPart::eye, {{2, 2}, {6.5, 2}, {6.5, 6}, {2, 6}}, {0, 0, 0}, 0.0, 1.0}}};
+    const Image image = rasterise(drawing);
+    ASSERT_EQ(image.samples.size(), 16U * 16U * 3U);
+    const auto grey = [&](std::size_t x, std::size_t y) {
+        return static_cast<int>(image.samples[(y * 16 + x) * 3]);
+    };
+    EXPECT_EQ(grey(1, 3), 255);
+    EXPECT_EQ(grey(2, 2), 0);
+    EXPECT_EQ(grey(5, 5), 0);
+    EXPECT_EQ(grey(6, 3), 128);
+    EXPECT_EQ(grey(7, 3), 255);
+    EXPECT_EQ(grey(3, 6), 255);
+}
+
+TEST(DrawingRaster, ADotHasItsArea) {
+    const Drawing drawing{
+        "dot", 64, 64, {{DrawingPart::eye, {{32.3, 31.1}}, {0, 0, 0}, 40.0, 1.0}}};
+    double ink = 0.0;
+    for (const std::uint8_t value : rasterise(drawing).samples) {
+        ink += (255.0 - value) / (3.0 * 255.0);
+    }
+    // The polygon of 64 corners and the sampling of its edge make the difference.
+    EXPECT_NEAR(ink / (std::numbers::pi * 400.0), 1.0, 0.01);
+}
+
+}  // namespace
+}  // namespace balcony::analyse

@@ -1,0 +1,82 @@
+# Balcony: rendering through extended cameras.
+# SPDX-License-Identifier: Apache-2.0
+"""balcony draw: pictures and scenes of cameras, and what it refuses."""
+
+import xml.etree.ElementTree as ElementTree
+
+import support
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+class Draw(support.CommandTest):
+    def parts(self, file):
+        """How many paths of each class an SVG file has."""
+        root = ElementTree.parse(self.folder / file).getroot()
+        counts = {}
+        for path in root.iter(f"{SVG}path"):
+            counts[path.get("class")] = counts.get(path.get("class"), 0) + 1
+        return counts
+
+    def test_svg(self):
+        out, err = self.run_command("draw", "pinhole", "-o", "pinhole.svg", "--size", "400x300")
+        self.assertEqual((out, err), ("pinhole.svg: drawn\n", ""))
+        root = ElementTree.parse(self.folder / "pinhole.svg").getroot()
+        self.assertEqual((root.get("width"), root.get("height")), ("400", "300"))
+        self.assertEqual(root.find(f"{SVG}title").text, "pinhole")
+        self.assertEqual(set(self.parts("pinhole.svg")),
+                         {"eye", "toward", "frame", "ray", "axis"})
+
+    def test_parts_can_be_left_out(self):
+        self.run_command("draw", "pinhole", "-o", "bare.svg", "--no-toward", "--no-frame",
+                         "--no-axes", "--rays", "0", "-q")
+        self.assertEqual(self.parts("bare.svg"), {"eye": 1})
+
+    def test_png(self):
+        self.run_command("draw", "superelliptic", "-o", "s.png", "--size", "64x48", "--set",
+                         "gamma=1/2")
+        data = (self.folder / "s.png").read_bytes()
+        self.assertEqual(data[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertEqual(data[16:24], b"\0\0\0\x40\0\0\0\x30")
+
+    def test_glb_renders(self):
+        self.run_command("draw", "superelliptic", "-o", "s.glb")
+        scene = self.json_of("info", "s.glb")["scene"]
+        self.assertEqual([each["name"] for each in scene["objects"]]
+                         if isinstance(scene["objects"][0], dict) else scene["objects"],
+                         ["surface", "rays", "frame"])
+        self.run_command("render", "s.glb", "-o", "s.png", "--size", "32x24", "-s", "1")
+        self.assertGreater(support.opaque_share(self.folder / "s.png"), 0.02)
+
+    def test_time_and_view_matter(self):
+        (self.folder / "t.cam").write_text(
+            "camera c { map u = 1 .. -1, v = square eye surface(u, v) = [t*v^2, u, v] }")
+        texts = []
+        for words in ((), ("--time", "1"), ("--view", "10,20"), ("--length", "3")):
+            self.run_command("draw", "t.cam", "-o", "t.svg", *words)
+            texts.append((self.folder / "t.svg").read_text())
+        self.assertEqual(len(set(texts)), len(texts))
+
+    def test_json(self):
+        self.assertEqual(self.json_of("draw", "pinhole", "-o", "p.svg")["output"], "p.svg")
+        self.assertIsNone(self.json_of("draw", "nothing", "-o", "p.svg", code=1)["output"])
+
+    def test_refusals(self):
+        before = self.files()
+        for words, code, says in (
+                (("pinhole", "-o", "p.gif"), 2, "has no ending"),
+                (("pinhole", "-o", "no/p.svg"), 3, "there is no folder"),
+                (("pinhole", "-o", "p.svg", "--rays", "many"), 2, "--rays cannot be 'many'"),
+                (("pinhole", "-o", "p.svg", "--view", "90"), 2, "--view cannot be '90'"),
+                (("pinhole", "-o", "p.svg", "--size", "5x5"), 2, "--size cannot be '5x5'"),
+                (("pinhole", "-o", "p.svg", "--length", "0"), 2, "--length cannot be '0'"),
+                (("my.cam:nowhere", "-o", "p.svg"), 1, "no point anywhere"),
+                (("pinhole", "-o", "p.svg", "--set", "fov"), 1, "--set fov sets nothing"),
+                (("pinhole",), 2, "")):
+            with self.subTest(words=words):
+                self.refused("draw", *words, code=code, says=says)
+        self.assertEqual(self.files(), before)
+
+
+if __name__ == "__main__":
+    support.main()
