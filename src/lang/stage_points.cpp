@@ -4,6 +4,7 @@
 // The points that stages are given, such as control points: [(0, 0), (1, 2)], or [0, 0.5, 1].
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -19,6 +20,8 @@ using camera::StageEntry;
 using camera::StageParameter;
 
 constexpr std::size_t most_points = 65536;
+// What is made of points takes powers of their distances, which must not overflow.
+constexpr double largest_coordinate = 1e30;
 
 // 2 or 3; 1, 2 or 3.
 std::string numbers_in_words(const std::vector<std::size_t>& numbers) {
@@ -116,6 +119,11 @@ bool StageBuilder::add_point(const StageEntry& row, const StageParameter& parame
     for (const Coordinate& coordinate : coordinates) {
         if (coordinate.value.failed() ||
             !fits(row, parameter, coordinate.value, coordinate.place)) {
+            good = false;
+        } else if (std::abs(coordinate.value.constant()) > largest_coordinate) {
+            reporter_.error(coordinate.place,
+                            fmt::format("a co-ordinate of '{}' lies between -{} and {}",
+                                        parameter.name, largest_coordinate, largest_coordinate));
             good = false;
         } else {
             points.values.push_back(coordinate.value.constant());
