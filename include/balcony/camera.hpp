@@ -134,7 +134,8 @@ struct ArrangedPoint {
     PictureSize size;
 };
 
-/// DCS → DCS: gives a camera its place in the picture; outside it there is no ray.
+/// DCS → DCS: where a point of the whole picture lies in the camera's own one. Outside its own
+/// picture a camera does not show.
 class PictureArranger : public Stage {
 public:
     [[nodiscard]] virtual ArrangedPoint arrange(const ArrangedPoint& picture,
@@ -204,6 +205,9 @@ public:
     /// From 0, nothing shows, to 1. The edge is `softness` pixels wide, sharp if that is 0.
     [[nodiscard]] virtual Expr coverage(const ArrangedPoint& picture, Expr softness,
                                         Emitter& emit) const;
+    /// How far from the middle of the picture to its corners the shape surely reaches, from 0 to 1:
+    /// leader lines end there.
+    [[nodiscard]] virtual double corner_reach() const { return 0.0; }
 };
 
 using PictureArrangerPointer = std::shared_ptr<const PictureArranger>;
@@ -265,6 +269,8 @@ public:
 
     /// getRay, for a picture of the given size in pixels.
     [[nodiscard]] RayExpressions emit(Graph& graph, double width, double height) const;
+    /// The same for a point that arrangers have given a place in a larger picture.
+    [[nodiscard]] RayExpressions emit(const ArrangedPoint& picture) const;
 
 private:
     explicit Camera(Parts parts) : parts_(std::make_shared<const Parts>(std::move(parts))) {}

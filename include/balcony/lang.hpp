@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "balcony/base.hpp"
-#include "balcony/camera.hpp"
+#include "balcony/picture.hpp"
 
 namespace balcony::lang {
 
@@ -21,7 +21,7 @@ struct Override {
     std::string expression;
 };
 
-/// What a file says of a camera without making it.
+/// What a file says of a camera or a picture without making it.
 struct CameraDescription {
     struct Parameter {
         std::string name;
@@ -31,9 +31,11 @@ struct CameraDescription {
     std::string name;
     std::vector<Parameter> parameters;
     std::string comment;  ///< The comment lines directly above it.
+    bool is_picture = false;
+    std::vector<std::string> layers;  ///< Of a picture, what it names, from the back to the front.
 };
 
-/// Reads what cameras a file has, in the order of the file.
+/// Reads what cameras and pictures a file has, in the order of the file.
 [[nodiscard]] Result<std::vector<CameraDescription>> describe(const std::filesystem::path& file);
 
 /// Makes a camera. `file` is a .cam file or the name of a standard camera; an empty `name` means
@@ -50,7 +52,17 @@ struct CameraDescription {
                                                  const std::vector<Override>& overrides = {},
                                                  const std::filesystem::path& folder = {});
 
-/// Makes every camera of a file, to find all that is wrong with it.
+/// Makes a picture, or of a camera the picture that shows it alone. An empty `name` means the
+/// file's last camera or picture; else as load_camera().
+[[nodiscard]] Result<camera::Picture> load_picture(const std::filesystem::path& file,
+                                                   std::string_view name,
+                                                   const std::vector<Override>& overrides = {});
+[[nodiscard]] Result<camera::Picture> make_picture(std::shared_ptr<const SourceText> source,
+                                                   std::string_view name,
+                                                   const std::vector<Override>& overrides = {},
+                                                   const std::filesystem::path& folder = {});
+
+/// Makes every camera and picture of a file, to find all that is wrong with it.
 [[nodiscard]] Diagnostics check(const std::filesystem::path& file);
 
 /// What a camera does, in words.

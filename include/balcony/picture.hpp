@@ -40,6 +40,7 @@ enum class BlendMode : std::uint8_t {
 
 [[nodiscard]] std::string_view name_of(BlendMode mode);
 [[nodiscard]] std::optional<BlendMode> find_blend_mode(std::string_view name);
+[[nodiscard]] std::vector<std::string> blend_mode_names();
 
 /// A drawn line: its width as a fraction of the whole picture's height, its colour in linear light.
 struct Stroke {
@@ -48,7 +49,8 @@ struct Stroke {
 };
 
 /// Lines that lead from an inset to the region of the picture below that it shows: fractions of
-/// that picture from its top left corner. The region gets a frame too.
+/// that picture from its top left corner. The region gets a frame round it too. Of the four lines
+/// from corner to corner those two are drawn that cross neither.
 struct Leader {
     std::array<Scalar, 2> from{}, to{};
     Stroke stroke;
@@ -57,24 +59,27 @@ struct Leader {
 class Picture;
 
 /// One layer of a picture. A point of the picture goes through the arrangers into the layer's own
-/// picture; there the clip decides how much of it shows.
+/// picture; there the clip decides how much of it shows. The frame and the leader lines are drawn
+/// opaque, whatever the layer's alpha, the frame above the layer and the leader lines below it.
 struct Layer {
     std::string name;
     std::variant<Camera, std::shared_ptr<const Picture>> content;
-    std::vector<PictureArrangerPointer> arrangers;  ///< Outermost first; none: the whole picture.
-    ClipShapePointer clip;                          ///< Null: all of the layer's rectangle.
+    std::vector<PictureArrangerPointer> arrangers{};  ///< Outermost first; none: the whole picture.
+    ClipShapePointer clip{};                          ///< Null: all of the layer's rectangle.
     Scalar softness = 0.0;  ///< Of the clip's edge, as a fraction of the layer's height.
     Scalar alpha = 1.0;
     BlendMode blend = BlendMode::normal;
-    std::optional<Stroke> frame;  ///< Round the clip, inside its edge.
-    std::vector<Leader> leaders;
+    std::optional<Stroke> frame{};  ///< Round the clip, inside its edge.
+    std::vector<Leader> leaders{};
 };
 
 /// A picture as expressions of picture x, picture y and time.
 struct PictureExpressions {
     /// What is drawn, in the order of drawing; one of ray, paint and group.
     struct Element {
-        Expr coverage;  ///< From 0, nothing of it shows, to 1; alpha is in it.
+        std::string name;  ///< Of a ray: the layer's, behind those of the groups that it is in.
+        /// From 0, nothing of it shows, to 1; alpha is in it. What is no number counts as 0.
+        Expr coverage;
         BlendMode blend = BlendMode::normal;
         std::optional<RayExpressions> ray;
         Axes axes = Axes::z_up;  ///< Of the ray.
@@ -83,6 +88,12 @@ struct PictureExpressions {
     };
     std::vector<Element> elements;
 };
+
+/// How deep pictures may stand in pictures.
+inline constexpr std::size_t most_nested_pictures = 16;
+/// How many layers a picture may have, those of the pictures in it counted each time they stand
+/// there.
+inline constexpr std::size_t most_layers = 1000;
 
 /// An immutable value, as a camera is.
 class Picture {
@@ -95,7 +106,7 @@ public:
         double aspect = 16.0 / 9.0;
     };
 
-    /// Checks that there is a layer, that sizes and nesting are within bounds.
+    /// Checks that there is a layer, that sizes, opacities, widths and nesting are within bounds.
     [[nodiscard]] static Result<Picture> make(Parts parts);
     /// A picture that shows one camera and nothing else.
     Picture(Camera camera);

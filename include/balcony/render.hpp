@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Render: traces the rays of a camera through a scene onto a film. docs/rendering.md says how.
+// Render: traces the rays of a picture's cameras through a scene onto a film. docs/rendering.md
+// says how.
 //
-//     Renderer::make(scene) ─▶ renderer.render(camera, settings) ─▶ film ─▶ write(film, file)
+//     Renderer::make(scene) ─▶ renderer.render(picture, settings) ─▶ film ─▶ write(film, file)
 //
-// The same scene, camera and settings give the same film bit for bit, whatever the number of
-// threads.
+// A camera is a picture of one layer. The same scene, picture and settings give the same film bit
+// for bit, whatever the number of threads.
 
 #include <cstddef>
 #include <cstdint>
@@ -24,7 +25,7 @@
 #include <Imath/ImathVec.h>
 
 #include "balcony/base.hpp"
-#include "balcony/camera.hpp"
+#include "balcony/picture.hpp"
 #include "balcony/scene.hpp"
 
 namespace balcony::render {
@@ -55,12 +56,13 @@ struct Settings {
     Color3f ambient{0.1F, 0.1F, 0.1F};    ///< Radiance that comes from everywhere, unshadowed.
     std::optional<Color3f> background{};  ///< Radiance behind the scene; none is transparent.
     std::size_t mirror_depth = 8;         ///< Reflections after which a path ends.
-    bool data_layers = true;              ///< Fill Film::layers, at 77 bytes a pixel.
+    bool data_layers = true;              ///< Fill Film::layers, at 79 bytes a pixel.
 };
 
 // -------------------------------------------------------------------------------------- film
 
-/// What is known of each pixel's centre, unfiltered, row by row from the top left. World
+/// What is known of each pixel's centre, unfiltered, row by row from the top left. Where several
+/// layers of a picture show, the front one counts that covers at least half of the point. World
 /// co-ordinates are the scene's, also where the camera has other axes. Unless said otherwise a
 /// value is 0 where there is no ray or nothing was hit.
 struct DataLayers {
@@ -73,6 +75,7 @@ struct DataLayers {
     std::vector<V3f> direction;         ///< Of the ray, unit length.
     std::vector<V2f> parameters;        ///< (u, v) of the eye object.
     std::vector<std::uint8_t> valid;    ///< 1 where there is a ray.
+    std::vector<std::uint16_t> layer;   ///< Index into Film::picture_layers plus 1.
 };
 
 /// A picture in the making: sums over passes, row by row from the top left.
@@ -82,7 +85,8 @@ struct Film {
     std::vector<Color4f> sum;            ///< Linear radiance, alpha; colour is premultiplied.
     std::vector<std::uint32_t> samples;  ///< How many are in the sum; 0 where none was yet.
     std::optional<DataLayers> layers;
-    std::vector<std::string> objects;  ///< Names, by object id less 1.
+    std::vector<std::string> objects;         ///< Names, by object id less 1.
+    std::vector<std::string> picture_layers;  ///< Names of the picture's camera layers.
 
     /// The mean of the samples, premultiplied by alpha; nothing where there are none.
     [[nodiscard]] Color4f pixel(std::size_t x, std::size_t y) const;
@@ -104,14 +108,22 @@ struct Progress {
 using ProgressCallback = std::function<void(const Progress&)>;
 
 struct Summary {
-    std::uint64_t camera_rays = 0;     ///< Picture points asked for, with a ray or not.
+    /// A camera layer of the picture.
+    struct Layer {
+        std::string name;  ///< Behind the names of the pictures that it is in.
+        std::uint64_t camera_rays = 0;
+        std::uint64_t invalid_rays = 0;
+    };
+
+    std::uint64_t camera_rays = 0;     ///< Points of layers that show, with a ray or not.
     std::uint64_t invalid_rays = 0;    ///< Of these, points where the camera has no ray.
-    std::uint64_t invalid_pixels = 0;  ///< Pixel centres without a ray.
+    std::vector<Layer> layers;         ///< The same for each, the back one first.
+    std::uint64_t invalid_pixels = 0;  ///< Pixel centres where nothing is drawn.
     std::uint64_t repaired = 0;        ///< Samples whose radiance was no finite number, set to 0.
     std::size_t passes = 0;            ///< Those complete.
     bool interrupted = false;          ///< Stopped before the last pass was complete.
     double seconds = 0.0;              ///< Tracing, by the clock.
-    double compile_seconds = 0.0;      ///< The camera, from parts to program.
+    double compile_seconds = 0.0;      ///< The picture, from parts to programs.
     double camera_share = 0.0;  ///< Of the threads' time, the part before a tile's rays are traced.
 };
 
@@ -137,7 +149,7 @@ public:
     /// Renders. When stop is asked for, the tiles under way are finished and the film holds what is
     /// done, each pixel with its own number of samples. Settings out of range, or a film that would
     /// not fit into memory, are errors; textures that fail while they are read are warnings.
-    [[nodiscard]] Result<Picture> render(const camera::Camera& camera, const Settings& settings,
+    [[nodiscard]] Result<Picture> render(const camera::Picture& picture, const Settings& settings,
                                          const ProgressCallback& progress = {},
                                          std::stop_token stop = {}) const;
 

@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "camera/arrange.hpp"
+
 namespace balcony::camera {
 
 ObjectVector operator-(const ObjectPoint& a, const ObjectPoint& b) {
@@ -179,11 +181,14 @@ RayExpressions with_picture_point(const RayExpressions& ray, const DevicePoint& 
 }  // namespace
 
 RayExpressions Camera::emit(Graph& graph, double width, double height) const {
-    Emitter emit(graph);
-    ArrangedPoint picture{{graph.picture_x(), graph.picture_y()},
-                          {graph.constant(width), graph.constant(height)}};
-    for (const PictureArrangerPointer& arranger : parts_->arrangers) {
-        picture = arranger->arrange(picture, emit);
+    return emit(whole_picture(graph, width, height));
+}
+
+RayExpressions Camera::emit(const ArrangedPoint& whole) const {
+    Emitter emit(whole.size.width.graph());
+    const ArrangedPoint picture = arranged(whole, parts_->arrangers, emit);
+    if (!parts_->arrangers.empty()) {
+        emit.require(inside(arranged(clamped(whole), parts_->arrangers, emit)));
     }
     RayExpressions ray =
         with_picture_point(ray_in_own_picture(*parts_, picture.size), picture.point);

@@ -27,7 +27,9 @@ Result<std::shared_ptr<const Stage>> as_stage(Result<std::shared_ptr<const Port>
 
 // Each family of stages stands in a file of its own with the rows of the catalogue that make them.
 // A new stage is a class and a row in its family's file; a new family is a line here as well.
-[[nodiscard]] std::vector<StageEntry> picture_arrangers();
+[[nodiscard]] std::vector<StageEntry> picture_affine();
+[[nodiscard]] std::vector<StageEntry> picture_warps();
+[[nodiscard]] std::vector<StageEntry> clip_shapes();
 [[nodiscard]] std::vector<StageEntry> picture_mappers();
 [[nodiscard]] std::vector<StageEntry> parameter_affine();
 [[nodiscard]] std::vector<StageEntry> local_zoom();
@@ -60,7 +62,9 @@ Result<std::shared_ptr<const Stage>> as_stage(Result<std::shared_ptr<const Port>
 [[nodiscard]] std::vector<StageEntry> blended_rule();
 
 inline constexpr auto families = {
-    picture_arrangers,
+    picture_affine,
+    picture_warps,
+    clip_shapes,
     picture_mappers,
     parameter_affine,
     local_zoom,

@@ -50,8 +50,15 @@ Result<camera::Camera> load_camera(const std::string& camera, const std::vector<
                   : Result<camera::Camera>(wanted.diagnostics);
 }
 
+Result<camera::Picture> load_picture(const std::string& picture,
+                                     const std::vector<std::string>& set) {
+    const Result<CameraArgument> wanted = read_camera(picture, set);
+    return wanted ? lang::load_picture(wanted->file, wanted->name, wanted->overrides)
+                  : Result<camera::Picture>(wanted.diagnostics);
+}
+
 void add_set_option(CLI::App& command, std::vector<std::string>& set) {
-    command.add_option("--set", set, "a parameter of the camera; may be repeated")
+    command.add_option("--set", set, "a parameter of the camera or picture; may be repeated")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false)
         ->take_all();

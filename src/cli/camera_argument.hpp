@@ -29,6 +29,10 @@ struct CameraArgument {
 [[nodiscard]] Result<camera::Camera> load_camera(const std::string& camera,
                                                  const std::vector<std::string>& set);
 
+/// The same of a picture, or of a camera as a picture.
+[[nodiscard]] Result<camera::Picture> load_picture(const std::string& picture,
+                                                   const std::vector<std::string>& set);
+
 /// --set NAME=VALUE, which may be repeated.
 void add_set_option(CLI::App& command, std::vector<std::string>& set);
 

@@ -1,6 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -97,6 +98,11 @@ Wishes read_wishes(const CheckOptions& options, Diagnostics& said) {
     return wishes;
 }
 
+std::size_t count_pictures(const std::vector<lang::CameraDescription>& all) {
+    return static_cast<std::size_t>(
+        std::count_if(all.begin(), all.end(), [](const auto& one) { return one.is_picture; }));
+}
+
 /// One run of the command: what it says to people or to programs grows as it goes.
 class Run {
 public:
@@ -146,20 +152,26 @@ private:
         const std::string file = camera_file(argument).string();
         const Diagnostics said = lang::check(file);
         const auto cameras = lang::describe(file);
-        const std::size_t count = cameras ? cameras->size() : 0;
+        const std::size_t pictures = cameras ? count_pictures(*cameras) : 0;
+        const std::size_t count = cameras ? cameras->size() - pictures : 0;
         nlohmann::json entry{{"file", file},
                              {"cameras", count},
+                             {"pictures", pictures},
                              {"good", !has_errors(said)},
                              {"reports", nlohmann::json::array()}};
         say(said);
         if (!has_errors(said)) {
-            tell(fmt::format("{}: {}, no errors\n", printable(file),
-                             counted(count, "camera", "cameras")));
+            tell(fmt::format("{}: {}{}, no errors\n", printable(file),
+                             counted(count, "camera", "cameras"),
+                             pictures > 0 ? ", " + counted(pictures, "picture", "pictures") : ""));
             if (argument != file) {
                 check_camera(argument, entry["reports"]);
             } else {
+                // A picture is as good as its cameras.
                 for (const lang::CameraDescription& camera : *cameras) {
-                    check_camera(file + ":" + camera.name, entry["reports"]);
+                    if (!camera.is_picture) {
+                        check_camera(file + ":" + camera.name, entry["reports"]);
+                    }
                 }
             }
         }

@@ -12,7 +12,7 @@
 
 namespace balcony::cli {
 
-Result<camera::Camera> default_camera(const scene::Scene& scene) {
+Result<camera::Picture> default_picture(const scene::Scene& scene) {
     // In the camera's axes: z up; the front of a y-up scene, its +z, is the camera's -y.
     const auto bounds = scene.bounds();
     const Imath::V3d middle(bounds.center());
@@ -31,13 +31,13 @@ Result<camera::Camera> default_camera(const scene::Scene& scene) {
     const double pitch = std::asin(-offset.z / distance);
     const auto number = [](double value) { return fmt::format("{}", value); };
     const auto angle = [](double value) { return fmt::format("{}rad", value); };
-    return lang::load_camera("pinhole", "pinhole",
-                             {{"fov", angle(2.0 * half_field)},
-                              {"px", number(eye.x)},
-                              {"py", number(eye.y)},
-                              {"pz", number(eye.z)},
-                              {"yaw", angle(yaw)},
-                              {"pitch", angle(pitch)}});
+    return lang::load_picture("pinhole", "pinhole",
+                              {{"fov", angle(2.0 * half_field)},
+                               {"px", number(eye.x)},
+                               {"py", number(eye.y)},
+                               {"pz", number(eye.z)},
+                               {"yaw", angle(yaw)},
+                               {"pitch", angle(pitch)}});
 }
 
 }  // namespace balcony::cli

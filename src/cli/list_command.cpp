@@ -119,7 +119,11 @@ nlohmann::json camera_json(const lang::CameraDescription& described) {
     for (const auto& parameter : described.parameters) {
         parameters.push_back({{"name", parameter.name}, {"default", parameter.default_text}});
     }
-    return {{"name", described.name}, {"comment", described.comment}, {"parameters", parameters}};
+    return {{"name", described.name},
+            {"kind", described.is_picture ? "picture" : "camera"},
+            {"comment", described.comment},
+            {"parameters", parameters},
+            {"layers", described.layers}};
 }
 
 std::string first_sentence(const std::string& comment) {
@@ -139,11 +143,15 @@ std::string camera_text(const lang::CameraDescription& described, bool whole) {
     for (const auto& parameter : described.parameters) {
         parameters.push_back(parameter.name + " = " + parameter.default_text);
     }
-    std::string text = fmt::format("{}({})\n", described.name, fmt::join(parameters, ", "));
+    std::string text = fmt::format("{}{}({})\n", described.is_picture ? "picture " : "",
+                                   described.name, fmt::join(parameters, ", "));
     std::istringstream comment(whole ? described.comment : first_sentence(described.comment));
     std::string line;
     while (std::getline(comment, line)) {
         text += line.empty() ? "\n" : fmt::format("    {}\n", line);
+    }
+    if (described.is_picture) {
+        text += fmt::format("    layers: {}\n", fmt::join(described.layers, ", "));
     }
     return text;
 }

@@ -85,33 +85,62 @@ Diagnostics check_inputs_kept(const RenderOptions& options, const scene::Scene& 
     return {};
 }
 
-/// Says where the camera has no ray, if anywhere.
-void describe_gaps(Outcome& outcome, const camera::Camera& camera, const render::Settings& settings,
+/// Says where a layer has no ray, if anywhere.
+void describe_gaps(Outcome& outcome, const render::Settings& settings,
                    const render::Summary& summary) {
-    if (summary.invalid_rays == 0) {
-        return;
+    const bool single = summary.layers.size() == 1;
+    for (const render::Summary::Layer& layer : summary.layers) {
+        const std::string what =
+            fmt::format("{} '{}'", single ? "camera" : "layer", printable(layer.name));
+        if (layer.invalid_rays == 0) {
+            continue;
+        }
+        if (layer.invalid_rays == layer.camera_rays) {
+            outcome.said.push_back(
+                warning(fmt::format("{} has no ray anywhere; {}", what,
+                                    single ? "the picture is empty" : "it does not show")));
+            continue;
+        }
+        const std::string pixels =
+            single ? fmt::format(" ({} of {} pixel centres)", summary.invalid_pixels,
+                                 settings.width * settings.height)
+                   : "";
+        outcome.said.push_back(
+            warning(fmt::format("{} has no ray at {} of {} picture points{}; they are transparent",
+                                what, layer.invalid_rays, layer.camera_rays, pixels)));
     }
-    if (summary.invalid_rays == summary.camera_rays) {
-        outcome.said.push_back(warning(
-            fmt::format("camera '{}' has no ray anywhere; the picture is empty", camera.name())));
-        return;
-    }
-    outcome.said.push_back(warning(fmt::format(
-        "camera '{}' has no ray at {} of {} picture points ({} of {} pixel centres); they are "
-        "transparent",
-        camera.name(), summary.invalid_rays, summary.camera_rays, summary.invalid_pixels,
-        settings.width * settings.height)));
 }
 
-void describe(Outcome& outcome, const fs::path& output, const camera::Camera& camera,
+nlohmann::json layers_json(const render::Summary& summary) {
+    nlohmann::json layers = nlohmann::json::array();
+    for (const render::Summary::Layer& layer : summary.layers) {
+        layers.push_back({{"name", layer.name},
+                          {"rays", layer.camera_rays},
+                          {"invalid_rays", layer.invalid_rays}});
+    }
+    return layers;
+}
+
+// A line for each layer of a picture that has several.
+std::string layers_text(const render::Summary& summary) {
+    std::string text;
+    for (const render::Summary::Layer& layer : summary.layers) {
+        text += fmt::format("  layer {:<20} {} rays\n", printable(layer.name),
+                            count_text(static_cast<double>(layer.camera_rays)));
+    }
+    return summary.layers.size() > 1 ? text : "";
+}
+
+void describe(Outcome& outcome, const fs::path& output, const camera::Picture& picture,
               const render::Settings& settings, const render::Summary& summary) {
-    describe_gaps(outcome, camera, settings, summary);
+    describe_gaps(outcome, settings, summary);
     if (summary.repaired > 0) {
         outcome.said.push_back(warning(
             fmt::format("{} samples had no finite colour and count as black", summary.repaired)));
     }
     outcome.facts = {{"output", nullptr},
-                     {"camera", camera.name()},
+                     {"camera", picture.name()},
+                     {"layers", layers_json(summary)},
                      {"width", settings.width},
                      {"height", settings.height},
                      {"passes", summary.passes},
@@ -126,8 +155,9 @@ void describe(Outcome& outcome, const fs::path& output, const camera::Camera& ca
     outcome.sentence = fmt::format(
         "{}{}: {} x {} pixels through '{}', {}, {} rays in {}\n",
         summary.interrupted ? "interrupted; what was done is in " : "", printable(output.string()),
-        settings.width, settings.height, camera.name(), counted(summary.passes, "pass", "passes"),
+        settings.width, settings.height, picture.name(), counted(summary.passes, "pass", "passes"),
         count_text(static_cast<double>(summary.camera_rays)), duration_text(summary.seconds));
+    outcome.sentence += layers_text(summary);
 }
 
 bool has_samples(const render::Film& film) {
@@ -137,41 +167,40 @@ bool has_samples(const render::Film& film) {
 
 /// Renders and writes. A first signal stops the rendering, not the writing.
 Outcome make_picture(Outcome outcome, const RenderOptions& options,
-                     const render::Renderer& renderer, const camera::Camera& camera,
+                     const render::Renderer& renderer, const camera::Picture& picture,
                      const render::Settings& settings, const fs::path& output,
                      std::optional<double> asked_exposure) {
     const Job job;
-    Result<render::Picture> picture;
+    Result<render::Picture> made;
     {
         ProgressDisplay display(options.quiet || options.json);
-        picture = renderer.render(
-            camera, settings, [&](const render::Progress& progress) { display.show(progress); },
+        made = renderer.render(
+            picture, settings, [&](const render::Progress& progress) { display.show(progress); },
             job.token());
     }
-    add(outcome, picture.diagnostics);
-    if (!picture) {
+    add(outcome, made.diagnostics);
+    if (!made) {
         return fail(std::move(outcome), ExitCode::bad_input);
     }
-    describe(outcome, output, camera, settings, picture->summary);
-    if (!has_samples(picture->film)) {
+    describe(outcome, output, picture, settings, made->summary);
+    if (!has_samples(made->film)) {
         outcome.sentence = "interrupted before there was anything to save\n";
         return fail(std::move(outcome), ExitCode::interrupted);
     }
-    const double exposure = asked_exposure ? *asked_exposure
-                            : ending_of(output) == ".png"
-                                ? render::automatic_exposure(picture->film)
-                                : 0.0;
+    const double exposure = asked_exposure                ? *asked_exposure
+                            : ending_of(output) == ".png" ? render::automatic_exposure(made->film)
+                                                          : 0.0;
     outcome.facts["exposure"] = exposure;
     if (!asked_exposure && exposure != 0.0) {
         outcome.sentence +=
             fmt::format("  exposure {:+} stops, to suit the light; --exposure sets it\n", exposure);
     }
-    const Diagnostics written = render::write(picture->film, output, {.exposure = exposure});
+    const Diagnostics written = render::write(made->film, output, {.exposure = exposure});
     if (has_errors(written)) {
         return fail(std::move(outcome), ExitCode::environment, written);
     }
     outcome.facts["output"] = output.string();
-    outcome.code = picture->summary.interrupted ? ExitCode::interrupted : ExitCode::done;
+    outcome.code = made->summary.interrupted ? ExitCode::interrupted : ExitCode::done;
     return outcome;
 }
 
@@ -194,10 +223,10 @@ Outcome render_picture(const RenderOptions& options) {
     settings.data_layers = ending_of(output) == ".exr";
 
     // A named camera takes no time and its mistakes should not wait for a large scene.
-    Result<camera::Camera> camera;
+    Result<camera::Picture> picture;
     if (!options.camera.empty()) {
-        camera = load_camera(options.camera, options.set);
-        add(outcome, camera.diagnostics);
+        picture = load_picture(options.camera, options.set);
+        add(outcome, picture.diagnostics);
     }
     if (has_errors(outcome.said)) {
         return fail(std::move(outcome), ExitCode::bad_input);
@@ -212,16 +241,17 @@ Outcome render_picture(const RenderOptions& options) {
     }
     const auto shared = std::make_shared<const scene::Scene>(std::move(*scene));
     if (options.camera.empty()) {
-        camera = default_camera(*shared);
-        add(outcome, camera.diagnostics);
+        picture = default_picture(*shared);
+        add(outcome, picture.diagnostics);
     }
     const auto renderer = render::Renderer::make(shared);
     add(outcome, renderer.diagnostics);
-    if (!camera || !renderer) {
+    if (!picture || !renderer) {
         return fail(std::move(outcome), ExitCode::bad_input);
     }
-    std::tie(settings.width, settings.height) = size.resolve(camera->parts().aspect);
-    return make_picture(std::move(outcome), options, *renderer, *camera, settings, output,
+    std::tie(settings.width, settings.height) =
+        size.resolve(picture->parts().aspect, picture->parts().size);
+    return make_picture(std::move(outcome), options, *renderer, *picture, settings, output,
                         exposure);
 }
 
@@ -242,7 +272,7 @@ ExitCode render_command(const RenderOptions& options) {
 void add_picture_options(CLI::App& command, RenderOptions& options) {
     command
         .add_option("--size", options.size,
-                    "in pixels (default: about a million in the camera's proportion)")
+                    "in pixels (default: the picture's own, or about a million in its proportion)")
         ->type_name("WIDTH[xHEIGHT]");
     command.add_option("-s,--samples", options.samples, "rays a pixel")
         ->type_name("COUNT")
@@ -276,9 +306,10 @@ void add_render_command(CLI::App& app, ExitCode& code) {
     const auto options = std::make_shared<RenderOptions>();
     command->add_option("SCENE", options->scene, "a scene file (.glb, .gltf, .obj)")->required();
     command
-        ->add_option("-c,--camera", options->camera,
-                     "a camera file or its camera NAME (the last if not said), or a camera of "
-                     "'balcony list cameras' (default: a pinhole that sees all)")
+        ->add_option(
+            "-c,--camera", options->camera,
+            "a camera file or its camera or picture NAME (the last if not said), or a camera of "
+            "'balcony list cameras' (default: a pinhole that sees all)")
         ->type_name("FILE[:NAME]");
     add_set_option(*command, options->set);
     command->add_option("--time", options->time, "the t of the camera's formulas")

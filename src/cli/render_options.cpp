@@ -88,7 +88,11 @@ std::optional<double> read_exposure(const RenderOptions& options, Diagnostics& s
         fmt::format("give auto, or stops from -{0} to {0}, such as -1.5", most_stops), said);
 }
 
-std::pair<std::size_t, std::size_t> PictureSize::resolve(double aspect) const {
+std::pair<std::size_t, std::size_t> PictureSize::resolve(
+    double aspect, std::optional<std::array<std::size_t, 2>> own) const {
+    if (!width && own) {
+        return {(*own)[0], (*own)[1]};
+    }
     constexpr double default_pixels = 1280.0 * 720.0;
     const auto side = [](double pixels) {
         return static_cast<std::size_t>(

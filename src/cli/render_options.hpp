@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -41,9 +42,10 @@ struct PictureSize {
     std::optional<std::size_t> width;
     std::optional<std::size_t> height;
 
-    /// Width and height, with what is not said from the camera's proportion (width by height);
-    /// about a million pixels where nothing is.
-    [[nodiscard]] std::pair<std::size_t, std::size_t> resolve(double aspect) const;
+    /// Width and height. Where nothing is said they are the picture's own, if it has a size, else
+    /// about a million pixels; what else is not said follows from the picture's proportion.
+    [[nodiscard]] std::pair<std::size_t, std::size_t> resolve(
+        double aspect, std::optional<std::array<std::size_t, 2>> own = {}) const;
 };
 
 /// WIDTHxHEIGHT, WIDTH or nothing.

@@ -4,68 +4,19 @@
 #include "lang/build_camera.hpp"
 
 #include <algorithm>
-#include <map>
 
 #include <fmt/format.h>
 
 #include "lang/camera_scope.hpp"
 #include "lang/keywords.hpp"
 #include "lang/stages.hpp"
+#include "lang/statements.hpp"
 
 namespace balcony::lang {
 
 namespace {
 
 using camera::StageKind;
-
-// A statement of which there is one at most in a camera or a block.
-bool stands_once(StatementKind kind) {
-    return kind != StatementKind::let && kind != StatementKind::warp &&
-           kind != StatementKind::move && kind != StatementKind::place &&
-           kind != StatementKind::unknown;
-}
-
-// The statements of a camera or of a block of eye or toward.
-class Statements {
-public:
-    Statements(const SyntaxTree& tree, const std::vector<Statement>& all, Reporter& reporter)
-        : all_(all) {
-        for (const Statement& statement : all) {
-            const auto [earlier, is_first] = first_.emplace(statement.kind, &statement);
-            if (!is_first && stands_once(statement.kind)) {
-                const std::string_view word = keyword(statement.kind);
-                Diagnostic diagnostic = error(fmt::format("'{}' stands here a second time", word),
-                                              tree.at(statement.keyword), "remove one of the two");
-                diagnostic.notes.push_back(
-                    {tree.at(earlier->second->keyword), fmt::format("the first '{}'", word)});
-                reporter.add(std::move(diagnostic));
-            }
-        }
-    }
-
-    /// The first of a kind, unless it is broken; null if there is none.
-    [[nodiscard]] const Statement* find(StatementKind kind) const {
-        const auto found = first_.find(kind);
-        return found == first_.end() || found->second->broken ? nullptr : found->second;
-    }
-    /// Whether one is missing, not merely broken or unrecognisable.
-    [[nodiscard]] bool lacks(StatementKind kind) const {
-        return !first_.contains(kind) && !first_.contains(StatementKind::unknown);
-    }
-    [[nodiscard]] std::vector<ExpressionId> stages(StatementKind kind) const {
-        std::vector<ExpressionId> calls;
-        for (const Statement& statement : all_) {
-            if (statement.kind == kind && !statement.broken) {
-                calls.insert(calls.end(), statement.stages.begin(), statement.stages.end());
-            }
-        }
-        return calls;
-    }
-
-private:
-    const std::vector<Statement>& all_;
-    std::map<StatementKind, const Statement*> first_;
-};
 
 class CameraBuilder {
 public:
@@ -80,8 +31,7 @@ public:
         const std::size_t errors_before = reporter_.error_count();
         camera::Camera::Parts parts;
         parts.name = std::string(camera_.name.text);
-        parts.arrangers = list<camera::PictureArranger>(statements_, StatementKind::place,
-                                                        StageKind::picture_arranger);
+        parts.arrangers = make_arrangers(camera_.statements, stages_);
         aspect(parts);
         axes(parts);
         shared_.mapper = mapper(statements_);
@@ -117,12 +67,7 @@ private:
         if (statement == nullptr) {
             return;
         }
-        const auto value = stages_.constant(statement->value, "the aspect of a camera");
-        if (value && !(*value > 0.0)) {
-            error(tree_[statement->value].span,
-                  fmt::format("the aspect of a camera must be above 0, but is {:.6g}", *value),
-                  "it is the width of the picture divided by its height, such as 16/9");
-        } else if (value) {
+        if (const auto value = stages_.aspect(statement->value, "a camera")) {
             parts.aspect = *value;
         }
     }
@@ -333,16 +278,15 @@ private:
 
 }  // namespace
 
-std::optional<camera::Camera> build_camera(const CameraPlace& place,
-                                           const std::vector<Override>& overrides,
-                                           Session& session) {
+std::optional<camera::Camera> build_camera(const CameraPlace& place, const GivenParameters& given,
+                                           Session& session, bool warn_of_unused) {
     const std::size_t errors_before = session.reporter().error_count();
-    CameraScope scope(place, overrides, session);
+    CameraScope scope(place, given, session);
     std::optional<camera::Camera> made = CameraBuilder(place, scope.names(), session).run();
     if (session.reporter().error_count() > errors_before) {
         return std::nullopt;
     }
-    if (session.reporter().error_count() == 0) {
+    if (warn_of_unused && session.reporter().error_count() == 0) {
         scope.warn_of_unused();
     }
     return made;

@@ -3,17 +3,21 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
-#include "balcony/camera.hpp"
-#include "balcony/lang.hpp"
-#include "lang/session.hpp"
+#include "balcony/picture.hpp"
+#include "lang/camera_scope.hpp"
 
 namespace balcony::lang {
 
 /// Makes a camera from its syntax and reports what is wrong with it; nothing if there is an error.
+/// What is not used is warned of if asked for.
 [[nodiscard]] std::optional<camera::Camera> build_camera(const CameraPlace& place,
-                                                         const std::vector<Override>& overrides,
-                                                         Session& session);
+                                                         const GivenParameters& given,
+                                                         Session& session, bool warn_of_unused);
+
+/// The same of a picture; of a camera the picture that shows it alone.
+[[nodiscard]] std::optional<camera::Picture> build_picture(const CameraPlace& place,
+                                                           const GivenParameters& given,
+                                                           Session& session);
 
 }  // namespace balcony::lang

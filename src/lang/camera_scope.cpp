@@ -11,13 +11,18 @@
 
 namespace balcony::lang {
 
-CameraScope::CameraScope(const CameraPlace& place, const std::vector<Override>& overrides,
-                         Session& session)
+std::string_view word_for(const CameraSyntax& camera) {
+    return camera.is_picture ? "picture" : "camera";
+}
+
+CameraScope::CameraScope(const CameraPlace& place, const GivenParameters& given, Session& session)
     : place_(place),
       tree_(place.module->tree),
       session_(session),
-      scope_(place.module->scope.get()) {
-    read_overrides(overrides);
+      scope_(place.module->scope.get()),
+      values_(given.values) {
+    read_overrides(given.overrides);
+    check_names(given.values);
     std::vector<const Statement*> lets;
     for (const Statement& statement : place.camera->statements) {
         if (statement.kind == StatementKind::let) {
@@ -32,20 +37,17 @@ CameraScope::CameraScope(const CameraPlace& place, const std::vector<Override>& 
 }
 
 void CameraScope::read_overrides(const std::vector<Override>& overrides) {
-    std::vector<std::string> known;
-    for (const CameraParameter& parameter : place_.camera->parameters) {
-        known.emplace_back(parameter.name.text);
-    }
+    const std::vector<std::string> known = parameter_names();
     for (const Override& given : overrides) {
         const auto source = std::make_shared<const SourceText>(
             "--set", fmt::format("{}={}", given.name, given.expression));
         if (std::find(known.begin(), known.end(), given.name) == known.end()) {
-            session_.reporter().error({source, 0, given.name.size()},
-                                      fmt::format("the camera '{}' has no parameter '{}'",
-                                                  place_.camera->name.text, given.name),
-                                      known.empty()
-                                          ? "it has no parameters"
-                                          : suggestion(given.name, known, "its parameters are"));
+            session_.reporter().error(
+                {source, 0, given.name.size()},
+                fmt::format("the {} '{}' has no parameter '{}'", word_for(*place_.camera),
+                            place_.camera->name.text, given.name),
+                known.empty() ? "it has no parameters"
+                              : suggestion(given.name, known, "its parameters are"));
             continue;
         }
         const std::size_t errors_before = session_.reporter().error_count();
@@ -53,6 +55,28 @@ void CameraScope::read_overrides(const std::vector<Override>& overrides) {
         const bool good = session_.reporter().error_count() == errors_before;
         const std::string_view name = tree.source->text().substr(0, given.name.size());
         given_.push_back({name, good ? &tree : nullptr});
+    }
+}
+
+std::vector<std::string> CameraScope::parameter_names() const {
+    std::vector<std::string> names;
+    for (const CameraParameter& parameter : place_.camera->parameters) {
+        names.emplace_back(parameter.name.text);
+    }
+    return names;
+}
+
+void CameraScope::check_names(const std::vector<ParameterValue>& values) {
+    const std::vector<std::string> known = parameter_names();
+    for (const ParameterValue& value : values) {
+        if (std::find(known.begin(), known.end(), value.name.text) == known.end()) {
+            session_.reporter().error(
+                value.name_place,
+                fmt::format("the {} '{}' has no parameter '{}'", word_for(*place_.camera),
+                            place_.camera->name.text, value.name.text),
+                known.empty() ? "it has no parameters"
+                              : suggestion(value.name.text, known, "its parameters are"));
+        }
     }
 }
 
@@ -80,6 +104,12 @@ void CameraScope::define_parameter(const CameraParameter& parameter) {
     if (given != given_.rend()) {
         value = overridden(*given, value, name);
     }
+    const auto passed =
+        std::find_if(values_.begin(), values_.end(),
+                     [name](const ParameterValue& one) { return one.name.text == name; });
+    if (passed != values_.end()) {
+        value = checked(passed->value, passed->value_place, value, name);
+    }
     const SourceSpan place = tree_.at(parameter.name.span);
     if (!scope_.define(name, {value, place, "parameter", false})) {
         report_duplicate(parameter.name, place, scope_.find_here(name)->place, session_.reporter());
@@ -93,10 +123,15 @@ Value CameraScope::overridden(const Given& given, const Value& default_value,
     }
     const ExpressionId id(given.tree->expressions.size() - 1);
     const Value value = evaluate(*given.tree, id, scope_, *session_.graph(), session_.reporter());
+    return checked(value, given.tree->at((*given.tree)[id].span), default_value, name);
+}
+
+// A value whose unit is that of the default; a failed one if it is not, which is reported.
+Value CameraScope::checked(const Value& value, const SourceSpan& span, const Value& default_value,
+                           std::string_view name) {
     if (value.failed() || default_value.failed()) {
         return value;
     }
-    const SourceSpan span = given.tree->at((*given.tree)[id].span);
     if (default_value.is_angle() && value.is_plain_number()) {
         session_.reporter().error(span,
                                   fmt::format("'{}' is an angle, but this is a plain number", name),

@@ -29,6 +29,7 @@ struct PipelineRow {
 };
 constexpr std::array pipeline = {
     PipelineRow{StatementKind::place, StageKind::picture_arranger},
+    PipelineRow{StatementKind::arrange, StageKind::picture_arranger},
     PipelineRow{StatementKind::map, StageKind::picture_mapper},
     PipelineRow{StatementKind::warp, StageKind::parameter_transformer},
     PipelineRow{StatementKind::object, StageKind::object_generator},
@@ -70,6 +71,9 @@ private:
         }
         if (statement.kind == StatementKind::map) {
             step.meanings = map_meanings(statement);
+        } else if (statement.kind == StatementKind::place) {
+            const camera::StageEntry& row = *find_row(kind, "place");
+            step.meanings.push_back(fmt::format("{}: {}", row.name, row.meaning));
         }
         for (const ExpressionId call : statement.stages) {
             stage_meanings(call, kind, step.meanings);
@@ -173,7 +177,7 @@ Explanation explain_camera(const CameraPlace& place, const camera::Camera& camer
     Explanation made;
     made.name = camera.name();
     made.summary = summary_of(camera);
-    CameraScope scope(place, overrides, session);
+    CameraScope scope(place, {overrides, {}}, session);
     for (const CameraParameter& parameter : place.camera->parameters) {
         made.parameters.push_back({std::string(parameter.name.text),
                                    value_text(scope.names().find(parameter.name.text)->value)});

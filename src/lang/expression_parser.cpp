@@ -310,7 +310,7 @@ std::optional<ExpressionId> ExpressionParser::stage(std::string_view what) {
 // A plain name on the same line that does not open the next statement.
 bool ExpressionParser::at_word() const {
     return tokens_.peek().kind == TokenKind::name && !tokens_.at_new_line() &&
-           find_keyword(tokens_.peek()) == nullptr && !is_file_keyword(tokens_.peek()) &&
+           find_keyword(tokens_.peek(), false) == nullptr && !is_file_keyword(tokens_.peek()) &&
            !tokens_.peek(1).is("(") && !tokens_.peek(1).is("=");
 }
 

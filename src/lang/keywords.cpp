@@ -10,27 +10,42 @@ namespace balcony::lang {
 
 namespace {
 
-constexpr std::array<Keyword, 11> rows = {{{StatementKind::let, "let", false, true},
-                                           {StatementKind::aspect, "aspect", false, true},
-                                           {StatementKind::axes, "axes", false, true},
-                                           {StatementKind::map, "map", true, true},
-                                           {StatementKind::eye, "eye", false, true},
-                                           {StatementKind::toward, "toward", false, true},
-                                           {StatementKind::object, "object", true, false},
-                                           {StatementKind::warp, "warp", true, true},
-                                           {StatementKind::move, "move", true, true},
-                                           {StatementKind::look, "look", false, true},
-                                           {StatementKind::place, "place", false, true}}};
+constexpr std::uint8_t in_camera = static_cast<std::uint8_t>(Block::camera);
+constexpr std::uint8_t in_path = static_cast<std::uint8_t>(Block::path);
+constexpr std::uint8_t in_pictures = static_cast<std::uint8_t>(Block::picture);
+constexpr std::uint8_t in_layer = static_cast<std::uint8_t>(Block::layer);
 
-constexpr std::array<std::string_view, 2> file_words = {"import", "camera"};
+constexpr std::array rows = {Keyword{StatementKind::let, "let", in_camera | in_pictures},
+                             Keyword{StatementKind::aspect, "aspect", in_camera | in_pictures},
+                             Keyword{StatementKind::axes, "axes", in_camera},
+                             Keyword{StatementKind::map, "map", in_camera | in_path},
+                             Keyword{StatementKind::eye, "eye", in_camera},
+                             Keyword{StatementKind::toward, "toward", in_camera},
+                             Keyword{StatementKind::object, "object", in_path},
+                             Keyword{StatementKind::warp, "warp", in_camera | in_path},
+                             Keyword{StatementKind::move, "move", in_camera | in_path},
+                             Keyword{StatementKind::look, "look", in_camera},
+                             Keyword{StatementKind::place, "place", in_camera | in_layer},
+                             Keyword{StatementKind::arrange, "arrange", in_camera | in_layer},
+                             Keyword{StatementKind::layer, "layer", in_pictures},
+                             Keyword{StatementKind::clip, "clip", in_layer},
+                             Keyword{StatementKind::soft, "soft", in_layer},
+                             Keyword{StatementKind::alpha, "alpha", in_layer},
+                             Keyword{StatementKind::blend, "blend", in_layer},
+                             Keyword{StatementKind::frame, "frame", in_layer},
+                             Keyword{StatementKind::leader, "leader", in_layer}};
+
+constexpr std::array<std::string_view, 3> file_words = {"import", "camera", "picture"};
 
 }  // namespace
 
 std::span<const Keyword> keywords() { return rows; }
 
-const Keyword* find_keyword(const Token& token) {
+const Keyword* find_keyword(const Token& token, bool in_picture) {
+    const auto here =
+        static_cast<std::uint8_t>(in_picture ? in_pictures | in_layer : in_camera | in_path);
     for (const Keyword& row : rows) {
-        if (token.is_name(row.text)) {
+        if ((row.blocks & here) != 0 && token.is_name(row.text)) {
             return &row;
         }
     }
@@ -42,10 +57,10 @@ bool is_file_keyword(const Token& token) {
                        [&token](std::string_view word) { return token.is_name(word); });
 }
 
-std::vector<std::string> keywords_for(bool in_path) {
+std::vector<std::string> keywords_for(Block block) {
     std::vector<std::string> names;
     for (const Keyword& row : rows) {
-        if (in_path ? row.in_path : row.in_camera) {
+        if (row.stands_in(block)) {
             names.emplace_back(row.text);
         }
     }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,20 +12,32 @@
 
 namespace balcony::lang {
 
-/// A word that opens a statement, and where it may stand.
+/// What statements stand in.
+enum class Block : std::uint8_t {
+    camera = 1,
+    path = 2,  ///< eye { ... } and toward { ... }
+    picture = 4,
+    layer = 8,
+};
+
+/// A word that opens a statement, and where it may stand: a set of Blocks.
 struct Keyword {
     StatementKind kind;
     std::string_view text;
-    bool in_path;    ///< In eye { ... } and toward { ... }.
-    bool in_camera;  ///< In a camera itself.
+    std::uint8_t blocks;
+
+    [[nodiscard]] constexpr bool stands_in(Block block) const {
+        return (blocks & static_cast<std::uint8_t>(block)) != 0;
+    }
 };
 
 [[nodiscard]] std::span<const Keyword> keywords();
-/// The row of a token; null if it is no such word.
-[[nodiscard]] const Keyword* find_keyword(const Token& token);
-/// Whether a token is import or camera.
+/// The row of a token that opens a statement in a camera and its paths, or in a picture and its
+/// layers; null if it does not.
+[[nodiscard]] const Keyword* find_keyword(const Token& token, bool in_picture);
+/// Whether a token is import, camera or picture.
 [[nodiscard]] bool is_file_keyword(const Token& token);
-[[nodiscard]] std::vector<std::string> keywords_for(bool in_path);
+[[nodiscard]] std::vector<std::string> keywords_for(Block block);
 /// How a statement is written; empty for an unknown one.
 [[nodiscard]] std::string_view keyword(StatementKind kind);
 

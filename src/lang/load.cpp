@@ -16,7 +16,7 @@ namespace balcony::lang {
 
 namespace {
 
-// A file without a camera is an error wherever a camera is wanted.
+// A file without a camera is an error wherever one is wanted.
 bool require_cameras(const Module& module, Reporter& reporter) {
     if (!own_cameras(module).empty() || reporter.error_count() > 0) {
         return !own_cameras(module).empty();
@@ -43,8 +43,9 @@ const CameraPlace* choose(const std::vector<CameraPlace>& cameras, std::string_v
         }
         known.emplace_back(place.camera->name.text);
     }
-    reporter.error({}, fmt::format("'{}' has no camera '{}'", module.tree.source->name(), name),
-                   suggestion(name, known, "its cameras are"));
+    reporter.error(
+        {}, fmt::format("'{}' has no camera or picture '{}'", module.tree.source->name(), name),
+        suggestion(name, known, "it has"));
     return nullptr;
 }
 
@@ -66,33 +67,62 @@ void warn_of_unused_lets(const Module& module, Reporter& reporter) {
     }
 }
 
-// The camera that is meant; an empty name means the file's last one. Nothing, with the reason
-// reported, if there is none.
-std::optional<CameraPlace> find(const Module* module, std::string_view name, Reporter& reporter) {
+// What is meant; an empty name means the file's last one, of the cameras if one is wanted and there
+// is one. Nothing, with the reason reported, if there is none.
+std::optional<CameraPlace> find(const Module* module, std::string_view name, bool camera_wanted,
+                                Reporter& reporter) {
     if (module == nullptr || (name.empty() && !require_cameras(*module, reporter))) {
         return std::nullopt;
     }
     if (name.empty()) {
-        return own_cameras(*module).back();
+        const std::vector<CameraPlace> own = own_cameras(*module);
+        const auto last =
+            std::find_if(own.rbegin(), own.rend(), [camera_wanted](const CameraPlace& place) {
+                return !camera_wanted || !place.camera->is_picture;
+            });
+        return last != own.rend() ? *last : own.back();
     }
     const std::vector<CameraPlace> visible = visible_cameras(*module);
     const CameraPlace* place = choose(visible, name, *module, reporter);
     return place != nullptr ? std::optional(*place) : std::nullopt;
 }
 
-Result<camera::Camera> make(Session& session, const Module* module, std::string_view name,
-                            const std::vector<Override>& overrides) {
-    Reporter& reporter = session.reporter();
-    const std::optional<CameraPlace> place = find(module, name, reporter);
-    std::optional<camera::Camera> made =
-        place ? build_camera(*place, overrides, session) : std::nullopt;
+std::optional<CameraPlace> find_camera(const Module* module, std::string_view name,
+                                       Reporter& reporter) {
+    const std::optional<CameraPlace> place = find(module, name, true, reporter);
+    if (place && place->camera->is_picture) {
+        const Identifier& found = place->camera->name;
+        reporter.error(place->module->tree.at(found.span),
+                       fmt::format("'{}' is a picture, but a camera is wanted", found.text),
+                       "name a camera, such as one of its layers");
+        return std::nullopt;
+    }
+    return place;
+}
+
+// What was made of a place, with what there is to say.
+template <class Made>
+Result<Made> finish(std::optional<Made> made, const Module* module, Reporter& reporter) {
     const bool failed = reporter.error_count() > 0;
     if (!failed) {
         warn_of_unused_lets(*module, reporter);
     }
     Diagnostics said = reporter.take();
-    return failed ? Result<camera::Camera>(std::move(said))
-                  : Result<camera::Camera>(std::move(*made), std::move(said));
+    return failed ? Result<Made>(std::move(said)) : Result<Made>(std::move(*made), std::move(said));
+}
+
+Result<camera::Camera> make_camera(Session& session, const Module* module, std::string_view name,
+                                   const std::vector<Override>& overrides) {
+    const auto place = find_camera(module, name, session.reporter());
+    return finish(place ? build_camera(*place, {overrides, {}}, session, true) : std::nullopt,
+                  module, session.reporter());
+}
+
+Result<camera::Picture> make_picture(Session& session, const Module* module, std::string_view name,
+                                     const std::vector<Override>& overrides) {
+    const auto place = find(module, name, false, session.reporter());
+    return finish(place ? build_picture(*place, {overrides, {}}, session) : std::nullopt, module,
+                  session.reporter());
 }
 
 // A comment as text: without its marks, and without the space behind // of each line.
@@ -137,6 +167,12 @@ CameraDescription description_of(const SyntaxTree& tree, const CameraSyntax& cam
     CameraDescription made;
     made.name = std::string(camera.name.text);
     made.comment = comment_above(tree, camera.span.begin);
+    made.is_picture = camera.is_picture;
+    for (const Statement& statement : camera.statements) {
+        if (statement.kind == StatementKind::layer && !statement.broken) {
+            made.layers.emplace_back(tree[statement.stages.front()].name.text);
+        }
+    }
     for (const CameraParameter& parameter : camera.parameters) {
         made.parameters.push_back({std::string(parameter.name.text),
                                    std::string(tree.text(tree[parameter.default_value].span))});
@@ -162,22 +198,36 @@ Result<std::vector<CameraDescription>> describe(const std::filesystem::path& fil
 Result<camera::Camera> load_camera(const std::filesystem::path& file, std::string_view name,
                                    const std::vector<Override>& overrides) {
     Session session;
-    return make(session, session.load(file), name, overrides);
+    return make_camera(session, session.load(file), name, overrides);
 }
 
 Result<camera::Camera> make_camera(std::shared_ptr<const SourceText> source, std::string_view name,
                                    const std::vector<Override>& overrides,
                                    const std::filesystem::path& folder) {
     Session session;
-    return make(session, session.load(std::move(source), folder), name, overrides);
+    return make_camera(session, session.load(std::move(source), folder), name, overrides);
+}
+
+Result<camera::Picture> load_picture(const std::filesystem::path& file, std::string_view name,
+                                     const std::vector<Override>& overrides) {
+    Session session;
+    return make_picture(session, session.load(file), name, overrides);
+}
+
+Result<camera::Picture> make_picture(std::shared_ptr<const SourceText> source,
+                                     std::string_view name, const std::vector<Override>& overrides,
+                                     const std::filesystem::path& folder) {
+    Session session;
+    return make_picture(session, session.load(std::move(source), folder), name, overrides);
 }
 
 Result<Explanation> explain(const std::filesystem::path& file, std::string_view name,
                             const std::vector<Override>& overrides) {
     Session session;
-    const std::optional<CameraPlace> place = find(session.load(file), name, session.reporter());
+    const std::optional<CameraPlace> place =
+        find_camera(session.load(file), name, session.reporter());
     const std::optional<camera::Camera> made =
-        place ? build_camera(*place, overrides, session) : std::nullopt;
+        place ? build_camera(*place, {overrides, {}}, session, true) : std::nullopt;
     if (session.reporter().error_count() > 0) {
         return session.reporter().take();
     }
@@ -190,7 +240,7 @@ Diagnostics check(const std::filesystem::path& file) {
     const Module* module = session.load(file);
     if (module != nullptr && require_cameras(*module, session.reporter())) {
         for (const CameraPlace& place : own_cameras(*module)) {
-            (void)build_camera(place, {}, session);
+            (void)build_picture(place, {}, session);
         }
     }
     if (module != nullptr && session.reporter().error_count() == 0) {

@@ -3,21 +3,16 @@
 
 #include "lang/parser.hpp"
 
-#include <algorithm>
-#include <array>
-
 #include <fmt/format.h>
 
 #include "lang/expression_parser.hpp"
 #include "lang/keywords.hpp"
+#include "lang/statement_parser.hpp"
 #include "lang/token_stream.hpp"
 
 namespace balcony::lang {
 
 namespace {
-
-// Names that mean something everywhere.
-constexpr std::array<std::string_view, 2> constants = {"pi", "t"};
 
 class Parser {
 public:
@@ -25,6 +20,7 @@ public:
         : tree_(tree),
           tokens_(tree.source, read_tokens(tree, reporter), reporter),
           expressions_(tokens_, tree.expressions),
+          statements_(tokens_, expressions_, reporter),
           reporter_(reporter) {}
 
     void file() {
@@ -33,8 +29,8 @@ public:
             if (token.is_name("import")) {
                 import();
             } else if (token.is_name("let")) {
-                tree_.items.emplace_back(statement(false));
-            } else if (token.is_name("camera")) {
+                tree_.items.emplace_back(statements_.statement(Block::camera));
+            } else if (token.is_name("camera") || token.is_name("picture")) {
                 camera();
             } else {
                 stray_item();
@@ -69,16 +65,19 @@ private:
 
     void stray_item() {
         const Token& token = tokens_.peek();
-        const Keyword* statement_keyword = find_keyword(token);
+        const bool opens_statement =
+            find_keyword(token, false) != nullptr || find_keyword(token, true) != nullptr;
         const bool camera_follows = looks_like_camera();
-        if (statement_keyword != nullptr) {
-            tokens_.error(token.span, fmt::format("'{}' stands outside of any camera", token.text),
+        if (opens_statement) {
+            tokens_.error(token.span,
+                          fmt::format("'{}' stands outside of any camera or picture", token.text),
                           "put it between the braces of camera name { ... }");
         } else if (token.kind == TokenKind::name) {
-            tokens_.expected("'import', 'let' or 'camera'",
-                             suggestion(token.text, {"import", "let", "camera"}, "write"));
+            tokens_.expected(
+                "'import', 'let', 'camera' or 'picture'",
+                suggestion(token.text, {"import", "let", "camera", "picture"}, "write"));
         } else {
-            tokens_.expected("'import', 'let' or 'camera'");
+            tokens_.expected("'import', 'let', 'camera' or 'picture'");
         }
         if (camera_follows) {
             camera();
@@ -97,7 +96,7 @@ private:
     [[nodiscard]] bool looks_like_camera() const {
         return tokens_.peek().kind == TokenKind::name && tokens_.peek(1).kind == TokenKind::name &&
                (tokens_.peek(2).is("{") || tokens_.peek(2).is("(")) &&
-               find_keyword(tokens_.peek()) == nullptr;
+               find_keyword(tokens_.peek(), false) == nullptr;
     }
 
     void import() {
@@ -122,54 +121,54 @@ private:
         }
     }
 
-    // A name that is being defined. One that is taken is reported and read all the same.
-    std::optional<Identifier> new_name(std::string_view what) {
-        const Token& token = tokens_.peek();
-        const bool constant =
-            std::find(constants.begin(), constants.end(), token.text) != constants.end();
-        const bool opens_statement = find_keyword(token) != nullptr || is_file_keyword(token);
-        const Token& after = tokens_.peek(1);
-        const bool meant_as_name = after.is("=") || after.is("{") || after.is("(");
-        if (token.kind != TokenKind::name || (opens_statement && !meant_as_name)) {
-            tokens_.expected(what);
-            return std::nullopt;
-        }
-        if (constant || opens_statement) {
-            tokens_.error(token.span,
-                          fmt::format("'{}' is taken: it {}", token.text,
-                                      token.text == "t"    ? "is time"
-                                      : token.text == "pi" ? "is the number 3.14159..."
-                                                           : "opens a statement"),
-                          "choose another name");
-        }
-        tokens_.next();
-        return Identifier{token.text, token.span};
-    }
-
     // ---------------------------------------------------------------------------------- camera
 
     void camera() {
         CameraSyntax camera;
+        camera.is_picture = tokens_.peek().is_name("picture");
+        const std::string_view what = camera.is_picture ? "picture" : "camera";
         camera.span = tokens_.next().span;
         camera.name = {"", camera.span};
-        if (const auto name = new_name("a name for the camera")) {
+        statements_.enter(camera.is_picture);
+        if (const auto name = statements_.new_name(fmt::format("a name for the {}", what))) {
             camera.name = *name;
         }
         if (tokens_.peek().is("(")) {
             parameters(camera);
         }
+        if (camera.is_picture && tokens_.peek().kind == TokenKind::number) {
+            size(camera);
+        }
         if (!tokens_.peek().is("{")) {
-            tokens_.expected("'{' to begin the camera");
+            tokens_.expected(fmt::format("'{{' to begin the {}", what));
             while (!tokens_.at_end() && !tokens_.peek().is("{") &&
                    !is_file_keyword(tokens_.peek())) {
                 tokens_.next();
             }
         }
         if (tokens_.peek().is("{")) {
-            camera.statements = statements(false);
+            camera.statements =
+                statements_.block(camera.is_picture ? Block::picture : Block::camera);
         }
         camera.span.end = tokens_.previous().span.end;
+        statements_.enter(false);
         tree_.items.emplace_back(std::move(camera));
+    }
+
+    // 1920 x 1080
+    void size(CameraSyntax& picture) {
+        const auto width = expressions_.expression();
+        if (!width) {
+            return;
+        }
+        if (!tokens_.peek().is_name("x")) {
+            tokens_.expected("'x' and the height of the picture", "such as 1920 x 1080");
+            return;
+        }
+        tokens_.next();
+        if (const auto height = expressions_.expression()) {
+            picture.size = {*width, *height};
+        }
     }
 
     void parameters(CameraSyntax& camera) {
@@ -178,7 +177,8 @@ private:
             return;
         }
         do {
-            const auto name = new_name("a name for the camera's parameter");
+            const auto name = statements_.new_name(fmt::format(
+                "a name for the {}'s parameter", camera.is_picture ? "picture" : "camera"));
             if (!name) {
                 skip_parameters(camera);
                 return;
@@ -208,7 +208,7 @@ private:
     void skip_parameters(CameraSyntax& camera) {
         int depth = 0;
         while (!tokens_.at_end() && !tokens_.peek().is("{") && !is_file_keyword(tokens_.peek()) &&
-               find_keyword(tokens_.peek()) == nullptr) {
+               statements_.keyword_at(tokens_.peek()) == nullptr) {
             const Token& token = tokens_.next();
             depth += token.is("(") ? 1 : token.is(")") ? -1 : 0;
             if (depth == 0 && token.kind == TokenKind::name && tokens_.peek().is("=")) {
@@ -217,237 +217,10 @@ private:
         }
     }
 
-    // { statements }, for a camera or a path.
-    std::vector<Statement> statements(bool in_path) {
-        const Span opening = tokens_.next().span;
-        std::vector<Statement> read;
-        while (!tokens_.at_end() && !tokens_.peek().is("}") && !is_file_keyword(tokens_.peek()) &&
-               !reporter_.full()) {
-            read.push_back(statement(in_path));
-        }
-        const bool hidden = tokens_.at_end() && tokens_.at_reported();
-        if (!reporter_.full()) {
-            tokens_.expect_closing("}", opening);
-        }
-        if (hidden || reporter_.full()) {
-            Statement unread;
-            unread.broken = true;
-            read.push_back(std::move(unread));
-        }
-        return read;
-    }
-
-    // ------------------------------------------------------------------------------- statement
-
-    Statement statement(bool in_path) {
-        const Token& token = tokens_.peek();
-        const Keyword* row = find_keyword(token);
-        Statement made;
-        made.keyword = token.span;
-        if (row == nullptr || (in_path ? !row->in_path : !row->in_camera)) {
-            made.kind = row != nullptr ? row->kind : unknown_statement(in_path);
-            if (row != nullptr) {
-                misplaced_statement(*row, in_path);
-            }
-            made.broken = true;
-            tokens_.next();
-        } else {
-            made.kind = row->kind;
-            tokens_.next();
-            made.broken = !body(made);
-        }
-        if (made.broken) {
-            skip_statement();
-        }
-        made.span = {made.keyword.begin, tokens_.previous().span.end};
-        return made;
-    }
-
-    StatementKind unknown_statement(bool in_path) {
-        const Token& token = tokens_.peek();
-        const std::vector<std::string> known = keywords_for(in_path);
-        if (token.is(")") || token.is("]")) {
-            tokens_.error(token.span, fmt::format("this '{}' closes nothing", token.text),
-                          "remove it, or add what opens it");
-            return StatementKind::unknown;
-        }
-        if (token.is(",")) {
-            tokens_.error(token.span, "this ',' separates nothing",
-                          "it stands between the ranges of map and between the stages of warp, "
-                          "move and place");
-            return StatementKind::unknown;
-        }
-        if (token.kind != TokenKind::name) {
-            tokens_.expected(fmt::format("a statement ({})", one_of(known)));
-            return StatementKind::unknown;
-        }
-        tokens_.error(token.span, fmt::format("there is no statement '{}'", token.text),
-                      suggestion(token.text, known, "the statements are"));
-        const auto nearest = nearest_name(token.text, known);
-        for (const Keyword& row : keywords()) {
-            if (nearest && row.text == *nearest) {
-                return row.kind;
-            }
-        }
-        return StatementKind::unknown;
-    }
-
-    void misplaced_statement(const Keyword& row, bool in_path) {
-        if (in_path) {
-            tokens_.error(tokens_.peek().span,
-                          fmt::format("'{}' cannot stand in a block of eye or toward", row.text),
-                          fmt::format("move it out, beside the block; a block holds {}",
-                                      one_of(keywords_for(true))));
-        } else {
-            tokens_.error(tokens_.peek().span,
-                          fmt::format("'{}' stands in a block of eye or toward only", row.text),
-                          "write eye { object sphere(1) }, or shorter: eye sphere(1)");
-        }
-    }
-
-    // Goes to the next statement or the brace that ends this block.
-    void skip_statement() {
-        int braces = 0;
-        while (!tokens_.at_end() && !is_file_keyword(tokens_.peek())) {
-            const Token& token = tokens_.peek();
-            if (braces == 0 && (token.is("}") || find_keyword(token) != nullptr)) {
-                return;
-            }
-            braces += token.is("{") ? 1 : token.is("}") ? -1 : 0;
-            tokens_.next();
-        }
-    }
-
-    bool body(Statement& made) {
-        switch (made.kind) {
-            case StatementKind::let: return let(made);
-            case StatementKind::aspect: return value(made);
-            case StatementKind::axes: return axes(made);
-            case StatementKind::map: return map(made);
-            case StatementKind::eye:
-            case StatementKind::toward:
-                if (tokens_.peek().is("{")) {
-                    made.block = statements(true);
-                    return true;
-                }
-                return stages(made, "an object, such as sphere(1)", false);
-            case StatementKind::object: return stages(made, "an object, such as sphere(1)", false);
-            case StatementKind::warp:
-                return stages(made, "a parameter transformer, such as rotate(10deg)", true);
-            case StatementKind::move:
-                return stages(made, "an object transformer, such as translate(0, 0, 1)", true);
-            case StatementKind::look: return look(made, "a direction rule, such as normal");
-            case StatementKind::place: return stages(made, "a picture arranger", true);
-            case StatementKind::unknown: break;
-        }
-        return false;
-    }
-
-    bool value(Statement& made) {
-        const auto read = expressions_.expression();
-        if (read) {
-            made.value = *read;
-        }
-        return read.has_value();
-    }
-
-    bool let(Statement& made) {
-        const auto name = new_name("a name after 'let'");
-        if (!name) {
-            return false;
-        }
-        made.name = *name;
-        return tokens_.expect("=", "after the name") && value(made);
-    }
-
-    bool axes(Statement& made) {
-        const Token& token = tokens_.peek();
-        if (token.kind != TokenKind::name || find_keyword(token) != nullptr) {
-            tokens_.expected("'z_up' or 'y_up' after 'axes'");
-            return false;
-        }
-        made.name = {token.text, token.span};
-        tokens_.next();
-        return true;
-    }
-
-    bool map(Statement& made) {
-        do {
-            const Token& coordinate = tokens_.peek();
-            if (coordinate.kind != TokenKind::name || find_keyword(coordinate) != nullptr) {
-                tokens_.expected("'u' or 'v'", "such as map u = -1 .. 1, v = square");
-                return false;
-            }
-            MapRange range;
-            range.coordinate = {coordinate.text, coordinate.span};
-            tokens_.next();
-            if (!tokens_.expect("=", fmt::format("after '{}'", coordinate.text)) ||
-                !range_value(range)) {
-                return false;
-            }
-            range.span = {coordinate.span.begin, tokens_.previous().span.end};
-            made.ranges.push_back(range);
-        } while (tokens_.accept(","));
-        return true;
-    }
-
-    bool range_value(MapRange& range) {
-        if (tokens_.peek().is_name("square") && !tokens_.peek(1).is("..")) {
-            tokens_.next();
-            return true;
-        }
-        if (tokens_.peek().is("[")) {
-            tokens_.expected("a range", "a range is written -1 .. 1");
-            return false;
-        }
-        const auto first = expressions_.expression();
-        if (!first || !tokens_.expect("..", "between the two ends of the range")) {
-            return false;
-        }
-        const auto last = expressions_.expression();
-        if (!last) {
-            return false;
-        }
-        range.first = *first;
-        range.last = *last;
-        return true;
-    }
-
-    bool stages(Statement& made, std::string_view what, bool several) {
-        do {
-            if (opens_next_statement()) {
-                tokens_.expected(what);
-                return false;
-            }
-            const auto stage = expressions_.stage(what);
-            if (!stage) {
-                return false;
-            }
-            made.stages.push_back(*stage);
-        } while (several && tokens_.accept(","));
-        return true;
-    }
-
-    bool look(Statement& made, std::string_view what) {
-        if (opens_next_statement()) {
-            tokens_.expected(what);
-            return false;
-        }
-        const auto rule = expressions_.stage_with_words(what);
-        if (rule) {
-            made.stages.push_back(*rule);
-        }
-        return rule.has_value();
-    }
-
-    // A stage that has the name of a keyword is written with its parentheses.
-    [[nodiscard]] bool opens_next_statement() const {
-        return find_keyword(tokens_.peek()) != nullptr && !tokens_.peek(1).is("(");
-    }
-
     SyntaxTree& tree_;
     TokenStream tokens_;
     ExpressionParser expressions_;
+    StatementParser statements_;
     Reporter& reporter_;
 };
 

@@ -9,7 +9,20 @@
 
 namespace balcony::lang {
 
+namespace {
+
+bool same(const Diagnostic& a, const Diagnostic& b) {
+    return a.severity == b.severity && a.span.source && a.span.source == b.span.source &&
+           a.span.begin == b.span.begin && a.span.end == b.span.end && a.message == b.message;
+}
+
+}  // namespace
+
 void Reporter::add(Diagnostic diagnostic) {
+    if (std::any_of(diagnostics_.begin(), diagnostics_.end(),
+                    [&](const Diagnostic& said) { return same(said, diagnostic); })) {
+        return;
+    }
     if (diagnostic.severity == Severity::error) {
         if (full()) {
             left_out_ = true;

@@ -6,7 +6,8 @@
 
 namespace balcony::lang {
 
-/// Collects what there is to say, up to a bound: more errors than fit a screen help nobody.
+/// Collects what there is to say, up to a bound: more errors than fit a screen help nobody. What a
+/// camera that is used twice has to say is said once.
 class Reporter {
 public:
     static constexpr std::size_t most_errors = 20;

@@ -70,6 +70,11 @@ Module* Session::load(std::shared_ptr<const SourceText> source, const fs::path& 
     return resolve(std::move(source), folder, false, "");
 }
 
+Module* Session::load_standard(std::string_view name) {
+    const StandardCamera* camera = find_standard_camera(name);
+    return camera != nullptr ? open_standard(camera->name) : nullptr;
+}
+
 bool Session::known(const std::string& key, const SourceSpan& asked, Module*& found) {
     const auto circle = std::find_if(opened_.begin(), opened_.end(),
                                      [&key](const Opened& open) { return open.key == key; });

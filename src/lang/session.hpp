@@ -27,7 +27,7 @@ struct Module {
     std::unique_ptr<Scope> scope;  ///< Its lets and those of its imports.
 };
 
-/// A camera and the file that it is in.
+/// A camera or a picture and the file that it is in.
 struct CameraPlace {
     const Module* module = nullptr;
     const CameraSyntax* camera = nullptr;
@@ -52,6 +52,9 @@ public:
     /// reason reported, if there is none. Other errors are reported and leave a module behind.
     Module* load(const std::filesystem::path& file);
     Module* load(std::shared_ptr<const SourceText> source, const std::filesystem::path& folder);
+
+    /// The file of a standard camera; null if there is none of that name.
+    Module* load_standard(std::string_view name);
 
     /// Keeps the tree of an override, whose texts others refer to.
     const SyntaxTree& keep(SyntaxTree tree);
@@ -83,7 +86,8 @@ private:
     std::map<std::string, std::shared_ptr<const camera::TexturedMesh>> meshes_;
 };
 
-/// The cameras that a file makes visible: its own in their order, then those of its imports.
+/// The cameras and pictures that a file makes visible: its own in their order, then those of its
+/// imports.
 [[nodiscard]] std::vector<CameraPlace> visible_cameras(const Module& module);
 [[nodiscard]] std::vector<CameraPlace> own_cameras(const Module& module);
 

@@ -3,6 +3,8 @@
 
 // The numbers that stages are given: their form, unit and range.
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -193,30 +195,57 @@ bool StageBuilder::in_range(const StageEntry& row, const StageParameter& paramet
     return true;
 }
 
+std::optional<Arguments> StageBuilder::arguments(const StageEntry& row,
+                                                 std::span<const ExpressionId> values) {
+    assert(values.size() <= row.parameters.size());
+    Arguments arguments;
+    bool good = true;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        good = set_argument(row, row.parameters[i], values.subspan(i, 1), arguments) && good;
+    }
+    return good ? std::optional(std::move(arguments)) : std::nullopt;
+}
+
+std::optional<Arguments> StageBuilder::argument(const StageEntry& row, std::string_view parameter,
+                                                ExpressionId value) {
+    const auto found =
+        std::find_if(row.parameters.begin(), row.parameters.end(),
+                     [parameter](const StageParameter& one) { return one.name == parameter; });
+    assert(found != row.parameters.end());
+    Arguments arguments;
+    return set_argument(row, *found, std::array{value}, arguments)
+               ? std::optional(std::move(arguments))
+               : std::nullopt;
+}
+
+camera::PictureArrangerPointer StageBuilder::make_place(const MapRange& corners) {
+    const StageEntry* row = camera::find_stage(StageKind::picture_arranger, "place");
+    assert(row != nullptr);
+    const auto given = arguments(*row, std::array{corners.first, corners.last});
+    return given ? std::static_pointer_cast<const camera::PictureArranger>(
+                       make_from_row(*row, *given, corners.span))
+                 : nullptr;
+}
+
 camera::PictureMapperPointer StageBuilder::make_mapper(std::string_view name,
                                                        std::span<const ExpressionId> values,
                                                        Span span) {
     const StageEntry* row = camera::find_stage(StageKind::picture_mapper, name);
     assert(row != nullptr && row->parameters.size() == values.size());
-    Arguments arguments;
-    bool good = true;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        good = set_argument(*row, row->parameters[i], values.subspan(i, 1), arguments) && good;
-    }
-    if (!good) {
+    const std::optional<Arguments> given = arguments(*row, values);
+    if (!given) {
         return nullptr;
     }
     for (std::size_t i = 0; i + 1 < values.size(); i += 2) {
-        const auto first = arguments.number(row->parameters[i].name).constant();
-        const auto last = arguments.number(row->parameters[i + 1].name).constant();
+        const auto first = given->number(row->parameters[i].name).constant();
+        const auto last = given->number(row->parameters[i + 1].name).constant();
         if (first && last && *first == *last) {
             const Span range = {tree_[values[i]].span.begin, tree_[values[i + 1]].span.end};
             reporter_.warning(tree_.at(range), "this range begins and ends at the same value",
                               "the picture does not change in this direction");
         }
     }
-    return std::static_pointer_cast<const camera::PictureMapper>(
-        make_from_row(*row, arguments, span));
+    return std::static_pointer_cast<const camera::PictureMapper>(make_from_row(*row, *given, span));
 }
 
 camera::DirectionRulePointer StageBuilder::make_default_rule(std::string_view name, Span span) {
@@ -246,6 +275,17 @@ std::optional<double> StageBuilder::constant(ExpressionId id, std::string_view w
         return std::nullopt;
     }
     return value.constant();
+}
+
+std::optional<double> StageBuilder::aspect(ExpressionId id, std::string_view owner) {
+    const std::string what = fmt::format("the aspect of {}", owner);
+    const std::optional<double> value = constant(id, what);
+    if (value && !(*value > 0.0)) {
+        error(tree_[id].span, fmt::format("{} must be above 0, but is {:.6g}", what, *value),
+              "it is the width of the picture divided by its height, such as 16/9");
+        return std::nullopt;
+    }
+    return value;
 }
 
 }  // namespace balcony::lang

@@ -21,7 +21,7 @@ using camera::StageParameter;
 // The statements that stages of a kind belong to.
 std::string_view statement_for(StageKind kind) {
     switch (kind) {
-        case StageKind::picture_arranger: return "place";
+        case StageKind::picture_arranger: return "arrange";
         case StageKind::picture_mapper: return "map";
         case StageKind::parameter_transformer: return "warp";
         case StageKind::object_generator: return "eye', 'toward' and 'object";
@@ -40,6 +40,17 @@ std::vector<std::string> names_of_kind(StageKind kind) {
         }
     }
     return names;
+}
+
+// Where a name is of several kinds, a picture arranger is what is meant least.
+const StageEntry* find_of_any_kind(std::string_view name) {
+    const StageEntry* found = nullptr;
+    for (const StageEntry& row : camera::catalogue()) {
+        if (row.name == name && (found == nullptr || found->kind == StageKind::picture_arranger)) {
+            found = &row;
+        }
+    }
+    return found;
 }
 
 }  // namespace
@@ -109,16 +120,14 @@ const StageEntry* StageBuilder::find_row(StageKind kind, const Identifier& name)
     if (const StageEntry* row = camera::find_stage(kind, name.text)) {
         return row;
     }
-    for (const StageEntry& row : camera::catalogue()) {
-        if (row.name == name.text) {
-            error(name.span,
-                  fmt::format("'{}' is {}, but this is the place of {}", name.text,
-                              with_article(camera::name_of(row.kind)),
-                              with_article(camera::name_of(kind))),
-                  fmt::format("{}s belong to '{}'", camera::name_of(row.kind),
-                              statement_for(row.kind)));
-            return nullptr;
-        }
+    if (const StageEntry* row = find_of_any_kind(name.text)) {
+        error(name.span,
+              fmt::format("'{}' is {}, but this is the place of {}", name.text,
+                          with_article(camera::name_of(row->kind)),
+                          with_article(camera::name_of(kind))),
+              fmt::format("{}s belong to '{}'", camera::name_of(row->kind),
+                          statement_for(row->kind)));
+        return nullptr;
     }
     const auto nearest = nearest_name(name.text, names_of_kind(kind));
     error(name.span, fmt::format("there is no {} named '{}'", camera::name_of(kind), name.text),

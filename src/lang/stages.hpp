@@ -38,6 +38,9 @@ public:
                                                            std::span<const ExpressionId> values,
                                                            Span span);
 
+    /// The arranger that a place statement describes; null if there is an error.
+    [[nodiscard]] camera::PictureArrangerPointer make_place(const MapRange& corners);
+
     /// A direction rule with all its defaults, as a camera without `look` has it.
     [[nodiscard]] camera::DirectionRulePointer make_default_rule(std::string_view name, Span span);
 
@@ -45,8 +48,20 @@ public:
     [[nodiscard]] std::optional<camera::Arguments> arguments(const camera::StageEntry& row,
                                                              const Expression& call);
 
+    /// The same from values for the row's first parameters, in their order; the rest is left out.
+    [[nodiscard]] std::optional<camera::Arguments> arguments(const camera::StageEntry& row,
+                                                             std::span<const ExpressionId> values);
+
+    /// The same from a value for one of its parameters.
+    [[nodiscard]] std::optional<camera::Arguments> argument(const camera::StageEntry& row,
+                                                            std::string_view parameter,
+                                                            ExpressionId value);
+
     /// A number that must be known when the camera is made; nothing if there is an error.
     [[nodiscard]] std::optional<double> constant(ExpressionId id, std::string_view what);
+
+    /// The same of an aspect, which is above 0.
+    [[nodiscard]] std::optional<double> aspect(ExpressionId id, std::string_view owner);
 
 private:
     using Stage = std::shared_ptr<const camera::Stage>;

@@ -66,10 +66,19 @@ enum class StatementKind : std::uint8_t {
     move,
     look,
     place,
+    arrange,
+    layer,
+    clip,
+    soft,
+    alpha,
+    blend,
+    frame,
+    leader,
     unknown,
 };
 
-/// u = first .. last, or u = square.
+/// u = first .. last, or u = square; without a name that of place and leader, from corner to
+/// corner.
 struct MapRange {
     Identifier coordinate;
     Span span;
@@ -80,12 +89,13 @@ struct Statement {
     StatementKind kind = StatementKind::unknown;
     Span keyword;
     Span span;
-    bool broken = false;               ///< It had a syntax error, which is reported.
-    Identifier name;                   ///< Of a let, and the word after axes.
-    ExpressionId value;                ///< Of let and aspect.
-    std::vector<MapRange> ranges;      ///< Of map.
-    std::vector<ExpressionId> stages;  ///< Of eye, toward and object one; of warp, move, ... more.
-    std::vector<Statement> block;      ///< Of eye { ... } and toward { ... }.
+    bool broken = false;           ///< It had a syntax error, which is reported.
+    Identifier name;               ///< Of a let, and the word after axes and blend.
+    ExpressionId value;            ///< Of let, aspect, soft and alpha.
+    std::vector<MapRange> ranges;  ///< Of map; of place and leader one.
+    /// Of eye, toward, object, look, clip, layer and frame one; of warp, move and arrange more.
+    std::vector<ExpressionId> stages;
+    std::vector<Statement> block;  ///< Of eye { ... }, toward { ... } and layer NAME { ... }.
 };
 
 struct Import {
@@ -99,10 +109,13 @@ struct CameraParameter {
     ExpressionId default_value;  ///< Invalid if it had a syntax error.
 };
 
+/// A camera or a picture.
 struct CameraSyntax {
+    bool is_picture = false;
     Identifier name;
     Span span;
     std::vector<CameraParameter> parameters;
+    std::vector<ExpressionId> size;  ///< Of a picture, width and height if they are said.
     std::vector<Statement> statements;
 };
 

@@ -24,18 +24,17 @@ bool fits_float(const V3d& v) {
 
 }  // namespace
 
-void RayGrid::resize(std::size_t points) {
-    for (std::vector<double>& values : values_) {
-        values.resize(points);
+void RayGrid::resize(std::size_t points, bool footprints) {
+    for (std::size_t root = 0; root < (footprints ? root_count : origin_by_x); ++root) {
+        values_[root].resize(points);
     }
 }
 
-std::array<double*, RayGrid::root_count> RayGrid::roots() {
-    std::array<double*, root_count> pointers{};
-    for (std::size_t root = 0; root < root_count; ++root) {
-        pointers[root] = values_[root].data();
+std::span<double* const> RayGrid::roots(std::size_t count) {
+    for (std::size_t root = 0; root < count; ++root) {
+        roots_[root] = values_[root].data();
     }
-    return pointers;
+    return std::span(roots_).first(count);
 }
 
 bool RayGrid::traceable(std::size_t i) const {
@@ -49,19 +48,47 @@ V2f RayGrid::parameters(std::size_t i) const {
     return {std::isfinite(p.x) ? p.x : 0.0F, std::isfinite(p.y) ? p.y : 0.0F};
 }
 
+RayDifferentials RayGrid::differentials(std::size_t i, double part) const {
+    RayDifferentials d;
+    const auto set = [&](std::size_t origin_root, std::size_t direction_root, V3f& origin,
+                         V3f& direction) {
+        const V3d moved = part * vector(origin_root, i);
+        const V3d turned = part * vector(direction_root, i);
+        if (fits_float(moved) && fits_float(turned)) {
+            origin = V3f(moved);
+            direction = V3f(turned);
+        }
+    };
+    set(origin_by_x, direction_by_x, d.origin_x, d.direction_x);
+    set(origin_by_y, direction_by_y, d.origin_y, d.direction_y);
+    return d;
+}
+
+program::Program compile_rays(const camera::RayExpressions& ray, Axes camera_axes, Axes scene_axes,
+                              bool footprints) {
+    std::vector<expr::Expr> roots;
+    const auto add = [&](const auto& v) {
+        const auto in_scene = turned({v.x, v.y, v.z}, camera_axes, scene_axes);
+        roots.insert(roots.end(), in_scene.begin(), in_scene.end());
+    };
+    add(ray.origin);
+    add(ray.direction);
+    roots.insert(roots.end(), {ray.valid, ray.parameters.u, ray.parameters.v});
+    if (footprints) {
+        const camera::RayFootprint slopes = camera::footprint(ray);
+        add(slopes.origin_by_x);
+        add(slopes.origin_by_y);
+        add(slopes.direction_by_x);
+        add(slopes.direction_by_y);
+    }
+    return program::Program(roots);
+}
+
 program::Program compile_camera(const camera::Camera& camera, Axes scene_axes, std::size_t width,
                                 std::size_t height) {
     expr::Graph graph;
-    const camera::RayExpressions ray =
-        camera.emit(graph, static_cast<double>(width), static_cast<double>(height));
-    const Axes axes = camera.parts().axes;
-    const auto origin = turned({ray.origin.x, ray.origin.y, ray.origin.z}, axes, scene_axes);
-    const auto direction =
-        turned({ray.direction.x, ray.direction.y, ray.direction.z}, axes, scene_axes);
-    const std::array<expr::Expr, RayGrid::root_count> roots = {
-        origin[0],    origin[1], origin[2],        direction[0],    direction[1],
-        direction[2], ray.valid, ray.parameters.u, ray.parameters.v};
-    return program::Program(roots);
+    return compile_rays(camera.emit(graph, static_cast<double>(width), static_cast<double>(height)),
+                        camera.parts().axes, scene_axes, false);
 }
 
 }  // namespace balcony::render

@@ -10,7 +10,8 @@ namespace balcony::render {
 namespace {
 
 constexpr std::size_t layer_bytes = sizeof(float) + 4 * sizeof(V3f) + sizeof(Color3f) +
-                                    sizeof(std::uint32_t) + sizeof(V2f) + sizeof(std::uint8_t);
+                                    sizeof(std::uint32_t) + sizeof(V2f) + sizeof(std::uint8_t) +
+                                    sizeof(std::uint16_t);
 
 }  // namespace
 
@@ -39,6 +40,7 @@ Film make_film(const Settings& settings, const scene::Scene& scene) {
         layers.direction.assign(pixels, V3f(0.0F));
         layers.parameters.assign(pixels, V2f(0.0F));
         layers.valid.assign(pixels, 0);
+        layers.layer.assign(pixels, 0);
     }
     film.objects.reserve(scene.objects.size());
     for (const scene::Object& object : scene.objects) {

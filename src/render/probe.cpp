@@ -83,11 +83,11 @@ private:
                 tile.height = std::min(program::max_tile_height, rows - top);
                 tile.corner = {middle + tile.step * static_cast<double>(left),
                                middle + tile.step * static_cast<double>(top)};
-                tile.rays.resize(tile.size());
+                tile.rays.resize(tile.size(), false);
                 program::run(program_,
                              {tile.corner.x, tile.corner.y, tile.step, tile.width, tile.height,
                               settings_.time},
-                             scratch_, tile.rays.roots());
+                             scratch_, tile.rays.roots(program_.root_count()));
                 visit(tile);
             }
         }

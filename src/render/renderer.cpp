@@ -16,7 +16,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include "render/camera_rays.hpp"
+#include "render/compiled_picture.hpp"
 #include "render/film.hpp"
 #include "render/fork_and_join.hpp"
 #include "render/tile_worker.hpp"
@@ -87,13 +87,14 @@ std::vector<PixelTile> cut_into_tiles(std::size_t width, std::size_t height) {
 // All passes over all tiles on a number of threads.
 class Rendering {
 public:
-    Rendering(const TracedScene& traced, const program::Program& camera, const Settings& settings,
+    Rendering(const TracedScene& traced, const CompiledPicture& picture, const Settings& settings,
               Film& film, const ProgressCallback& progress, std::stop_token stop)
         : settings_(settings),
           tiles_(cut_into_tiles(settings.width, settings.height)),
-          workers_([&traced, &camera, &settings, &film] {
-              return TileWorker(traced, camera, settings, film);
+          workers_([&traced, &picture, &settings, &film] {
+              return TileWorker(traced, picture, settings, film);
           }),
+          picture_(picture),
           progress_(progress),
           stop_(std::move(stop)) {}
 
@@ -110,8 +111,14 @@ public:
         for (const TileWorker& worker : workers_) {
             counts.add(worker.counts());
         }
-        summary.camera_rays = counts.camera_rays;
-        summary.invalid_rays = counts.invalid_rays;
+        counts.layers.resize(picture_.layers.size());
+        for (std::size_t i = 0; i < picture_.layers.size(); ++i) {
+            const RayCounts& layer = counts.layers[i];
+            summary.layers.push_back(
+                {picture_.layers[i].name, layer.camera_rays, layer.invalid_rays});
+            summary.camera_rays += layer.camera_rays;
+            summary.invalid_rays += layer.invalid_rays;
+        }
         summary.invalid_pixels = counts.invalid_pixels;
         summary.repaired = counts.repaired;
         summary.interrupted = summary.passes < settings_.samples;
@@ -153,6 +160,7 @@ private:
     const Settings& settings_;
     std::vector<PixelTile> tiles_;
     tbb::enumerable_thread_specific<TileWorker> workers_;
+    const CompiledPicture& picture_;
     const ProgressCallback& progress_;
     std::stop_token stop_;
     Clock::time_point begin_ = Clock::now();
@@ -202,7 +210,7 @@ Result<Renderer> Renderer::make(std::shared_ptr<const scene::Scene> scene) {
 
 const Renderer::Preparation& Renderer::preparation() const { return state_->preparation; }
 
-Result<Picture> Renderer::render(const camera::Camera& camera, const Settings& settings,
+Result<Picture> Renderer::render(const camera::Picture& picture, const Settings& settings,
                                  const ProgressCallback& progress, std::stop_token stop) const {
     if (Diagnostics found = check(settings); !found.empty()) {
         return found;
@@ -210,14 +218,18 @@ Result<Picture> Renderer::render(const camera::Camera& camera, const Settings& s
     try {
         const TracedScene& traced = state_->traced;
         const Clock::time_point begin = Clock::now();
-        const program::Program program =
-            compile_camera(camera, traced.scene->axes, settings.width, settings.height);
+        // Footprints are of use to textures alone.
+        const CompiledPicture compiled = compile_picture(
+            picture, traced.scene->axes, settings.width, settings.height, traced.textured);
         const double compile_seconds = seconds_since(begin);
-        Picture picture{make_film(settings, *traced.scene), {}};
-        picture.summary =
-            Rendering(traced, program, settings, picture.film, progress, std::move(stop)).run();
-        picture.summary.compile_seconds = compile_seconds;
-        return {std::move(picture), traced.textures->failures()};
+        Picture made{make_film(settings, *traced.scene), {}};
+        for (const CompiledPicture::CameraLayer& layer : compiled.layers) {
+            made.film.picture_layers.push_back(layer.name);
+        }
+        made.summary =
+            Rendering(traced, compiled, settings, made.film, progress, std::move(stop)).run();
+        made.summary.compile_seconds = compile_seconds;
+        return {std::move(made), traced.textures->failures()};
     } catch (const std::bad_alloc&) {
         return error("memory ran out while rendering", {},
                      "make the picture smaller, or leave out the data layers");

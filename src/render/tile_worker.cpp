@@ -23,6 +23,12 @@ double tent(double uniform) {
     return uniform < 0.5 ? std::sqrt(2.0 * uniform) - 1.0 : 1.0 - std::sqrt(2.0 - 2.0 * uniform);
 }
 
+void mark(std::uint8_t& flag, bool set) {
+    if (set) {
+        flag = 1;
+    }
+}
+
 bool is_finite(const Color4f& c) {
     return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b) && std::isfinite(c.a);
 }
@@ -40,130 +46,270 @@ Imath::V2d pass_offset(std::size_t pass) {
 }
 
 void WorkCounts::add(const WorkCounts& other) {
-    camera_rays += other.camera_rays;
-    invalid_rays += other.invalid_rays;
+    layers.resize(std::max(layers.size(), other.layers.size()));
+    for (std::size_t i = 0; i < other.layers.size(); ++i) {
+        layers[i].camera_rays += other.layers[i].camera_rays;
+        layers[i].invalid_rays += other.layers[i].invalid_rays;
+    }
     invalid_pixels += other.invalid_pixels;
     repaired += other.repaired;
     camera_seconds += other.camera_seconds;
     seconds += other.seconds;
 }
 
-TileWorker::TileWorker(const TracedScene& traced, const program::Program& camera,
+TileWorker::TileWorker(const TracedScene& traced, const CompiledPicture& picture,
                        const Settings& settings, Film& film)
     : traced_(&traced),
-      camera_(&camera),
+      picture_(&picture),
       settings_(&settings),
       film_(&film),
       tracer_(traced, settings),
       // Many samples share the work of filtering; pbrt bounds the sharing alike.
       footprint_scale_(std::max(0.125, 1.0 / std::sqrt(static_cast<double>(settings.samples)))) {
-    const std::size_t points = (tile_width + 1) * (tile_height + 1);
-    grid_.resize(points);
-    traceable_.resize(points);
-    rays_.resize(tile_width * tile_height);
-    has_ray_.resize(tile_width * tile_height);
-    hits_.resize(tile_width * tile_height);
+    constexpr std::size_t most = tile_width * tile_height;
+    grid_.resize(most, picture.footprints);
+    has_ray_.resize(most);
+    rays_.resize(most);
+    hits_.resize(most);
+    counts_.layers.resize(picture.layers.size());
+    if (picture.single()) {
+        return;
+    }
+    wanted_.resize(most);
+    has_data_.resize(most);
+    drawn_.resize(picture.layers.size());
+    coverages_.resize(picture.coverages ? picture.coverages->root_count() : 0);
+    for (std::vector<double>& values : coverages_) {
+        values.resize(most);
+        coverage_roots_.push_back(values.data());
+    }
 }
 
 void TileWorker::render(const PixelTile& tile, std::size_t pass) {
     const Clock::time_point begin = Clock::now();
-    make_rays(tile, pass);
-    counts_.camera_seconds += seconds_between(begin, Clock::now());
-    const std::size_t pixels = tile.width * tile.height;
-    traced_->accelerator.intersect_grid(tile.width, std::span(rays_).first(pixels),
-                                        std::span(has_ray_).first(pixels), hits_);
-    for (std::size_t y = 0; y < tile.height; ++y) {
-        for (std::size_t x = 0; x < tile.width; ++x) {
-            render_pixel(tile, x, y, pass == 0);
-        }
+    tile_ = tile;
+    pass_ = pass;
+    pixels_ = tile.width * tile.height;
+    if (picture_->single()) {
+        render_single();
+    } else {
+        render_layers();
     }
     counts_.seconds += seconds_between(begin, Clock::now());
 }
 
-void TileWorker::make_rays(const PixelTile& tile, std::size_t pass) {
-    const Imath::V2d offset = pass_offset(pass);
-    grid_width_ = tile.width + 1;
-    program::run(
-        *camera_,
-        {static_cast<double>(tile.x) + 0.5 + offset.x, static_cast<double>(tile.y) + 0.5 + offset.y,
-         1.0, grid_width_, tile.height + 1, settings_->time},
-        scratch_, grid_.roots());
-    const std::size_t points = grid_width_ * (tile.height + 1);
-    for (std::size_t i = 0; i < points; ++i) {
-        traceable_[i] = grid_.traceable(i) ? 1 : 0;
-    }
-    for (std::size_t i = 0; i < tile.width * tile.height; ++i) {
-        const std::size_t point = i / tile.width * grid_width_ + i % tile.width;
-        has_ray_[i] = traceable_[point];
+program::Tile TileWorker::points() const {
+    const Imath::V2d offset = pass_offset(pass_);
+    return {static_cast<double>(tile_.x) + 0.5 + offset.x,
+            static_cast<double>(tile_.y) + 0.5 + offset.y,
+            1.0,
+            tile_.width,
+            tile_.height,
+            settings_->time};
+}
+
+// Fills grid_, has_ray_ and rays_.
+void TileWorker::make_rays(std::size_t layer) {
+    const Clock::time_point begin = Clock::now();
+    const program::Program& program = picture_->layers[layer].rays;
+    program::run(program, points(), scratch_, grid_.roots(program.root_count()));
+    for (std::size_t i = 0; i < pixels_; ++i) {
+        has_ray_[i] = grid_.traceable(i) ? 1 : 0;
         if (has_ray_[i] != 0) {
-            rays_[i] = {V3f(grid_.origin(point)), V3f(grid_.direction(point))};
+            rays_[i] = {V3f(grid_.origin(i)), V3f(grid_.direction(i))};
         }
     }
+    counts_.camera_seconds += seconds_between(begin, Clock::now());
 }
 
-RayDifferentials TileWorker::differentials(std::size_t point, std::size_t x, std::size_t y) const {
-    RayDifferentials slopes;
-    // Forward where the neighbour has a ray, else backward within the tile, else none: sharp.
-    const auto difference = [&](std::size_t step, bool has_before, V3f& origin, V3f& direction) {
-        const bool forward = traceable_[point + step] != 0;
-        if (!forward && !(has_before && traceable_[point - step] != 0)) {
-            return;
-        }
-        const std::size_t first = forward ? point : point - step;
-        const std::size_t second = first + step;
-        origin = V3f(footprint_scale_ * (grid_.origin(second) - grid_.origin(first)));
-        direction = V3f(footprint_scale_ * (grid_.direction(second) - grid_.direction(first)));
-    };
-    difference(1, x > 0, slopes.origin_x, slopes.direction_x);
-    difference(grid_width_, y > 0, slopes.origin_y, slopes.direction_y);
-    return slopes;
-}
-
-void TileWorker::render_pixel(const PixelTile& tile, std::size_t x, std::size_t y,
-                              bool first_pass) {
-    const std::size_t point = y * grid_width_ + x;
-    const std::size_t in_tile = y * tile.width + x;
-    const std::size_t pixel = (tile.y + y) * film_->width + tile.x + x;
-    ++counts_.camera_rays;
-    ++film_->samples[pixel];
-    if (has_ray_[in_tile] == 0) {
-        ++counts_.invalid_rays;
-        counts_.invalid_pixels += first_pass ? 1 : 0;
-        return;
+// What the ray of a pixel sees, given where it hits first.
+Tracer::Result TileWorker::trace(std::size_t i) {
+    Ray ray{rays_[i].origin, rays_[i].direction};
+    if (picture_->footprints) {
+        ray.differentials = grid_.differentials(i, footprint_scale_);
     }
-    Ray ray{rays_[in_tile].origin, rays_[in_tile].direction};
-    if (traced_->textured) {
-        ray.differentials = differentials(point, x, y);
-    }
-    Tracer::Result seen = tracer_.trace(ray, hits_[in_tile]);
+    Tracer::Result seen = tracer_.trace(ray, hits_[i]);
     if (settings_->background) {
         seen.radiance.a = 1.0F;
     }
-    if (is_finite(seen.radiance)) {
-        film_->sum[pixel] += seen.radiance;
-    } else {
+    if (!is_finite(seen.radiance)) {
         ++counts_.repaired;
+        seen.radiance = Color4f(0.0F);
     }
-    if (first_pass && film_->layers) {
-        write_layers(pixel, point, seen.visible);
+    return seen;
+}
+
+void TileWorker::render_single() {
+    make_rays(0);
+    traced_->accelerator.intersect_grid(tile_.width, std::span(rays_).first(pixels_),
+                                        std::span(has_ray_).first(pixels_), hits_);
+    RayCounts& counts = counts_.layers[0];
+    for (std::size_t i = 0; i < pixels_; ++i) {
+        ++counts.camera_rays;
+        ++film_->samples[pixel(i)];
+        if (has_ray_[i] == 0) {
+            ++counts.invalid_rays;
+            counts_.invalid_pixels += pass_ == 0 ? 1 : 0;
+            continue;
+        }
+        const Tracer::Result seen = trace(i);
+        film_->sum[pixel(i)] += seen.radiance;
+        if (pass_ == 0 && film_->layers) {
+            write_data(i, 0, seen.visible);
+        }
     }
 }
 
-void TileWorker::write_layers(std::size_t pixel, std::size_t point, const VisibleSurface& visible) {
+// Rays first, from the front to the back, since what is hidden needs none; then the colours, from
+// the back to the front.
+void TileWorker::render_layers() {
+    if (picture_->coverages) {
+        const Clock::time_point begin = Clock::now();
+        program::run(*picture_->coverages, points(), scratch_, coverage_roots_);
+        counts_.camera_seconds += seconds_between(begin, Clock::now());
+    }
+    for (std::vector<Drawn>& layer : drawn_) {
+        layer.clear();
+    }
+    std::fill(has_data_.begin(), has_data_.end(), std::uint8_t{0});
+    Mask hidden(pixels_, 0);
+    find_rays(picture_->elements, hidden, std::vector<float>(pixels_, 1.0F));
+    for (std::size_t i = 0; i < pixels_; ++i) {
+        const Drawn all = drawn(picture_->elements, i);
+        film_->sum[pixel(i)] += all.color;
+        ++film_->samples[pixel(i)];
+        counts_.invalid_pixels += pass_ == 0 && all.presence <= 0.0F ? 1 : 0;
+    }
+}
+
+// What is no number is not above 0 and counts as 0.
+float TileWorker::coverage(const Element& element, std::size_t i) const {
+    if (!element.coverage) {
+        return 1.0F;
+    }
+    const double value = coverages_[*element.coverage][i];
+    return value > 0.0 ? static_cast<float>(std::min(value, 1.0)) : 0.0F;
+}
+
+// Traces what shows of some elements of one group, the front first, and marks in `hidden` what
+// they hide. `share` is how much the groups round them cover.
+void TileWorker::find_rays(const std::vector<Element>& elements, Mask& hidden,
+                           const std::vector<float>& share) {
+    for (auto element = elements.rbegin(); element != elements.rend(); ++element) {
+        const bool hides = element->blend == camera::BlendMode::normal;
+        if (!element->group.empty()) {
+            find_rays_of_group(*element, hidden, share);
+        } else if (element->layer) {
+            trace_layer(*element, hidden, share);
+            const std::vector<Drawn>& layer = drawn_[*element->layer];
+            for (std::size_t i = 0; hides && i < layer.size(); ++i) {
+                mark(hidden[i], layer[i].presence > 0.0F && coverage(*element, i) >= 1.0F);
+            }
+        } else {
+            for (std::size_t i = 0; hides && i < pixels_; ++i) {
+                mark(hidden[i], coverage(*element, i) >= 1.0F);
+            }
+        }
+    }
+}
+
+void TileWorker::find_rays_of_group(const Element& element, Mask& hidden,
+                                    const std::vector<float>& share) {
+    Mask hidden_inside = hidden;
+    std::vector<float> share_inside = share;
+    bool shows = false;
+    for (std::size_t i = 0; i < pixels_; ++i) {
+        const float part = coverage(element, i);
+        mark(hidden_inside[i], part <= 0.0F);
+        share_inside[i] *= part;
+        shows = shows || hidden_inside[i] == 0;
+    }
+    if (!shows) {
+        return;
+    }
+    find_rays(element.group, hidden_inside, share_inside);
+    if (element.blend == camera::BlendMode::normal) {
+        for (std::size_t i = 0; i < pixels_; ++i) {
+            mark(hidden[i], hidden_inside[i] != 0 && coverage(element, i) >= 1.0F);
+        }
+    }
+}
+
+void TileWorker::trace_layer(const Element& element, const Mask& hidden,
+                             const std::vector<float>& share) {
+    const std::size_t layer = *element.layer;
+    bool any = false;
+    for (std::size_t i = 0; i < pixels_; ++i) {
+        wanted_[i] = hidden[i] == 0 && coverage(element, i) > 0.0F ? 1 : 0;
+        any = any || wanted_[i] != 0;
+    }
+    if (!any) {
+        return;
+    }
+    make_rays(layer);
+    RayCounts& counts = counts_.layers[layer];
+    for (std::size_t i = 0; i < pixels_; ++i) {
+        counts.camera_rays += wanted_[i];
+        counts.invalid_rays += wanted_[i] != 0 && has_ray_[i] == 0 ? 1 : 0;
+        has_ray_[i] = has_ray_[i] != 0 && wanted_[i] != 0 ? 1 : 0;
+    }
+    traced_->accelerator.intersect_grid(tile_.width, std::span(rays_).first(pixels_),
+                                        std::span(has_ray_).first(pixels_), hits_);
+    drawn_[layer].assign(pixels_, {});
+    for (std::size_t i = 0; i < pixels_; ++i) {
+        if (has_ray_[i] == 0) {
+            continue;
+        }
+        const Tracer::Result seen = trace(i);
+        drawn_[layer][i] = {seen.radiance, 1.0F};
+        const bool in_front = has_data_[i] == 0 && share[i] * coverage(element, i) >= 0.5F;
+        if (pass_ == 0 && film_->layers && in_front) {
+            has_data_[i] = 1;
+            write_data(i, layer, seen.visible);
+        }
+    }
+}
+
+Drawn TileWorker::drawn(const std::vector<Element>& elements, std::size_t i) const {
+    Drawn all;
+    for (const Element& element : elements) {
+        const float part = coverage(element, i);
+        if (part <= 0.0F) {
+            continue;
+        }
+        Drawn source;
+        if (!element.group.empty()) {
+            source = drawn(element.group, i);
+        } else if (element.paint) {
+            const auto channel = [&](std::size_t c) {
+                return static_cast<float>(coverages_[*element.paint + c][i]);
+            };
+            source = {Color4f(channel(0), channel(1), channel(2), 1.0F), 1.0F};
+        } else if (!drawn_[*element.layer].empty()) {
+            source = drawn_[*element.layer][i];
+        }
+        all = composed(all, source, part, element.blend);
+    }
+    return all;
+}
+
+void TileWorker::write_data(std::size_t i, std::size_t layer, const VisibleSurface& visible) {
     DataLayers& layers = *film_->layers;
-    const Imath::V3d origin = grid_.origin(point);
-    const Imath::V3d direction = grid_.direction(point);
-    layers.valid[pixel] = 1;
-    layers.origin[pixel] = V3f(origin);
-    layers.direction[pixel] = V3f(direction);
-    layers.parameters[pixel] = grid_.parameters(point);
+    const std::size_t at = pixel(i);
+    const Imath::V3d origin = grid_.origin(i);
+    const Imath::V3d direction = grid_.direction(i);
+    layers.valid[at] = 1;
+    layers.layer[at] = static_cast<std::uint16_t>(layer + 1);
+    layers.origin[at] = V3f(origin);
+    layers.direction[at] = V3f(direction);
+    layers.parameters[at] = grid_.parameters(i);
     if (visible.any) {
         const double length = (Imath::V3d(visible.position) - origin).dot(direction);
-        layers.ray_length[pixel] = static_cast<float>(std::max(length, 0.0));
-        layers.position[pixel] = visible.position;
-        layers.normal[pixel] = visible.normal;
-        layers.albedo[pixel] = visible.albedo;
-        layers.object[pixel] = visible.object;
+        layers.ray_length[at] = static_cast<float>(std::max(length, 0.0));
+        layers.position[at] = visible.position;
+        layers.normal[at] = visible.normal;
+        layers.albedo[at] = visible.albedo;
+        layers.object[at] = visible.object;
     }
 }
 

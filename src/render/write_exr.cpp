@@ -64,6 +64,7 @@ constexpr Channel layer_channels[] = {
 };
 
 constexpr const char* object_channel = "object.ID";
+constexpr const char* layer_channel = "layer.ID";
 
 // The stream of an output file, as OpenEXR wants it.
 class ExrStream final : public Imf::OStream {
@@ -108,6 +109,8 @@ Imf::Header make_header(const Film& film, const std::vector<Channel>& channels) 
     if (film.layers) {
         header.channels().insert(object_channel, Imf::Channel(Imf::UINT));
         header.insert("objects", Imf::StringVectorAttribute(film.objects));
+        header.channels().insert(layer_channel, Imf::Channel(Imf::UINT));
+        header.insert("layers", Imf::StringVectorAttribute(film.picture_layers));
     }
     return header;
 }
@@ -119,6 +122,7 @@ void write_pixels(const Film& film, const std::vector<Channel>& channels, Imf::O
     const std::size_t plane = width * rows_at_once;
     std::vector<float> values(plane * channels.size());
     std::vector<std::uint32_t> objects(film.layers ? plane : 0);
+    std::vector<std::uint32_t> layers(film.layers ? plane : 0);
     for (std::size_t first = 0; first < film.height; first += rows_at_once) {
         const std::size_t rows = std::min(rows_at_once, film.height - first);
         Imf::FrameBuffer buffer;
@@ -140,6 +144,9 @@ void write_pixels(const Film& film, const std::vector<Channel>& channels, Imf::O
             std::copy_n(film.layers->object.begin() + static_cast<std::ptrdiff_t>(first * width),
                         rows * width, objects.begin());
             buffer.insert(object_channel, slice(Imf::UINT, objects.data()));
+            std::copy_n(film.layers->layer.begin() + static_cast<std::ptrdiff_t>(first * width),
+                        rows * width, layers.begin());
+            buffer.insert(layer_channel, slice(Imf::UINT, layers.data()));
         }
         output.setFrameBuffer(buffer);
         output.writePixels(static_cast<int>(rows));

@@ -31,7 +31,8 @@ class List(support.CommandTest):
 
     def test_json(self):
         self.assertGreater(len(self.json_of("list")["stages"]), 20)
-        self.assertEqual([row["name"] for row in self.json_of("list", "zoom")["stages"]], ["zoom"])
+        self.assertEqual([row["name"] for row in self.json_of("list", "torus")["stages"]],
+                         ["torus"])
         self.assertIn("pinhole", [row["name"] for row in self.json_of("list", "cameras")["cameras"]])
         above = self.json_of("list", "my.cam")["cameras"][0]
         self.assertEqual(above["parameters"], [{"name": "size", "default": "3"}])

@@ -225,7 +225,7 @@ TEST(Statements, FormulasDependOnParametersLetsAndTime) {
 
 TEST(Statements, PlaceGivesACameraAPart) {
     const camera::Camera camera = made(
-        "place place(from = (0.5, 0), to = (1, 1)) "
+        "place (0.5, 0) .. (1, 1) "
         "map u = 0 .. 1, v = 0 .. 1 eye plane");
     EXPECT_FALSE(test::ray(camera, 40, 50, 100, 100).valid);
     expect_near(test::ray(camera, 75, 50, 100, 100).origin, {0, 0.5, 0.5});

@@ -22,11 +22,26 @@ std::string test_name(const testing::TestParamInfo<StageEntry>& row) {
     return name;
 }
 
+bool shows_a_picture(const StageEntry& row) {
+    return row.example.starts_with("picture ") ||
+           row.example.find("\npicture ") != std::string_view::npos;
+}
+
+// Those that name files have none beside them here.
+std::vector<StageEntry> rows_with_a_picture() {
+    std::vector<StageEntry> rows;
+    for (const StageEntry& row : camera::catalogue()) {
+        if (shows_a_picture(row) && row.example.find(".png") == std::string_view::npos) {
+            rows.push_back(row);
+        }
+    }
+    return rows;
+}
+
 std::vector<StageEntry> rows_with_a_camera() {
     std::vector<StageEntry> rows;
     for (const StageEntry& row : camera::catalogue()) {
-        if (row.example.find("\ncamera ") != std::string_view::npos &&
-            row.example.find("\npicture ") == std::string_view::npos) {
+        if (!shows_a_picture(row) && !row.example.empty()) {
             rows.push_back(row);
         }
     }
@@ -65,6 +80,31 @@ TEST_P(EveryExample, UsesItsStage) {
         EXPECT_NE(GetParam().example.find(GetParam().name), std::string_view::npos);
     }
 }
+
+class EveryPictureExample : public testing::TestWithParam<StageEntry> {};
+
+TEST_P(EveryPictureExample, LoadsWithoutAWordAndCoversAPart) {
+    const Result<camera::Picture> picture = make_picture(
+        std::make_shared<const SourceText>("example", std::string(GetParam().example)), "");
+    ASSERT_TRUE(picture) << to_text(picture.diagnostics);
+    EXPECT_EQ(to_text(picture.diagnostics), "");
+    expr::Graph graph;
+    const auto elements = picture->emit(graph, 40.0, 30.0).elements;
+    const std::array roots{elements.front().coverage, elements.front().ray->valid};
+    double covered = 0.0;
+    for (int x = 0; x < 40; ++x) {
+        for (int y = 0; y < 30; ++y) {
+            const std::vector<double> r = expr::evaluate(roots, {x + 0.5, y + 0.5, 0.0, {}});
+            EXPECT_EQ(r[1], 1.0);
+            covered += r[0];
+        }
+    }
+    EXPECT_GT(covered, 0.25 * 40 * 30);
+    EXPECT_LT(covered, 0.95 * 40 * 30);
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, EveryPictureExample, testing::ValuesIn(rows_with_a_picture()),
+                         test_name);
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, EveryExample, testing::ValuesIn(rows_with_a_camera()),
                          test_name);

@@ -26,7 +26,8 @@ TEST(Load, AnEmptyNameMeansTheLastCamera) {
     const std::string text = "camera a(r = 1) " + plain + "camera b(r = 2) " + plain;
     EXPECT_EQ(test::make(text)->name(), "b");
     EXPECT_EQ(test::make(text, {}, "a")->name(), "a");
-    EXPECT_EQ(first_error(test::make(text, {}, "bb").diagnostics), "'test.cam' has no camera 'bb'");
+    EXPECT_EQ(first_error(test::make(text, {}, "bb").diagnostics),
+              "'test.cam' has no camera or picture 'bb'");
 }
 
 TEST(Load, ErrorsOfOtherCamerasDoNotMatter) {

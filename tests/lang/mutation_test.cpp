@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 // Stages that the standard cameras do not have.
 constexpr std::string_view more_cameras[] = {
     R"(camera a(w = 2, p = 1.5) {
-    place place(from = (0.25, 0), to = (1, 0.75))
+    place (0.25, 0) .. (1, 0.75)
     map   u = w .. -w, v = 1 .. -1
     warp  zoom(at = (0.6, 0), radius = (0.4, 1), strength = 2.5), shear(0.5, 0), scale(2, at = (1, 1))
     eye   surface(u, v) = [abs(u)^p, u/v, log(1 + v)]

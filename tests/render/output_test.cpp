@@ -114,16 +114,17 @@ TEST_F(Output, ExrHoldsEveryLayerUnderItsName) {
         {"direction.Z", [&](std::size_t i) { return layers.direction[i].z; }},
         {"parameters.U", [&](std::size_t i) { return layers.parameters[i].x; }},
         {"valid.A", [&](std::size_t i) { return static_cast<float>(layers.valid[i]); }},
+        {"layer.ID", [&](std::size_t i) { return static_cast<float>(layers.layer[i]); }},
     };
-    EXPECT_EQ(channels.size(), 24U);
+    EXPECT_EQ(channels.size(), 25U);
     for (const auto& [name, value] : expected) {
         const auto found = std::find(channels.begin(), channels.end(), name);
         ASSERT_NE(found, channels.end()) << name;
         const auto c = static_cast<std::size_t>(found - channels.begin());
         for (std::size_t i = 0; i < 37 * 83; ++i) {
             // An id is an integer, which OpenImageIO scales to 0 .. 1.
-            const float read = name == "object.ID" ? values[i * channels.size() + c] * 4294967295.0F
-                                                   : values[i * channels.size() + c];
+            const float read =
+                values[i * channels.size() + c] * (name.ends_with(".ID") ? 4294967295.0F : 1.0F);
             ASSERT_EQ(read, value(i)) << name << ' ' << i;
         }
     }

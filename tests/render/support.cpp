@@ -164,10 +164,10 @@ Settings settings(std::size_t width, std::size_t height, Integrator integrator,
     return made;
 }
 
-Picture render(const scene::Scene& scene, const camera::Camera& camera, const Settings& settings) {
+Picture render(const scene::Scene& scene, const camera::Picture& wanted, const Settings& settings) {
     const Result<Renderer> renderer = Renderer::make(std::make_shared<scene::Scene>(scene));
     EXPECT_TRUE(renderer && renderer.diagnostics.empty()) << to_text(renderer.diagnostics);
-    Result<Picture> picture = renderer->render(camera, settings);
+    Result<Picture> picture = renderer->render(wanted, settings);
     EXPECT_TRUE(picture && picture.diagnostics.empty()) << to_text(picture.diagnostics);
     return std::move(*picture);
 }

@@ -72,7 +72,7 @@ scene::TextureIndex add_texture(scene::Scene& scene, std::vector<std::uint8_t> b
                                 std::size_t samples = 1);
 
 /// Renders; fails the test on any diagnostic.
-[[nodiscard]] Picture render(const scene::Scene& scene, const camera::Camera& camera,
+[[nodiscard]] Picture render(const scene::Scene& scene, const camera::Picture& wanted,
                              const Settings& settings);
 
 }  // namespace balcony::render::test

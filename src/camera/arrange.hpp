@@ -1,0 +1,35 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Points of pictures on their way through picture arrangers.
+
+#include <span>
+
+#include "balcony/camera.hpp"
+
+namespace balcony::camera {
+
+/// Picture x and y in a picture of the given size in pixels.
+[[nodiscard]] ArrangedPoint whole_picture(Graph& graph, double width, double height);
+
+/// A point of the whole picture in the picture that the arrangers, outermost first, lead to.
+[[nodiscard]] ArrangedPoint arranged(ArrangedPoint whole,
+                                     std::span<const PictureArrangerPointer> arrangers,
+                                     Emitter& emit);
+
+/// Whether a point lies in its picture, the border included.
+[[nodiscard]] Expr inside(const ArrangedPoint& picture);
+
+/// The point of the picture that is nearest. Filters reach half a pixel over the picture's border;
+/// what covers the picture up to there covers all of the border's pixels.
+[[nodiscard]] ArrangedPoint clamped(const ArrangedPoint& picture);
+
+/// Where a point of the arranged picture, in fractions of it from its top left corner, lies in the
+/// whole: arrange() inverted by Newton's method from the middle of the whole, which is exact where
+/// the arrangers are affine.
+[[nodiscard]] DevicePoint find_arranged(const PictureSize& whole,
+                                        std::span<const PictureArrangerPointer> arrangers,
+                                        const DevicePoint& fraction, Emitter& emit);
+
+}  // namespace balcony::camera

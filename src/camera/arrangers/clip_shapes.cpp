@@ -1,0 +1,424 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Clip shapes: which part of a layer's picture shows.
+
+#include "camera/arrangers/clip_shapes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include "camera/families.hpp"
+#include "camera/stage_parameters.hpp"
+
+namespace balcony::camera {
+
+namespace {
+
+/// A point in pixels from the middle of its picture, to the right and up, and the picture's half
+/// sides.
+struct Centered {
+    Expr x, y, half_width, half_height;
+};
+
+Centered centered(const ArrangedPoint& picture) {
+    const auto& [point, size] = picture;
+    const Expr half_width = 0.5 * size.width;
+    const Expr half_height = 0.5 * size.height;
+    return {point.x - half_width, half_height - point.y, half_width, half_height};
+}
+
+Expr rectangle_distance(const ArrangedPoint& picture) {
+    const Centered c = centered(picture);
+    return max(abs(c.x) - c.half_width, abs(c.y) - c.half_height);
+}
+
+class Rectangle final : public ClipShape {
+public:
+    Expr distance(const ArrangedPoint& picture, Emitter&) const override {
+        return rectangle_distance(picture);
+    }
+    double corner_reach() const override { return 1.0; }
+};
+
+/// With k = |(x/a, y/b)| and g = |(x/a^2, y/b^2)|, (k - 1) k / g is the distance to first order: k
+/// is 1 on the ellipse and its gradient there is g long. Exact for a circle.
+Expr ellipse_distance(const Centered& c, Expr a, Expr b, Emitter& emit) {
+    const Expr nx = c.x / a;
+    const Expr ny = c.y / b;
+    const Expr k = sqrt(nx * nx + ny * ny);
+    const Expr g = sqrt(nx * nx / (a * a) + ny * ny / (b * b));
+    // In the very middle, where both are 0, it is as if one were a little to the side.
+    const Expr least = emit(1e-9);
+    return (k - 1.0) * max(k, least) / max(g, least / a);
+}
+
+/// The largest ellipse in the picture.
+class Ellipse final : public ClipShape {
+public:
+    Expr distance(const ArrangedPoint& picture, Emitter& emit) const override {
+        const Centered c = centered(picture);
+        return ellipse_distance(c, c.half_width, c.half_height, emit);
+    }
+    double corner_reach() const override { return 0.5 * std::numbers::sqrt2; }
+};
+
+/// The largest ellipse without a smaller one of its shape.
+class Ring final : public ClipShape {
+public:
+    explicit Ring(Scalar inner) : inner_(std::move(inner)) {}
+
+    Expr distance(const ArrangedPoint& picture, Emitter& emit) const override {
+        const Centered c = centered(picture);
+        const Expr inner = emit(inner_);
+        return max(ellipse_distance(c, c.half_width, c.half_height, emit),
+                   -ellipse_distance(c, inner * c.half_width, inner * c.half_height, emit));
+    }
+    double corner_reach() const override { return 0.5 * std::numbers::sqrt2; }
+
+private:
+    Scalar inner_;
+};
+
+/// A rectangle whose corners are quarters of circles.
+class RoundedRectangle final : public ClipShape {
+public:
+    explicit RoundedRectangle(Scalar radius) : radius_(std::move(radius)) {}
+
+    Expr distance(const ArrangedPoint& picture, Emitter& emit) const override {
+        const Centered c = centered(picture);
+        const Expr radius = emit(radius_) * 2.0 * min(c.half_width, c.half_height);
+        const Expr zero = emit(0.0);
+        // From the rectangle on whose corners the circles stand.
+        const Expr x = abs(c.x) - (c.half_width - radius);
+        const Expr y = abs(c.y) - (c.half_height - radius);
+        const Expr out_x = max(x, zero);
+        const Expr out_y = max(y, zero);
+        return sqrt(out_x * out_x + out_y * out_y) + min(max(x, y), zero) - radius;
+    }
+    double corner_reach() const override { return 0.5 * std::numbers::sqrt2; }
+
+private:
+    Scalar radius_;
+};
+
+/// The inside of a closed line of straight sides, by the even-odd rule. The distance is that to the
+/// nearest side.
+class Polygon final : public ClipShape {
+public:
+    explicit Polygon(PointList corners) : corners_(std::move(corners)) {}
+
+    Expr distance(const ArrangedPoint& picture, Emitter& emit) const override {
+        Expr nearest;
+        Expr outside = emit(1.0);
+        for (std::size_t i = 0; i < corners_.size(); ++i) {
+            const Side side = relative(i, picture);
+            const Expr along = side.x * side.to_x + side.y * side.to_y;
+            const Expr squared_length = side.to_x * side.to_x + side.to_y * side.to_y;
+            const Expr share = min(max(along / squared_length, emit(0.0)), emit(1.0));
+            const Expr dx = side.x - share * side.to_x;
+            const Expr dy = side.y - share * side.to_y;
+            const Expr squared = dx * dx + dy * dy;
+            nearest = nearest.valid() ? min(nearest, squared) : squared;
+
+            // A ray to the right meets the side if its ends are above and below, and the point is
+            // to its left.
+            const Expr above = side.y < 0.0;
+            const Expr end_above = side.y < side.to_y;
+            const Expr turn = side.x * side.to_y - side.y * side.to_x;
+            const Expr meets =
+                (above && !end_above && 0.0 < turn) || (!above && end_above && turn < 0.0);
+            outside = select(meets, -outside, outside);
+        }
+        return outside * sqrt(nearest);
+    }
+
+private:
+    // The point from one corner, and the next corner from there, in pixels.
+    struct Side {
+        Expr x, y, to_x, to_y;
+    };
+
+    [[nodiscard]] Side relative(std::size_t i, const ArrangedPoint& picture) const {
+        const auto first = corners_[i];
+        const auto second = corners_[(i + 1) % corners_.size()];
+        const auto& [point, size] = picture;
+        return {point.x - first[0] * size.width, point.y - first[1] * size.height,
+                (second[0] - first[0]) * size.width, (second[1] - first[1]) * size.height};
+    }
+
+    PointList corners_;  // Fractions of the picture from its top left corner.
+};
+
+/// The tips of a star on the largest ellipse, the first at the top, and the corners between them on
+/// a smaller one.
+PointList star_corners(std::size_t tips, double inner) {
+    PointList corners{2, {}};
+    for (std::size_t i = 0; i < 2 * tips; ++i) {
+        const double angle = std::numbers::pi * static_cast<double>(i) / static_cast<double>(tips);
+        const double radius = i % 2 == 0 ? 0.5 : 0.5 * inner;
+        corners.values.push_back(0.5 + radius * std::sin(angle));
+        corners.values.push_back(0.5 - radius * std::cos(angle));
+    }
+    return corners;
+}
+
+/// Where a formula of (x, y), both from -1 to 1, to the right and up, is above 0.
+class ClipFormula final : public ClipShape {
+public:
+    explicit ClipFormula(Formula formula) : formula_(std::move(formula)) {}
+
+    Expr distance(const ArrangedPoint& picture, Emitter& emit) const override {
+        Graph& graph = emit.graph();
+        const std::array free{graph.fresh_variable(), graph.fresh_variable()};
+        const Expr f = formula_.emit(graph, free).front();
+        const std::array made{f, expr::derive(f, free[0]), expr::derive(f, free[1])};
+        const Centered c = centered(picture);
+        const std::array put{expr::Substitution{free[0], c.x / c.half_width},
+                             expr::Substitution{free[1], c.y / c.half_height}};
+        const std::vector<Expr> there = expr::substitute(graph, made, put);
+        const Expr by_x = there[1] / c.half_width;
+        const Expr by_y = there[2] / c.half_height;
+        const Expr slope = max(sqrt(by_x * by_x + by_y * by_y), emit(1e-30));
+        const Expr far = c.half_width + c.half_height;
+        const Expr distance = select(is_finite(slope), -there[0] / slope, -far * sign(there[0]));
+        return max(select(is_finite(there[0]), distance, far), rectangle_distance(picture));
+    }
+
+private:
+    Formula formula_;
+};
+
+/// A grey picture stretched over the layer's: white shows, black does not, grey shows in part.
+class ImageMask final : public ClipShape {
+public:
+    explicit ImageMask(std::shared_ptr<const expr::Table> grey) : grey_(std::move(grey)) {}
+
+    // Where the grey is half, by its slope.
+    Expr distance(const ArrangedPoint& picture, Emitter& emit) const override {
+        Graph& graph = emit.graph();
+        const std::array free{graph.fresh_variable(), graph.fresh_variable()};
+        const Expr grey = value({{free[0], free[1]}, picture.size}, emit);
+        const std::array made{0.5 - grey, expr::derive(grey, free[0]), expr::derive(grey, free[1])};
+        const std::array put{expr::Substitution{free[0], picture.point.x},
+                             expr::Substitution{free[1], picture.point.y}};
+        const std::vector<Expr> there = expr::substitute(graph, made, put);
+        const Expr slope = sqrt(there[1] * there[1] + there[2] * there[2]);
+        return max(there[0] / max(slope, emit(1e-30)), rectangle_distance(picture));
+    }
+
+    Expr coverage(const ArrangedPoint& picture, Expr, Emitter& emit) const override {
+        return select(rectangle_distance(picture) <= 0.0, value(picture, emit), emit(0.0));
+    }
+
+private:
+    // Between the centres of the image's pixels; as at the outermost ones beyond them.
+    [[nodiscard]] Expr value(const ArrangedPoint& picture, Emitter& emit) const {
+        const auto& [point, size] = picture;
+        const auto within = [&emit](Expr fraction, const expr::Table::Axis& axis) {
+            const double count = static_cast<double>(axis.cells) + 1.0;
+            return min(max(fraction * count - 0.5, emit(0.0)), emit(count - 1.0));
+        };
+        const std::array at{within(point.x / size.width, grey_->axes[0]),
+                            within(point.y / size.height, grey_->axes[1])};
+        return emit.graph().lookup(grey_, at);
+    }
+
+    std::shared_ptr<const expr::Table> grey_;
+};
+
+// Over the centres of the pixels, numbered from 0 from the top left. A side of one pixel counts as
+// two equal ones.
+std::shared_ptr<const expr::Table> grey_table(const GreyImage& image, bool invert) {
+    const auto grey = [&](std::size_t x, std::size_t y) {
+        const std::size_t column = std::min(x, image.width - 1);
+        const std::size_t row = std::min(y, image.height - 1);
+        const double value = image.values[row * image.width + column];
+        return invert ? 1.0 - value : value;
+    };
+    auto table = std::make_shared<expr::Table>();
+    for (const std::size_t pixels : {image.width, image.height}) {
+        const std::size_t cells = std::max<std::size_t>(pixels, 2) - 1;
+        table->axes.push_back({0.0, static_cast<double>(cells), cells, 1});
+    }
+    for (std::size_t x = 0; x < table->axes[0].cells; ++x) {
+        for (std::size_t y = 0; y < table->axes[1].cells; ++y) {
+            const double here = grey(x, y);
+            const double below = grey(x, y + 1) - here;
+            const double right = grey(x + 1, y) - here;
+            const double both = grey(x + 1, y + 1) - here - below - right;
+            table->coefficients.insert(table->coefficients.end(), {here, below, right, both});
+        }
+    }
+    return table;
+}
+
+Result<std::shared_ptr<const Stage>> make_polygon(const Arguments& a) {
+    const PointList& corners = a.points("points");
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const auto here = corners[i];
+        const auto next = corners[(i + 1) % corners.size()];
+        if (here[0] == next[0] && here[1] == next[1]) {
+            return error("two neighbouring corners of this polygon are one point", {},
+                         "leave one of them out; the last is joined to the first by itself");
+        }
+    }
+    constexpr std::size_t most_corners = 256;
+    if (corners.size() > most_corners) {
+        return error("this polygon has more than 256 corners", {},
+                     "leave some out, or draw the shape and clip by image");
+    }
+    return made<Polygon>(corners);
+}
+
+// Examples are pictures of one camera with this clip.
+constexpr std::string_view rectangle_example = R"(picture framed {
+    layer panorama { place (0.1, 0.1) .. (0.9, 0.9)  clip rectangle  frame(width = 0.01) }
+})";
+constexpr std::string_view ellipse_example = R"(picture oval {
+    layer panorama { place (0.05, 0.05) .. (0.95, 0.95)  clip ellipse  soft 0.1 }
+})";
+constexpr std::string_view ring_example = R"(picture wreath {
+    aspect 1
+    layer  panorama { clip ring(0.5)  frame }
+})";
+constexpr std::string_view rounded_example = R"(picture card {
+    layer panorama { place (0.05, 0.05) .. (0.95, 0.95)  clip rounded(0.2)  frame(width = 0.01) }
+})";
+constexpr std::string_view polygon_example = R"(picture house {
+    layer panorama { clip polygon([(0.5, 0.05), (0.95, 0.4), (0.85, 0.95), (0.15, 0.95), (0.05, 0.4)])  frame }
+})";
+constexpr std::string_view star_example = R"(picture star {
+    aspect 1
+    layer  panorama { clip star(5, inner = 0.5)  frame }
+})";
+constexpr std::string_view formula_example = R"(picture heart {
+    aspect 1
+    layer  panorama { clip formula(x, y) = [0.8 - x^2 - (1.2*y - sqrt(abs(x)) + 0.2)^2]  frame }
+})";
+constexpr std::string_view image_example = R"(picture masked {
+    layer panorama { clip image("mask.png") }
+})";
+
+// Those with a formula for their edge.
+std::vector<StageEntry> round_shapes() {
+    return {
+        {StageKind::clip_shape,
+         "rectangle",
+         "all of the layer's picture",
+         {},
+         [](const Arguments&) { return made<Rectangle>(); },
+         {},
+         0,
+         rectangle_example},
+        {StageKind::clip_shape,
+         "ellipse",
+         "the largest ellipse in the layer's picture",
+         {},
+         [](const Arguments&) { return made<Ellipse>(); },
+         {},
+         0,
+         ellipse_example},
+        {StageKind::clip_shape,
+         "ring",
+         "the largest ellipse in the layer's picture, with a hole",
+         {{.name = "inner",
+           .default_value = {0.5},
+           .least = 0.0,
+           .most = 1.0,
+           .above_least = true,
+           .meaning = "the size of the hole, of the ellipse's"}},
+         [](const Arguments& a) { return made<Ring>(a.number("inner")); },
+         {},
+         0,
+         ring_example},
+        {StageKind::clip_shape,
+         "rounded",
+         "a rectangle with round corners",
+         {{.name = "radius",
+           .default_value = {0.1},
+           .least = 0.0,
+           .most = 0.5,
+           .meaning = "of the corners, as a fraction of the shorter side"}},
+         [](const Arguments& a) { return made<RoundedRectangle>(a.number("radius")); },
+         {},
+         0,
+         rounded_example},
+    };
+}
+
+}  // namespace
+
+ClipShapePointer whole_rectangle() {
+    static const ClipShapePointer rectangle = std::make_shared<const Rectangle>();
+    return rectangle;
+}
+
+std::vector<StageEntry> clip_shapes() {
+    using enum ParameterType;
+    std::vector<StageEntry> rows = round_shapes();
+    rows.push_back(
+        {StageKind::clip_shape,
+         "polygon",
+         "the inside of a closed line, by the even-odd rule",
+         {{.name = "points",
+           .type = points,
+           .coordinates = {2},
+           .points_least = 3,
+           .meaning = "the corners, as fractions of the layer's picture from its top left"}},
+         make_polygon,
+         {},
+         0,
+         polygon_example});
+    rows.push_back({StageKind::clip_shape,
+                    "star",
+                    "a star, with one tip at the top",
+                    {{.name = "points",
+                      .type = count,
+                      .default_value = {5.0},
+                      .least = 2.0,
+                      .most = 100.0,
+                      .constant = true,
+                      .meaning = "how many tips"},
+                     {.name = "inner",
+                      .default_value = {0.382},
+                      .least = 0.0,
+                      .most = 1.0,
+                      .above_least = true,
+                      .constant = true,
+                      .meaning = "how far out the corners between the tips are, of the tips"}},
+                    [](const Arguments& a) {
+                        return made<Polygon>(star_corners(a.count("points"), a.constant("inner")));
+                    },
+                    {},
+                    0,
+                    star_example});
+    rows.push_back({StageKind::clip_shape,
+                    "formula",
+                    "where it is above 0: formula(x, y) = [f], from -1 to 1, to the right and up",
+                    {},
+                    [](const Arguments& a) { return made<ClipFormula>(a.formula()); },
+                    FormulaShape{2, 1, 1},
+                    0,
+                    formula_example});
+    rows.push_back(
+        {StageKind::clip_shape,
+         "image",
+         "a grey picture as a mask: white shows, black does not",
+         {{.name = "file", .type = image, .meaning = "stretched over the layer's picture"},
+          {.name = "invert",
+           .type = choice,
+           .choices = {"no", "yes"},
+           .meaning = "whether black shows instead"}},
+         [](const Arguments& a) {
+             return made<ImageMask>(grey_table(*a.image("file"), a.choice("invert") == "yes"));
+         },
+         {},
+         0,
+         image_example});
+    return rows;
+}
+
+}  // namespace balcony::camera

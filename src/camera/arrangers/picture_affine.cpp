@@ -1,0 +1,209 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Affine picture arrangers, DCS → DCS: place, shift, scale, rotate, mirror. Fractions of a picture
+// count from its top left corner to the right and down.
+
+#include "camera/families.hpp"
+#include "camera/stage_parameters.hpp"
+
+namespace balcony::camera {
+
+namespace {
+
+/// The camera's picture, whole, in a rectangle of the larger one, given by its corners as
+/// fractions.
+class Place final : public PictureArranger {
+public:
+    Place(Pair from, Pair to) : from_(std::move(from)), to_(std::move(to)) {}
+
+    ArrangedPoint arrange(const ArrangedPoint& picture, Emitter& emit) const override {
+        const auto& [point, size] = picture;
+        const Expr x = point.x - emit(from_[0]) * size.width;
+        const Expr y = point.y - emit(from_[1]) * size.height;
+        const Expr width = (emit(to_[0]) - emit(from_[0])) * size.width;
+        const Expr height = (emit(to_[1]) - emit(from_[1])) * size.height;
+        return {{x, y}, {width, height}};
+    }
+
+private:
+    Pair from_, to_;
+};
+
+/// Moves the picture by fractions of itself.
+class Shift final : public PictureArranger {
+public:
+    explicit Shift(Pair by) : by_(std::move(by)) {}
+
+    ArrangedPoint arrange(const ArrangedPoint& picture, Emitter& emit) const override {
+        const auto& [point, size] = picture;
+        return {{point.x - emit(by_[0]) * size.width, point.y - emit(by_[1]) * size.height}, size};
+    }
+
+private:
+    Pair by_;
+};
+
+/// A smaller or larger picture round the same fixed point.
+class ScalePicture final : public PictureArranger {
+public:
+    ScalePicture(Pair by, Pair at) : by_(std::move(by)), at_(std::move(at)) {}
+
+    ArrangedPoint arrange(const ArrangedPoint& picture, Emitter& emit) const override {
+        const auto& [point, size] = picture;
+        const Expr width = emit(by_[0]) * size.width;
+        const Expr height = emit(by_[1]) * size.height;
+        return {{point.x - emit(at_[0]) * (size.width - width),
+                 point.y - emit(at_[1]) * (size.height - height)},
+                {width, height}};
+    }
+
+private:
+    Pair by_, at_;
+};
+
+/// Turns the picture counter-clockwise, as it is seen: y points down here.
+class RotatePicture final : public PictureArranger {
+public:
+    RotatePicture(Scalar angle, Pair at) : angle_(std::move(angle)), at_(std::move(at)) {}
+
+    ArrangedPoint arrange(const ArrangedPoint& picture, Emitter& emit) const override {
+        const auto& [point, size] = picture;
+        const Expr center_x = emit(at_[0]) * size.width;
+        const Expr center_y = emit(at_[1]) * size.height;
+        const Expr x = point.x - center_x;
+        const Expr y = point.y - center_y;
+        const Expr c = cos(emit(angle_));
+        const Expr s = sin(emit(angle_));
+        return {{center_x + c * x - s * y, center_y + s * x + c * y}, size};
+    }
+
+private:
+    Scalar angle_;
+    Pair at_;
+};
+
+/// Swaps left and right, or top and bottom.
+class Mirror final : public PictureArranger {
+public:
+    explicit Mirror(bool left_and_right) : left_and_right_(left_and_right) {}
+
+    ArrangedPoint arrange(const ArrangedPoint& picture, Emitter&) const override {
+        const auto& [point, size] = picture;
+        return left_and_right_ ? ArrangedPoint{{size.width - point.x, point.y}, size}
+                               : ArrangedPoint{{point.x, size.height - point.y}, size};
+    }
+
+private:
+    bool left_and_right_;
+};
+
+StageParameter fixed_point(std::string_view meaning) {
+    return {
+        .name = "at", .type = ParameterType::pair, .default_value = {0.5, 0.5}, .meaning = meaning};
+}
+
+StageEntry place_row() {
+    using enum ParameterType;
+    return {StageKind::picture_arranger,
+            "place",
+            "puts the camera's picture into a part of the whole",
+            {{.name = "from",
+              .type = pair,
+              .default_value = {0.0, 0.0},
+              .meaning = "top left corner, as a fraction of the picture"},
+             {.name = "to",
+              .type = pair,
+              .default_value = {1.0, 1.0},
+              .meaning = "bottom right corner, as a fraction of the picture"}},
+            [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
+                const auto from = a.pair("from");
+                const auto to = a.pair("to");
+                for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+                    const auto first = from[i].constant();
+                    const auto last = to[i].constant();
+                    if (first && last && *last <= *first) {
+                        return error("this place has no area", {},
+                                     "'from' is its top left corner, 'to' its bottom right one");
+                    }
+                }
+                return made<Place>(from, to);
+            },
+            {},
+            0,
+            R"(camera half {
+    place (0.05, 0.1) .. (0.8, 0.9)
+    map   u = 60deg .. -60deg, v = square
+    eye   sphere(1)
+})"};
+}
+
+}  // namespace
+
+std::vector<StageEntry> picture_affine() {
+    using enum ParameterType;
+    return {
+        place_row(),
+        {StageKind::picture_arranger,
+         "shift",
+         "moves the picture",
+         {{.name = "by",
+           .type = pair,
+           .meaning = "to the right and down, as a fraction of the picture"}},
+         [](const Arguments& a) { return made<Shift>(a.pair("by")); },
+         {},
+         0,
+         R"(camera shifted {
+    arrange shift((0.2, 0.1))
+    map     u = 60deg .. -60deg, v = square
+    eye     sphere(1)
+})"},
+        {StageKind::picture_arranger,
+         "scale",
+         "makes the picture smaller or larger",
+         {{.name = "by",
+           .type = size,
+           .least = 0.0,
+           .above_least = true,
+           .meaning = "of width and height"},
+          fixed_point("the point that stays, as a fraction of the picture")},
+         [](const Arguments& a) { return made<ScalePicture>(a.pair("by"), a.pair("at")); },
+         {},
+         0,
+         R"(camera smaller {
+    arrange scale(0.8, at = (1, 0.5))
+    map     u = 60deg .. -60deg, v = square
+    eye     sphere(1)
+})"},
+        {StageKind::picture_arranger,
+         "rotate",
+         "turns the picture",
+         {{.name = "angle", .unit = Unit::angle, .meaning = "counter-clockwise"},
+          fixed_point("the point that stays, as a fraction of the picture")},
+         [](const Arguments& a) { return made<RotatePicture>(a.number("angle"), a.pair("at")); },
+         {},
+         0,
+         R"(camera turned {
+    arrange scale(0.8), rotate(10deg)
+    map     u = 60deg .. -60deg, v = square
+    eye     sphere(1)
+})"},
+        {StageKind::picture_arranger,
+         "mirror",
+         "swaps the sides of the picture",
+         {{.name = "axis",
+           .type = choice,
+           .choices = {"x", "y"},
+           .meaning = "x swaps left and right, y top and bottom"}},
+         [](const Arguments& a) { return made<Mirror>(a.choice("axis") == "x"); },
+         {},
+         0,
+         R"(camera in_the_mirror {
+    arrange mirror(x)
+    map     u = 60deg .. -60deg, v = square
+    eye     sphere(1)
+})"},
+    };
+}
+
+}  // namespace balcony::camera

@@ -1,0 +1,165 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Picture arrangers that bend the picture, DCS → DCS.
+
+#include <numbers>
+
+#include "camera/families.hpp"
+#include "camera/stage_parameters.hpp"
+
+namespace balcony::camera {
+
+namespace {
+
+/// A point of a picture from a fixed one, in pixels.
+struct Offset {
+    Expr x, y;
+};
+
+Offset offset_from(const Pair& at, const ArrangedPoint& picture, Emitter& emit) {
+    const auto& [point, size] = picture;
+    return {point.x - emit(at[0]) * size.width, point.y - emit(at[1]) * size.height};
+}
+
+/// The local zoom of parameter space, on the picture: the offset d from the point becomes
+/// d (1 - k (1 - q)^3) with q = |d|^2 / radius^2 < 1 and k = 1 - 1/strength.
+class ZoomPicture final : public PictureArranger {
+public:
+    ZoomPicture(Pair at, Scalar radius, Scalar strength)
+        : at_(std::move(at)), radius_(std::move(radius)), strength_(std::move(strength)) {}
+
+    ArrangedPoint arrange(const ArrangedPoint& picture, Emitter& emit) const override {
+        const auto& [point, size] = picture;
+        const Offset d = offset_from(at_, picture, emit);
+        const Expr radius = emit(radius_) * size.height;
+        const Expr q = (d.x * d.x + d.y * d.y) / (radius * radius);
+        const Expr near = max(1.0 - q, emit(0.0));
+        const Expr pull = (1.0 - 1.0 / emit(strength_)) * (near * near * near);
+        return {{point.x - pull * d.x, point.y - pull * d.y}, size};
+    }
+
+private:
+    Pair at_;
+    Scalar radius_, strength_;
+};
+
+/// Rings as on water: distances r from the point become r + a sin(2 pi r / wavelength - phase).
+class Ripple final : public PictureArranger {
+public:
+    Ripple(Scalar amplitude, Scalar wavelength, Pair at, Scalar phase)
+        : amplitude_(std::move(amplitude)),
+          wavelength_(std::move(wavelength)),
+          at_(std::move(at)),
+          phase_(std::move(phase)) {}
+
+    ArrangedPoint arrange(const ArrangedPoint& picture, Emitter& emit) const override {
+        const auto& [point, size] = picture;
+        const Offset d = offset_from(at_, picture, emit);
+        // A billionth of a pixel keeps the direction at the point itself from being 0/0.
+        const Expr r = sqrt(d.x * d.x + d.y * d.y + 1e-18);
+        const Expr wave =
+            sin(2.0 * std::numbers::pi * r / (emit(wavelength_) * size.height) - emit(phase_));
+        const Expr stretch = emit(amplitude_) * size.height * wave / r;
+        return {{point.x + stretch * d.x, point.y + stretch * d.y}, size};
+    }
+
+private:
+    Scalar amplitude_, wavelength_;
+    Pair at_;
+    Scalar phase_;
+};
+
+/// formula(x, y) = [x', y']: where in the camera's picture the point (x, y) lies; both run from -1
+/// to 1, to the right and up.
+class PictureFormula final : public PictureArranger {
+public:
+    explicit PictureFormula(Formula formula) : formula_(std::move(formula)) {}
+
+    ArrangedPoint arrange(const ArrangedPoint& picture, Emitter& emit) const override {
+        const auto& [point, size] = picture;
+        const std::array centered{2.0 * point.x / size.width - 1.0,
+                                  1.0 - 2.0 * point.y / size.height};
+        const std::vector<Expr> xy = formula_.emit(emit.graph(), centered);
+        emit.require(is_finite(xy[0]) && is_finite(xy[1]));
+        return {{0.5 * (xy[0] + 1.0) * size.width, 0.5 * (1.0 - xy[1]) * size.height}, size};
+    }
+
+private:
+    Formula formula_;
+};
+
+StageEntry zoom_row() {
+    using enum ParameterType;
+    return {StageKind::picture_arranger,
+            "zoom",
+            "local zoom: magnifies round a point of the picture, nothing of the rest is lost",
+            {{.name = "at",
+              .type = pair,
+              .default_value = {0.5, 0.5},
+              .meaning = "the point, as a fraction of the picture"},
+             positive_parameter("radius", 0.3, "how far it reaches, as a fraction of the height"),
+             positive_parameter("strength", 2.0, "magnification in the middle")},
+            [](const Arguments& a) {
+                return made<ZoomPicture>(a.pair("at"), a.number("radius"), a.number("strength"));
+            },
+            {},
+            0,
+            R"(camera under_the_glass {
+    arrange zoom(at = (0.4, 0.5), radius = 0.4, strength = 3)
+    map     u = 60deg .. -60deg, v = square
+    eye     sphere(1)
+})"};
+}
+
+StageEntry ripple_row() {
+    using enum ParameterType;
+    return {
+        StageKind::picture_arranger,
+        "ripple",
+        "rings, as a drop makes them on water",
+        {number_parameter("amplitude", 0.01, "of the waves, as a fraction of the height"),
+         positive_parameter("wavelength", 0.1, "from crest to crest, as a fraction of the height"),
+         {.name = "at",
+          .type = pair,
+          .default_value = {0.5, 0.5},
+          .meaning = "the middle of the rings, as a fraction of the picture"},
+         {.name = "phase",
+          .unit = Unit::angle,
+          .default_value = {0.0},
+          .meaning = "how far the waves have run outwards; 360deg is one wavelength"}},
+        [](const Arguments& a) {
+            return made<Ripple>(a.number("amplitude"), a.number("wavelength"), a.pair("at"),
+                                a.number("phase"));
+        },
+        {},
+        0,
+        R"(camera in_the_pond {
+    arrange ripple(amplitude = 0.01, wavelength = 0.15, phase = t*360deg)
+    map     u = 60deg .. -60deg, v = square
+    eye     sphere(1)
+})"};
+}
+
+}  // namespace
+
+std::vector<StageEntry> picture_warps() {
+    return {
+        zoom_row(),
+        ripple_row(),
+        {StageKind::picture_arranger,
+         "formula",
+         "a map of the picture: formula(x, y) = [x', y'], from -1 to 1, to the right and up",
+         {},
+         [](const Arguments& a) { return made<PictureFormula>(a.formula()); },
+         FormulaShape{2, 2, 2},
+         0,
+         R"(camera barrel {
+    arrange formula(x, y) = [x*(0.8 + 0.1*(x^2 + y^2)), y*(0.8 + 0.1*(x^2 + y^2))]
+    map     u = 60deg .. -60deg, v = square
+    eye     sphere(1)
+})"},
+    };
+}
+
+}  // namespace balcony::camera

@@ -1,0 +1,294 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// The picture arranger: layers become a tree of elements, each with its coverage as a formula.
+
+#include "balcony/picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "camera/arrange.hpp"
+#include "camera/arrangers/clip_shapes.hpp"
+
+namespace balcony::camera {
+
+namespace {
+
+using Element = PictureExpressions::Element;
+using NestedPicture = std::shared_ptr<const Picture>;
+
+// ------------------------------------------------------------------------------------- checks
+
+const Picture* nested(const Layer& layer) {
+    const auto* picture = std::get_if<NestedPicture>(&layer.content);
+    return picture != nullptr ? picture->get() : nullptr;
+}
+
+struct Extent {
+    std::size_t layers = 0;
+    std::size_t depth = 1;
+};
+
+Extent extent(const Picture::Parts& parts) {
+    Extent all;
+    for (const Layer& layer : parts.layers) {
+        ++all.layers;
+        if (const Picture* inner = nested(layer)) {
+            const Extent within = extent(inner->parts());
+            all.layers += within.layers;
+            all.depth = std::max(all.depth, within.depth + 1);
+        }
+    }
+    return all;
+}
+
+// What is known of a number before there is a time.
+bool known_outside(const Scalar& value, double least, double most) {
+    const auto known = value.constant();
+    return known && !(least <= *known && *known <= most);
+}
+
+void check_stroke(const Stroke& stroke, const std::string& layer, Diagnostics& said) {
+    if (known_outside(stroke.width, 0.0, 1.0)) {
+        said.push_back(error(fmt::format("a line of layer '{}' is not from 0 to 1 wide", layer), {},
+                             "its width is a fraction of the picture's height, such as 0.004"));
+    }
+}
+
+void check_layer(const Layer& layer, Diagnostics& said) {
+    if (known_outside(layer.alpha, 0.0, 1.0)) {
+        said.push_back(error(fmt::format("the alpha of layer '{}' is not from 0 to 1", layer.name),
+                             {}, "0 is transparent, 1 opaque"));
+    }
+    if (known_outside(layer.softness, 0.0, 1.0)) {
+        said.push_back(
+            error(fmt::format("the soft edge of layer '{}' is not from 0 to 1 wide", layer.name),
+                  {}, "it is a fraction of the layer's height, such as 0.05"));
+    }
+    if (layer.frame) {
+        check_stroke(*layer.frame, layer.name, said);
+    }
+    for (const Leader& leader : layer.leaders) {
+        check_stroke(leader.stroke, layer.name, said);
+    }
+}
+
+void check_extent(const Picture::Parts& parts, Diagnostics& said) {
+    const Extent all = extent(parts);
+    if (all.layers == 0) {
+        said.push_back(error(fmt::format("picture '{}' has no layers", parts.name), {},
+                             "add one with: layer NAME"));
+    }
+    if (all.layers > most_layers) {
+        said.push_back(
+            error(fmt::format("picture '{}' has {} layers, those of its pictures "
+                              "included; {} are allowed",
+                              parts.name, all.layers, most_layers)));
+    }
+    if (all.depth > most_nested_pictures) {
+        said.push_back(error(fmt::format("picture '{}' nests pictures {} deep; {} are allowed",
+                                         parts.name, all.depth, most_nested_pictures)));
+    }
+}
+
+// ----------------------------------------------------------------------------------- elements
+
+/// A point on its way into nested pictures: where rays are made, and, for coverages, the nearest
+/// point of the whole picture on the same way.
+struct Sample {
+    ArrangedPoint traced, shown;
+};
+
+/// From 0 to 1, a pixel wide, where a distance in pixels passes 0.
+Expr antialiased(Expr distance, const Emitter& emit) {
+    return min(max(0.5 - distance, emit(0.0)), emit(1.0));
+}
+
+/// A distance as measured in the layer's picture in pixels of the whole one: to first order, the
+/// distance by the length of its gradient. Where there is none it stays.
+Expr in_device_pixels(Expr distance, const ArrangedPoint& layer, Emitter& emit) {
+    Graph& graph = emit.graph();
+    const std::array leaves{graph.picture_x(), graph.picture_y()};
+    const std::array point{layer.point.x, layer.point.y};
+    const std::vector<Expr> by_x = expr::derive(point, leaves[0]);
+    const std::vector<Expr> by_y = expr::derive(point, leaves[1]);
+    const auto dot_is = [](const std::vector<Expr>& a, const std::vector<Expr>& b, double wanted) {
+        const Expr product = a[0] * b[0] + a[1] * b[1];
+        return product.is_constant() && std::abs(product.node().value - wanted) < 1e-9;
+    };
+    if (dot_is(by_x, by_x, 1.0) && dot_is(by_y, by_y, 1.0) && dot_is(by_x, by_y, 0.0)) {
+        return distance;
+    }
+    const Expr dx = expr::derive(distance, leaves[0]);
+    const Expr dy = expr::derive(distance, leaves[1]);
+    const Expr slope = sqrt(dx * dx + dy * dy);
+    return select(is_finite(slope) && 1e-6 < slope, distance / slope, distance);
+}
+
+Element painted(Expr coverage, const Stroke& stroke, const Emitter& emit) {
+    Element element;
+    element.coverage = coverage;
+    element.paint = std::array{emit(stroke.color[0]), emit(stroke.color[1]), emit(stroke.color[2])};
+    return element;
+}
+
+/// The four corners of a rectangle, with the side they lie on: -1 for left and top, 1 for right and
+/// bottom.
+struct Corner {
+    double side_x, side_y;
+};
+constexpr std::array corners = {Corner{-1.0, -1.0}, Corner{1.0, -1.0}, Corner{-1.0, 1.0},
+                                Corner{1.0, 1.0}};
+
+/// The distance of a point from the line between two others, which ends at them.
+Expr segment_distance(const DevicePoint& p, const DevicePoint& a, const DevicePoint& b,
+                      const Emitter& emit) {
+    const Expr to_x = b.x - a.x;
+    const Expr to_y = b.y - a.y;
+    const Expr x = p.x - a.x;
+    const Expr y = p.y - a.y;
+    const Expr squared_length = max(to_x * to_x + to_y * to_y, emit(1e-12));
+    const Expr share = min(max((x * to_x + y * to_y) / squared_length, emit(0.0)), emit(1.0));
+    const Expr dx = x - share * to_x;
+    const Expr dy = y - share * to_y;
+    return sqrt(dx * dx + dy * dy);
+}
+
+class PictureEmitter {
+public:
+    explicit PictureEmitter(Graph& graph) : graph_(graph) {}
+
+    std::vector<Element> elements(const Picture& picture, const Sample& sample,
+                                  const std::string& path) {
+        std::vector<Element> made;
+        for (const Layer& layer : picture.parts().layers) {
+            add(layer, sample, path, made);
+        }
+        return made;
+    }
+
+private:
+    void add(const Layer& layer, const Sample& whole, const std::string& path,
+             std::vector<Element>& made) {
+        Emitter emit(graph_);
+        const Sample own{arranged(whole.traced, layer.arrangers, emit),
+                         arranged(whole.shown, layer.arrangers, emit)};
+        const ClipShapePointer clip = layer.clip ? layer.clip : whole_rectangle();
+        const Expr edge = layer.frame || !layer.leaders.empty()
+                              ? in_device_pixels(clip->distance(own.traced, emit), own.traced, emit)
+                              : Expr();
+        for (const Leader& leader : layer.leaders) {
+            made.push_back(leader_element(leader, layer, *clip, edge, whole.traced, emit));
+        }
+
+        Element content;
+        content.name = path.empty() ? layer.name : path + "/" + layer.name;
+        content.coverage = emit(layer.alpha) * coverage(layer, *clip, own.shown, emit);
+        content.blend = layer.blend;
+        if (const Picture* inner = nested(layer)) {
+            content.group = elements(*inner, own, content.name);
+        } else {
+            const Camera& camera = std::get<Camera>(layer.content);
+            content.ray = camera.emit(own.traced);
+            content.axes = camera.parts().axes;
+        }
+        made.push_back(std::move(content));
+
+        if (layer.frame) {
+            const Expr width = emit(layer.frame->width) * whole.traced.size.height;
+            const Expr from_middle = abs(edge + 0.5 * width) - 0.5 * width;
+            made.push_back(painted(antialiased(from_middle, emit), *layer.frame, emit));
+        }
+    }
+
+    // A layer that nothing clips or moves covers all, also beyond the picture's border, and costs
+    // nothing to tell so.
+    static Expr coverage(const Layer& layer, const ClipShape& clip, const ArrangedPoint& own,
+                         Emitter& emit) {
+        if (!layer.clip && layer.arrangers.empty() && layer.softness.constant() == 0.0) {
+            return emit(1.0);
+        }
+        const Expr shape = clip.coverage(own, emit(layer.softness) * own.size.height, emit);
+        return select(emit.valid(), shape, emit(0.0));
+    }
+
+    // The frame of the region and the lines to it, which end where the layer begins.
+    static Element leader_element(const Leader& leader, const Layer& layer, const ClipShape& clip,
+                                  Expr layer_edge, const ArrangedPoint& whole, Emitter& emit) {
+        const auto& [point, size] = whole;
+        const Expr half_line = 0.5 * emit(leader.stroke.width) * size.height;
+        const DevicePoint from{emit(leader.from[0]) * size.width,
+                               emit(leader.from[1]) * size.height};
+        const DevicePoint to{emit(leader.to[0]) * size.width, emit(leader.to[1]) * size.height};
+        const Expr region = max(abs(point.x - 0.5 * (from.x + to.x)) - 0.5 * abs(to.x - from.x),
+                                abs(point.y - 0.5 * (from.y + to.y)) - 0.5 * abs(to.y - from.y));
+        Expr drawn = antialiased(abs(region - half_line) - half_line, emit);
+        for (const Corner& corner : corners) {
+            const DevicePoint end{corner.side_x < 0.0 ? min(from.x, to.x) : max(from.x, to.x),
+                                  corner.side_y < 0.0 ? min(from.y, to.y) : max(from.y, to.y)};
+            const DevicePoint begin =
+                find_arranged(size, layer.arrangers, corner_of(clip, corner, emit), emit);
+            // It enters neither rectangle if it leaves both to different sides in x and y.
+            const Expr leaves =
+                corner.side_x * (end.x - begin.x) * corner.side_y * (end.y - begin.y);
+            const Expr line =
+                antialiased(segment_distance(point, begin, end, emit) - half_line, emit);
+            drawn = max(drawn, select(leaves <= 0.0 && 0.0 <= region && 0.0 <= layer_edge, line,
+                                      emit(0.0)));
+        }
+        return painted(drawn, leader.stroke, emit);
+    }
+
+    static DevicePoint corner_of(const ClipShape& clip, const Corner& corner, const Emitter& emit) {
+        const double reach = 0.5 * clip.corner_reach();
+        return {emit(0.5 + reach * corner.side_x), emit(0.5 + reach * corner.side_y)};
+    }
+
+    Graph& graph_;
+};
+
+}  // namespace
+
+Result<Picture> Picture::make(Parts parts) {
+    Diagnostics said;
+    check_extent(parts, said);
+    for (const Layer& layer : parts.layers) {
+        check_layer(layer, said);
+    }
+    if (parts.size && ((*parts.size)[0] == 0 || (*parts.size)[1] == 0)) {
+        said.push_back(error(fmt::format("picture '{}' has no pixels", parts.name), {},
+                             "write its width and height, such as 1920 x 1080"));
+    } else if (parts.size) {
+        parts.aspect =
+            static_cast<double>((*parts.size)[0]) / static_cast<double>((*parts.size)[1]);
+    }
+    if (!(parts.aspect > 0.0 && std::isfinite(parts.aspect))) {
+        said.push_back(
+            error(fmt::format("picture '{}' has the aspect {}, which is no positive number",
+                              parts.name, parts.aspect),
+                  {}, "write width by height of the picture, such as 16/9"));
+    }
+    if (has_errors(said)) {
+        return said;
+    }
+    return {Picture(std::move(parts)), std::move(said)};
+}
+
+Picture::Picture(Camera camera) {
+    Parts parts;
+    parts.name = camera.name();
+    parts.aspect = camera.parts().aspect;
+    Layer layer{camera.name(), std::move(camera)};
+    parts.layers.push_back(std::move(layer));
+    parts_ = std::make_shared<const Parts>(std::move(parts));
+}
+
+PictureExpressions Picture::emit(Graph& graph, double width, double height) const {
+    const ArrangedPoint whole = whole_picture(graph, width, height);
+    return {PictureEmitter(graph).elements(*this, {whole, clamped(whole)}, "")};
+}
+
+}  // namespace balcony::camera
