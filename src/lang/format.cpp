@@ -190,7 +190,8 @@ private:
         piece.closes = is_any(token, {")", "]"});
         piece.sum = role == Role::loose && !is_any(token, {"=", ".."});
         lines_.back().pieces.push_back(piece);
-        previous_ = {&token, role, first};
+        // A frame is written as a call, other statements have their arguments behind a space.
+        previous_ = {&token, role, first && !token.is_name("frame")};
         if (token.is("{")) {
             ++depth_;
             lines_.back().opens_block = true;
@@ -280,7 +281,7 @@ private:
             column_ = brackets_.empty() ? continuation_ : brackets_.back();
             out_ += '\n';
             out_.append(column_, ' ');
-        } else if (i > 0 && i == 1 && aligned_ && !is_comment(piece)) {
+        } else if (i == 1 && aligned_ && piece.space && !is_comment(piece)) {
             const std::size_t gap = argument_column_ - column_;
             out_.append(gap, ' ');
             column_ += gap;

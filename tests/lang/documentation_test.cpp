@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Every ```cam snippet of docs/language.md is a file without errors or warnings.
+// Every ```cam snippet of docs/ is a file without errors or warnings.
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,9 @@
 namespace balcony::lang {
 namespace {
 
-TEST(Documentation, EverySnippetWorks) {
-    const std::string text = test::read_file(BALCONY_SOURCE_DIR "/docs/language.md");
+// How many snippets a page has; each is tried.
+std::size_t try_snippets(const std::filesystem::path& page) {
+    const std::string text = test::read_file(page);
     const std::string opening = "```cam\n";
     std::size_t count = 0;
     for (std::size_t at = text.find(opening); at != std::string::npos;
@@ -20,10 +21,21 @@ TEST(Documentation, EverySnippetWorks) {
         const test::TemporaryFolder folder;
         folder.write("lengths.cam", "let room_length = 9");
         const std::string snippet = text.substr(at, text.find("```", at) - at);
-        EXPECT_EQ(to_text(check(folder.write("snippet.cam", snippet))), "") << snippet;
+        EXPECT_EQ(to_text(check(folder.write("snippet.cam", snippet))), "") << page << snippet;
         ++count;
     }
-    EXPECT_GE(count, 12U);
+    return count;
+}
+
+TEST(Documentation, EverySnippetWorks) {
+    const std::filesystem::path docs = BALCONY_SOURCE_DIR "/docs";
+    for (const auto& page : std::filesystem::directory_iterator(docs)) {
+        if (page.path().extension() == ".md") {
+            (void)try_snippets(page.path());
+        }
+    }
+    EXPECT_GE(try_snippets(docs / "language.md"), 12U);
+    EXPECT_EQ(try_snippets(docs / "tutorial.md"), 7U);
 }
 
 }  // namespace
