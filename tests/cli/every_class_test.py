@@ -22,7 +22,7 @@ camera everything {
         object fractal_sphere(20, height = 0.5, seed = 3)
     }
     move coin((2, 0, 0), strength = 0.3, radius = 2), twist(z, 2deg)
-    look blend(normal outward, relative, weight(u, v) = [0.1 + 0.05*u])
+    look blend(normal(outward), relative, weight(u, v) = [0.1 + 0.05*u])
 }
 
 picture all 64 x 36 {
