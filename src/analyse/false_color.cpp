@@ -254,14 +254,18 @@ std::optional<MapKind> find_map_kind(std::string_view name) {
 
 Image false_color(const Report& report, MapKind kind) {
     constexpr std::size_t least_width = 800;
+    constexpr std::size_t most_side = 8192;
     Design design = design_of(report, kind);
     leave_out_unused(report, design);
     const SampleGrid& grid = report.grid;
-    const std::size_t side =
+    const std::size_t wished =
         std::max(static_cast<std::size_t>(std::lround(grid.step)),
                  (least_width + grid.columns - 1) / std::max<std::size_t>(grid.columns, 1));
+    const std::size_t longest = std::max({grid.columns, grid.rows, std::size_t{1}});
+    const std::size_t side = std::min(wished, std::max<std::size_t>(most_side / longest, 1));
     const std::size_t map_height = side * grid.rows;
-    Bitmap bitmap(side * grid.columns, map_height + Legend::height(design), white);
+    Bitmap bitmap(std::max(side * grid.columns, least_width), map_height + Legend::height(design),
+                  white);
     for (std::size_t i = 0; i < report.samples.size(); ++i) {
         bitmap.fill(side * (i % grid.columns), side * (i / grid.columns), side, side,
                     design.color(report.samples[i]));

@@ -35,6 +35,11 @@ fs::path folder_of(const fs::path& file) {
     return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
+Diagnostic not_a_file(const fs::path& file) {
+    return error(fmt::format("'{}' is there and is not a file", file.string()), {},
+                 "name another file to write");
+}
+
 }  // namespace
 
 Diagnostics OutputFile::check(const fs::path& file) {
@@ -46,7 +51,7 @@ Diagnostics OutputFile::check(const fs::path& file) {
                                   file.string()))};
     }
     if (fs::exists(real, failed) && !fs::is_regular_file(real, failed)) {
-        return {error(fmt::format("'{}' is there and is not a file", file.string()))};
+        return {not_a_file(file)};
     }
     if (::access(folder.c_str(), W_OK) != 0) {
         return {error(fmt::format("the folder '{}' cannot be written to", folder.string()))};
@@ -74,6 +79,18 @@ Diagnostics OutputFile::commit() {
         return {failure()};
     }
     std::error_code failed;
+    const fs::file_status before = fs::status(file_, failed);
+    if (fs::exists(before)) {
+        // Moving a file there would replace the device or the pipe itself.
+        if (!fs::is_regular_file(before)) {
+            return {not_a_file(file_)};
+        }
+        if (::access(file_.c_str(), W_OK) != 0) {
+            reason_ = errno;
+            return {failure()};
+        }
+        fs::permissions(beside_, before.permissions(), failed);
+    }
     fs::rename(beside_, file_, failed);
     if (failed) {
         reason_ = failed.value();

@@ -28,7 +28,8 @@ public:
 
     [[nodiscard]] std::ofstream& stream() { return stream_; }
 
-    /// Moves the file to its place if all that was written arrived; an error otherwise.
+    /// Moves the file to its place if all that was written arrived; an error otherwise. An older
+    /// file passes its permissions on; one that may not be written, or what is no file, stays.
     [[nodiscard]] Diagnostics commit();
 
     /// What is said when writing fails, with the system's reason.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -86,6 +87,12 @@ Wishes read_wishes(const CheckOptions& options, Diagnostics& said) {
                                       "give auto, or a distance above 0 in scene units", said);
     }
     for (const auto& [name, file] : options.maps) {
+        for (const Map& other : wishes.maps) {
+            if (other.file == file) {
+                said.push_back(error(fmt::format("two maps cannot be in one file '{}'", file), {},
+                                     "name a file for each"));
+            }
+        }
         wishes.maps.push_back(read_map(name, file, said));
         for (const std::string& camera : options.cameras) {
             std::error_code failed;
@@ -146,6 +153,23 @@ private:
         Result<scene::Scene> loaded = scene::load(options_.scene);
         say(loaded.diagnostics);
         scene_ = std::move(loaded.value);
+        if (scene_) {
+            keep_textures(*scene_);
+        }
+    }
+
+    void keep_textures(const scene::Scene& scene) {
+        for (const Map& map : wishes_.maps) {
+            for (const scene::Texture& texture : scene.textures) {
+                std::error_code failed;
+                if (fs::equivalent(texture.file, map.file, failed) && !failed) {
+                    say({error(fmt::format("'{}' is part of the scene and would be overwritten",
+                                           map.file.string()),
+                               {}, "name another file for the map")});
+                    return;
+                }
+            }
+        }
     }
 
     void check_file(const std::string& argument) {
@@ -193,8 +217,7 @@ private:
         settings.distance = wishes_.distance;
         CameraCheck check;
         if (scene_) {
-            const Result<render::Probe> probe = render::probe(
-                *scene_, *camera, {.width = width, .height = height, .time = wishes_.time});
+            const Result<render::Probe> probe = look_at(*scene_, *camera, width, height);
             if (!probe) {
                 say(probe.diagnostics);
                 return;
@@ -208,6 +231,31 @@ private:
             check.report = analyse::diagnose(*camera, settings);
         }
         finish(check, reports);
+    }
+
+    // With rays a pixel apart at most; in a very large picture further, so that it comes to an end.
+    [[nodiscard]] Result<render::Probe> look_at(const scene::Scene& scene,
+                                                const camera::Camera& camera, std::size_t width,
+                                                std::size_t height) const {
+        constexpr double most_pixels = 16e6;
+        const auto pixels = static_cast<double>(width) * static_cast<double>(height);
+        const double scale = std::max(1.0, std::sqrt(pixels / most_pixels));
+        const auto scaled = [scale](std::size_t side) {
+            return std::max<std::size_t>(
+                1, static_cast<std::size_t>(std::lround(static_cast<double>(side) / scale)));
+        };
+        Result<render::Probe> probe =
+            render::probe(scene, camera,
+                          {.width = scaled(width), .height = scaled(height), .time = wishes_.time});
+        if (probe) {
+            for (render::ObjectSight& sight : probe->objects) {
+                sight.inside_at.x *=
+                    static_cast<double>(width) / static_cast<double>(scaled(width));
+                sight.inside_at.y *=
+                    static_cast<double>(height) / static_cast<double>(scaled(height));
+            }
+        }
+        return probe;
     }
 
     void finish(const CameraCheck& check, nlohmann::json& reports) {
@@ -224,6 +272,13 @@ private:
     }
 
     void write_map(const analyse::Report& report, const Map& map) {
+        // Before a large picture is made in vain.
+        const Diagnostics refused = render::check_output(map.file);
+        if (has_errors(refused)) {
+            code_ = ExitCode::environment;
+            say(refused);
+            return;
+        }
         const Image image = analyse::false_color(report, map.kind);
         const Diagnostics said =
             render::write_png(image.samples, {image.width, image.height, 3}, map.file);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
-#include <iterator>
 #include <limits>
 #include <span>
 #include <string_view>
@@ -58,10 +58,22 @@ void read_rows(const std::string& name, std::vector<V3d>& points, Diagnostics& s
     data::File file{name, name, {}};
     std::string input;
     if (name == "-") {
-        input.assign(std::istreambuf_iterator<char>(std::cin), {});
+        // One more than a table may have, so that an endless stream ends in an error.
+        input.resize(data::largest_table + 1);
+        std::cin.read(input.data(), static_cast<std::streamsize>(input.size()));
+        input.resize(static_cast<std::size_t>(std::cin.gcount()));
         file.name = "standard input";
         file.standard =
             std::span(reinterpret_cast<const std::uint8_t*>(input.data()), input.size());
+    }
+    std::error_code ignored;
+    if (name != "-" && !std::filesystem::is_regular_file(name, ignored)) {
+        const bool there = std::filesystem::exists(name, ignored);
+        said.push_back(there ? error(fmt::format("'{}' is not a file", name), {},
+                                     "name a table file, or - for standard input")
+                             : error(fmt::format("there is no file '{}'", name), {},
+                                     "check its name and its folder"));
+        return;
     }
     const Result<data::Table> table = data::read_table(file);
     said.insert(said.end(), table.diagnostics.begin(), table.diagnostics.end());

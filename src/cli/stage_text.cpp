@@ -34,6 +34,15 @@ std::string coordinates_text(const StageParameter& parameter) {
     return kinds.empty() ? "" : fmt::format(" of {}", fmt::join(kinds, " or "));
 }
 
+// "weight(u, v) = [w]", which the meaning of a formula parameter shows; its name if not.
+std::string formula_text(const StageParameter& parameter) {
+    const std::size_t begin = parameter.meaning.find(fmt::format("{}(", parameter.name));
+    const std::size_t end = parameter.meaning.find(']', begin);
+    return std::string(end == std::string_view::npos
+                           ? parameter.name
+                           : parameter.meaning.substr(begin, end + 1 - begin));
+}
+
 }  // namespace
 
 std::string type_text(const StageParameter& parameter) {
@@ -92,9 +101,10 @@ std::string call_text(const camera::StageEntry& row) {
     if (row.formula) {
         return std::string(row.meaning.substr(row.meaning.find(row.name)));
     }
-    std::vector<std::string_view> names;
+    std::vector<std::string> names;
     for (const StageParameter& parameter : row.parameters) {
-        names.push_back(parameter.name);
+        names.push_back(parameter.type == ParameterType::formula ? formula_text(parameter)
+                                                                 : std::string(parameter.name));
     }
     return names.empty() ? std::string(row.name)
                          : fmt::format("{}({})", row.name, fmt::join(names, ", "));

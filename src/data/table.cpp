@@ -33,7 +33,7 @@ public:
     Result<Table> run() {
         for (std::size_t begin = 0; begin < text_.size() && !stopped();) {
             const std::size_t end = std::min(text_.find('\n', begin), text_.size());
-            line(begin, std::min(text_.find('#', begin), end));
+            line(begin, begin + std::min(text_.substr(begin, end - begin).find('#'), end - begin));
             begin = end + 1;
         }
         if (diagnostics_.empty() && table_.rows.empty()) {
@@ -106,7 +106,8 @@ private:
         }
         std::vector<Field> fields;
         for (std::size_t begin = all.begin; begin <= all.end;) {
-            const std::size_t end = std::min(text_.find(separator, begin), all.end);
+            const std::string_view rest = text({begin, all.end});
+            const std::size_t end = begin + std::min(rest.find(separator), rest.size());
             const Field field = trimmed({begin, end});
             if (separator != ' ' || field.begin < field.end) {
                 fields.push_back(field);

@@ -8,9 +8,12 @@
 #include <array>
 #include <set>
 
+#include <fmt/format.h>
+
 #include "balcony/lang.hpp"
 #include "lang/lexer.hpp"
 #include "lang/parser.hpp"
+#include "lang/read_source.hpp"
 
 namespace balcony::lang {
 
@@ -362,6 +365,11 @@ Result<std::string> format(const std::shared_ptr<const SourceText>& source) {
         }
         LinePrinter(lines[i], columns[i], out).run();
         out += '\n';
+    }
+    if (out.size() > largest_file) {
+        return error(fmt::format("'{}' laid out would be larger than 1 MB, which no camera file is",
+                                 source->name()),
+                     {}, "move a part of it to another file, and import that");
     }
     return out;
 }

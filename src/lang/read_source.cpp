@@ -22,11 +22,17 @@ Result<std::shared_ptr<const SourceText>> read_source(const fs::path& file, cons
     std::error_code failure;
     const fs::file_status status = fs::status(file, failure);
     if (!fs::exists(status)) {
-        return error(fmt::format("there is no file '{}'", name), asked);
+        return error(fmt::format("there is no file '{}'", name), asked,
+                     "check its name and its folder");
     }
     if (fs::is_directory(status)) {
         return error(fmt::format("'{}' is a folder, not a file", name), asked,
                      "name a .cam file in it");
+    }
+    // Opening a pipe waits for whoever writes to it, perhaps for ever.
+    if (fs::is_fifo(status) || fs::is_socket(status)) {
+        return error(fmt::format("'{}' is a pipe, not a file", name), asked,
+                     "save what comes from it in a .cam file");
     }
     const auto too_large = [&] {
         return error(fmt::format("'{}' is larger than 1 MB, which no camera file is", name), asked,

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What `balcony check` says of cameras, besides what is wrong with their text."""
 
+import os
 import struct
 import zlib
 
@@ -134,6 +135,18 @@ class Check(support.CommandTest):
         self.refused("check", "cam.png:front", "--map", "seams", "cam.png", code=2,
                      says="'cam.png' would be overwritten")
         self.run_command(*one, "--map", "seams", "nowhere/a.png", code=3)
+        self.refused(*one, "--map", "seams", "a.png", "--map", "origins", "a.png", code=2,
+                     says="'a.png'")
+        os.mkfifo(self.folder / "pipe.png")
+        self.run_command(*one, "--map", "seams", "pipe.png", code=3)
+        self.assertTrue((self.folder / "pipe.png").is_fifo())
+
+    def test_a_picture_larger_than_any_memory(self):
+        out, _ = self.run_command("check", "two.cam:front", "--size", "1000000x1000000", "--scene",
+                                  "scene.obj", "--map", "magnification", "large.png")
+        self.assertIn("1000000 x 1000000 pixels", out)
+        width, height = png_size(self.folder / "large.png")
+        self.assertLess(width * height, 1e8)
 
 
 if __name__ == "__main__":

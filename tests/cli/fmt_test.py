@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """balcony fmt: lays out camera files."""
 
+import os
+
 import support
 
 UGLY = "camera a{eye sphere // round\nmap u=0..1,v=0..1}\n"
@@ -36,6 +38,16 @@ class Fmt(support.CommandTest):
         self.refused("fmt", "ugly.cam", code=1, says="ugly.cam:1")
         self.assertEqual(self.file.read_text(), "camera a {")
         self.refused("fmt", "none.cam", code=1, says="'none.cam'")
+
+    def test_a_file_that_would_become_too_large_is_left_alone(self):
+        text = "camera a{map u=1..-1,v=square eye sphere(" + "+".join(["1"] * 450_000) + ")}"
+        self.file.write_text(text)
+        self.refused("fmt", "ugly.cam", code=1, says="larger than 1 MB", helps="import")
+        self.assertEqual(self.file.read_text(), text)
+
+    def test_a_pipe_is_not_waited_for(self):
+        os.mkfifo(self.folder / "pipe.cam")
+        self.refused("fmt", "pipe.cam", code=1, says="'pipe.cam' is a pipe", helps=".cam file")
 
     def test_json(self):
         files = self.json_of("fmt", "ugly.cam", "--check", code=1)["files"]

@@ -13,6 +13,10 @@ class List(support.CommandTest):
         self.assertIn("superellipse", out)
         out, _ = self.run_command("list", "zoom")
         self.assertIn("radius", out)
+        out, _ = self.run_command("list", "blend")
+        self.assertIn(": blend(first, second, weight(u, v) = [w], by)\n", out)
+        out, _ = self.run_command("list", "sweep")
+        self.assertIn(", scale(s) = [k], ", out)
 
     def test_cameras(self):
         out, _ = self.run_command("list", "cameras")

@@ -75,6 +75,10 @@ class Locate(support.CommandTest):
         self.refused("locate", "pinhole", "--points", "none.csv", code=1, says="none.csv")
         (self.folder / "bad.csv").write_text("1,2,3\n4,5\n")
         self.refused("locate", "pinhole", "--points", "bad.csv", code=1, says="bad.csv:2:1")
+        self.refused("locate", "pinhole", "--points", ".", code=1, says="'.' is not a file")
+        with open("/dev/zero", "rb") as endless:
+            _, err = self.run_command("locate", "pinhole", "--points", "-", code=1, stdin=endless)
+        self.assertIn("'standard input' is larger than 16 MB", err)
         self.refused("locate", "none.cam", "--point", "1,2,3", code=1, says="none.cam")
         self.json_of("locate", "none.cam", "--point", "1,2,3", code=1)
         self.json_of("locate", "pinhole", code=2)
