@@ -73,15 +73,24 @@ Result<std::shared_ptr<const GreyImage>> read_pixels(OIIO::ImageInput& input, co
 
 Result<std::shared_ptr<const GreyImage>> read_grey_image(const File& file) {
     std::unique_ptr<OIIO::Filesystem::IOMemReader> memory;  // Outlives the input that reads it.
+    const std::string path = file.path.string();
+    // For a file that is not on the disk its name's ending says the format.
+    const std::string ending = file.path.extension().string();
+    const auto input = OIIO::ImageInput::create(
+        file.standard ? ending.substr(std::min<std::size_t>(1, ending.size())) : path);
+    if (!input) {
+        return no_image(file, OIIO::geterror());
+    }
     if (file.standard) {
         memory = std::make_unique<OIIO::Filesystem::IOMemReader>(file.standard->data(),
                                                                  file.standard->size());
+        input->set_ioproxy(memory.get());
     }
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);
-    const std::string path = file.path.string();
-    const auto input = OIIO::ImageInput::open(path, &config, memory.get());
-    return input ? read_pixels(*input, file) : no_image(file, OIIO::geterror());
+    OIIO::ImageSpec found;
+    return input->open(path, found, config) ? read_pixels(*input, file)
+                                            : no_image(file, input->geterror());
 }
 
 }  // namespace balcony::data

@@ -299,7 +299,8 @@ constexpr std::string_view formula_example = R"(picture heart {
     layer  panorama { clip formula(x, y) = [0.8 - x^2 - (1.2*y - sqrt(abs(x)) + 0.2)^2]  frame }
 })";
 constexpr std::string_view image_example = R"(picture masked {
-    layer panorama { clip image("mask.png") }
+    aspect 4/3
+    layer  panorama { clip image("mask.png") }
 })";
 
 // Those with a formula for their edge.
