@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "balcony/catalogue.hpp"
+#include "balcony/lang.hpp"
 #include "cli/stage_text.hpp"
 
 namespace balcony::cli {
@@ -84,7 +85,9 @@ std::string example_text(const StageEntry& row) {
         return {};
     }
     const auto end = row.example.find_last_not_of(" \n");
-    return fmt::format("{}\n", row.example.substr(begin, end + 1 - begin));
+    std::string text = fmt::format("{}\n", row.example.substr(begin, end + 1 - begin));
+    const auto laid_out = lang::format(std::make_shared<const SourceText>("example", text));
+    return laid_out ? *laid_out : text;
 }
 
 // For a cell of a table.

@@ -30,6 +30,7 @@ struct Piece {
     bool sum = false;            // An operator with spaces: a line may be broken before it.
     bool opens = false;          // ( or [
     bool closes = false;         // ) or ]
+    bool on_new_line = false;    // It began a line in the source.
     bool breaks_before = false;  // A comment that had a line of its own.
     bool breaks_after = false;   // A // comment.
 };
@@ -189,6 +190,7 @@ private:
         const Role role = role_of(token, previous_.token, previous_.keyword);
         piece.space = space_before(token, role, previous_);
         piece.comma = token.is(",");
+        piece.on_new_line = !first && line_breaks_since(token.span.begin) > 0;
         piece.opens = is_any(token, {"(", "["});
         piece.closes = is_any(token, {")", "]"});
         piece.sum = role == Role::loose && !is_any(token, {"=", ".."});
@@ -278,10 +280,15 @@ public:
     }
 
 private:
+    struct Bracket {
+        std::size_t column;  // Behind it.
+        bool of_list;
+    };
+
     void print(std::size_t i) {
         const Piece& piece = pieces_[i];
         if (i > 0 && must_break(i)) {
-            column_ = brackets_.empty() ? continuation_ : brackets_.back();
+            column_ = brackets_.empty() ? continuation_ : brackets_.back().column;
             out_ += '\n';
             out_.append(column_, ' ');
         } else if (i == 1 && aligned_ && piece.space && !is_comment(piece)) {
@@ -296,7 +303,7 @@ private:
         out_ += piece.text;
         column_ += length(piece.text);
         if (piece.opens) {
-            brackets_.push_back(column_);
+            brackets_.push_back({column_, piece.text == "["});
         } else if (piece.closes && !brackets_.empty()) {
             brackets_.pop_back();
         }
@@ -310,6 +317,10 @@ private:
         const Piece& piece = pieces_[i];
         const Piece& before = pieces_[i - 1];
         if (before.breaks_after || piece.breaks_before) {
+            return true;
+        }
+        // The rows of a list, as of a net of control points, are the writer's.
+        if (before.comma && piece.on_new_line && !brackets_.empty() && brackets_.back().of_list) {
             return true;
         }
         const bool may_break = before.comma || (piece.sum && i > 1);
@@ -344,7 +355,7 @@ private:
     std::size_t column_ = 0;
     std::size_t continuation_ = 0;
     bool aligned_ = false;
-    std::vector<std::size_t> brackets_;
+    std::vector<Bracket> brackets_;
 };
 
 }  // namespace

@@ -114,6 +114,17 @@ TEST(Format, BreaksLongLinesBehindCommas) {
               text);
 }
 
+TEST(Format, KeepsTheRowsOfAList) {
+    const std::string text =
+        "camera a {\n"
+        "    warp grid([(0, 0), (0, 0),\n"
+        "               (0, 1), (1, 1)], columns = 2)\n"
+        "}\n";
+    EXPECT_EQ(formatted(text), text);
+    EXPECT_EQ(formatted("camera a { warp grid([(0, 0), (0,\n0),\n(0, 1), (1, 1)],\ncolumns = 2) }"),
+              text);
+}
+
 TEST(Format, BreaksLongSumsBeforeAnOperator) {
     std::string sum = "let a = 1";
     for (int i = 0; i < 30; ++i) {
