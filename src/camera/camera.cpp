@@ -6,11 +6,11 @@
 #include "balcony/camera.hpp"
 
 #include <cmath>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "camera/arrange.hpp"
+#include "camera/size_limit.hpp"
 
 namespace balcony::camera {
 
@@ -50,26 +50,6 @@ void check_path(const Path& path, std::string_view object, const std::string& ca
     if (!path.generator) {
         said.push_back(error(fmt::format("camera '{}' has no {} object", camera, object)));
     }
-}
-
-// A graph so large that deriving it could leave no room in memory; a camera of this size comes from
-// repetitions of repetitions. Emitting it once tells.
-std::optional<Diagnostic> too_large(const Camera& camera) {
-    constexpr std::size_t most_nodes = 250'000;
-    constexpr double side = 1000.0;
-    std::size_t nodes = most_nodes + 1;
-    try {
-        Graph graph;
-        (void)camera.emit(graph, side, side);
-        nodes = graph.size();
-    } catch (const std::length_error&) {
-    }
-    if (nodes <= most_nodes) {
-        return std::nullopt;
-    }
-    return error(fmt::format("camera '{}' is too large: its formulas have more than {} operations",
-                             camera.name(), most_nodes),
-                 {}, "repeat fewer stages");
 }
 
 }  // namespace
@@ -134,7 +114,9 @@ Result<Camera> Camera::make(Parts parts) {
         return said;
     }
     Camera made(std::move(parts));
-    if (const std::optional<Diagnostic> trouble = too_large(made)) {
+    const auto emit = [&made](Graph& graph) { (void)made.emit(graph, 1000.0, 1000.0); };
+    if (const auto trouble =
+            too_large(fmt::format("camera '{}'", made.name()), most_operations_of_camera, emit)) {
         said.push_back(*trouble);
         return said;
     }

@@ -12,6 +12,7 @@
 
 #include "camera/arrange.hpp"
 #include "camera/arrangers/clip_shapes.hpp"
+#include "camera/size_limit.hpp"
 
 namespace balcony::camera {
 
@@ -274,7 +275,14 @@ Result<Picture> Picture::make(Parts parts) {
     if (has_errors(said)) {
         return said;
     }
-    return {Picture(std::move(parts)), std::move(said)};
+    Picture made(std::move(parts));
+    const auto emit = [&made](Graph& graph) { (void)made.emit(graph, 1000.0, 1000.0); };
+    if (const auto trouble =
+            too_large(fmt::format("picture '{}'", made.name()), most_operations_of_picture, emit)) {
+        said.push_back(*trouble);
+        return said;
+    }
+    return {std::move(made), std::move(said)};
 }
 
 Picture::Picture(Camera camera) {

@@ -62,6 +62,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
     if (made) {
         check_rays(*made);
     }
+    const Result<camera::Picture> picture = lang::make_picture(source, "", {}, "/nonexistent");
+    demand(picture.value.has_value() != has_errors(picture.diagnostics),
+           "neither picture nor error");
+    if (picture) {
+        expr::Graph graph;
+        (void)picture->emit(graph, 4.0, 4.0);
+    }
     const Result<std::string> laid_out = lang::format(source);
     if (laid_out) {
         const auto again = lang::format(std::make_shared<const SourceText>("again", *laid_out));
