@@ -118,6 +118,7 @@ int main(int argc, char** argv) {
         Section{"frames", bench::print_frames},
         Section{"stages", bench::print_stages},
         Section{"compile", bench::print_compilation},
+        Section{"inverse", bench::print_inverse},
     };
     const std::vector<std::string_view> wanted(argv + 1, argv + argc);
     const auto is_wanted = [&wanted](const Section& section) {

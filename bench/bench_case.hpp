@@ -40,6 +40,9 @@ void print_stages();
 /// Prints how long standard cameras take from text to program.
 void print_compilation();
 
+/// Prints how fast points in space are found in pictures.
+void print_inverse();
+
 /// Prints whole frames: what an extended camera adds to the time of a picture.
 void print_frames();
 
