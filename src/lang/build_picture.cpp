@@ -100,11 +100,11 @@ public:
                   "name what it shows, such as layer panorama");
         }
         for (const Statement& statement : picture_.statements) {
-            if (statement.kind == StatementKind::layer && !statement.broken) {
-                layer(statement, parts);
-            }
             if (reporter_.full()) {
                 break;
+            }
+            if (statement.kind == StatementKind::layer && !statement.broken) {
+                layer(statement, parts);
             }
         }
         // A layer that failed in silence has been reported where it is used first.
@@ -286,7 +286,9 @@ private:
             known.emplace_back(place.camera->name.text);
         }
         if (const Module* standard = session_.load_standard(name.text)) {
-            return own_cameras(*standard).back();
+            // Nothing is read of it after too many errors.
+            const std::vector<CameraPlace> own = own_cameras(*standard);
+            return own.empty() ? std::nullopt : std::optional(own.back());
         }
         std::sort(known.begin(), known.end());
         known.erase(std::unique(known.begin(), known.end()), known.end());

@@ -19,16 +19,18 @@ bool same(const Diagnostic& a, const Diagnostic& b) {
 }  // namespace
 
 void Reporter::add(Diagnostic diagnostic) {
+    const bool is_error = diagnostic.severity == Severity::error;
+    errors_ += is_error ? 1 : 0;
     if (std::any_of(diagnostics_.begin(), diagnostics_.end(),
                     [&](const Diagnostic& said) { return same(said, diagnostic); })) {
         return;
     }
-    if (diagnostic.severity == Severity::error) {
+    if (is_error) {
         if (full()) {
             left_out_ = true;
             return;
         }
-        ++errors_;
+        ++errors_said_;
     }
     diagnostics_.push_back(std::move(diagnostic));
 }

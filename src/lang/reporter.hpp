@@ -17,15 +17,18 @@ public:
     void error(SourceSpan span, std::string message, std::string remedy = {});
     void warning(SourceSpan span, std::string message, std::string remedy = {});
 
+    /// All errors, also those that are said already or left out: no part of the work in which it
+    /// grew has succeeded.
     [[nodiscard]] std::size_t error_count() const { return errors_; }
     /// So many errors that reading on is in vain.
-    [[nodiscard]] bool full() const { return errors_ >= most_errors; }
+    [[nodiscard]] bool full() const { return errors_said_ >= most_errors; }
     /// Everything in the order of the sources, with a closing line if something was left out.
     [[nodiscard]] Diagnostics take();
 
 private:
     Diagnostics diagnostics_;
     std::size_t errors_ = 0;
+    std::size_t errors_said_ = 0;
     bool left_out_ = false;
 };
 

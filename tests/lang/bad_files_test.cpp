@@ -144,5 +144,25 @@ TEST(GeneratedBadFile, ErrorsAreCountedUpToABound) {
     EXPECT_EQ(said.back().message, "there are more errors; these are the first 20");
 }
 
+// Where reading ends for too many errors, the standard cameras are not read either.
+TEST(GeneratedBadFile, PicturesOfStandardCamerasMayFollowAnyNumberOfErrors) {
+    for (int errors = 0; errors < 30; ++errors) {
+        std::string lets;
+        std::string blends;
+        for (int i = 0; i < errors; ++i) {
+            lets += let(i, "nothing");
+            blends += "blend no" + name(i) + "\n";
+        }
+        for (const std::string& text :
+             {lets + "picture p { layer fisheye }",
+              test::joined({"picture p {\nlayer pinhole {\n", blends, "}\n layer fisheye\n}"})}) {
+            const auto source = std::make_shared<const SourceText>("test.cam", text);
+            const Result<camera::Picture> made = make_picture(source, "", {});
+            EXPECT_EQ(made.value.has_value(), errors == 0) << text;
+            EXPECT_EQ(has_errors(made.diagnostics), errors > 0) << text;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace balcony::lang
