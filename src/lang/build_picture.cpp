@@ -316,7 +316,7 @@ private:
                 continue;
             }
             const Value value =
-                evaluate(tree_, argument.value, scope_, *session_.graph(), reporter_);
+                evaluate_any(tree_, argument.value, scope_, *session_.graph(), reporter_);
             good = good && !value.failed();
             given.values.push_back({*argument.name, tree_.at(argument.name->span), value, span});
         }

@@ -95,8 +95,8 @@ void CameraScope::define_parameter(const CameraParameter& parameter) {
     const std::string_view name = parameter.name.text;
     Value value;
     if (parameter.default_value.valid()) {
-        value = evaluate(tree_, parameter.default_value, scope_, *session_.graph(),
-                         session_.reporter());
+        value = evaluate_any(tree_, parameter.default_value, scope_, *session_.graph(),
+                             session_.reporter());
     }
     // The last one given counts, as is usual for options.
     const auto given = std::find_if(given_.rbegin(), given_.rend(),
@@ -122,14 +122,31 @@ Value CameraScope::overridden(const Given& given, const Value& default_value,
         return {};
     }
     const ExpressionId id(given.tree->expressions.size() - 1);
-    const Value value = evaluate(*given.tree, id, scope_, *session_.graph(), session_.reporter());
+    const Value value =
+        evaluate_any(*given.tree, id, scope_, *session_.graph(), session_.reporter());
     return checked(value, given.tree->at((*given.tree)[id].span), default_value, name);
 }
 
-// A value whose unit is that of the default; a failed one if it is not, which is reported.
+// A value whose form and unit are those of the default; a failed one if it is not, which is
+// reported. Lists may have any length and any units, of which the stage judges that takes them.
 Value CameraScope::checked(const Value& value, const SourceSpan& span, const Value& default_value,
                            std::string_view name) {
     if (value.failed() || default_value.failed()) {
+        return value;
+    }
+    if (form_of(value) != form_of(default_value)) {
+        session_.reporter().error(span, fmt::format("'{}' is {}, but this is {}", name,
+                                                    form_of(default_value), form_of(value)));
+        return {};
+    }
+    if (value.form == Value::Form::tuple) {
+        for (std::size_t i = 0; i < value.elements->size(); ++i) {
+            const Element& element = (*value.elements)[i];
+            if (checked(element.value, element.place, (*default_value.elements)[i].value, name)
+                    .failed()) {
+                return {};
+            }
+        }
         return value;
     }
     if (default_value.is_angle() && value.is_plain_number()) {

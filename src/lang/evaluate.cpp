@@ -127,6 +127,11 @@ private:
     Value named(const Expression& node) {
         if (Definition* definition = scope_.find(node.name.text)) {
             definition->used = true;
+            if (definition->value.elements) {
+                error(node.span, fmt::format("expected one number, but '{}' is {}", node.name.text,
+                                             form_of(definition->value)));
+                return {};
+            }
             return definition->value;
         }
         if (const auto why = scope_.announced(node.name.text); !why.empty()) {
@@ -226,11 +231,62 @@ private:
     std::vector<Value> values_;
 };
 
+// A tuple's numbers; a list's numbers and tuples, which may be named.
+Value evaluate_elements(const SyntaxTree& tree, const Expression& compound, Scope& scope,
+                        expr::Graph& graph, Reporter& reporter) {
+    const bool is_list = compound.kind == ExpressionKind::list;
+    auto elements = std::make_shared<std::vector<Element>>();
+    elements->reserve(compound.arguments.size());
+    for (const Argument& argument : compound.arguments) {
+        const SourceSpan place = tree.at(tree[argument.value].span);
+        const bool list_in_list = is_list && tree[argument.value].kind == ExpressionKind::list;
+        Value value = is_list && !list_in_list
+                          ? evaluate_any(tree, argument.value, scope, graph, reporter)
+                          : evaluate(tree, argument.value, scope, graph, reporter);
+        if (value.form == Value::Form::list) {
+            reporter.error(place, "a list has numbers or points, but this is a list",
+                           "write the points in one list, row after row");
+        } else if (!value.failed()) {
+            elements->push_back({std::move(value), place});
+        }
+        if (reporter.full()) {
+            return {};
+        }
+    }
+    Value made;
+    if (elements->size() == compound.arguments.size()) {
+        made.form = is_list ? Value::Form::list : Value::Form::tuple;
+        made.elements = std::move(elements);
+    }
+    return made;
+}
+
 }  // namespace
 
 Value evaluate(const SyntaxTree& tree, ExpressionId id, Scope& scope, expr::Graph& graph,
                Reporter& reporter) {
     return Evaluator(tree, scope, graph, reporter).run(id);
+}
+
+std::optional<Value> evaluate_compound(const SyntaxTree& tree, ExpressionId id, Scope& scope,
+                                       expr::Graph& graph, Reporter& reporter) {
+    const Expression& node = tree[id];
+    if (node.kind == ExpressionKind::tuple || node.kind == ExpressionKind::list) {
+        return evaluate_elements(tree, node, scope, graph, reporter);
+    }
+    Definition* definition =
+        node.kind == ExpressionKind::name ? scope.find(node.name.text) : nullptr;
+    if (definition == nullptr || definition->value.expr.valid()) {
+        return std::nullopt;
+    }
+    definition->used = true;
+    return definition->value;
+}
+
+Value evaluate_any(const SyntaxTree& tree, ExpressionId id, Scope& scope, expr::Graph& graph,
+                   Reporter& reporter) {
+    const std::optional<Value> compound = evaluate_compound(tree, id, scope, graph, reporter);
+    return compound ? *compound : evaluate(tree, id, scope, graph, reporter);
 }
 
 }  // namespace balcony::lang

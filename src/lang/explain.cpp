@@ -40,6 +40,14 @@ constexpr std::array pipeline = {
 };
 
 std::string value_text(const Value& value) {
+    if (value.elements) {
+        std::vector<std::string> texts;
+        for (const Element& element : *value.elements) {
+            texts.push_back(value_text(element.value));
+        }
+        const bool list = value.form == Value::Form::list;
+        return fmt::format("{}{}{}", list ? "[" : "(", fmt::join(texts, ", "), list ? "]" : ")");
+    }
     if (!value.is_constant()) {
         return "changes with time";
     }

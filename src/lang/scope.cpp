@@ -178,7 +178,7 @@ private:
         lets_[i].state = State::done;
         Value value;
         if (!lets_[i].failed && let.value.valid() && !let.broken) {
-            value = evaluate(tree_, let.value, scope_, graph_, reporter_);
+            value = evaluate_any(tree_, let.value, scope_, graph_, reporter_);
         }
         scope_.define(let.name.text, {value, tree_.at(let.name.span), "let", false});
     }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "lang/evaluate.hpp"
 #include "lang/stages.hpp"
 
 namespace balcony::lang {
@@ -54,6 +55,10 @@ public:
         }
     }
     [[nodiscard]] std::size_t count() const { return parameters_.size(); }
+    [[nodiscard]] std::span<const StageParameter* const> rest() const {
+        return std::span(parameters_).subspan(at_);
+    }
+    void skip(std::size_t count) { at_ += count; }
     /// Null if there are no more.
     const StageParameter* next() {
         if (at_ == parameters_.size()) {
@@ -115,8 +120,14 @@ std::optional<Arguments> StageBuilder::arguments(const StageEntry& row, const Ex
     bool good = assign(row, call, given);
     for (std::size_t i = 0; i < given.size(); ++i) {
         const StageParameter& parameter = row.parameters[i];
-        if (!given[i].empty()) {
-            good = set_argument(row, parameter, given[i], made) && good;
+        if (const std::optional<Element>& element = given[i].element) {
+            const auto value = number(row, parameter, element->value, element->place);
+            good = value && good;
+            if (value) {
+                made.set(parameter.name, std::vector<camera::Scalar>{*value});
+            }
+        } else if (!given[i].empty()) {
+            good = set_argument(row, parameter, given[i].expressions, made) && good;
         } else if (good) {
             good = set_default(row, parameter, call.name.span, made);
         }
@@ -130,6 +141,7 @@ bool StageBuilder::assign(const StageEntry& row, const Expression& call,
                           std::vector<Given>& given) {
     bool good = true;
     bool named = false;
+    std::size_t values = call.arguments.size();  // With the numbers of tuples that are for several.
     Positions positions(row);
     for (const Argument& argument : call.arguments) {
         const Expression& value = tree_[argument.value];
@@ -147,12 +159,17 @@ bool StageBuilder::assign(const StageEntry& row, const Expression& call,
                   fmt::format("arguments come in the order of {}, or with their names",
                               signature(row)));
         } else if (parameter == nullptr) {
+            if (const std::size_t count =
+                    assign_tuple(row, argument.value, positions.rest(), given)) {
+                positions.skip(count);
+                values += count - 1;
+                continue;
+            }
             parameter = positions.next();
             if (parameter == nullptr) {
                 error(value.span,
                       fmt::format("'{}' takes {} argument{}, but is given {}", row.name,
-                                  positions.count(), positions.count() == 1 ? "" : "s",
-                                  call.arguments.size()),
+                                  positions.count(), positions.count() == 1 ? "" : "s", values),
                       fmt::format("it is written {}", signature(row)));
                 return false;
             }
@@ -167,15 +184,41 @@ bool StageBuilder::assign(const StageEntry& row, const Expression& call,
             Diagnostic diagnostic =
                 balcony::error(fmt::format("'{}' is given twice", parameter->name),
                                tree_.at(argument.name ? argument.name->span : value.span));
-            diagnostic.notes.push_back(
-                {tree_.at(tree_[slot.front()].span), "it is given here first"});
+            diagnostic.notes.push_back({slot.element
+                                            ? slot.element->place
+                                            : tree_.at(tree_[slot.expressions.front()].span),
+                                        "it is given here first"});
             reporter_.add(std::move(diagnostic));
             good = false;
         } else {
-            slot.push_back(argument.value);
+            slot.expressions.push_back(argument.value);
         }
     }
     return good;
+}
+
+// A tuple in the place of as many numbers is for all of them: translate(corner) is
+// translate(x, y, z). How many they are; 0 if it is none.
+std::size_t StageBuilder::assign_tuple(const StageEntry& row, ExpressionId value,
+                                       std::span<const StageParameter* const> positions,
+                                       std::vector<Given>& given) {
+    const auto is_number = [](const StageParameter* parameter) {
+        return parameter->type == ParameterType::number;
+    };
+    const auto numbers = static_cast<std::size_t>(
+        std::find_if_not(positions.begin(), positions.end(), is_number) - positions.begin());
+    if (numbers < 2) {
+        return 0;
+    }
+    const auto tuple = evaluate_compound(tree_, value, scope_, *graph_, reporter_);
+    if (!tuple || tuple->form != Value::Form::tuple || tuple->elements->size() > numbers) {
+        return 0;
+    }
+    for (std::size_t i = 0; i < tuple->elements->size(); ++i) {
+        given[static_cast<std::size_t>(positions[i] - row.parameters.data())].element =
+            (*tuple->elements)[i];
+    }
+    return tuple->elements->size();
 }
 
 const StageParameter* StageBuilder::named_parameter(const StageEntry& row, const Identifier& name) {

@@ -18,17 +18,23 @@ using camera::StageParameter;
 }  // namespace
 
 void StageBuilder::error(SourceSpan place, std::string message, std::string remedy) {
-    report_file({balcony::error(std::move(message), std::move(place), std::move(remedy))}, named_);
+    Diagnostics said{balcony::error(std::move(message), std::move(place), std::move(remedy))};
+    if (named_) {
+        report_file(std::move(said), *named_);
+    } else {
+        reporter_.add(std::move(said.front()));
+    }
 }
 
-// What has no place of its own is said of the name in the camera file; what is in the named file
-// gets a note that says who asked for it.
+// What has no place of its own is said of the name in the camera file; what is elsewhere gets a
+// note that says who asked for it.
 void StageBuilder::report_file(Diagnostics said, Span named) {
     for (Diagnostic& diagnostic : said) {
         if (!diagnostic.span.source) {
             diagnostic.span = tree_.at(named);
-        } else if (diagnostic.span.source != tree_.source) {
-            diagnostic.notes.push_back({tree_.at(named), "the file is named here"});
+        } else if (diagnostic.span.source != tree_.source || diagnostic.span.begin < named.begin ||
+                   diagnostic.span.end > named.end) {
+            diagnostic.notes.push_back({tree_.at(named), "it is used here"});
         }
         reporter_.add(std::move(diagnostic));
     }
@@ -85,24 +91,23 @@ std::optional<PointList> StageBuilder::table(const StageEntry& row, const StageP
         return std::nullopt;
     }
     Result<data::Table> read = data::read_table(*found);
-    named_ = tree_[given].span;
+    const Naming naming(*this, tree_[given]);
     if (!read) {
-        report_file(std::move(read.diagnostics), named_);
+        report_file(std::move(read.diagnostics), tree_[given].span);
         return std::nullopt;
     }
     const bool numbers = parameter.coordinates == std::vector<std::size_t>{1};
     PointList made;
     bool good = true;
     for (const auto& line : read->rows) {
-        std::vector<Coordinate> point;
+        std::vector<Element> point;
         for (const data::Table::Number& number : line) {
             const Dimension dimension = number.angle ? Dimension::angle : Dimension::number;
-            point.push_back(
-                {{graph_->constant(number.value), dimension, nullptr}, read->at(number)});
+            point.push_back({{graph_->constant(number.value), dimension}, read->at(number)});
         }
         const std::size_t step = numbers ? 1 : point.size();
         for (std::size_t i = 0; i < point.size(); i += step) {
-            const std::span<const Coordinate> one = std::span(point).subspan(i, step);
+            const std::span<const Element> one = std::span(point).subspan(i, step);
             good =
                 add_point(row, parameter, join(one.front().place, one.back().place), one, made) &&
                 good;
@@ -111,7 +116,7 @@ std::optional<PointList> StageBuilder::table(const StageEntry& row, const StageP
             return std::nullopt;
         }
     }
-    return good && enough_points(row, parameter, made.size(), named_)
+    return good && enough_points(row, parameter, made.size(), tree_[given].span)
                ? std::optional(std::move(made))
                : std::nullopt;
 }

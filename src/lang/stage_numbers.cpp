@@ -109,14 +109,19 @@ std::optional<std::vector<Scalar>> StageBuilder::numbers(const StageEntry& row,
             return std::vector<Scalar>(direction->begin(), direction->end());
         }
     }
-    const bool one = node.kind != ExpressionKind::tuple;
-    if (one && (count == 1 || parameter.type == ParameterType::size)) {
-        const std::optional<Scalar> value = number(row, parameter, given);
-        return value ? std::optional(std::vector<Scalar>(count, *value)) : std::nullopt;
+    const auto several = evaluate_compound(tree_, given, scope_, *graph_, reporter_);
+    if (several && several->failed()) {
+        return std::nullopt;
     }
-    if (one || node.arguments.size() != count) {
-        const bool number = described(node) == "a number";
-        const std::string_view instead = number ? "one number" : described(node);
+    if (!several && (count == 1 || parameter.type == ParameterType::size)) {
+        const Value value = evaluate(tree_, given, scope_, *graph_, reporter_);
+        const auto made = number(row, parameter, value, tree_.at(node.span));
+        return made ? std::optional(std::vector<Scalar>(count, *made)) : std::nullopt;
+    }
+    const bool tuple = several && several->form == Value::Form::tuple;
+    if (!tuple || several->elements->size() != count) {
+        const std::string_view what = several ? "a list" : described(node);
+        const std::string_view instead = what == "a number" ? "one number" : what;
         const std::string form = count == 1   ? "one number"
                                  : count == 2 ? "two numbers, (a, b)"
                                               : "three numbers, (a, b, c)";
@@ -124,13 +129,14 @@ std::optional<std::vector<Scalar>> StageBuilder::numbers(const StageEntry& row,
               fmt::format("'{}' of '{}' is {}{}{}, but {}", parameter.name, row.name, form,
                           parameter.type == ParameterType::axis ? ", or x, y or z" : "",
                           parameter.type == ParameterType::size ? ", or one for both" : "",
-                          one ? fmt::format("this is {}", instead)
-                              : fmt::format("these are {}", node.arguments.size())));
+                          tuple ? fmt::format("these are {}", several->elements->size())
+                                : fmt::format("this is {}", instead)));
         return std::nullopt;
     }
+    const Naming naming(*this, node);
     std::vector<Scalar> values;
-    for (const Argument& element : node.arguments) {
-        if (const std::optional<Scalar> value = number(row, parameter, element.value)) {
+    for (const Element& element : *several->elements) {
+        if (const auto value = number(row, parameter, element.value, element.place)) {
             values.push_back(*value);
         }
     }
@@ -138,9 +144,8 @@ std::optional<std::vector<Scalar>> StageBuilder::numbers(const StageEntry& row,
 }
 
 std::optional<Scalar> StageBuilder::number(const StageEntry& row, const StageParameter& parameter,
-                                           ExpressionId given) {
-    const Value value = evaluate(tree_, given, scope_, *graph_, reporter_);
-    if (value.failed() || !fits(row, parameter, value, tree_.at(tree_[given].span))) {
+                                           const Value& value, const SourceSpan& place) {
+    if (value.failed() || !fits(row, parameter, value, place)) {
         return std::nullopt;
     }
     if (value.is_constant()) {

@@ -59,34 +59,37 @@ bool is_list_of_numbers(const StageParameter& parameter) {
 
 std::optional<PointList> StageBuilder::points(const StageEntry& row,
                                               const StageParameter& parameter, ExpressionId given) {
-    const Expression& list = tree_[given];
-    if (list.kind == ExpressionKind::text) {
+    const Expression& node = tree_[given];
+    if (node.kind == ExpressionKind::text) {
         return table(row, parameter, given);
     }
-    if (list.kind != ExpressionKind::list) {
+    // A name that there is not is said to be missing, what is no value at all to be no list.
+    const bool may_be_list = node.kind == ExpressionKind::list || node.kind == ExpressionKind::name;
+    const Value list =
+        may_be_list ? evaluate_any(tree_, given, scope_, *graph_, reporter_) : Value();
+    if (may_be_list && list.failed()) {
+        return std::nullopt;
+    }
+    if (list.form != Value::Form::list) {
         error(
-            list.span,
+            node.span,
             fmt::format("'{}' of '{}' is a list of {}", parameter.name, row.name,
                         is_list_of_numbers(parameter) ? "numbers" : "points"),
             fmt::format("write it in brackets, such as {}, or name a table, such as \"table.csv\"",
                         example_of(parameter)));
         return std::nullopt;
     }
-    if (!enough_points(row, parameter, list.arguments.size(), list.span)) {
+    if (!enough_points(row, parameter, list.elements->size(), node.span)) {
         return std::nullopt;
     }
+    const Naming naming(*this, node);
     PointList made;
     bool good = true;
-    for (const Argument& element : list.arguments) {
-        const Expression& node = tree_[element.value];
-        const bool tuple = node.kind == ExpressionKind::tuple;
-        const std::vector<Argument> one{element};
-        std::vector<Coordinate> coordinates;
-        for (const Argument& coordinate : tuple ? node.arguments : one) {
-            coordinates.push_back({evaluate(tree_, coordinate.value, scope_, *graph_, reporter_),
-                                   tree_.at(tree_[coordinate.value].span)});
-        }
-        good = add_point(row, parameter, tree_.at(node.span), coordinates, made) && good;
+    for (const Element& element : *list.elements) {
+        const bool tuple = element.value.form == Value::Form::tuple;
+        const auto coordinates =
+            tuple ? std::span(*element.value.elements) : std::span(&element, 1);
+        good = add_point(row, parameter, element.place, coordinates, made) && good;
         if (reporter_.full()) {
             return std::nullopt;
         }
@@ -109,16 +112,15 @@ bool StageBuilder::enough_points(const StageEntry& row, const StageParameter& pa
 }
 
 bool StageBuilder::add_point(const StageEntry& row, const StageParameter& parameter,
-                             const SourceSpan& place, std::span<const Coordinate> coordinates,
+                             const SourceSpan& place, std::span<const Element> coordinates,
                              PointList& points) {
     if (!has_coordinates(row, parameter, coordinates.size(), place, points)) {
         return false;
     }
     points.coordinates = coordinates.size();
     bool good = true;
-    for (const Coordinate& coordinate : coordinates) {
-        if (coordinate.value.failed() ||
-            !fits(row, parameter, coordinate.value, coordinate.place)) {
+    for (const Element& coordinate : coordinates) {
+        if (!fits(row, parameter, coordinate.value, coordinate.place)) {
             good = false;
         } else if (std::abs(coordinate.value.constant()) > largest_coordinate) {
             reporter_.error(coordinate.place,

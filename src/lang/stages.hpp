@@ -72,9 +72,19 @@ private:
     const camera::StageEntry* find_row(camera::StageKind kind, const Identifier& name);
 
     // ------------------------------------------------------ which parameter an argument is for
-    using Given = std::vector<ExpressionId>;  // Several for the parameter that takes all the rest.
+    // What is said of a parameter: an expression, or several for one that takes all the rest, or a
+    // number out of a tuple that is for several parameters.
+    struct Given {
+        std::vector<ExpressionId> expressions{};
+        std::optional<Element> element{};
+
+        [[nodiscard]] bool empty() const { return expressions.empty() && !element; }
+    };
 
     bool assign(const camera::StageEntry& row, const Expression& call, std::vector<Given>& given);
+    std::size_t assign_tuple(const camera::StageEntry& row, ExpressionId value,
+                             std::span<const camera::StageParameter* const> positions,
+                             std::vector<Given>& given);
     const camera::StageParameter* named_parameter(const camera::StageEntry& row,
                                                   const Identifier& name);
     const camera::StageParameter* parameter_of_word(const camera::StageEntry& row,
@@ -102,7 +112,7 @@ private:
     std::optional<std::vector<double>> named_axis(const Expression& node);
     std::optional<camera::Scalar> number(const camera::StageEntry& row,
                                          const camera::StageParameter& parameter,
-                                         ExpressionId given);
+                                         const Value& value, const SourceSpan& place);
     bool fits(const camera::StageEntry& row, const camera::StageParameter& parameter,
               const Value& value, const SourceSpan& place);
     bool in_range(const camera::StageEntry& row, const camera::StageParameter& parameter,
@@ -112,15 +122,10 @@ private:
     std::optional<camera::PointList> points(const camera::StageEntry& row,
                                             const camera::StageParameter& parameter,
                                             ExpressionId given);
-    /// A number of a point, where it is written.
-    struct Coordinate {
-        Value value;
-        SourceSpan place;
-    };
     bool enough_points(const camera::StageEntry& row, const camera::StageParameter& parameter,
                        std::size_t count, Span span);
     bool add_point(const camera::StageEntry& row, const camera::StageParameter& parameter,
-                   const SourceSpan& place, std::span<const Coordinate> coordinates,
+                   const SourceSpan& place, std::span<const Element> coordinates,
                    camera::PointList& points);
     bool has_coordinates(const camera::StageEntry& row, const camera::StageParameter& parameter,
                          std::size_t count, const SourceSpan& place,
@@ -165,8 +170,22 @@ private:
     void error(Span span, std::string message, std::string remedy = {}) {
         error(tree_.at(span), std::move(message), std::move(remedy));
     }
-    /// Of a place in the camera file or in a table that it names.
+    /// Of a place in the camera file, or in a table or a let that it names.
     void error(SourceSpan place, std::string message, std::string remedy = {});
+
+    /// While it lives, errors that are elsewhere get a note of where they are named.
+    class Naming {
+    public:
+        Naming(StageBuilder& stages, const Expression& node) : stages_(stages) {
+            stages.named_ = node.span;
+        }
+        ~Naming() { stages_.named_.reset(); }
+        Naming(const Naming&) = delete;
+        Naming& operator=(const Naming&) = delete;
+
+    private:
+        StageBuilder& stages_;
+    };
 
     const Module& module_;
     Session& session_;
@@ -174,7 +193,7 @@ private:
     Scope& scope_;
     std::shared_ptr<expr::Graph> graph_;
     Reporter& reporter_;
-    Span named_;  // Where the camera file names the table that is being read.
+    std::optional<Span> named_;  // Where the camera file names what is being read.
 };
 
 /// What stands in the place of something else: a number, a list, a file's name, ...

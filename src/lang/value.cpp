@@ -157,6 +157,15 @@ DimensionResult dimension_of(const Function& function, std::span<const Value> op
     }
 }
 
+std::string form_of(const Value& value) {
+    switch (value.form) {
+        case Value::Form::tuple:
+            return fmt::format("{} numbers in parentheses", value.elements->size());
+        case Value::Form::list: return "a list";
+        default: return "a number";
+    }
+}
+
 const Function* find_function(std::string_view name) {
     const auto row = std::find_if(functions().begin(), functions().end(),
                                   [name](const Function& f) { return f.name == name; });

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "balcony/base.hpp"
 #include "balcony/expr.hpp"
@@ -14,17 +15,25 @@ namespace balcony::lang {
 /// What a value counts. A formula's parameters are of either kind, as its user decides.
 enum class Dimension : std::uint8_t { number, angle, either };
 
-/// What an expression stands for: a node of the session's graph with its unit. A failed value comes
-/// from something that is reported already; whatever uses it fails in silence.
+struct Element;
+
+/// What an expression stands for: a number, which is a node of the session's graph with its unit,
+/// or a tuple or a list of values. A failed value comes from something that is reported already;
+/// whatever uses it fails in silence.
 struct Value {
+    enum class Form : std::uint8_t { number, tuple, list };
+
     expr::Expr expr;
     Dimension dimension = Dimension::number;
     /// What is wrong with the number itself (a division by 0); reported if the value is used, so
     /// that if(c, a, b) may hold what it guards against.
-    std::shared_ptr<const Diagnostic> problem;
+    std::shared_ptr<const Diagnostic> problem{};
+    Form form = Form::number;
+    /// The numbers of a tuple, the numbers and tuples of a list; none of them has failed.
+    std::shared_ptr<const std::vector<Element>> elements{};
 
-    [[nodiscard]] bool failed() const { return !expr.valid(); }
-    [[nodiscard]] bool is_constant() const { return !failed() && expr.is_constant(); }
+    [[nodiscard]] bool failed() const { return !expr.valid() && !elements; }
+    [[nodiscard]] bool is_constant() const { return expr.valid() && expr.is_constant(); }
     [[nodiscard]] double constant() const { return expr.node().value; }
     /// 0 has every unit.
     [[nodiscard]] bool is_zero() const { return is_constant() && constant() == 0.0; }
@@ -33,6 +42,15 @@ struct Value {
         return dimension == Dimension::number && !is_zero();
     }
 };
+
+/// A part of a tuple or a list, where it is written.
+struct Element {
+    Value value;
+    SourceSpan place;
+};
+
+/// What a value is, in words: a number, 3 numbers in parentheses, a list.
+[[nodiscard]] std::string form_of(const Value& value);
 
 /// A function or an operator of the language: an operation of the graph, or made of some.
 struct Function {
