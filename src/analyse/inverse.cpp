@@ -6,34 +6,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <tuple>
 
 #include <fmt/format.h>
 
 #include "analyse/linear_rays.hpp"
+#include "analyse/picture_layers.hpp"
 #include "analyse/point_rays.hpp"
 #include "analyse/point_search.hpp"
 #include "analyse/ray_tree.hpp"
 
 namespace balcony::analyse {
-
-struct Locator::Index {
-    PointRays rays;
-    V2d picture;
-    std::optional<LinearRays> linear;
-    std::optional<RayTree> tree;
-
-    Index(const camera::Camera& camera, double width, double height, double time)
-        : rays(camera, width, height, time), picture(width, height) {
-        Survey seen = survey(rays, width, height);
-        linear = LinearRays::fit(seen);
-        if (!linear) {
-            const double extent = seen.extent;
-            tree.emplace(divide(rays, std::move(seen)), extent);
-        }
-    }
-};
 
 namespace {
 
@@ -49,30 +34,35 @@ std::optional<V2d> inside(const V2d& place, const V2d& picture) {
                      : std::nullopt;
 }
 
-// Sorts what was found by point and place and leaves out what was found before.
+// By point, then from left to right.
+bool comes_before(const Sighting& a, const Sighting& b) {
+    return std::tie(a.point, a.position.x, a.position.y) <
+           std::tie(b.point, b.position.x, b.position.y);
+}
+
+// Sorts what was found and leaves out what was found before.
 void tidy(std::vector<Sighting>& found) {
-    std::sort(found.begin(), found.end(), [](const Sighting& a, const Sighting& b) {
-        return std::tie(a.point, a.position.x, a.position.y) <
-               std::tie(b.point, b.position.x, b.position.y);
-    });
-    std::vector<Sighting> kept;
+    if (!std::is_sorted(found.begin(), found.end(), comes_before)) {
+        std::sort(found.begin(), found.end(), comes_before);
+    }
+    std::size_t kept = 0;
     for (const Sighting& sighting : found) {
         bool known = false;
-        for (std::size_t i = kept.size(); i-- > 0 && !known;) {
-            const V2d apart = sighting.position - kept[i].position;
-            if (kept[i].point != sighting.point || apart.x > same_place) {
+        for (std::size_t i = kept; i-- > 0 && !known;) {
+            const V2d apart = sighting.position - found[i].position;
+            if (found[i].point != sighting.point || apart.x > same_place) {
                 break;
             }
             known = std::abs(apart.y) <= same_place;
         }
         if (!known) {
-            kept.push_back(sighting);
+            found[kept++] = sighting;
         }
     }
-    found = std::move(kept);
+    found.resize(kept);
 }
 
-// Of a camera that is solved in closed form: the place, if there is a ray and it goes forward.
+// Of rays that are solved in closed form: the place, if there is a ray and it goes forward.
 void solve(const PointRays& rays, const LinearRays& linear, const V2d& picture,
            std::span<const V3d> points, std::vector<Sighting>& found) {
     PointRays::Batch batch(rays);
@@ -85,8 +75,7 @@ void solve(const PointRays& rays, const LinearRays& linear, const V2d& picture,
             const V3d& point = points[numbers[i]];
             const Approach approach(ray, point);
             if (ray.valid && meets(ray, approach, point)) {
-                found.push_back({numbers[i], batch.at(i), std::max(approach.distance, 0.0),
-                                 approach.offset.length()});
+                found.push_back(sighting_of(numbers[i], batch.at(i), ray, approach));
             }
         }
         count = 0;
@@ -104,7 +93,7 @@ void solve(const PointRays& rays, const LinearRays& linear, const V2d& picture,
     judge();
 }
 
-// Of any other camera. Points come in portions, so that what is in work at once stays small.
+// Of any others. Points come in portions, so that what is in work at once stays small.
 void search(const PointRays& rays, const RayTree& tree, const V2d& picture,
             std::span<const V3d> points, std::vector<Sighting>& found) {
     constexpr std::size_t portion = 256;
@@ -130,15 +119,155 @@ void search(const PointRays& rays, const RayTree& tree, const V2d& picture,
     });
 }
 
+// What can be found in one camera layer.
+class LayerIndex {
+public:
+    LayerIndex(std::string name, const camera::RayExpressions& ray, const V2d& picture, double time)
+        : name_(std::move(name)), picture_(picture), rays_(ray, time) {
+        Survey seen = survey(rays_, picture);
+        linear_ = LinearRays::fit(seen);
+        if (!linear_) {
+            const double extent = seen.extent;
+            tree_.emplace(divide(rays_, std::move(seen)), extent);
+        }
+    }
+
+    [[nodiscard]] const std::string& name() const { return name_; }
+    [[nodiscard]] bool closed_form() const { return linear_.has_value(); }
+    [[nodiscard]] std::size_t patch_count() const { return tree_ ? tree_->patches().size() : 0; }
+
+    [[nodiscard]] std::vector<Sighting> locate(std::span<const V3d> points) const {
+        std::vector<Sighting> found;
+        if (linear_) {
+            solve(rays_, *linear_, picture_, points, found);
+        } else {
+            search(rays_, *tree_, picture_, points, found);
+        }
+        tidy(found);
+        return found;
+    }
+
+private:
+    std::string name_;
+    V2d picture_;
+    PointRays rays_;
+    std::optional<LinearRays> linear_;
+    std::optional<RayTree> tree_;
+};
+
+// Where layers are hidden by what is in front of them.
+class Covers {
+public:
+    Covers(const std::vector<PictureLayer>& layers, double time)
+        : program_(roots_of(layers), program::Sampling::points), time_(time) {}
+
+    void remove_hidden(std::vector<Sighting>& found) const {
+        using Values = std::array<double, program::max_points>;
+        program::Scratch scratch;
+        Values x{};
+        Values y{};
+        std::vector<Values> hidden(program_.root_count());
+        std::vector<double*> results;
+        std::transform(hidden.begin(), hidden.end(), std::back_inserter(results),
+                       [](Values& values) { return values.data(); });
+        std::size_t kept = 0;
+        for (std::size_t begin = 0; begin < found.size(); begin += program::max_points) {
+            const std::size_t count = std::min(program::max_points, found.size() - begin);
+            for (std::size_t i = 0; i < count; ++i) {
+                x[i] = found[begin + i].position.x;
+                y[i] = found[begin + i].position.y;
+            }
+            program::run(program_, {std::span(x).first(count), std::span(y).first(count), time_},
+                         scratch, results);
+            for (std::size_t i = 0; i < count; ++i) {
+                if (hidden[found[begin + i].layer][i] == 0.0) {
+                    found[kept++] = found[begin + i];
+                }
+            }
+        }
+        found.resize(kept);
+    }
+
+private:
+    static std::vector<expr::Expr> roots_of(const std::vector<PictureLayer>& layers) {
+        std::vector<expr::Expr> roots;
+        for (const PictureLayer& layer : layers) {
+            roots.push_back(layer.hidden);
+        }
+        return roots;
+    }
+
+    program::Program program_;
+    double time_;
+};
+
 }  // namespace
 
-Result<Locator> Locator::make(const camera::Camera& camera, double width, double height,
-                              double time) {
+class Locator::Index {
+public:
+    Index(const std::vector<PictureLayer>& layers, const V2d& picture, double time, Axes axes)
+        : axes_(axes) {
+        for (const PictureLayer& layer : layers) {
+            layers_.emplace_back(layer.name, turned(layer.ray, layer.axes, axes), picture, time);
+        }
+        if (std::any_of(layers.begin(), layers.end(),
+                        [](const PictureLayer& layer) { return !layer.hidden.is_constant(0.0); })) {
+            covers_.emplace(layers, time);
+        }
+    }
+
+    [[nodiscard]] Axes axes() const { return axes_; }
+    [[nodiscard]] const std::vector<LayerIndex>& layers() const { return layers_; }
+
+    [[nodiscard]] std::vector<Sighting> locate(std::span<const V3d> points) const {
+        if (layers_.size() == 1 && !covers_) {
+            return layers_.front().locate(points);
+        }
+        std::vector<Sighting> all;
+        for (std::size_t number = 0; number < layers_.size(); ++number) {
+            for (Sighting& sighting : layers_[number].locate(points)) {
+                sighting.layer = number;
+                all.push_back(sighting);
+            }
+        }
+        if (covers_) {
+            covers_->remove_hidden(all);
+        }
+        std::stable_sort(all.begin(), all.end(), comes_before);
+        return all;
+    }
+
+private:
+    Axes axes_;
+    std::vector<LayerIndex> layers_;
+    std::optional<Covers> covers_;  // None where nothing can hide anything.
+};
+
+Result<Locator> Locator::make(const camera::Picture& picture, double width, double height,
+                              double time, std::optional<Axes> axes) {
     if (!(width > 0.0 && height > 0.0 && std::isfinite(width) && std::isfinite(height))) {
         return error(fmt::format("a picture of {} x {} pixels has no places", width, height), {},
                      "give a positive width and height");
     }
-    return Locator(std::make_shared<const Index>(camera, width, height, time));
+    expr::Graph graph;
+    const std::vector<PictureLayer> layers = picture_layers(picture, graph, width, height);
+    const auto differs = [&](const PictureLayer& layer) { return layer.axes != layers[0].axes; };
+    if (!axes && std::any_of(layers.begin(), layers.end(), differs)) {
+        return error(fmt::format("the cameras of picture '{}' have different axes", picture.name()),
+                     {}, "say in which axes the points are: y_up or z_up");
+    }
+    return Locator(std::make_shared<const Index>(layers, V2d(width, height), time,
+                                                 axes.value_or(layers[0].axes)));
+}
+
+Axes Locator::axes() const { return index_->axes(); }
+
+std::vector<std::string> Locator::layers() const {
+    std::vector<std::string> names;
+    for (const LayerIndex& layer : index_->layers()) {
+        names.push_back(layer.name());
+    }
+    return names;
 }
 
 std::vector<Sighting> Locator::locate(const V3d& point) const {
@@ -146,20 +275,20 @@ std::vector<Sighting> Locator::locate(const V3d& point) const {
 }
 
 std::vector<Sighting> Locator::locate(std::span<const V3d> points) const {
-    std::vector<Sighting> found;
-    if (index_->linear) {
-        solve(index_->rays, *index_->linear, index_->picture, points, found);
-    } else {
-        search(index_->rays, *index_->tree, index_->picture, points, found);
-    }
-    tidy(found);
-    return found;
+    return index_->locate(points);
 }
 
-bool Locator::closed_form() const { return index_->linear.has_value(); }
+bool Locator::closed_form() const {
+    return std::all_of(index_->layers().begin(), index_->layers().end(),
+                       [](const LayerIndex& layer) { return layer.closed_form(); });
+}
 
 std::size_t Locator::patch_count() const {
-    return index_->tree ? index_->tree->patches().size() : 0;
+    std::size_t count = 0;
+    for (const LayerIndex& layer : index_->layers()) {
+        count += layer.patch_count();
+    }
+    return count;
 }
 
 }  // namespace balcony::analyse

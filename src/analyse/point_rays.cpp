@@ -9,9 +9,7 @@ namespace balcony::analyse {
 
 namespace {
 
-program::Program compile(const camera::Camera& camera, double width, double height) {
-    expr::Graph graph;
-    const camera::RayExpressions ray = camera.emit(graph, width, height);
+program::Program compile(const camera::RayExpressions& ray) {
     const camera::RayFootprint footprint = camera::footprint(ray);
     std::vector<expr::Expr> roots;
     const auto add = [&roots](const auto& vector) {
@@ -29,9 +27,8 @@ program::Program compile(const camera::Camera& camera, double width, double heig
 
 }  // namespace
 
-PointRays::PointRays(const camera::Camera& camera, double picture_width, double picture_height,
-                     double time)
-    : program_(compile(camera, picture_width, picture_height)), time_(time) {}
+PointRays::PointRays(const camera::RayExpressions& ray, double time)
+    : program_(compile(ray)), time_(time) {}
 
 PointRays::Batch::Batch(const PointRays& rays) : rays_(&rays), values_(rays.program_.root_count()) {
     for (auto& values : values_) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The rays of a camera at picture points that lie anywhere, with derivatives.
+// Rays at picture points that lie anywhere, with derivatives.
 
 #include <array>
 #include <cstddef>
@@ -14,11 +14,10 @@
 
 namespace balcony::analyse {
 
-/// A camera compiled for points. Immutable.
+/// A ray as a function of the picture, compiled for points. Immutable.
 class PointRays {
 public:
-    PointRays(const camera::Camera& camera, double picture_width, double picture_height,
-              double time);
+    PointRays(const camera::RayExpressions& ray, double time);
 
     /// Up to program::max_points points and then their rays. Belongs to one thread.
     class Batch {

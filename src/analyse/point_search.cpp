@@ -114,7 +114,7 @@ public:
 
     [[nodiscard]] Sighting sighting(const Ray& ray) const {
         const Approach approach(ray, start_.point);
-        return {start_.number, at_, std::max(approach.distance, 0.0), approach.offset.length()};
+        return sighting_of(start_.number, at_, ray, approach);
     }
 
 private:
@@ -147,6 +147,17 @@ bool meets(const Ray& ray, const Approach& approach, const V3d& point) {
     const double motion = std::max(approach.by_x.length(), approach.by_y.length());
     return approach.distance >= -rounding && motion > 10.0 * rounding &&
            approach.offset.length() <= allowed_miss(ray, approach, point);
+}
+
+Sighting sighting_of(std::size_t point, const V2d& place, const Ray& ray,
+                     const Approach& approach) {
+    Sighting sighting;
+    sighting.point = point;
+    sighting.position = place;
+    sighting.origin = ray.origin;
+    sighting.distance = std::max(approach.distance, 0.0);
+    sighting.miss = approach.offset.length();
+    return sighting;
 }
 
 void add_starts(const RayPatch& patch, std::size_t number, const V3d& point,

@@ -41,4 +41,8 @@ private:
 /// Whether a ray at a place of the picture meets a point, within rounding.
 [[nodiscard]] bool meets(const Ray& ray, const Approach& approach, const V3d& point);
 
+/// What there is to say of a ray that meets the point of a number.
+[[nodiscard]] Sighting sighting_of(std::size_t point, const V2d& place, const Ray& ray,
+                                   const Approach& approach);
+
 }  // namespace balcony::analyse

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 
 namespace balcony::analyse {
@@ -49,6 +50,64 @@ std::vector<Ray> look_at(const PointRays& rays, const std::vector<Survey::Cell>&
         }
     }
     return seen;
+}
+
+// A rectangle of the picture, in pixels.
+struct Part {
+    V2d least, most;
+
+    [[nodiscard]] V2d size() const { return most - least; }
+    [[nodiscard]] double longer_side() const { return std::max(size().x, size().y); }
+};
+
+// A part whose cells are as small as a pixel is looked at closely enough.
+constexpr double least_part = cells_along_the_longer_side;
+
+Survey look_over(const PointRays& rays, const Part& part) {
+    const V2d whole = part.size();
+    const double size = part.longer_side() / cells_along_the_longer_side;
+    const double columns = std::ceil(whole.x / size - 1e-9);
+    const double rows = std::ceil(whole.y / size - 1e-9);
+    const V2d half(0.5 * whole.x / columns, 0.5 * whole.y / rows);
+    Survey survey;
+    for (double row = 0.0; row < rows; row += 1.0) {
+        for (double column = 0.0; column < columns; column += 1.0) {
+            survey.cells.push_back(
+                {part.least + half * V2d(2.0 * column + 1.0, 2.0 * row + 1.0), half});
+        }
+    }
+    survey.rays = look_at(rays, survey.cells);
+    return survey;
+}
+
+// Puts a part round what was known before and the cells with rays of a survey, with one cell more
+// on each side.
+void include_rays(const Survey& survey, std::optional<Part>& part) {
+    for (std::size_t i = 0; i < survey.rays.size(); ++i) {
+        if (!survey.rays[i].valid) {
+            continue;
+        }
+        const Survey::Cell& cell = survey.cells[i / Survey::places];
+        const V2d least = cell.center - 3.0 * cell.half;
+        const V2d most = cell.center + 3.0 * cell.half;
+        part = !part ? Part{least, most}
+                     : Part{{std::min(part->least.x, least.x), std::min(part->least.y, least.y)},
+                            {std::max(part->most.x, most.x), std::max(part->most.y, most.y)}};
+    }
+}
+
+// The part of a picture that has rays. Where a look at the whole finds none, each sixteenth of it
+// is looked at.
+std::optional<Part> part_with_rays(const PointRays& rays, const Survey& whole, const V2d& picture) {
+    std::optional<Part> part;
+    include_rays(whole, part);
+    constexpr int pieces = 4;
+    const V2d piece = picture / double{pieces};
+    for (int i = 0; !whole.any_ray() && i < pieces * pieces; ++i) {
+        const V2d least = piece * V2d(i % pieces, i / pieces);
+        include_rays(look_over(rays, {least, least + piece}), part);
+    }
+    return part;
 }
 
 double extent_of_origins(const std::vector<Ray>& rays) {
@@ -276,24 +335,28 @@ private:
 
 }  // namespace
 
+bool Survey::any_ray() const {
+    return std::any_of(rays.begin(), rays.end(), [](const Ray& ray) { return ray.valid; });
+}
+
 V2d Survey::place(std::size_t index) const {
     const Cell& cell = cells[index / places];
     return cell.center + offset_of(index % places, cell.half);
 }
 
-Survey survey(const PointRays& rays, double picture_width, double picture_height) {
-    const double size = std::max(picture_width, picture_height) / cells_along_the_longer_side;
-    const double columns = std::ceil(picture_width / size - 1e-9);
-    const double rows = std::ceil(picture_height / size - 1e-9);
-    const V2d half(0.5 * picture_width / columns, 0.5 * picture_height / rows);
-    Survey survey;
-    for (double row = 0.0; row < rows; row += 1.0) {
-        for (double column = 0.0; column < columns; column += 1.0) {
-            survey.cells.push_back(
-                {{(2.0 * column + 1.0) * half.x, (2.0 * row + 1.0) * half.y}, half});
-        }
+// An inset may be a small part of the picture, so a small part that has all rays is looked at anew.
+Survey survey(const PointRays& rays, const V2d& picture) {
+    Part part{{0.0, 0.0}, picture};
+    Survey survey = look_over(rays, part);
+    std::optional<Part> used = part_with_rays(rays, survey, picture);
+    while (used && used->longer_side() < 0.5 * part.longer_side() &&
+           part.longer_side() > least_part) {
+        part = {{std::max(used->least.x, 0.0), std::max(used->least.y, 0.0)},
+                {std::min(used->most.x, picture.x), std::min(used->most.y, picture.y)}};
+        survey = look_over(rays, part);
+        used.reset();
+        include_rays(survey, used);
     }
-    survey.rays = look_at(rays, survey.cells);
     survey.extent = extent_of_origins(survey.rays);
     return survey;
 }

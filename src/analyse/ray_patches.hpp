@@ -31,7 +31,8 @@ struct RayPatch {
     }
 };
 
-/// Rays all over the picture, 9 in each cell of a grid: the first look at a camera.
+/// Rays all over the picture, or all over the part of it that has any, 9 in each cell of a grid:
+/// the first look at a camera.
 struct Survey {
     struct Cell {
         V2d center;
@@ -43,11 +44,12 @@ struct Survey {
     std::vector<Ray> rays;  ///< Those of a cell together, row by row, its middle the fifth.
     double extent = 0.0;    ///< The radius of a ball around all origins, about.
 
+    [[nodiscard]] bool any_ray() const;
     /// Where the ray of an index comes from.
     [[nodiscard]] V2d place(std::size_t index) const;
 };
 
-[[nodiscard]] Survey survey(const PointRays& rays, double picture_width, double picture_height);
+[[nodiscard]] Survey survey(const PointRays& rays, const V2d& picture);
 
 /// Divides the cells of a survey until Newton's iteration contracts from the middle of each patch
 /// towards all that the patch sees, or the patch is 1/16 pixel wide, or there are some hundred

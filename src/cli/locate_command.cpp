@@ -114,16 +114,10 @@ std::optional<Axes> read_axes(const std::string& text, Diagnostics& said) {
     return text.empty() ? std::nullopt : std::optional(text == "y_up" ? Axes::y_up : Axes::z_up);
 }
 
-V3d turned(const V3d& v, Axes from, Axes to) {
-    if (from == to) {
-        return v;
-    }
-    return to == Axes::y_up ? V3d(v.x, v.z, -v.y) : V3d(v.x, -v.z, v.y);
-}
-
 // What is to be located, and where it was found.
 struct Located {
     std::string camera;
+    std::vector<std::string> layers;  ///< Of a picture; one of a camera.
     std::size_t width = 0;
     std::size_t height = 0;
     bool closed_form = false;
@@ -133,27 +127,24 @@ struct Located {
 
 Result<Located> find_all(const LocateOptions& options, const PictureSize& size, double time,
                          std::optional<Axes> axes, std::vector<V3d> points) {
-    const Result<camera::Camera> camera = load_camera(options.camera, options.set);
-    if (!camera) {
-        return camera.diagnostics;
+    const Result<camera::Picture> picture = load_picture(options.camera, options.set);
+    if (!picture) {
+        return picture.diagnostics;
     }
     Located found;
-    found.camera = camera->name();
-    std::tie(found.width, found.height) = size.resolve(camera->parts().aspect);
-    const auto locator = analyse::Locator::make(*camera, static_cast<double>(found.width),
-                                                static_cast<double>(found.height), time);
+    found.camera = picture->name();
+    std::tie(found.width, found.height) =
+        size.resolve(picture->parts().aspect, picture->parts().size);
+    const auto locator = analyse::Locator::make(*picture, static_cast<double>(found.width),
+                                                static_cast<double>(found.height), time, axes);
     if (!locator) {
         return locator.diagnostics;
     }
-    const Axes own = camera->parts().axes;
-    std::vector<V3d> asked;
-    for (const V3d& point : points) {
-        asked.push_back(turned(point, axes.value_or(own), own));
-    }
+    found.layers = locator->layers();
     found.closed_form = locator->closed_form();
     found.points = std::move(points);
-    found.sightings = locator->locate(asked);
-    return {std::move(found), camera.diagnostics};
+    found.sightings = locator->locate(found.points);
+    return {std::move(found), picture.diagnostics};
 }
 
 std::string text_of(const Located& located) {
@@ -169,6 +160,9 @@ std::string text_of(const Located& located) {
             text += fmt::format("{}\n    x {:>10.4f}   y {:>10.4f}   distance {:.6g}",
                                 next == first ? " is seen at" : "", sighting.position.x,
                                 sighting.position.y, sighting.distance);
+            if (located.layers.size() > 1) {
+                text += fmt::format("   in {}", printable(located.layers[sighting.layer]));
+            }
         }
         text += next == first ? " is not in the picture\n" : "\n";
     }
@@ -184,9 +178,11 @@ nlohmann::json json_of(const Located& located) {
     for (const analyse::Sighting& sighting : located.sightings) {
         points[sighting.point]["sightings"].push_back({{"x", sighting.position.x},
                                                        {"y", sighting.position.y},
+                                                       {"layer", sighting.layer},
                                                        {"distance", sighting.distance}});
     }
     return {{"camera", located.camera},
+            {"layers", located.layers},
             {"width", located.width},
             {"height", located.height},
             {"closed_form", located.closed_form},
@@ -233,8 +229,8 @@ void add_locate_command(CLI::App& app, ExitCode& code) {
     const auto options = std::make_shared<LocateOptions>();
     command
         ->add_option("CAMERA", options->camera,
-                     "a camera file or its camera NAME (the last if not said), or a camera of "
-                     "'balcony list cameras'")
+                     "a camera file or its camera or picture NAME (the last if not said), or a "
+                     "camera of 'balcony list cameras'")
         ->type_name("FILE[:NAME]")
         ->required();
     command->add_option("--point", options->points, "a point in space; may be repeated")

@@ -9,58 +9,26 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
-#include <random>
 #include <thread>
 
 #include <gtest/gtest.h>
 
-#include "analyse/point_rays.hpp"
 #include "balcony/catalogue.hpp"
+#include "random_points.hpp"
 #include "support.hpp"
 
 namespace balcony::analyse {
 namespace {
 
+using test::RandomPoints;
+
 constexpr double pi = std::numbers::pi;
-
-// Points on the rays of random places of a picture, at distances of a thousandth to a thousand
-// times the size of the eye object.
-struct RandomPoints {
-    std::vector<V2d> places;
-    std::vector<V3d> points;
-
-    RandomPoints(const camera::Camera& camera, double width, double height, std::size_t count) {
-        const PointRays rays(camera, width, height, 0.0);
-        PointRays::Batch batch(rays);
-        std::mt19937_64 random(1996);
-        std::uniform_real_distribution<double> unit(0.0, 1.0);
-        double size = 0.0;
-        for (std::size_t tries = 0; points.size() < count && tries < 100 * count;
-             tries += program::max_points) {
-            for (std::size_t i = 0; i < program::max_points; ++i) {
-                batch.place(i, {width * unit(random), height * unit(random)});
-            }
-            batch.run(program::max_points);
-            for (std::size_t i = 0; tries == 0 && i < program::max_points; ++i) {
-                size = std::max(size, batch.ray(i).valid ? batch.ray(i).origin.length() : 0.0);
-            }
-            for (std::size_t i = 0; i < program::max_points && points.size() < count; ++i) {
-                const Ray ray = batch.ray(i);
-                const double distance =
-                    (size > 0.0 ? size : 1.0) * std::pow(10.0, 6.0 * unit(random) - 3.0);
-                if (ray.valid) {
-                    places.push_back(batch.at(i));
-                    points.push_back(ray.origin + distance * ray.direction);
-                }
-            }
-        }
-    }
-};
 
 // How many of the random points are not found within 0.01 pixels of where they came from.
 std::size_t lost(const camera::Camera& camera, double height, std::size_t count) {
     const double width = std::round(height * camera.parts().aspect);
-    const RandomPoints random(camera, width, height, count);
+    expr::Graph graph;
+    const RandomPoints random(camera.emit(graph, width, height), width, height, count);
     const auto locator = Locator::make(camera, width, height);
     std::vector<bool> found(random.points.size(), false);
     for (const Sighting& sighting : locator->locate(random.points)) {
@@ -306,7 +274,8 @@ TEST(Locate, FindsBothSidesOfARoundRoom) {
 
 TEST(Locate, FindsThePointsWhereRaysStart) {
     const camera::Camera camera = test::standard("hyperbolic");
-    const PointRays rays(camera, 480, 270, 0.0);
+    expr::Graph graph;
+    const PointRays rays(camera.emit(graph, 480, 270), 0.0);
     PointRays::Batch batch(rays);
     batch.place(0, {123.4, 56.7});
     batch.run(1);
@@ -330,7 +299,8 @@ TEST(Locate, HearsTheTime) {
 TEST(Locate, ManyPointsAreAsOneAndThreadsAgree) {
     const camera::Camera camera = test::standard("superelliptic");
     const auto locator = Locator::make(camera, 750, 150);
-    const RandomPoints random(camera, 750, 150, 300);
+    expr::Graph graph;
+    const RandomPoints random(camera.emit(graph, 750, 150), 750, 150, 300);
     const auto together = locator->locate(random.points);
     std::vector<Sighting> single;
     {

@@ -45,6 +45,32 @@ class Locate(support.CommandTest):
         self.assertEqual(out.count("distance 5"), 3)
         self.assertIn("(-5, 0, 0) is not in the picture\n", out)
 
+    def test_layers_of_a_picture(self):
+        (self.folder / "two.cam").write_text(
+            "picture two 400 x 100 {\n"
+            "    layer panorama { place (0, 0) .. (0.5, 1) }\n"
+            "    layer pinhole(fov = 90deg) { place (0.5, 0) .. (1, 1) alpha 0.5 }\n"
+            "}\n")
+        document = self.json_of("locate", "two.cam", "--point", "4,1,0")
+        self.assertEqual(document["layers"], ["panorama", "pinhole"])
+        self.assertEqual((document["width"], document["height"]), (400, 100))
+        (left, right) = document["points"][0]["sightings"]
+        self.assertEqual((left["layer"], right["layer"]), (0, 1))
+        self.assertAlmostEqual(left["x"], 100 - 100 * math.atan2(1, 4) / math.pi)
+        self.assertAlmostEqual(right["x"], 275)
+        out, _ = self.run_command("locate", "two.cam", "--point", "4,1,0")
+        self.assertIn("in panorama\n", out)
+        self.assertIn("in pinhole\n", out)
+        self.assertNotIn(" in ", self.run_command("locate", "pinhole", "--point", "4,1,0")[0])
+
+    def test_a_picture_of_several_axes(self):
+        (self.folder / "mixed.cam").write_text(
+            "camera up { axes y_up map u = 1 .. -1, v = square eye point(0, 0, 0) "
+            "toward plane((1, 0, 0)) }\npicture mixed { layer panorama layer up }")
+        self.refused("locate", "mixed.cam", "--point", "4,1,0", code=1, says="different axes",
+                     helps="y_up or z_up")
+        self.located("mixed.cam", "--point", "4,1,0", "--axes", "z_up")
+
     def test_axes_of_the_points(self):
         words = ("pinhole", "--size", "400", "--point")
         own = self.located(*words, "5,1,2")[0]["sightings"]
