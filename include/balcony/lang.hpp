@@ -65,7 +65,7 @@ struct CameraDescription {
 /// Makes every camera and picture of a file, to find all that is wrong with it.
 [[nodiscard]] Diagnostics check(const std::filesystem::path& file);
 
-/// What a camera does, in words.
+/// What a camera or a picture does, in words.
 struct Explanation {
     struct Parameter {
         std::string name;
@@ -78,13 +78,22 @@ struct Explanation {
         std::vector<std::string> meanings;  ///< What each stage in it does.
         std::size_t depth = 0;              ///< 1 in the block of the step before.
     };
+    struct Layer {
+        std::string written;      ///< As in the file: closeup(turn = 30deg).
+        std::vector<Step> steps;  ///< What its block says.
+        std::size_t shows = 0;    ///< In `shown` of what was asked for.
+    };
     std::string name;
+    bool is_picture = false;
     std::string summary;
     std::vector<Parameter> parameters;
-    std::vector<Step> steps;
+    std::vector<Step> steps;         ///< Of a camera.
+    std::vector<Layer> layers;       ///< Of a picture, from the back to the front.
+    std::vector<Explanation> shown;  ///< Of what was asked for: the cameras and pictures in its
+                                     ///< layers and theirs, once for the same parameters.
 };
 
-/// Explains the camera that load_camera() makes of the same arguments.
+/// Explains what load_picture() makes of the same arguments.
 [[nodiscard]] Result<Explanation> explain(const std::filesystem::path& file, std::string_view name,
                                           const std::vector<Override>& overrides = {});
 

@@ -39,6 +39,8 @@ enum class BlendMode : std::uint8_t {
 };
 
 [[nodiscard]] std::string_view name_of(BlendMode mode);
+/// One line for documentation.
+[[nodiscard]] std::string_view meaning_of(BlendMode mode);
 [[nodiscard]] std::optional<BlendMode> find_blend_mode(std::string_view name);
 [[nodiscard]] std::vector<std::string> blend_mode_names();
 

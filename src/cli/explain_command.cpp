@@ -6,6 +6,7 @@
 
 #include "cli/camera_argument.hpp"
 #include "cli/command.hpp"
+#include "cli/explain_report.hpp"
 #include "cli/json.hpp"
 #include "cli/render_options.hpp"
 #include "cli/report.hpp"
@@ -21,74 +22,31 @@ struct ExplainOptions {
     bool json = false;
 };
 
-// The ray as formulas of the picture point, as they are computed.
-std::string formulas_of(const camera::Camera& camera, std::size_t width, std::size_t height) {
-    expr::Graph graph;
-    const camera::RayExpressions ray =
-        camera.emit(graph, static_cast<double>(width), static_cast<double>(height));
-    const std::array roots{ray.parameters.u, ray.parameters.v, ray.origin.x,
-                           ray.origin.y,     ray.origin.z,     ray.direction.x,
-                           ray.direction.y,  ray.direction.z,  ray.valid};
-    const std::array<std::string, 9> names{"u",           "v",           "origin_x",
-                                           "origin_y",    "origin_z",    "direction_x",
-                                           "direction_y", "direction_z", "valid"};
-    return expr::print(expr::simplify(roots), names);
-}
-
-std::string text_of(const lang::Explanation& explanation) {
-    std::string text = fmt::format("{}: {}\n", explanation.name, explanation.summary);
-    for (const auto& parameter : explanation.parameters) {
-        text += fmt::format("    {} = {}\n", parameter.name, parameter.value);
-    }
-    text += "\nA point of the picture becomes a ray in these steps:\n";
-    for (const lang::Explanation::Step& step : explanation.steps) {
-        const std::string indent(4 * (step.depth + 1), ' ');
-        text += fmt::format("{}{:<7} {}\n", indent, step.statement, step.written);
-        for (const std::string& meaning : step.meanings) {
-            text += fmt::format("{}        - {}\n", indent, meaning);
-        }
-    }
-    return text;
-}
-
-nlohmann::json json_of(const lang::Explanation& explanation) {
-    nlohmann::json parameters = nlohmann::json::array();
-    for (const auto& parameter : explanation.parameters) {
-        parameters.push_back({{"name", parameter.name}, {"value", parameter.value}});
-    }
-    nlohmann::json steps = nlohmann::json::array();
-    for (const lang::Explanation::Step& step : explanation.steps) {
-        steps.push_back({{"statement", step.statement},
-                         {"written", step.written},
-                         {"meanings", step.meanings},
-                         {"depth", step.depth}});
-    }
-    return {{"camera", explanation.name},
-            {"summary", explanation.summary},
-            {"parameters", parameters},
-            {"steps", steps}};
-}
-
 // Text to standard output, or the same as JSON in the document.
-ExitCode explain_camera(const CameraArgument& wanted, const PictureSize& size, bool as_json,
-                        nlohmann::json& document, Diagnostics& said) {
-    const auto camera = lang::load_camera(wanted.file, wanted.name, wanted.overrides);
-    said.insert(said.end(), camera.diagnostics.begin(), camera.diagnostics.end());
+ExitCode explain(const CameraArgument& wanted, const PictureSize& size, bool as_json,
+                 nlohmann::json& document, Diagnostics& said) {
+    const auto picture = lang::load_picture(wanted.file, wanted.name, wanted.overrides);
+    said.insert(said.end(), picture.diagnostics.begin(), picture.diagnostics.end());
     const auto explanation = lang::explain(wanted.file, wanted.name, wanted.overrides);
-    if (!camera || !explanation) {
+    if (!picture || !explanation) {
         return ExitCode::bad_input;
     }
-    const auto [width, height] = size.resolve(camera->parts().aspect);
-    const std::string formulas = formulas_of(*camera, width, height);
+    const auto [width, height] = size.resolve(picture->parts().aspect, picture->parts().size);
+    const std::string formulas =
+        formulas_text(*picture, !explanation->is_picture, static_cast<double>(width),
+                      static_cast<double>(height));
     if (as_json) {
-        document = json_of(*explanation);
+        document = explanation_json(*explanation);
+        document["width"] = width;
+        document["height"] = height;
         document["formulas"] = formulas;
     } else {
-        print_result(
-            fmt::format("{}\nFormulas, for a picture of {} x {} pixels; picture_x and picture_y "
-                        "are the point in\n"
-                        "pixels from the top left, t is time:\n\n{}",
-                        text_of(*explanation), width, height, formulas));
+        print_result(fmt::format(
+            "{}\nFormulas, for a picture of {} x {} pixels; picture_x and picture_y "
+            "are the point in\n"
+            "pixels from the top left, t is time{}:\n\n{}",
+            explanation_text(*explanation), width, height,
+            explanation->is_picture ? ", a coverage how much shows there" : "", formulas));
     }
     return ExitCode::done;
 }
@@ -104,7 +62,7 @@ ExitCode explain(const ExplainOptions& options) {
     } else if (!wanted) {
         said = wanted.diagnostics;
     } else {
-        code = explain_camera(*wanted, size, options.json, document, said);
+        code = explain(*wanted, size, options.json, document, said);
     }
     if (options.json) {
         document["diagnostics"] = to_json(said);
@@ -118,13 +76,15 @@ ExitCode explain(const ExplainOptions& options) {
 }  // namespace
 
 void add_explain_command(CLI::App& app, ExitCode& code) {
-    auto* command = app.add_subcommand("explain", "says in words and formulas what a camera does");
+    auto* command =
+        app.add_subcommand("explain", "says in words and formulas what a camera or a picture does");
     command->group("Commands");
     const auto options = std::make_shared<ExplainOptions>();
     command
-        ->add_option("CAMERA", options->camera,
-                     "a camera file or its camera NAME (the last if not said), or a camera of "
-                     "'balcony list cameras'")
+        ->add_option(
+            "CAMERA", options->camera,
+            "a camera file or its camera or picture NAME (the last if not said), or a camera "
+            "of 'balcony list cameras'")
         ->type_name("FILE[:NAME]")
         ->required();
     add_set_option(*command, options->set);

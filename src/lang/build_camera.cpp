@@ -289,7 +289,9 @@ std::optional<camera::Camera> build_camera(const CameraPlace& place, const Given
     if (warn_of_unused && session.reporter().error_count() == 0) {
         scope.warn_of_unused();
     }
-    return made;
+    return made ? std::optional(std::get<camera::Camera>(
+                      session.share(place, scope.values(), std::move(*made))))
+                : std::nullopt;
 }
 
 }  // namespace balcony::lang

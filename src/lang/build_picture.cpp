@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include "lang/build_camera.hpp"
-#include "lang/evaluate.hpp"
 #include "lang/keywords.hpp"
+#include "lang/layer_content.hpp"
 #include "lang/statements.hpp"
 
 namespace balcony::lang {
@@ -76,7 +76,7 @@ struct Nesting {
 class PictureBuilder {
 public:
     PictureBuilder(const CameraPlace& place, Scope& scope, Session& session, Nesting& nesting)
-        : module_(*place.module),
+        : place_(place),
           tree_(place.module->tree),
           picture_(*place.camera),
           scope_(scope),
@@ -241,30 +241,28 @@ private:
     // ---------------------------------------------------------------------- what a layer shows
 
     std::optional<Content> content(const Expression& call) {
-        const std::optional<CameraPlace> place = find(call.name);
-        if (!place) {
+        const auto shown = layer_content(place_, call, scope_, session_);
+        if (!shown) {
             return std::nullopt;
         }
-        GivenParameters given;
-        if (!parameters(call, given)) {
-            return std::nullopt;
-        }
+        const auto& [place, given] = *shown;
         std::optional<Content> made;
-        if (!place->camera->is_picture) {
-            if (auto camera = build_camera(*place, given, session_, false)) {
+        if (!place.camera->is_picture) {
+            if (auto camera = build_camera(place, given, session_, false)) {
                 made.emplace(std::move(*camera));
             }
-        } else if (!in_a_circle(*place, call) && !too_deep(call)) {
-            if (auto picture = nested(*place, given)) {
-                made.emplace(std::make_shared<const camera::Picture>(std::move(*picture)));
+        } else if (!in_a_circle(place, call) && !too_deep(call)) {
+            if (auto picture = nested(place, given)) {
+                made.emplace(std::move(picture));
             }
         }
         return made;
     }
 
-    std::optional<camera::Picture> nested(const CameraPlace& place, const GivenParameters& given) {
+    // Null if there is an error.
+    NestedPicture nested(const CameraPlace& place, const GivenParameters& given) {
         if (nesting_.failures.contains(place.camera)) {
-            return std::nullopt;
+            return nullptr;
         }
         CameraScope scope(place, given, session_);
         nesting_.chain.push_back(place);
@@ -272,55 +270,10 @@ private:
         nesting_.chain.pop_back();
         if (!picture) {
             nesting_.failures.insert(place.camera);
+            return nullptr;
         }
-        return picture;
-    }
-
-    std::optional<CameraPlace> find(const Identifier& name) {
-        const std::vector<CameraPlace> visible = visible_cameras(module_);
-        std::vector<std::string> known = standard_cameras();
-        for (const CameraPlace& place : visible) {
-            if (place.camera->name.text == name.text) {
-                return place;
-            }
-            known.emplace_back(place.camera->name.text);
-        }
-        if (const Module* standard = session_.load_standard(name.text)) {
-            // Nothing is read of it after too many errors.
-            const std::vector<CameraPlace> own = own_cameras(*standard);
-            return own.empty() ? std::nullopt : std::optional(own.back());
-        }
-        std::sort(known.begin(), known.end());
-        known.erase(std::unique(known.begin(), known.end()), known.end());
-        std::erase(known, std::string(picture_.name.text));
-        if (!module_.scope->incomplete()) {
-            error(name.span, fmt::format("there is no camera or picture named '{}'", name.text),
-                  suggestion(name.text, known, "there are"));
-        }
-        return std::nullopt;
-    }
-
-    bool parameters(const Expression& call, GivenParameters& given) {
-        if (call.kind == ExpressionKind::formula) {
-            error(call.span, "a layer names a camera or a picture; this is a formula");
-            return false;
-        }
-        bool good = true;
-        for (const Argument& argument : call.arguments) {
-            const SourceSpan span = tree_.at(tree_[argument.value].span);
-            if (!argument.name) {
-                reporter_.error(span, "a parameter of a layer is given by its name",
-                                fmt::format("write {}(name = {})", call.name.text,
-                                            tree_.text(tree_[argument.value].span)));
-                good = false;
-                continue;
-            }
-            const Value value =
-                evaluate_any(tree_, argument.value, scope_, *session_.graph(), reporter_);
-            good = good && !value.failed();
-            given.values.push_back({*argument.name, tree_.at(argument.name->span), value, span});
-        }
-        return good;
+        return std::get<NestedPicture>(session_.share(
+            place, scope.values(), std::make_shared<const camera::Picture>(std::move(*picture))));
     }
 
     bool in_a_circle(const CameraPlace& place, const Expression& call) {
@@ -349,7 +302,7 @@ private:
         return true;
     }
 
-    const Module& module_;
+    const CameraPlace place_;
     const SyntaxTree& tree_;
     const CameraSyntax& picture_;
     Scope& scope_;

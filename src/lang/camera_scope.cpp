@@ -164,6 +164,14 @@ Value CameraScope::checked(const Value& value, const SourceSpan& span, const Val
     return value;
 }
 
+std::vector<Value> CameraScope::values() {
+    std::vector<Value> all;
+    for (const CameraParameter& parameter : place_.camera->parameters) {
+        all.push_back(scope_.find_here(parameter.name.text)->value);
+    }
+    return all;
+}
+
 void CameraScope::warn_of_unused() {
     const auto warn = [this](const Identifier& name, std::string_view what) {
         const Definition* definition = scope_.find_here(name.text);

@@ -33,6 +33,8 @@ public:
     CameraScope(const CameraPlace& place, const GivenParameters& given, Session& session);
 
     [[nodiscard]] Scope& names() { return scope_; }
+    /// Of its parameters, in their order.
+    [[nodiscard]] std::vector<Value> values();
     /// For one without errors: names that nothing uses.
     void warn_of_unused();
 

@@ -1,20 +1,21 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// A camera in words: its statements in the order in which a picture point goes through them, with
-// what the catalogue says of each stage.
+// A camera or a picture in words: its statements in the order in which a picture point goes through
+// them, with what the catalogue says of each stage.
 
 #include "lang/explain.hpp"
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <numbers>
 
 #include <fmt/format.h>
 
 #include "balcony/catalogue.hpp"
-#include "lang/camera_scope.hpp"
 #include "lang/keywords.hpp"
+#include "lang/layer_content.hpp"
 
 namespace balcony::lang {
 
@@ -22,22 +23,151 @@ namespace {
 
 using camera::StageKind;
 
-// The statements that are made of stages, in the order of the abstract camera machine.
+// What is written, with single spaces and without comments.
+std::string one_line(const SyntaxTree& tree, Span span) {
+    std::string line;
+    for (std::size_t i = span.begin; i < span.end; ++i) {
+        const auto comment = std::find_if(tree.comments.begin(), tree.comments.end(),
+                                          [i](const Span& one) { return one.begin == i; });
+        if (comment != tree.comments.end()) {
+            i = comment->end - 1;
+            continue;
+        }
+        const char c = tree.source->text()[i];
+        const bool blank = c == ' ' || c == '\t' || c == '\n' || c == '\r';
+        if (!blank) {
+            line += c;
+        } else if (!line.empty() && line.back() != ' ') {
+            line += ' ';
+        }
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    return line;
+}
+
+// ------------------------------------------------------------------------ what a statement means
+
+using Meanings = std::vector<std::string>;
+
+std::string meaning(const camera::StageEntry& row) {
+    return fmt::format("{}: {}", row.name, row.meaning);
+}
+
+// A stage inside another is mostly of its kind.
+const camera::StageEntry* find_row(StageKind kind, std::string_view name) {
+    if (const camera::StageEntry* row = camera::find_stage(kind, name)) {
+        return row;
+    }
+    for (const camera::StageEntry& row : camera::catalogue()) {
+        if (row.name == name) {
+            return &row;
+        }
+    }
+    return nullptr;
+}
+
+// What the catalogue says of a call and of the stages inside it, each name once.
+void add_stages(const SyntaxTree& tree, ExpressionId call, StageKind kind, Meanings& said) {
+    for (std::size_t i = call.value() + 1; i-- > tree[call].first.value();) {
+        const Expression& node = tree[ExpressionId(i)];
+        const bool may_be_stage = node.kind == ExpressionKind::call ||
+                                  node.kind == ExpressionKind::name ||
+                                  node.kind == ExpressionKind::formula;
+        const camera::StageEntry* row = may_be_stage ? find_row(kind, node.name.text) : nullptr;
+        if (row != nullptr && std::find(said.begin(), said.end(), meaning(*row)) == said.end()) {
+            said.push_back(meaning(*row));
+        }
+    }
+}
+
+template <StageKind kind>
+Meanings of_stages(const SyntaxTree& tree, const Statement& statement) {
+    Meanings said;
+    for (const ExpressionId call : statement.stages) {
+        add_stages(tree, call, kind, said);
+    }
+    return said;
+}
+
+Meanings of_place(const SyntaxTree&, const Statement&) {
+    return {meaning(*camera::find_stage(StageKind::picture_arranger, "place"))};
+}
+
+Meanings of_map(const SyntaxTree&, const Statement& statement) {
+    Meanings said;
+    for (const MapRange& range : statement.ranges) {
+        const bool u = range.coordinate.text == "u";
+        said.push_back(
+            range.first.valid()
+                ? fmt::format("{} goes from the {} edge of the picture to the {}",
+                              range.coordinate.text, u ? "left" : "bottom", u ? "right" : "top")
+                : fmt::format("{} is 0 in the middle, with square pixels", range.coordinate.text));
+    }
+    return said;
+}
+
+Meanings of_blend(const SyntaxTree&, const Statement& statement) {
+    const std::string_view name = statement.name.text;
+    const auto mode = camera::find_blend_mode(name).value_or(camera::BlendMode::normal);
+    return {fmt::format("{}: {}", name, meaning_of(mode))};
+}
+
+Meanings of_keyword(const SyntaxTree&, const Statement& statement) {
+    return {std::string(meaning_of(statement.kind))};
+}
+
+// The statements that say what happens to a point or a layer. What is of one phase happens as it is
+// written.
 struct PipelineRow {
     StatementKind statement;
-    StageKind stage;
+    int phase;
+    Meanings (*meanings)(const SyntaxTree&, const Statement&);
 };
 constexpr std::array pipeline = {
-    PipelineRow{StatementKind::place, StageKind::picture_arranger},
-    PipelineRow{StatementKind::arrange, StageKind::picture_arranger},
-    PipelineRow{StatementKind::map, StageKind::picture_mapper},
-    PipelineRow{StatementKind::warp, StageKind::parameter_transformer},
-    PipelineRow{StatementKind::object, StageKind::object_generator},
-    PipelineRow{StatementKind::eye, StageKind::object_generator},
-    PipelineRow{StatementKind::toward, StageKind::object_generator},
-    PipelineRow{StatementKind::move, StageKind::object_transformer},
-    PipelineRow{StatementKind::look, StageKind::direction_rule},
+    PipelineRow{StatementKind::place, 0, of_place},
+    PipelineRow{StatementKind::arrange, 0, of_stages<StageKind::picture_arranger>},
+    PipelineRow{StatementKind::map, 1, of_map},
+    PipelineRow{StatementKind::warp, 2, of_stages<StageKind::parameter_transformer>},
+    PipelineRow{StatementKind::object, 3, of_stages<StageKind::object_generator>},
+    PipelineRow{StatementKind::eye, 4, of_stages<StageKind::object_generator>},
+    PipelineRow{StatementKind::toward, 5, of_stages<StageKind::object_generator>},
+    PipelineRow{StatementKind::move, 6, of_stages<StageKind::object_transformer>},
+    PipelineRow{StatementKind::look, 7, of_stages<StageKind::direction_rule>},
+    PipelineRow{StatementKind::clip, 8, of_stages<StageKind::clip_shape>},
+    PipelineRow{StatementKind::soft, 9, of_keyword},
+    PipelineRow{StatementKind::alpha, 10, of_keyword},
+    PipelineRow{StatementKind::blend, 11, of_blend},
+    PipelineRow{StatementKind::frame, 12, of_keyword},
+    PipelineRow{StatementKind::leader, 13, of_keyword},
 };
+
+void add_steps(const SyntaxTree& tree, const std::vector<Statement>& statements, std::size_t depth,
+               std::vector<Explanation::Step>& made) {
+    std::vector<std::pair<const PipelineRow*, const Statement*>> ordered;
+    for (const Statement& statement : statements) {
+        const auto* row = std::find_if(
+            pipeline.begin(), pipeline.end(),
+            [&statement](const PipelineRow& one) { return one.statement == statement.kind; });
+        if (row != pipeline.end()) {
+            ordered.emplace_back(row, &statement);
+        }
+    }
+    std::stable_sort(ordered.begin(), ordered.end(),
+                     [](const auto& a, const auto& b) { return a.first->phase < b.first->phase; });
+    for (const auto& [row, statement] : ordered) {
+        Explanation::Step step;
+        step.depth = depth;
+        step.statement = std::string(keyword(statement->kind));
+        if (statement->block.empty()) {
+            step.written = one_line(tree, {statement->keyword.end, statement->span.end});
+        }
+        step.meanings = row->meanings(tree, *statement);
+        made.push_back(std::move(step));
+        add_steps(tree, statement->block, depth + 1, made);
+    }
+}
+
+// --------------------------------------------------------------------------------- the whole
 
 std::string value_text(const Value& value) {
     if (value.elements) {
@@ -54,111 +184,6 @@ std::string value_text(const Value& value) {
     return value.is_angle() ? fmt::format("{:.6g}deg", value.constant() * 180.0 / std::numbers::pi)
                             : fmt::format("{:.6g}", value.constant());
 }
-
-class Explainer {
-public:
-    Explainer(const SyntaxTree& tree, Explanation& made) : tree_(tree), made_(made) {}
-
-    void statements(const std::vector<Statement>& all, std::size_t depth) {
-        for (const PipelineRow& row : pipeline) {
-            for (const Statement& statement : all) {
-                if (statement.kind == row.statement) {
-                    this->statement(statement, row.stage, depth);
-                }
-            }
-        }
-    }
-
-private:
-    void statement(const Statement& statement, StageKind kind, std::size_t depth) {
-        Explanation::Step step;
-        step.depth = depth;
-        step.statement = std::string(keyword(statement.kind));
-        if (statement.block.empty()) {
-            step.written = one_line({statement.keyword.end, statement.span.end});
-        }
-        if (statement.kind == StatementKind::map) {
-            step.meanings = map_meanings(statement);
-        } else if (statement.kind == StatementKind::place) {
-            const camera::StageEntry& row = *find_row(kind, "place");
-            step.meanings.push_back(fmt::format("{}: {}", row.name, row.meaning));
-        }
-        for (const ExpressionId call : statement.stages) {
-            stage_meanings(call, kind, step.meanings);
-        }
-        made_.steps.push_back(std::move(step));
-        statements(statement.block, depth + 1);
-    }
-
-    static std::vector<std::string> map_meanings(const Statement& statement) {
-        std::vector<std::string> said;
-        for (const MapRange& range : statement.ranges) {
-            const bool u = range.coordinate.text == "u";
-            said.push_back(range.first.valid()
-                               ? fmt::format("{} goes from the {} edge of the picture to the {}",
-                                             range.coordinate.text, u ? "left" : "bottom",
-                                             u ? "right" : "top")
-                               : fmt::format("{} is 0 in the middle, with square pixels",
-                                             range.coordinate.text));
-        }
-        return said;
-    }
-
-    // What the catalogue says of a call and of the stages inside it, each name once.
-    void stage_meanings(ExpressionId call, StageKind kind, std::vector<std::string>& said) const {
-        for (std::size_t i = call.value() + 1; i-- > tree_[call].first.value();) {
-            const Expression& node = tree_[ExpressionId(i)];
-            const bool may_be_stage = node.kind == ExpressionKind::call ||
-                                      node.kind == ExpressionKind::name ||
-                                      node.kind == ExpressionKind::formula;
-            const camera::StageEntry* row = may_be_stage ? find_row(kind, node.name.text) : nullptr;
-            if (row != nullptr) {
-                std::string meaning = fmt::format("{}: {}", row->name, row->meaning);
-                if (std::find(said.begin(), said.end(), meaning) == said.end()) {
-                    said.push_back(std::move(meaning));
-                }
-            }
-        }
-    }
-
-    // A stage inside another is mostly of its kind.
-    static const camera::StageEntry* find_row(StageKind kind, std::string_view name) {
-        if (const camera::StageEntry* row = camera::find_stage(kind, name)) {
-            return row;
-        }
-        for (const camera::StageEntry& row : camera::catalogue()) {
-            if (row.name == name) {
-                return &row;
-            }
-        }
-        return nullptr;
-    }
-
-    // What is written, with single spaces and without comments.
-    [[nodiscard]] std::string one_line(Span span) const {
-        std::string line;
-        for (std::size_t i = span.begin; i < span.end; ++i) {
-            const auto comment = std::find_if(tree_.comments.begin(), tree_.comments.end(),
-                                              [i](const Span& one) { return one.begin == i; });
-            if (comment != tree_.comments.end()) {
-                i = comment->end - 1;
-                continue;
-            }
-            const char c = tree_.source->text()[i];
-            const bool blank = c == ' ' || c == '\t' || c == '\n' || c == '\r';
-            if (!blank) {
-                line += c;
-            } else if (!line.empty() && line.back() != ' ') {
-                line += ' ';
-            }
-        }
-        line.erase(line.find_last_not_of(' ') + 1);
-        return line;
-    }
-
-    const SyntaxTree& tree_;
-    Explanation& made_;
-};
 
 // Where rays start and where they go, in one sentence.
 std::string summary_of(const camera::Camera& camera) {
@@ -178,28 +203,104 @@ std::string summary_of(const camera::Camera& camera) {
     return text + ".";
 }
 
+std::string summary_of(const camera::Picture& picture) {
+    const camera::Picture::Parts& parts = picture.parts();
+    const std::string layers =
+        fmt::format("{} layer{}", parts.layers.size(), parts.layers.size() == 1 ? "" : "s");
+    return parts.size ? fmt::format("A picture of {} x {} pixels in {}.", (*parts.size)[0],
+                                    (*parts.size)[1], layers)
+                      : fmt::format("A picture in {}, {:.4g} times as wide as high.", layers,
+                                    parts.aspect);
+}
+
+class Explainer {
+public:
+    explicit Explainer(Session& session) : session_(session) {}
+
+    Explanation camera(const CameraPlace& place, const camera::Camera& camera,
+                       const GivenParameters& given) {
+        CameraScope scope(place, given, session_);
+        Explanation made = heading(place, scope, summary_of(camera));
+        add_steps(place.module->tree, place.camera->statements, 0, made.steps);
+        const bool has_look =
+            std::any_of(made.steps.begin(), made.steps.end(),
+                        [](const Explanation::Step& step) { return step.statement == "look"; });
+        if (!has_look) {
+            const std::string_view rule = camera.parts().toward ? "relative" : "normal";
+            const auto* row = camera::find_stage(StageKind::direction_rule, rule);
+            made.steps.push_back({"look", std::string(rule), {meaning(*row)}, 0});
+        }
+        return made;
+    }
+
+    Explanation picture(const CameraPlace& place, const camera::Picture& picture,
+                        const GivenParameters& given) {
+        CameraScope scope(place, given, session_);
+        Explanation made = heading(place, scope, summary_of(picture));
+        const SyntaxTree& tree = place.module->tree;
+        for (const Statement& statement : place.camera->statements) {
+            if (statement.kind != StatementKind::layer) {
+                continue;
+            }
+            const Expression& call = tree[statement.stages.front()];
+            Explanation::Layer layer{one_line(tree, call.span), {}, 0};
+            add_steps(tree, statement.block, 0, layer.steps);
+            if (const auto content = layer_content(place, call, scope.names(), session_)) {
+                layer.shows = show(*content, picture.parts().layers[made.layers.size()]);
+            }
+            made.layers.push_back(std::move(layer));
+        }
+        return made;
+    }
+
+    std::vector<Explanation> take_shown() { return std::move(shown_); }
+
+private:
+    static Explanation heading(const CameraPlace& place, CameraScope& scope, std::string summary) {
+        Explanation made;
+        made.name = std::string(place.camera->name.text);
+        made.is_picture = place.camera->is_picture;
+        made.summary = std::move(summary);
+        const std::vector<Value> values = scope.values();
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            made.parameters.push_back(
+                {std::string(place.camera->parameters[i].name.text), value_text(values[i])});
+        }
+        return made;
+    }
+
+    // The number of what a layer shows, explained when it is first met.
+    std::size_t show(const LayerContent& content, const camera::Layer& layer) {
+        const auto* nested = std::get_if<std::shared_ptr<const camera::Picture>>(&layer.content);
+        const auto* single = std::get_if<camera::Camera>(&layer.content);
+        const void* identity = nested != nullptr ? static_cast<const void*>(nested->get())
+                                                 : static_cast<const void*>(&single->parts());
+        if (const auto known = numbers_.find(identity); known != numbers_.end()) {
+            return known->second;
+        }
+        Explanation made = nested != nullptr ? picture(content.place, **nested, content.given)
+                                             : camera(content.place, *single, content.given);
+        numbers_.emplace(identity, shown_.size());
+        shown_.push_back(std::move(made));
+        return shown_.size() - 1;
+    }
+
+    Session& session_;
+    std::map<const void*, std::size_t> numbers_;
+    std::vector<Explanation> shown_;
+};
+
 }  // namespace
 
-Explanation explain_camera(const CameraPlace& place, const camera::Camera& camera,
-                           const std::vector<Override>& overrides, Session& session) {
-    Explanation made;
-    made.name = camera.name();
-    made.summary = summary_of(camera);
-    CameraScope scope(place, {overrides, {}}, session);
-    for (const CameraParameter& parameter : place.camera->parameters) {
-        made.parameters.push_back({std::string(parameter.name.text),
-                                   value_text(scope.names().find(parameter.name.text)->value)});
+Explanation explain(const CameraPlace& place, const camera::Picture& picture,
+                    const GivenParameters& given, Session& session) {
+    Explainer explainer(session);
+    if (!place.camera->is_picture) {
+        return explainer.camera(
+            place, std::get<camera::Camera>(picture.parts().layers.front().content), given);
     }
-    Explainer(place.module->tree, made).statements(place.camera->statements, 0);
-    const bool has_look =
-        std::any_of(made.steps.begin(), made.steps.end(),
-                    [](const Explanation::Step& step) { return step.statement == "look"; });
-    if (!has_look) {
-        const std::string_view rule = camera.parts().toward ? "relative" : "normal";
-        const auto* row = camera::find_stage(StageKind::direction_rule, rule);
-        made.steps.push_back(
-            {"look", std::string(rule), {fmt::format("{}: {}", rule, row->meaning)}, 0});
-    }
+    Explanation made = explainer.picture(place, picture, given);
+    made.shown = explainer.take_shown();
     return made;
 }
 

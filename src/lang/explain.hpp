@@ -3,12 +3,13 @@
 #pragma once
 
 #include "balcony/lang.hpp"
-#include "lang/session.hpp"
+#include "lang/camera_scope.hpp"
 
 namespace balcony::lang {
 
-/// Says what a camera without errors does.
-[[nodiscard]] Explanation explain_camera(const CameraPlace& place, const camera::Camera& camera,
-                                         const std::vector<Override>& overrides, Session& session);
+/// Says what a camera or a picture without errors does, of which build_picture() has made `picture`
+/// with the same parameters.
+[[nodiscard]] Explanation explain(const CameraPlace& place, const camera::Picture& picture,
+                                  const GivenParameters& given, Session& session);
 
 }  // namespace balcony::lang

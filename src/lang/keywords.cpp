@@ -15,27 +15,38 @@ constexpr std::uint8_t in_path = static_cast<std::uint8_t>(Block::path);
 constexpr std::uint8_t in_pictures = static_cast<std::uint8_t>(Block::picture);
 constexpr std::uint8_t in_layer = static_cast<std::uint8_t>(Block::layer);
 
-constexpr std::array rows = {Keyword{StatementKind::let, "let", in_camera | in_pictures},
-                             Keyword{StatementKind::aspect, "aspect", in_camera | in_pictures},
-                             Keyword{StatementKind::axes, "axes", in_camera},
-                             Keyword{StatementKind::map, "map", in_camera | in_path},
-                             Keyword{StatementKind::eye, "eye", in_camera},
-                             Keyword{StatementKind::toward, "toward", in_camera},
-                             Keyword{StatementKind::object, "object", in_path},
-                             Keyword{StatementKind::warp, "warp", in_camera | in_path},
-                             Keyword{StatementKind::move, "move", in_camera | in_path},
-                             Keyword{StatementKind::look, "look", in_camera},
-                             Keyword{StatementKind::place, "place", in_camera | in_layer},
-                             Keyword{StatementKind::arrange, "arrange", in_camera | in_layer},
-                             Keyword{StatementKind::layer, "layer", in_pictures},
-                             Keyword{StatementKind::clip, "clip", in_layer},
-                             Keyword{StatementKind::soft, "soft", in_layer},
-                             Keyword{StatementKind::alpha, "alpha", in_layer},
-                             Keyword{StatementKind::blend, "blend", in_layer},
-                             Keyword{StatementKind::frame, "frame", in_layer},
-                             Keyword{StatementKind::leader, "leader", in_layer}};
+constexpr std::array rows = {
+    Keyword{StatementKind::let, "let", in_camera | in_pictures},
+    Keyword{StatementKind::aspect, "aspect", in_camera | in_pictures},
+    Keyword{StatementKind::axes, "axes", in_camera},
+    Keyword{StatementKind::map, "map", in_camera | in_path},
+    Keyword{StatementKind::eye, "eye", in_camera},
+    Keyword{StatementKind::toward, "toward", in_camera},
+    Keyword{StatementKind::object, "object", in_path},
+    Keyword{StatementKind::warp, "warp", in_camera | in_path},
+    Keyword{StatementKind::move, "move", in_camera | in_path},
+    Keyword{StatementKind::look, "look", in_camera},
+    Keyword{StatementKind::place, "place", in_camera | in_layer},
+    Keyword{StatementKind::arrange, "arrange", in_camera | in_layer},
+    Keyword{StatementKind::layer, "layer", in_pictures},
+    Keyword{StatementKind::clip, "clip", in_layer},
+    Keyword{StatementKind::soft, "soft", in_layer,
+            "how wide the clip's edge is, as a fraction of the layer's height"},
+    Keyword{StatementKind::alpha, "alpha", in_layer,
+            "its opacity: from 0, nothing of it shows, to 1"},
+    Keyword{StatementKind::blend, "blend", in_layer},
+    Keyword{StatementKind::frame, "frame", in_layer,
+            "a line inside the clip's edge; its width is a fraction of the picture's height"},
+    Keyword{StatementKind::leader, "leader", in_layer,
+            "a line round a region of the picture, and lines from there to the layer"}};
 
 constexpr std::array<std::string_view, 3> file_words = {"import", "camera", "picture"};
+
+const Keyword* row_of(StatementKind kind) {
+    const auto* row = std::find_if(rows.begin(), rows.end(),
+                                   [kind](const Keyword& one) { return one.kind == kind; });
+    return row != rows.end() ? row : nullptr;
+}
 
 }  // namespace
 
@@ -68,12 +79,13 @@ std::vector<std::string> keywords_for(Block block) {
 }
 
 std::string_view keyword(StatementKind kind) {
-    for (const Keyword& row : rows) {
-        if (row.kind == kind) {
-            return row.text;
-        }
-    }
-    return {};
+    const Keyword* row = row_of(kind);
+    return row != nullptr ? row->text : std::string_view();
+}
+
+std::string_view meaning_of(StatementKind kind) {
+    const Keyword* row = row_of(kind);
+    return row != nullptr ? row->meaning : std::string_view();
 }
 
 }  // namespace balcony::lang

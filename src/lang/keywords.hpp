@@ -25,6 +25,7 @@ struct Keyword {
     StatementKind kind;
     std::string_view text;
     std::uint8_t blocks;
+    std::string_view meaning{};  ///< One line for people, where no stage in it says what it does.
 
     [[nodiscard]] constexpr bool stands_in(Block block) const {
         return (blocks & static_cast<std::uint8_t>(block)) != 0;
@@ -40,5 +41,7 @@ struct Keyword {
 [[nodiscard]] std::vector<std::string> keywords_for(Block block);
 /// How a statement is written; empty for an unknown one.
 [[nodiscard]] std::string_view keyword(StatementKind kind);
+/// What the keyword's row says that it means.
+[[nodiscard]] std::string_view meaning_of(StatementKind kind);
 
 }  // namespace balcony::lang

@@ -224,14 +224,13 @@ Result<camera::Picture> make_picture(std::shared_ptr<const SourceText> source,
 Result<Explanation> explain(const std::filesystem::path& file, std::string_view name,
                             const std::vector<Override>& overrides) {
     Session session;
-    const std::optional<CameraPlace> place =
-        find_camera(session.load(file), name, session.reporter());
-    const std::optional<camera::Camera> made =
-        place ? build_camera(*place, {overrides, {}}, session, true) : std::nullopt;
+    const auto place = find(session.load(file), name, false, session.reporter());
+    const std::optional<camera::Picture> made =
+        place ? build_picture(*place, {overrides, {}}, session) : std::nullopt;
     if (session.reporter().error_count() > 0) {
         return session.reporter().take();
     }
-    Explanation explanation = explain_camera(*place, *made, overrides, session);
+    Explanation explanation = explain(*place, *made, {overrides, {}}, session);
     return {std::move(explanation), session.reporter().take()};
 }
 

@@ -50,6 +50,27 @@ const SyntaxTree& Session::keep(SyntaxTree tree) {
     return *overrides_.back();
 }
 
+// Of a tuple or a list its length and then its elements; a mark tells it from a number.
+void Session::add_to_key(const Value& value, ParameterKey& key) {
+    if (!value.elements) {
+        key.emplace_back(value.expr.id().value(), value.dimension);
+        return;
+    }
+    key.emplace_back(value.elements->size(), value.form);
+    for (const Element& element : *value.elements) {
+        add_to_key(element.value, key);
+    }
+}
+
+Session::Shown Session::share(const CameraPlace& place, const std::vector<Value>& parameters,
+                              Shown made) {
+    ParameterKey key;
+    for (const Value& value : parameters) {
+        add_to_key(value, key);
+    }
+    return shared_.emplace(std::pair(place.camera, std::move(key)), std::move(made)).first->second;
+}
+
 Module* Session::load(const fs::path& file) {
     const std::string name = file.string();
     std::error_code failure;

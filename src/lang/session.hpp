@@ -9,10 +9,13 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "balcony/catalogue.hpp"
 #include "balcony/expr.hpp"
+#include "balcony/picture.hpp"
 #include "lang/parser.hpp"
 #include "lang/scope.hpp"
 
@@ -56,6 +59,12 @@ public:
     /// The file of a standard camera; null if there is none of that name.
     Module* load_standard(std::string_view name);
 
+    /// What was made of a camera or a picture: what was made of it before with the same values of
+    /// its parameters, if there is that, so that all who show it share it.
+    using Shown = decltype(camera::Layer::content);
+    [[nodiscard]] Shown share(const CameraPlace& place, const std::vector<Value>& parameters,
+                              Shown made);
+
     /// Keeps the tree of an override, whose texts others refer to.
     const SyntaxTree& keep(SyntaxTree tree);
 
@@ -84,6 +93,10 @@ private:
     std::vector<std::unique_ptr<SyntaxTree>> overrides_;
     std::map<std::string, std::shared_ptr<const camera::GreyImage>> images_;
     std::map<std::string, std::shared_ptr<const camera::TexturedMesh>> meshes_;
+    // By their syntax and their parameters' values: nodes with units, forms with lengths.
+    using ParameterKey = std::vector<std::pair<std::size_t, std::variant<Dimension, Value::Form>>>;
+    static void add_to_key(const Value& value, ParameterKey& key);
+    std::map<std::pair<const CameraSyntax*, ParameterKey>, Shown> shared_;
 };
 
 /// The cameras and pictures that a file makes visible: its own in their order, then those of its

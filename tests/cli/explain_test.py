@@ -20,6 +20,45 @@ class Explain(support.CommandTest):
         self.assertEqual([step["statement"] for step in document["steps"]][:2], ["map", "eye"])
         self.assertIn("direction_z = ", document["formulas"])
 
+    def test_pictures(self):
+        (self.folder / "poster.cam").write_text(
+            'import "my.cam"\n'
+            "picture pair { layer above(size = 2) layer half { clip ellipse frame } }\n"
+            "picture poster(width = 2) 300 x 200 {\n"
+            "    layer pair\n"
+            "    layer above(size = width) { place (0, 0) .. (1/2, 1/2) }\n"
+            "    layer above(size = 1)\n"
+            "    layer pair\n"
+            "}\n")
+        out, err = self.run_command("explain", "poster.cam")
+        self.assertEqual(err, "")
+        self.assertTrue(out.startswith("poster: A picture of 300 x 200 pixels in 4 layers.\n"
+                                       "    width = 2\n"), out)
+        # Each layer where it stands; a picture in the picture is further in, and said once.
+        self.assertRegex(out, r"\n    1  pair\n +A picture in 2 layers.*\n\n +1\.1  above")
+        self.assertRegex(out, r"\n    4  pair\n +the picture of layer 1 again\n")
+        self.assertEqual(out.count("ellipse:"), 1)
+        # Each camera once for the same parameters.
+        self.assertIn("\nabove, layers 1.1, 2: Rays start", out)
+        self.assertIn("\nabove, layer 3: Rays start", out)
+        self.assertEqual(out.count("\nhalf, "), 1)
+        # Formulas of every layer.
+        for name in ("layer_1_1_origin_x", "layer_1_2_frame_coverage", "layer_2_coverage",
+                     "layer_4_2_valid"):
+            self.assertEqual(out.count(f"\n{name} = "), 1, name)
+
+    def test_picture_as_json(self):
+        (self.folder / "two.cam").write_text(
+            'import "my.cam"\npicture two { layer half layer above(size = 9) { alpha 0.5 } }\n')
+        document = self.json_of("explain", "two.cam")
+        self.assertEqual(document["picture"], "two")
+        self.assertEqual([layer["written"] for layer in document["layers"]],
+                         ["half", "above(size = 9)"])
+        self.assertEqual(document["layers"][1]["steps"][0]["statement"], "alpha")
+        shown = document["shown"][document["layers"][1]["shows"]]
+        self.assertEqual((shown["camera"], shown["parameters"][0]["value"]), ("above", "9"))
+        self.assertEqual(document["width"] / document["height"], 16 / 9)
+
     def test_mistakes(self):
         self.refused("explain", "none.cam", code=1, says="'none.cam'")
         self.refused("explain", "my.cam:closup", code=1, says="'closup'", helps="closeup")
