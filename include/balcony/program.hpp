@@ -10,8 +10,10 @@
 // point. Compiled for points it runs over lists of points that lie anywhere, and all that depends
 // on x or y runs once a point.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -21,7 +23,8 @@
 
 namespace balcony::program {
 
-/// A grid of picture points: point (i, j) is (x + i*step, y + j*step), i < width, j < height.
+/// A grid of picture points: point (i, j) is (x + i*step, y + j*step), i < width, j < height. What
+/// lies beyond the limits is moved onto them.
 struct Tile {
     double x = 0.5;
     double y = 0.5;
@@ -29,6 +32,21 @@ struct Tile {
     std::size_t width = 0;   ///< At most max_tile_width.
     std::size_t height = 0;  ///< At most max_tile_height.
     double time = 0.0;
+
+    struct Limits {
+        double least = -std::numeric_limits<double>::infinity();
+        double most = std::numeric_limits<double>::infinity();
+    };
+    Limits x_limits{};
+    Limits y_limits{};
+
+    [[nodiscard]] double column(std::size_t i) const { return within(x, i, x_limits); }
+    [[nodiscard]] double row(std::size_t j) const { return within(y, j, y_limits); }
+
+private:
+    [[nodiscard]] double within(double first, std::size_t steps, const Limits& limits) const {
+        return std::clamp(first + static_cast<double>(steps) * step, limits.least, limits.most);
+    }
 };
 
 inline constexpr std::size_t max_tile_width = 64;

@@ -57,8 +57,7 @@ void run_reference(const Program& program, const Tile& tile, std::span<double* c
     std::vector<double> registers(tape.register_doubles);
     for (std::size_t j = 0; j < tile.height; ++j) {
         for (std::size_t i = 0; i < tile.width; ++i) {
-            run_point(tape, tile.x + static_cast<double>(i) * tile.step,
-                      tile.y + static_cast<double>(j) * tile.step, tile.time, registers);
+            run_point(tape, tile.column(i), tile.row(j), tile.time, registers);
             for (std::size_t r = 0; r < results.size(); ++r) {
                 results[r][j * tile.width + i] = registers[tape.roots[r].offset];
             }

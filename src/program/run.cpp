@@ -70,10 +70,10 @@ public:
 
     void operator()(const Tile& tile) {
         for (std::size_t i = 0; i < padded(tile.width); ++i) {
-            registers_[tape_.picture_x + i] = tile.x + static_cast<double>(i) * tile.step;
+            registers_[tape_.picture_x + i] = tile.column(i);
         }
         for (std::size_t j = 0; j < padded(tile.height); ++j) {
-            registers_[tape_.picture_y + j] = tile.y + static_cast<double>(j) * tile.step;
+            registers_[tape_.picture_y + j] = tile.row(j);
         }
         run_rows(tile.width, tile.height, tile.time);
     }

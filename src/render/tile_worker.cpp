@@ -98,14 +98,22 @@ void TileWorker::render(const PixelTile& tile, std::size_t pass) {
     counts_.seconds += seconds_between(begin, Clock::now());
 }
 
+// What the filter reaches beyond the picture counts as at its border, since there the camera may go
+// on with something else or nothing; just inside, for what ends there.
 program::Tile TileWorker::points() const {
+    constexpr double just_inside = 1e-6;
+    const auto limits = [](std::size_t extent) {
+        return program::Tile::Limits{just_inside, static_cast<double>(extent) - just_inside};
+    };
     const Imath::V2d offset = pass_offset(pass_);
     return {static_cast<double>(tile_.x) + 0.5 + offset.x,
             static_cast<double>(tile_.y) + 0.5 + offset.y,
             1.0,
             tile_.width,
             tile_.height,
-            settings_->time};
+            settings_->time,
+            limits(film_->width),
+            limits(film_->height)};
 }
 
 // Fills grid_, has_ray_ and rays_.

@@ -126,6 +126,31 @@ TEST(Tiles, EverySizeWorks) {
     }
 }
 
+TEST(Tiles, PointsBeyondTheLimitsAreMovedOntoThem) {
+    Graph graph;
+    const std::vector<Expr> roots{graph.picture_x(), graph.picture_y(),
+                                  graph.picture_x() * graph.picture_y()};
+    const Program program(roots);
+    const Tile tile{.x = -1.0,
+                    .y = 2.0,
+                    .width = 13,
+                    .height = 5,
+                    .x_limits = {0.5, 9.25},
+                    .y_limits = {.most = 4.5}};
+    expect_runners_equal_reference(program, tile);
+    const Results results(program, tile);
+    run_reference(program, tile, results.pointers());
+    for (std::size_t j = 0; j < tile.height; ++j) {
+        for (std::size_t i = 0; i < tile.width; ++i) {
+            const double x = i < 2 ? 0.5 : i > 10 ? 9.25 : static_cast<double>(i) - 1.0;
+            const double y = j > 2 ? 4.5 : static_cast<double>(j) + 2.0;
+            EXPECT_EQ(results[0][j * tile.width + i], x);
+            EXPECT_EQ(results[1][j * tile.width + i], y);
+            EXPECT_EQ(results[2][j * tile.width + i], x * y);
+        }
+    }
+}
+
 TEST(Tiles, RootsOfEveryKindAreWritten) {
     Graph graph;
     const Expr x = graph.picture_x();

@@ -140,6 +140,25 @@ TEST(Film, PointsWithoutRayAreCountedAndTransparent) {
     }
 }
 
+// Rays exist in the picture and nowhere else, neither beyond its border nor on it.
+TEST(Film, TheFilterAsksForNothingBeyondThePicture) {
+    scene::Scene scene;
+    add(scene, wall(-1.0F, 5.0F), white());
+    const auto origin = [](const ParameterPoint& p, Emitter& emit) {
+        emit.require(abs(p.u) < emit(1.0) && abs(p.v) < emit(1.0));
+        return ObjectPoint{p.u, p.v, emit(0.0)};
+    };
+    const auto direction = [](const ParameterPoint&, Emitter& emit) {
+        return ObjectVector{emit(0.0), emit(0.0), emit(-1.0)};
+    };
+    const Picture picture =
+        render(scene, make_camera({origin, direction}), settings(70, 40, Integrator::preview, 16));
+    EXPECT_EQ(picture.summary.invalid_rays, 0U);
+    for (const auto& [x, y] : {std::pair(0U, 0U), {69U, 20U}, {30U, 39U}, {69U, 39U}}) {
+        EXPECT_EQ(picture.film.pixel(x, y).a, 1.0F) << x << ", " << y;
+    }
+}
+
 // log and a square root of negative numbers, a division by 0, an origin beyond floats.
 TEST(Film, ACameraThatGivesNoNumbersGivesNoRays) {
     scene::Scene scene;
