@@ -61,6 +61,19 @@ std::string range_text(const StageParameter& parameter) {
     return has_least ? fmt::format("{} {}", from, least) : fmt::format("at most {}", most);
 }
 
+/// Of a value that changes with time, whose range nobody can check beforehand: what would leave the
+/// range stays at its end.
+expr::Expr within_range(const StageParameter& parameter, expr::Expr value) {
+    expr::Graph& graph = value.graph();
+    if (std::isfinite(parameter.least)) {
+        value = max(value, graph.constant(parameter.least));
+    }
+    if (std::isfinite(parameter.most)) {
+        value = min(value, graph.constant(parameter.most));
+    }
+    return value;
+}
+
 }  // namespace
 
 bool StageBuilder::set_default(const StageEntry& row, const StageParameter& parameter, Span call,
@@ -151,7 +164,7 @@ std::optional<Scalar> StageBuilder::number(const StageEntry& row, const StagePar
     if (value.is_constant()) {
         return Scalar(value.constant());
     }
-    return Scalar(camera::Formula(graph_, {}, {value.expr}));
+    return Scalar(camera::Formula(graph_, {}, {within_range(parameter, value.expr)}));
 }
 
 bool StageBuilder::fits(const StageEntry& row, const StageParameter& parameter, const Value& value,

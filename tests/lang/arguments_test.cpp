@@ -101,6 +101,26 @@ std::vector<StageParameter> points(std::vector<std::size_t> coordinates, Unit un
              .meaning = "its use"}};
 }
 
+TEST(StageArguments, WhatChangesWithTimeStaysInItsRange) {
+    const std::vector<StageParameter> row{
+        {.name = "strength", .least = 0.0, .most = 0.99, .meaning = "below 1"},
+        {.name = "radius", .least = 0.0, .above_least = true, .meaning = "above 0"},
+        {.name = "height", .meaning = "any"}};
+    const Read made = read(row, "stage(t, 1 + t, 2*t)");
+    ASSERT_TRUE(made.arguments) << to_text(made.said);
+    const auto at = [&](std::string_view name, double time) {
+        expr::Graph graph;
+        const std::array root{made.arguments->number(name).emit(graph)};
+        return expr::evaluate(root, {0.0, 0.0, time, {}}).front();
+    };
+    EXPECT_EQ(at("strength", 0.5), 0.5);
+    EXPECT_EQ(at("strength", 3.0), 0.99);
+    EXPECT_EQ(at("strength", -3.0), 0.0);
+    EXPECT_EQ(at("radius", 3.0), 4.0);
+    EXPECT_EQ(at("radius", -3.0), 0.0);
+    EXPECT_EQ(at("height", -3.0), -6.0);
+}
+
 TEST(StageArguments, PointsAreAList) {
     const Read pairs = read(points({2, 3}), "stage([(0, 1), (a, -a)])");
     ASSERT_TRUE(pairs.arguments) << to_text(pairs.said);
