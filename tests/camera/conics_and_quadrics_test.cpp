@@ -268,6 +268,27 @@ TEST(Superquadrics, CanChangeWithTime) {
     expect_near(surface(pi / 2.0, 0.0, 2.0).point, {0.0, 2.0, 0.0}, 1e-14);
 }
 
+// The angles of the poles are doubles a little off a quarter turn; what is made of them must not
+// lie beyond, where the cross product of the tangents points inwards.
+TEST(Superquadrics, HaveOutwardNormalsAtTheirPolesToo) {
+    for (const double gamma : {0.25, 1.0, 1.5}) {
+        for (const std::string_view by : {"angle_centre", "arc_length"}) {
+            const Given given{{"a", numbers({3.0})},
+                              {"b", numbers({2.0})},
+                              {"gamma_u", numbers({gamma})},
+                              {"gamma_v", numbers({gamma})},
+                              {"by", std::string(by)}};
+            const GeneratorProbe surface(object("superellipsoid", given));
+            for (const double v : {-0.5 * pi, 0.5 * pi}) {
+                for (double u = -3.0; u < 3.0; u += 0.37) {
+                    const Sample s = surface(u, v);
+                    EXPECT_GT(cross(s.along_u, s.along_v)[2] * v, 0.0) << by << ' ' << gamma;
+                }
+            }
+        }
+    }
+}
+
 TEST(Toroids, SolveTheirImplicitEquations) {
     const Given measures{{"a", numbers({5.0})},
                          {"b", numbers({4.0})},

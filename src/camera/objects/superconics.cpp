@@ -123,8 +123,11 @@ private:
     static constexpr double crowding_for_pointed = 1.0 - 2e-6;
 
     PlanePoint unit_curve(Expr u, Expr gamma, Emitter& emit) const override {
-        const Expr quarters = mod(u / quarter_turn, emit(4.0));
-        const Expr angle = emit.graph().lookup(angle_by_quarters_, graded(quarters));
+        // From -180deg on, so that -90deg and 90deg are angles whose cosine is not negative: there
+        // a spherical product has its poles, beyond which normals point inwards.
+        const Expr quarters = mod(u / quarter_turn + 2.0, emit(4.0));
+        const Expr angle =
+            emit.graph().lookup(angle_by_quarters_, graded(quarters)) - std::numbers::pi;
         return superellipse_at_angle(angle, gamma);
     }
     Expr graded(Expr quarters) const {
@@ -248,7 +251,8 @@ std::vector<StageEntry> superconics() {
            .choices = superellipse_parametrisations(),
            .meaning =
                "the parametrisation: u is the polar angle before a and b are applied, the "
-               "classical parameter, or proportional to the length (the whole is 360deg; "
+               "classical parameter (no tangent on the axes unless gamma is 1), or proportional to "
+               "the length (the whole is 360deg; "
                "off by less than 1e-7 of the whole in proportions of up to 10, gamma <= 2)"}},
          [](const Arguments& a) {
              return as_stage(
@@ -277,7 +281,8 @@ camera round_the_block {
            .choices = superhyperbola_parametrisations(),
            .meaning =
                "the parametrisation: u is y/b, the hyperbolic parameter, the classical angle "
-               "(below 90deg), or the polar angle before a and b are applied (below 45deg)"}},
+               "(below 90deg; like the one before without tangent at 0 unless gamma is 1), or the "
+               "polar angle before a and b are applied (below 45deg)"}},
          [](const Arguments& a) {
              return as_stage(
                  superhyperbola(a.number("a"), a.number("b"), a.number("gamma"), a.choice("by")));
