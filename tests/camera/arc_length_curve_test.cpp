@@ -124,10 +124,17 @@ TEST(ArcLengthCurve, SaysWhatItCannotTabulate) {
             return std::vector{u[0] * graph.time(), u[0], graph.constant(0.0)};
         }));
     EXPECT_NE(said(moving, 0.0, 1.0).find("cannot change with time"), std::string::npos);
-    EXPECT_NE(said(ellipse(), 1.0, 1.0).find("has no length"), std::string::npos);
+    for (const double at : {0.0, 1.0}) {
+        EXPECT_NE(said(ellipse(), at, at).find("has no length"), std::string::npos);
+    }
     const ObjectGeneratorPointer bezier =
         object("bezier", {{"points", points(2, {0, 0, 1, 1, 2, 0})}});
-    EXPECT_NE(said(bezier, 0.0, 2.0).find("has no point at its parameter"), std::string::npos);
+    EXPECT_NE(said(bezier, 0.0, 2.0).find("has no point at its parameter 1.000"),
+              std::string::npos);
+    // Just beyond the asymptote at 45deg.
+    const ObjectGeneratorPointer hyperbola = object("hyperbola", {{"by", std::string("polar")}});
+    EXPECT_NE(said(hyperbola, 0.0, 1.0).find("has no point at its parameter 0.785"),
+              std::string::npos);
     EXPECT_EQ(said(bezier, 0.2, 0.9), "");
 }
 

@@ -266,6 +266,14 @@ TEST(BlendRule, ByAngleOfTwoEqualDirectionsIsThatDirection) {
     });
 }
 
+TEST(BlendRule, ByAngleKnowsNoWayBetweenOppositeDirections) {
+    const auto rule = blend(
+        along({0.6, 0.0, 0.8}), along({-0.6, 0.0, -0.8}), [](Expr u, Expr) { return u; }, "angle");
+    const CameraProbe rays(camera(seen(object("plane"), range(1.0, 0.0, -1.0, 1.0), rule)), width,
+                           height);
+    at_pixels([&](double x, double y) { EXPECT_FALSE(rays(x, y).valid); });
+}
+
 TEST(BlendRule, NeedsWhatItsRulesNeed) {
     const auto half = [](Expr u, Expr) { return 0.5 + 0.0 * u; };
     EXPECT_TRUE(blend(along({1.0, 0.0, 0.0}), look("relative"), half)->needs_direction_object());

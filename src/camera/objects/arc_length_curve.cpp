@@ -62,7 +62,9 @@ Result<std::shared_ptr<const Stage>> make_arc_length(const Arguments& a) {
             const double speed = std::fabs(to - from) * norm(samples[i].velocity);
             // A speed that is infinite in a single point, as at a root, has no part in the length.
             made.push_back(std::isfinite(speed) ? speed : 0.0);
-            if (std::isnan(norm(samples[i].point))) {
+            // What comes of a length without points, or of none, is no parameter.
+            if (!without_point && std::isnan(norm(samples[i].point)) &&
+                std::isfinite(parameters[i])) {
                 without_point = parameters[i];
             }
         }

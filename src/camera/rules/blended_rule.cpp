@@ -29,13 +29,13 @@ public:
         const std::array uv{eye.parameters.u, eye.parameters.v};
         return between(to_unit_length(first_->direction(eye, toward, emit)),
                        to_unit_length(second_->direction(eye, toward, emit)),
-                       weight_.emit(emit.graph(), uv).front());
+                       weight_.emit(emit.graph(), uv).front(), emit);
     }
 
 private:
     /// Of two unit vectors.
-    virtual ObjectVector between(const ObjectVector& a, const ObjectVector& b,
-                                 Expr weight) const = 0;
+    virtual ObjectVector between(const ObjectVector& a, const ObjectVector& b, Expr weight,
+                                 Emitter& emit) const = 0;
 
     DirectionRulePointer first_, second_;
     Formula weight_;
@@ -43,20 +43,26 @@ private:
 
 class LinearlyBlendedRule final : public BlendedRule {
     using BlendedRule::BlendedRule;
-    ObjectVector between(const ObjectVector& a, const ObjectVector& b, Expr weight) const override {
+    ObjectVector between(const ObjectVector& a, const ObjectVector& b, Expr weight,
+                         Emitter&) const override {
         return (1.0 - weight) * a + weight * b;
     }
 };
 
-/// On the great circle from a to b, at an angle in proportion to the weight.
+/// On the great circle from a to b, at an angle in proportion to the weight. Opposite directions
+/// have no such circle, or all of them.
 class SphericallyBlendedRule final : public BlendedRule {
     using BlendedRule::BlendedRule;
-    ObjectVector between(const ObjectVector& a, const ObjectVector& b, Expr weight) const override {
+    ObjectVector between(const ObjectVector& a, const ObjectVector& b, Expr weight,
+                         Emitter& emit) const override {
         const Expr cosine = dot(a, b);
         const ObjectVector across = b + -(cosine * a);
+        const Expr squared_sine = dot(across, across);
+        constexpr double rounding = 1e-24;
+        emit.require(0.0 < cosine || rounding < squared_sine);
         // Where a is b the sine is next to nothing, and so is the angle.
         constexpr double tiny = 1e-300;
-        const Expr sine = sqrt(max(dot(across, across), weight.graph().constant(tiny)));
+        const Expr sine = sqrt(max(squared_sine, emit(tiny)));
         const Expr angle = weight * atan2(sine, cosine);
         return cos(angle) * a + sin(angle) / sine * across;
     }
@@ -86,7 +92,8 @@ std::vector<StageEntry> blended_rule() {
            .type = choice,
            .choices = {"mixing", "angle"},
            .meaning = "the sum (1 - w) first + w second of unit vectors, or a turn from the first "
-                      "to the second by w times the angle between them"}},
+                      "to the second by w times the angle between them (no ray where they are "
+                      "opposite)"}},
          [](const Arguments& a) {
              const auto first = a.stage<DirectionRule>("first");
              const auto second = a.stage<DirectionRule>("second");
