@@ -34,7 +34,8 @@ private:
 };
 
 /// One parameter over its range, the other symmetric about 0 and as many units a pixel, so that
-/// the parameter plane is not stretched in a picture of any proportion. v counts upwards.
+/// the parameter plane is not stretched in a picture of any proportion. It counts to the right or
+/// upwards.
 class SquareMapper final : public PictureMapper {
 public:
     enum class Given : std::uint8_t { u, v };
@@ -90,7 +91,7 @@ camera temperate {
 )"},
         {kind,
          "square_v",
-         "u = a .. b, v = square: v is 0 in the middle, with u's units a pixel",
+         "u = a .. b, v = square: v is 0 in the middle and grows upwards, with u's units a pixel",
          {edge("u_first", "u at the left edge"), edge("u_last", "u at the right edge")},
          [](const Arguments& a) {
              return made<SquareMapper>(SquareMapper::Given::u, a.number("u_first"),
@@ -108,7 +109,8 @@ camera wide {
 )"},
         {kind,
          "square_u",
-         "u = square, v = a .. b: u is 0 in the middle, with v's units a pixel",
+         "u = square, v = a .. b: u is 0 in the middle and grows to the right, with v's units a "
+         "pixel",
          {edge("v_first", "v at the bottom edge"), edge("v_last", "v at the top edge")},
          [](const Arguments& a) {
              return made<SquareMapper>(SquareMapper::Given::v, a.number("v_first"),
@@ -117,12 +119,13 @@ camera wide {
          {},
          0,
          R"(
-// 60 degrees in height, and in width as many as make a degree one size in both.
+// 60 degrees in height, and in width as many as make a degree one size in both. Longitudes grow to
+// the left, so u is turned round.
 camera high {
     map    u = square, v = -30deg .. 30deg
+    warp   scale((-1, 1))
     eye    point
     toward sphere(1)
-    move   mirror(y)
 }
 )"},
     };

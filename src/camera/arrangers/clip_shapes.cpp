@@ -330,7 +330,7 @@ std::vector<StageEntry> round_shapes() {
            .least = 0.0,
            .most = 1.0,
            .above_least = true,
-           .meaning = "the size of the hole, of the ellipse's"}},
+           .meaning = "the size of the hole, as a fraction of the ellipse's"}},
          [](const Arguments& a) { return made<Ring>(a.number("inner")); },
          {},
          0,
@@ -389,7 +389,8 @@ std::vector<StageEntry> clip_shapes() {
                       .most = 1.0,
                       .above_least = true,
                       .constant = true,
-                      .meaning = "how far out the corners between the tips are, of the tips"}},
+                      .meaning = "how far out the corners between the tips are, as a fraction "
+                                 "of the tips' distance"}},
                     [](const Arguments& a) {
                         return made<Polygon>(star_corners(a.count("points"), a.constant("inner")));
                     },

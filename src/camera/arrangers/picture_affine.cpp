@@ -165,7 +165,7 @@ std::vector<StageEntry> picture_affine() {
            .type = size,
            .least = 0.0,
            .above_least = true,
-           .meaning = "of width and height"},
+           .meaning = "factors for width and height; below 1 is smaller"},
           fixed_point("the point that stays, as a fraction of the picture")},
          [](const Arguments& a) { return made<ScalePicture>(a.pair("by"), a.pair("at")); },
          {},

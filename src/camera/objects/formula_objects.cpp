@@ -50,11 +50,11 @@ std::vector<StageEntry> formula_objects() {
          FormulaShape{1, 2, 3},
          1,
          R"(
-// A walk through a winding valley, with a look across the way to both sides of its end.
+// The right side of a winding way through a valley, each place seen at right angles to the way.
 camera valley_walk {
-    map    u = -3 .. 3, v = -1 .. 1
+    map    u = 3 .. -3, v = -1 .. 1
     eye    curve(u) = [u, sin(u), 0.2*u^2]
-    toward surface(u, v) = [u + 1, sin(u) + cos(u), 0.2*u^2 + v]
+    toward surface(u, v) = [u + cos(u), sin(u) - 1, 0.2*u^2 + v]
 }
 )"},
         {kind,

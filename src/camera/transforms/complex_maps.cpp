@@ -229,7 +229,8 @@ std::vector<StageEntry> complex_maps() {
 })"},
         {kind,
          "logarithm",
-         "log z of z = u + i v: unrolls what lies round (0, 0); all round it is a width of 360deg",
+         "log z of z = u + i v: unrolls what lies round (0, 0): u becomes the logarithm of the "
+         "distance and v the angle",
          {cut_parameter()},
          [](const Arguments& a) { return made<Logarithm>(a.number("cut")); },
          {},
@@ -282,7 +283,8 @@ std::vector<StageEntry> complex_maps() {
           {.name = "grows",
            .type = choice,
            .choices = {"clockwise", "counter_clockwise"},
-           .meaning = "which way round things become larger, with u to the right and v up"},
+           .meaning = "which way round things become larger as seen with u to the right and v up; "
+                      "where u runs to the left it is the other way"},
           {.name = "frame",
            .type = size,
            .unit = Unit::parameter,
@@ -304,9 +306,10 @@ std::vector<StageEntry> complex_maps() {
          },
          {},
          0,
-         R"(camera print_gallery {
+         R"(// Clockwise in the picture, as Escher has it: its u runs to the left.
+camera print_gallery {
     map    u = 1 .. -1, v = square
-    warp   print_gallery(scale = 16)
+    warp   print_gallery(scale = 16, grows = counter_clockwise)
     eye    point
     toward plane((1, 0, 0))
 })"},

@@ -54,7 +54,7 @@ std::vector<StageEntry> local_zoom() {
            .default_value = {2.0},
            .least = 0.0,
            .above_least = true,
-           .meaning = "magnification in the middle"}},
+           .meaning = "magnification in the middle; the picture folds over below 32/81"}},
          [](const Arguments& a) {
              return made<LocalZoom>(a.pair("at"), a.pair("radius"), a.number("strength"));
          },

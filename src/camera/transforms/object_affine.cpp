@@ -186,7 +186,8 @@ camera egg {
 )"},
         {kind,
          "mirror",
-         "reflects across an axis, in the plane through a point",
+         "reflects across an axis, in the plane through a point; a surface's front becomes its "
+         "back",
          {axis("the plane's normal: x, y, z or a vector"), center()},
          [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
              if (is_null(a.triple("axis"))) {

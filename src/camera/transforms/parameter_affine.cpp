@@ -125,7 +125,7 @@ camera wider {
 )"},
         {kind,
          "rotate",
-         "turns parameter space counter-clockwise about a point",
+         "turns (u, v) about a point, from u towards v",
          {{.name = "angle", .unit = Unit::angle, .meaning = "how far"}, center()},
          [](const Arguments& a) { return made<Rotate>(a.number("angle"), a.pair("at")); },
          {},
