@@ -4,6 +4,7 @@
 #include "analyse/ray_field.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace balcony::analyse {
@@ -19,27 +20,29 @@ enum DerivativeRoot : std::size_t {
     direction_by_y = direction_by_x + 3
 };
 
-program::Program compile(const camera::Camera& camera, double width, double height,
-                         RayProgram::Derivatives derivatives) {
-    expr::Graph graph;
-    const camera::RayExpressions ray = camera.emit(graph, width, height);
-    std::vector<expr::Expr> roots = {ray.valid, ray.parameters.u, ray.parameters.v};
-    const auto add = [&roots](const auto& vector) {
-        roots.insert(roots.end(), {vector.x, vector.y, vector.z});
-    };
-    add(ray.origin);
-    add(ray.direction);
-    if (derivatives == RayProgram::Derivatives::with) {
-        const camera::RayFootprint footprint = camera::footprint(ray);
-        add(footprint.origin_by_x);
-        add(footprint.origin_by_y);
-        add(footprint.direction_by_x);
-        add(footprint.direction_by_y);
-    }
-    return program::Program(roots);
-}
-
 }  // namespace
+
+struct RayProgram::Roots {
+    Roots(const camera::Camera& camera, double width, double height, Derivatives derivatives) {
+        const camera::RayExpressions ray = camera.emit(graph, width, height);
+        all = {ray.valid, ray.parameters.u, ray.parameters.v};
+        const auto add = [this](const auto& vector) {
+            all.insert(all.end(), {vector.x, vector.y, vector.z});
+        };
+        add(ray.origin);
+        add(ray.direction);
+        if (derivatives == Derivatives::with) {
+            const camera::RayFootprint footprint = camera::footprint(ray);
+            add(footprint.origin_by_x);
+            add(footprint.origin_by_y);
+            add(footprint.direction_by_x);
+            add(footprint.direction_by_y);
+        }
+    }
+
+    expr::Graph graph;
+    std::vector<expr::Expr> all;
+};
 
 SampleGrid SampleGrid::over(double picture_width, double picture_height, double step) {
     const auto count = [step](double length) {
@@ -60,9 +63,13 @@ V2d SampleGrid::at(std::size_t index) const {
 
 RayProgram::RayProgram(const camera::Camera& camera, double picture_width, double picture_height,
                        double time, Derivatives derivatives)
-    : program_(compile(camera, picture_width, picture_height, derivatives)),
+    : RayProgram(Roots(camera, picture_width, picture_height, derivatives), time) {}
+
+RayProgram::RayProgram(const Roots& roots, double time)
+    : for_grid_(roots.all),
+      for_points_(roots.all, program::Sampling::points),
       time_(time),
-      values_(program_.root_count(),
+      values_(roots.all.size(),
               std::vector<double>(program::max_tile_width * program::max_tile_height)) {
     for (std::vector<double>& values : values_) {
         results_.push_back(values.data());
@@ -80,7 +87,7 @@ std::vector<Ray> RayProgram::run(const SampleGrid& grid) {
                                      std::min(program::max_tile_width, grid.columns - left),
                                      std::min(program::max_tile_height, grid.rows - top),
                                      time_};
-            run(tile);
+            program::run(for_grid_, tile, scratch_, results_);
             for (std::size_t i = 0; i < tile.width * tile.height; ++i) {
                 rays[(top + i / tile.width) * grid.columns + left + i % tile.width] = result(i);
             }
@@ -89,22 +96,23 @@ std::vector<Ray> RayProgram::run(const SampleGrid& grid) {
     return rays;
 }
 
-Ray RayProgram::at(const V2d& point) {
-    run({point.x, point.y, 1.0, 1, 1, time_});
-    return result(0);
-}
+Ray RayProgram::at(const V2d& point) { return at(std::span(&point, 1)).front(); }
 
-std::vector<Ray> RayProgram::along(const V2d& first, double step, std::size_t count, bool along_x) {
-    run({first.x, first.y, step, along_x ? count : 1, along_x ? 1 : count, time_});
+std::vector<Ray> RayProgram::at(std::span<const V2d> points) {
+    std::array<double, program::max_points> x{};
+    std::array<double, program::max_points> y{};
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        x[i] = points[i].x;
+        y[i] = points[i].y;
+    }
+    const std::size_t count = points.size();
+    program::run(for_points_, {std::span(x).first(count), std::span(y).first(count), time_},
+                 scratch_, results_);
     std::vector<Ray> rays;
     for (std::size_t i = 0; i < count; ++i) {
         rays.push_back(result(i));
     }
     return rays;
-}
-
-void RayProgram::run(const program::Tile& tile) {
-    program::run(program_, tile, scratch_, results_);
 }
 
 Ray RayProgram::result(std::size_t index) const {

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The rays of a camera as numbers: over a grid of picture points, along a line, or at one point.
+// The rays of a camera as numbers: over a grid of picture points, or at points anywhere.
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include <Imath/ImathVec.h>
@@ -36,18 +37,19 @@ public:
     /// Row by row. Without derivatives those of the rays are 0.
     [[nodiscard]] std::vector<Ray> run(const SampleGrid& grid);
     [[nodiscard]] Ray at(const V2d& point);
-    /// `count` points from `first` on, `step` apart, along x or along y; count is at most 64.
-    [[nodiscard]] std::vector<Ray> along(const V2d& first, double step, std::size_t count,
-                                         bool along_x);
+    /// Much faster than one by one; at most program::max_points.
+    [[nodiscard]] std::vector<Ray> at(std::span<const V2d> points);
 
 private:
-    void run(const program::Tile& tile);
+    struct Roots;
+    RayProgram(const Roots& roots, double time);
     [[nodiscard]] Ray result(std::size_t index) const;
 
-    program::Program program_;
+    program::Program for_grid_;
+    program::Program for_points_;
     double time_;
     program::Scratch scratch_;
-    std::vector<std::vector<double>> values_;  ///< By root, for one tile.
+    std::vector<std::vector<double>> values_;  ///< By root, for one tile or list.
     std::vector<double*> results_;
 };
 

@@ -163,6 +163,9 @@ public:
 
 private:
     static constexpr double nearest_other = 2.0;  // In samples.
+    // Where a line changes by more from sample to sample (1 is about a radian), its slopes say
+    // nothing of the samples beside it: lines agree with everything or with nothing.
+    static constexpr double widest_view = 1.0;
 
     static double apart(const V2d& a, const V2d& b) {
         return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y));
@@ -192,8 +195,9 @@ private:
         const Jacobian moved = jacobian(ray, distance_ ? std::optional(along) : std::nullopt);
         // Half the diagonal of what lies between samples, and half as much again for its bend.
         view.radius = 0.75 * grid_.step * (moved.by_x.length() + moved.by_y.length());
-        view.usable =
-            std::isfinite(view.radius) && view.radius > 1e-12 * (1.0 + view.point.length());
+        view.usable = std::isfinite(view.radius) &&
+                      view.radius > 1e-12 * (1.0 + view.point.length()) &&
+                      grid_.step * std::max(view.by_x.length(), view.by_y.length()) < widest_view;
         return view;
     }
 

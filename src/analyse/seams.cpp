@@ -4,6 +4,7 @@
 #include "analyse/seams.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -13,23 +14,11 @@ namespace balcony::analyse {
 
 namespace {
 
-/// Looks for a jump between two neighbouring samples.
-class JumpSearch {
+/// Measures rays and their differences in lengths of the unit.
+class Difference {
 public:
-    JumpSearch(const SampleGrid& grid, const std::vector<Ray>& rays, RayProgram& program,
-               double unit)
-        : grid_(grid), rays_(rays), program_(program), unit_(unit) {}
+    explicit Difference(double unit) : unit_(unit) {}
 
-    [[nodiscard]] std::optional<Crossing> between(std::size_t sample, bool along_x) const {
-        const Ray& a = rays_[sample];
-        const Ray& b = rays_[sample + (along_x ? 1 : grid_.columns)];
-        if (!a.valid || !b.valid || !suspicious(a, b, along_x)) {
-            return std::nullopt;
-        }
-        return narrow_down(sample, along_x);
-    }
-
-private:
     [[nodiscard]] double size(const V3d& origin, const V3d& direction) const {
         return std::sqrt(origin.length2() / (unit_ * unit_) + direction.length2());
     }
@@ -43,76 +32,126 @@ private:
         return 1e-9 * (1.0 + a.origin.length() / unit_);
     }
 
-    // Far from what the derivatives at both ends let one expect.
-    [[nodiscard]] bool suspicious(const Ray& a, const Ray& b, bool along_x) const {
-        constexpr double most_surprise = 0.25;
-        const auto origin_by = along_x ? &Ray::origin_by_x : &Ray::origin_by_y;
-        const auto direction_by = along_x ? &Ray::direction_by_x : &Ray::direction_by_y;
-        const double half = 0.5 * grid_.step;
-        const double surprise =
-            size(b.origin - a.origin - half * (a.*origin_by + b.*origin_by),
-                 b.direction - a.direction - half * (a.*direction_by + b.*direction_by));
-        const double slope =
-            std::max(size(a.*origin_by, a.*direction_by), size(b.*origin_by, b.*direction_by));
-        const bool expected = surprise <= most_surprise * grid_.step * slope + noise(a);
-        return !expected && jump(a, b) > noise(a);
+private:
+    double unit_;
+};
+
+// Whether the ray changes between two samples far from what its derivatives let one expect.
+bool suspicious(const Ray& a, const Ray& b, bool along_x, double step,
+                const Difference& difference) {
+    constexpr double most_surprise = 0.25;
+    if (!a.valid || !b.valid) {
+        return false;
+    }
+    const auto origin_by = along_x ? &Ray::origin_by_x : &Ray::origin_by_y;
+    const auto direction_by = along_x ? &Ray::direction_by_x : &Ray::direction_by_y;
+    const double surprise = difference.size(
+        b.origin - a.origin - 0.5 * step * (a.*origin_by + b.*origin_by),
+        b.direction - a.direction - 0.5 * step * (a.*direction_by + b.*direction_by));
+    const double slope = std::max(difference.size(a.*origin_by, a.*direction_by),
+                                  difference.size(b.*origin_by, b.*direction_by));
+    const bool expected = surprise <= most_surprise * step * slope + difference.noise(a);
+    return !expected && difference.jump(a, b) > difference.noise(a);
+}
+
+/// Follows the largest jump between two neighbouring samples down, a step at a time: the way is
+/// divided into parts, and the part with the largest jump is the way of the next step. A jump of
+/// any continuous ray gets smaller on the way; what looks steep for its neighbours' sake, such as a
+/// root, gets at least half as small in a thousandth of the way.
+class JumpSearch {
+public:
+    static constexpr std::size_t parts = 8;
+
+    JumpSearch(const SampleGrid& grid, std::size_t sample, bool along_x)
+        : sample_(sample), along_x_(along_x), first_(grid.at(sample)), width_(grid.step) {}
+
+    /// The ends of the parts, whose rays take the next step.
+    [[nodiscard]] std::array<V2d, parts + 1> points() const {
+        std::array<V2d, parts + 1> points;
+        for (std::size_t i = 0; i <= parts; ++i) {
+            points[i] = first_ + static_cast<double>(i) * width_ / parts * along();
+        }
+        return points;
     }
 
-    // Follows the larger jump down. A jump of any continuous ray gets smaller on the way; what
-    // looks steep for its neighbours' sake, such as a root, gets at least half as small in a
-    // thousandth of the way.
-    [[nodiscard]] std::optional<Crossing> narrow_down(std::size_t sample, bool along_x) const {
-        constexpr std::size_t parts = 8;
-        constexpr double near = 1e-2;
-        constexpr double nearest = 1e-5;
-        const V2d along = along_x ? V2d(1, 0) : V2d(0, 1);
-        V2d point = grid_.at(sample);
-        std::optional<double> jump_when_near;
-        for (double width = grid_.step;;) {
-            const std::vector<Ray> rays = program_.along(point, width / parts, parts + 1, along_x);
-            std::size_t largest = 0;
-            double most = -1.0;
-            double rest = 0.0;
-            for (std::size_t i = 0; i < parts; ++i) {
-                if (!rays[i].valid || !rays[i + 1].valid) {
-                    return std::nullopt;
-                }
-                const double here = jump(rays[i], rays[i + 1]);
-                rest += here;
-                if (here > most) {
-                    most = here;
-                    largest = i;
-                }
-            }
-            width /= parts;
-            point += static_cast<double>(largest) * width * along;
-            if (!jump_when_near && width < near) {
-                jump_when_near = most;
-                // Seen in the picture only if it is more than what a tenth of a pixel does anyway.
-                const double tenth_of_a_pixel = 0.1 * (rest - most) / (width * (parts - 1));
-                if (most < std::max(tenth_of_a_pixel, noise(rays[largest]))) {
-                    return std::nullopt;
-                }
-            }
-            if (width < nearest) {
-                if (most < 0.5 * *jump_when_near) {
-                    return std::nullopt;
-                }
-                const Ray& a = rays[largest];
-                const Ray& b = rays[largest + 1];
-                return Crossing{
-                    sample, along_x, point + 0.5 * width * along,
-                    2.0 * std::asin(std::min(0.5 * (b.direction - a.direction).length(), 1.0)),
-                    (b.origin - a.origin).length()};
+    void step(std::span<const Ray> rays, const Difference& difference) {
+        const auto is_valid = [](const Ray& ray) { return ray.valid; };
+        if (!std::all_of(rays.begin(), rays.end(), is_valid)) {
+            ended_ = true;
+            return;
+        }
+        std::array<double, parts> jumps{};
+        for (std::size_t i = 0; i < parts; ++i) {
+            jumps[i] = difference.jump(rays[i], rays[i + 1]);
+        }
+        const auto largest =
+            static_cast<std::size_t>(std::max_element(jumps.begin(), jumps.end()) - jumps.begin());
+        const double most = jumps[largest];
+        width_ /= parts;
+        first_ += static_cast<double>(largest) * width_ * along();
+        if (!jump_when_near_ && width_ < near) {
+            jump_when_near_ = most;
+            // Seen in the picture only if it is more than what a tenth of a pixel does anyway.
+            const double rest = std::accumulate(jumps.begin(), jumps.end(), 0.0) - most;
+            const double tenth_of_a_pixel = 0.1 * rest / (width_ * (parts - 1));
+            ended_ = most < std::max(tenth_of_a_pixel, difference.noise(rays[largest]));
+        }
+        if (!ended_ && width_ < nearest) {
+            ended_ = true;
+            if (most >= 0.5 * *jump_when_near_) {
+                found_ = crossing(rays[largest], rays[largest + 1]);
             }
         }
     }
 
-    const SampleGrid& grid_;
-    const std::vector<Ray>& rays_;
-    RayProgram& program_;
-    double unit_;
+    [[nodiscard]] bool ended() const { return ended_; }
+    [[nodiscard]] const std::optional<Crossing>& found() const { return found_; }
+
+private:
+    static constexpr double near = 1e-2;
+    static constexpr double nearest = 1e-5;
+
+    [[nodiscard]] V2d along() const { return along_x_ ? V2d(1, 0) : V2d(0, 1); }
+
+    [[nodiscard]] Crossing crossing(const Ray& a, const Ray& b) const {
+        return {sample_, along_x_, first_ + 0.5 * width_ * along(),
+                2.0 * std::asin(std::min(0.5 * (b.direction - a.direction).length(), 1.0)),
+                (b.origin - a.origin).length()};
+    }
+
+    std::size_t sample_;
+    bool along_x_;
+    V2d first_;
+    double width_;
+    std::optional<double> jump_when_near_;
+    std::optional<Crossing> found_;
+    bool ended_ = false;
 };
+
+// Side by side, since many points at once cost little more than one.
+void run(std::span<JumpSearch> searches, RayProgram& program, const Difference& difference) {
+    constexpr std::size_t ends = JumpSearch::parts + 1;
+    std::vector<JumpSearch*> going;
+    for (JumpSearch& search : searches) {
+        going.push_back(&search);
+    }
+    while (!going.empty()) {
+        for (std::size_t first = 0; first < going.size(); first += program::max_points / ends) {
+            const auto some = std::span(going).subspan(
+                first, std::min(program::max_points / ends, going.size() - first));
+            std::vector<V2d> points;
+            for (const JumpSearch* search : some) {
+                const auto own = search->points();
+                points.insert(points.end(), own.begin(), own.end());
+            }
+            const std::vector<Ray> rays = program.at(points);
+            for (std::size_t i = 0; i < some.size(); ++i) {
+                some[i]->step(std::span(rays).subspan(i * ends, ends), difference);
+            }
+        }
+        std::erase_if(going, [](const JumpSearch* search) { return search->ended(); });
+    }
+}
 
 /// Sets of crossings, joined one by one.
 class DisjointSets {
@@ -166,18 +205,23 @@ double length_in_cell(const SampleGrid& grid, const std::vector<V2d>& points) {
 
 std::vector<Crossing> find_crossings(const SampleGrid& grid, const std::vector<Ray>& rays,
                                      RayProgram& program, double unit) {
-    const JumpSearch search(grid, rays, program, unit);
-    std::vector<Crossing> found;
+    const Difference difference(unit);
+    std::vector<JumpSearch> searches;
     for (std::size_t i = 0; i < grid.size(); ++i) {
         for (const bool along_x : {true, false}) {
             const bool has_neighbour =
                 along_x ? i % grid.columns + 1 < grid.columns : i + grid.columns < grid.size();
-            if (!has_neighbour) {
-                continue;
+            if (has_neighbour && suspicious(rays[i], rays[i + (along_x ? 1 : grid.columns)],
+                                            along_x, grid.step, difference)) {
+                searches.emplace_back(grid, i, along_x);
             }
-            if (auto crossing = search.between(i, along_x)) {
-                found.push_back(*crossing);
-            }
+        }
+    }
+    run(searches, program, difference);
+    std::vector<Crossing> found;
+    for (const JumpSearch& search : searches) {
+        if (search.found()) {
+            found.push_back(*search.found());
         }
     }
     return found;

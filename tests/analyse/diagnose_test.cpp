@@ -207,6 +207,16 @@ TEST(Findings, TwoTurnsShowAllTwice) {
     }
 }
 
+// Its normals turn wildly from pixel to pixel, so that any two rays are near in pixels.
+TEST(Findings, ARockRepeatsNothing) {
+    const camera::Camera rock = camera_of(
+        "camera rock { map u = 3 .. -3, v = -3 .. 3 eye fractal_plane(octaves = 12) look normal }");
+    const Report report = report_on(rock, 320, 320);
+    EXPECT_TRUE(findings(report, FindingKind::repeated).empty()) << words(report);
+    EXPECT_TRUE(findings(report, FindingKind::seam).empty()) << words(report);
+    EXPECT_FALSE(findings(report, FindingKind::fold).empty()) << words(report);
+}
+
 TEST(Findings, ARoundPictureFillsAQuarterOfPi) {
     const camera::Camera camera = camera_of(
         "camera round { aspect 1 map u = 1 .. -1, v = -1 .. 1 eye point(0, 0, 0)\n"
