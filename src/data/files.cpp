@@ -47,7 +47,15 @@ Diagnostic not_found(std::string_view name, const std::optional<fs::path>& folde
         folder ? fmt::format("there is no file '{}' and none of that name comes with Balcony",
                              path.string())
                : fmt::format("no file '{}' comes with Balcony", name);
-    const auto nearest = nearest_name(fs::path(name).filename().string(), known);
+    const std::string wanted = fs::path(name).filename().string();
+    auto nearest = nearest_name(wanted, known);
+    // vase for vase.obj.
+    const auto same_stem = std::find_if(known.begin(), known.end(), [&](const std::string& one) {
+        return fs::path(one).stem() == wanted;
+    });
+    if (!nearest && same_stem != known.end()) {
+        nearest = *same_stem;
+    }
     return error(std::move(message), {},
                  nearest ? fmt::format("did you mean '{}'?", *nearest)
                          : "a file is looked for in the folder of the camera file that names it");
@@ -65,7 +73,8 @@ std::vector<std::string> standard_files() {
 
 Result<File> find_file(std::string_view name, const std::optional<fs::path>& folder) {
     if (name.empty()) {
-        return error("the name of this file is empty");
+        return error("the name of this file is empty", {},
+                     "name a file in the folder of the camera file");
     }
     std::error_code failure;
     if (folder) {
@@ -77,7 +86,8 @@ Result<File> find_file(std::string_view name, const std::optional<fs::path>& fol
         }
         // A pipe or a device could make us wait for ever.
         if (fs::exists(status) && !fs::is_regular_file(status)) {
-            return error(fmt::format("'{}' is not a regular file", path.string()));
+            return error(fmt::format("'{}' is not a regular file", path.string()), {},
+                         "save what comes from it in a file");
         }
         if (fs::exists(status)) {
             return File{path.string(), std::move(path), std::nullopt};

@@ -16,9 +16,11 @@ namespace {
 using camera::GreyImage;
 
 Diagnostic no_image(const File& file, const std::string& reason) {
-    return error(fmt::format("'{}' cannot be read as an image: {}", file.name,
-                             reason.empty() ? "its format is unknown" : reason),
-                 {}, "images are read from PNG, JPEG, TIFF, EXR and other usual formats");
+    // Some readers say the same again on the next line.
+    return error(
+        fmt::format("'{}' cannot be read as an image: {}", file.name,
+                    reason.empty() ? "its format is unknown" : reason.substr(0, reason.find('\n'))),
+        {}, "images are read from PNG, JPEG, TIFF, EXR and other usual formats");
 }
 
 /// How the channels of an image become grey.
@@ -79,7 +81,8 @@ Result<std::shared_ptr<const GreyImage>> read_grey_image(const File& file) {
     const auto input = OIIO::ImageInput::create(
         file.standard ? ending.substr(std::min<std::size_t>(1, ending.size())) : path);
     if (!input) {
-        return no_image(file, OIIO::geterror());
+        (void)OIIO::geterror();  // Says no more, in words for those who build the library.
+        return no_image(file, "");
     }
     if (file.standard) {
         memory = std::make_unique<OIIO::Filesystem::IOMemReader>(file.standard->data(),

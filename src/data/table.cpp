@@ -31,8 +31,13 @@ public:
     }
 
     Result<Table> run() {
+        if (const std::size_t zero = text_.find('\0'); zero != text_.npos) {
+            return balcony::error(fmt::format("'{}' is not a text file: byte {} of it is zero",
+                                              table_.source->name(), zero + 1),
+                                  {}, "export the table as CSV, plain text in UTF-8");
+        }
         for (std::size_t begin = 0; begin < text_.size() && !stopped();) {
-            const std::size_t end = std::min(text_.find('\n', begin), text_.size());
+            const std::size_t end = std::min(text_.find_first_of("\n\r", begin), text_.size());
             line(begin, begin + std::min(text_.substr(begin, end - begin).find('#'), end - begin));
             begin = end + 1;
         }
@@ -63,6 +68,12 @@ private:
         return diagnostics_.size() >= most_errors || numbers_ > most_numbers;
     }
 
+    [[nodiscard]] Field unquoted(Field field) const {
+        const std::string_view all = text(field);
+        const bool quoted = all.size() >= 2 && all.front() == '"' && all.back() == '"';
+        return quoted ? trimmed({field.begin + 1, field.end - 1}) : field;
+    }
+
     [[nodiscard]] Field trimmed(Field field) const {
         const std::string_view all = text(field);
         const std::size_t first = all.find_first_not_of(blanks);
@@ -74,7 +85,8 @@ private:
 
     void line(std::size_t begin, std::size_t end) {
         const Field all = trimmed({begin, end});
-        if (all.begin == all.end) {
+        // A row of empty cells, as spreadsheets write it, is as good as a blank line.
+        if (text(all).find_first_not_of(",; \t\"") == std::string_view::npos) {
             return;
         }
         const std::vector<Field> fields = split(all);
@@ -108,7 +120,7 @@ private:
         for (std::size_t begin = all.begin; begin <= all.end;) {
             const std::string_view rest = text({begin, all.end});
             const std::size_t end = begin + std::min(rest.find(separator), rest.size());
-            const Field field = trimmed({begin, end});
+            const Field field = unquoted(trimmed({begin, end}));
             if (separator != ' ' || field.begin < field.end) {
                 fields.push_back(field);
             }
@@ -128,7 +140,7 @@ private:
         if (numbers_ > most_numbers) {
             error(at({fields.front().begin, fields.back().end}),
                   fmt::format("this table has more than {} numbers", most_numbers),
-                  "points that a stage takes are fewer; leave some out");
+                  "a stage takes at most 65536 points; keep one line in several");
         } else if (!numbers.empty()) {
             table_.rows.push_back(std::move(numbers));
         }

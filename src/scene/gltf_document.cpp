@@ -149,7 +149,8 @@ GltfDocument::GltfDocument(const Import& import) : file_(import.file) {
     if (file_.extension() != ".gltf") {
         throw ReadError{error(fmt::format("{} is not a GLB: it does not begin with 'glTF'", name),
                               {},
-                              begins_with(all, "{") ? "it looks like JSON: name it .gltf" : "")};
+                              begins_with(all, "{") ? "it looks like JSON: name it .gltf"
+                                                    : "export it again as binary glTF (.glb)")};
     }
     parse({bytes.begin(), bytes.end()});
     read_buffers({});

@@ -84,7 +84,8 @@ void read(Import& import) {
     limit_warnings(import.diagnostics);
     if (import.scene.instances.empty()) {
         throw ReadError{error(
-            fmt::format("nothing to render in {}: it has no triangles", in_quotes(file.string())))};
+            fmt::format("nothing to render in {}: it has no triangles", in_quotes(file.string())),
+            {}, "check that it is the file you mean; points and lines alone cannot be seen")};
     }
     import.scene.default_light = !lights_itself(import.scene);
 }

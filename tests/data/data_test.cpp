@@ -96,6 +96,12 @@ TEST_F(Data, AMissingFileGetsThePathAndTheNearestName) {
               "no file 'vsae.obj' comes with Balcony");
 }
 
+TEST_F(Data, AMissingEndingIsFound) {
+    (void)write("corners.csv", "");
+    EXPECT_EQ(find_file("corners", folder_).diagnostics.front().remedy,
+              "did you mean 'corners.csv'?");
+}
+
 TEST_F(Data, WhatIsNoFileIsAnError) {
     EXPECT_EQ(first_message(find_file("", folder_).diagnostics), "the name of this file is empty");
     EXPECT_EQ(first_message(find_file(".", folder_.parent_path()).diagnostics).back(), 'e');
@@ -118,6 +124,23 @@ TEST_F(Data, ATableHasNumbersInRows) {
 TEST_F(Data, ATableMayHaveAHeaderAndComments) {
     EXPECT_EQ(table("# seeds\nx, y\n1, 2 # the first\n\n# the end"), " 1.000 2.000");
     EXPECT_EQ(table("\"x\";\"y\"\n1;2"), " 1.000 2.000");
+}
+
+// As spreadsheets and statistics programs write them.
+TEST_F(Data, ATableMayHaveQuotesEmptyRowsAndAnyLineEnds) {
+    EXPECT_EQ(table("\"x\",\"y\"\n\"1\",\" 2\"\n"), " 1.000 2.000");
+    EXPECT_EQ(table("\xef\xbb\xbfx;y\r\n1;2\r\n;\r\n\r\n3;4\r\n;;;\r\n"),
+              " 1.000 2.000| 3.000 4.000");
+    EXPECT_EQ(table("1 2\r3 4\r"), " 1.000 2.000| 3.000 4.000");
+    EXPECT_NE(table("1,,2\n").find("there is no number between these separators"),
+              std::string::npos);
+}
+
+TEST_F(Data, ATableThatIsNoTextIsOneError) {
+    using namespace std::string_literals;
+    EXPECT_EQ(table("1\0,\0"s),
+              "error: 'table.csv' is not a text file: byte 2 of it is zero\n"
+              "  help: export the table as CSV, plain text in UTF-8\n");
 }
 
 TEST_F(Data, AnglesHaveUnits) { EXPECT_EQ(table("180deg, 0.5rad, 1"), " <3.141 <0.500 1.000"); }
@@ -198,7 +221,10 @@ TEST_F(Data, WhatIsNoImageIsAnError) {
     EXPECT_TRUE(
         first_message(text.diagnostics).starts_with("'text.png' cannot be read as an image: "))
         << first_message(text.diagnostics);
-    EXPECT_FALSE(read_grey_image(write("unknown.xyz", "")));
+    EXPECT_EQ(first_message(read_grey_image(write("unknown.xyz", "")).diagnostics),
+              "'unknown.xyz' cannot be read as an image: its format is unknown");
+    const auto cut = read_grey_image(write("cut.png", "\x89PNG\r\n\x1a\n"));
+    EXPECT_EQ(first_message(cut.diagnostics).find('\n'), std::string::npos);
 }
 
 TEST_F(Data, AnImageTooLargeIsRefusedByItsHeader) {
