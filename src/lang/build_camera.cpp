@@ -113,7 +113,8 @@ private:
             const std::string_view name = range.coordinate.text;
             if (name != "u" && name != "v") {
                 error(range.coordinate.span,
-                      fmt::format("the picture is mapped to u and v; '{}' is neither", name));
+                      fmt::format("the picture is mapped to u and v; '{}' is neither", name),
+                      "such as map u = -1 .. 1, v = square");
                 return nullptr;
             }
             const MapRange*& slot = name == "u" ? u : v;

@@ -135,8 +135,10 @@ Value CameraScope::checked(const Value& value, const SourceSpan& span, const Val
         return value;
     }
     if (form_of(value) != form_of(default_value)) {
-        session_.reporter().error(span, fmt::format("'{}' is {}, but this is {}", name,
-                                                    form_of(default_value), form_of(value)));
+        session_.reporter().error(
+            span,
+            fmt::format("'{}' is {}, but this is {}", name, form_of(default_value), form_of(value)),
+            "write it in the form of the parameter's default");
         return {};
     }
     if (value.form == Value::Form::tuple) {

@@ -3,6 +3,8 @@
 
 #include "lang/evaluate.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -52,17 +54,23 @@ private:
     bool belongs_to_an_expression(const Expression& node) {
         switch (node.kind) {
             case ExpressionKind::tuple:
-                error(node.span, fmt::format("expected one number, but these are {} in parentheses",
-                                             node.arguments.size()));
+                error(node.span,
+                      fmt::format("expected one number, but these are {} in parentheses",
+                                  node.arguments.size()),
+                      "write one of them, or join them by operators");
                 return false;
             case ExpressionKind::list:
-                error(node.span, "expected a number, but this is a list");
+                error(node.span, "expected a number, but this is a list",
+                      "brackets hold points, and the results of a formula; "
+                      "write ( ) round parts of an expression");
                 return false;
             case ExpressionKind::text:
-                error(node.span, "expected a number, but this is a file's name");
+                error(node.span, "expected a number, but this is a file's name",
+                      "write the number itself; tables are for arguments that are points");
                 return false;
             case ExpressionKind::formula:
-                error(node.span, "expected a number, but this is a formula of its own");
+                error(node.span, "expected a number, but this is a formula of its own",
+                      "write its expression here");
                 return false;
             case ExpressionKind::call: return is_function_call(node);
             default: return true;
@@ -78,14 +86,17 @@ private:
         for (const Argument& argument : node.arguments) {
             if (argument.name) {
                 error(argument.name->span,
-                      fmt::format("the function '{}' has no arguments with names", node.name.text));
+                      fmt::format("the function '{}' has no arguments with names", node.name.text),
+                      fmt::format("leave out '{} ='", argument.name->text));
                 return false;
             }
         }
         if (node.arguments.size() != function->arity) {
-            error(node.span, fmt::format("'{}' takes {} argument{}, but is given {}",
-                                         node.name.text, function->arity,
-                                         function->arity == 1 ? "" : "s", node.arguments.size()));
+            error(node.span,
+                  fmt::format("'{}' takes {} argument{}, but is given {}", node.name.text,
+                              function->arity, function->arity == 1 ? "" : "s",
+                              node.arguments.size()),
+                  fmt::format("it is written {}", call_of(*function)));
             return false;
         }
         return true;
@@ -94,8 +105,11 @@ private:
     void unknown_function(const Identifier& name) {
         for (const camera::StageEntry& row : camera::catalogue()) {
             if (row.name == name.text) {
-                error(name.span, fmt::format("expected a number, but '{}' is a stage ({})",
-                                             name.text, camera::name_of(row.kind)));
+                error(name.span,
+                      fmt::format("expected a number, but '{}' is a stage ({})", name.text,
+                                  camera::name_of(row.kind)),
+                      fmt::format("write a number; 'balcony list {}' shows how it is used",
+                                  name.text));
                 return;
             }
         }
@@ -128,8 +142,11 @@ private:
         if (Definition* definition = scope_.find(node.name.text)) {
             definition->used = true;
             if (definition->value.elements) {
-                error(node.span, fmt::format("expected one number, but '{}' is {}", node.name.text,
-                                             form_of(definition->value)));
+                error(node.span,
+                      fmt::format("expected one number, but '{}' is {}", node.name.text,
+                                  form_of(definition->value)),
+                      "tuples and lists are given whole to stages; numbers of them need names of "
+                      "their own");
                 return {};
             }
             return definition->value;
@@ -179,16 +196,26 @@ private:
         result.problem = inherited_problem(function, operands);
         if (!result.problem && function.op == expr::Op::divide && operands[1].is_zero()) {
             const Span divisor = tree_[node.arguments[1].value].span;
-            result.problem = problem(divisor, "division by 0");
+            result.problem =
+                problem(divisor, "division by 0",
+                        "change the divisor, or keep clear of 0 with if(condition, a, b)");
         }
         result.expr = function.apply(arguments, function.op);
         if (!result.problem && result.is_constant() && !std::isfinite(result.constant())) {
             result.problem = problem(
                 node.span,
                 fmt::format("{} {}", with_values(node, operands),
-                            std::isnan(result.constant()) ? "has no real value" : "is not finite"));
+                            std::isnan(result.constant()) ? "has no real value" : "is not finite"),
+                "change the numbers, or keep clear of it with max, min or if(condition, a, b)");
         }
         return result;
+    }
+
+    // atan2(a, b)
+    static std::string call_of(const Function& function) {
+        constexpr std::array<std::string_view, 4> letters = {"", "a", "a, b", "a, b, c"};
+        return fmt::format("{}({})", function.name,
+                           letters[std::min(function.arity, letters.size() - 1)]);
     }
 
     // sqrt(-1), 0 ^ -1
@@ -202,9 +229,10 @@ private:
         return call ? fmt::format("{}({})", node.name.text, text) : text;
     }
 
-    std::shared_ptr<const Diagnostic> problem(Span span, std::string message) const {
+    std::shared_ptr<const Diagnostic> problem(Span span, std::string message,
+                                              std::string remedy) const {
         return std::make_shared<const Diagnostic>(
-            balcony::error(std::move(message), tree_.at(span)));
+            balcony::error(std::move(message), tree_.at(span), std::move(remedy)));
     }
 
     // A constant condition makes the branch that is not taken irrelevant.
@@ -240,13 +268,16 @@ Value evaluate_elements(const SyntaxTree& tree, const Expression& compound, Scop
     for (const Argument& argument : compound.arguments) {
         const SourceSpan place = tree.at(tree[argument.value].span);
         const bool list_in_list = is_list && tree[argument.value].kind == ExpressionKind::list;
-        Value value = is_list && !list_in_list
-                          ? evaluate_any(tree, argument.value, scope, graph, reporter)
-                          : evaluate(tree, argument.value, scope, graph, reporter);
-        if (value.form == Value::Form::list) {
+        Value value = list_in_list ? Value()
+                      : is_list    ? evaluate_any(tree, argument.value, scope, graph, reporter)
+                                   : evaluate(tree, argument.value, scope, graph, reporter);
+        if (list_in_list || value.form == Value::Form::list) {
             reporter.error(place, "a list has numbers or points, but this is a list",
-                           "write the points in one list, row after row");
-        } else if (!value.failed()) {
+                           "a point stands in parentheses, (1, 2); points of several rows stand in "
+                           "one list, row after row");
+            return {};
+        }
+        if (!value.failed()) {
             elements->push_back({std::move(value), place});
         }
         if (reporter.full()) {

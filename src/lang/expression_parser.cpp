@@ -161,8 +161,17 @@ std::optional<ExpressionId> ExpressionParser::primary() {
     if (token.kind == TokenKind::text) {
         return add_name(tokens_.next(), ExpressionKind::text);
     }
-    tokens_.expected("a number, a name or '('");
+    tokens_.expected("a number, a name or '('", missing_value_remedy());
     return std::nullopt;
+}
+
+std::string ExpressionParser::missing_value_remedy() const {
+    const std::string_view before = tokens_.previous().text;
+    if (before == "*" && tokens_.peek().is("*")) {
+        return "a power is written x^2";
+    }
+    return before == "," ? "remove the ',' before it, or write a value between them"
+                         : fmt::format("write a value behind '{}'", before);
 }
 
 std::optional<ExpressionId> ExpressionParser::parenthesised() {
@@ -223,6 +232,11 @@ ExpressionId ExpressionParser::add_name(const Token& name, ExpressionKind kind) 
 std::optional<ExpressionId> ExpressionParser::name_or_call() {
     const std::size_t first = nodes_.size();
     const Token name = tokens_.next();
+    if (tokens_.peek().is("[")) {
+        tokens_.expected("'('",
+                         fmt::format("arguments stand in parentheses: {}( ... )", name.text));
+        return std::nullopt;
+    }
     if (!tokens_.peek().is("(")) {
         return add_name(name);
     }
@@ -238,6 +252,12 @@ std::optional<ExpressionId> ExpressionParser::name_or_call() {
     node.span.end = tokens_.previous().span.end;
     if (tokens_.peek().is("=") && tokens_.peek(1).is("[")) {
         return formula(std::move(node));
+    }
+    if (tokens_.peek().is("=") || tokens_.peek().is("[")) {
+        tokens_.accept("=");
+        tokens_.expected("'= [' and the results of a formula",
+                         fmt::format("such as {}(u, v) = [ ... ]", name.text));
+        return std::nullopt;
     }
     return add(std::move(node), first);
 }
@@ -300,8 +320,12 @@ std::optional<std::vector<Argument>> ExpressionParser::arguments(Span opening) {
 
 std::optional<ExpressionId> ExpressionParser::stage(std::string_view what) {
     if (tokens_.peek().kind != TokenKind::name) {
-        const bool assigned = tokens_.peek().is("=") || tokens_.peek().is(":");
-        tokens_.expected(what, assigned ? fmt::format("remove the '{}'", tokens_.peek().text) : "");
+        const Token& token = tokens_.peek();
+        const bool assigned = token.is("=") || token.is(":");
+        tokens_.expected(what, assigned ? fmt::format("remove the '{}'", token.text)
+                               : token.kind == TokenKind::text
+                                   ? fmt::format("leave out the quotation marks: {}", token.text)
+                                   : "'balcony list' names all there are");
         return std::nullopt;
     }
     return name_or_call();

@@ -88,4 +88,17 @@ std::string_view meaning_of(StatementKind kind) {
     return row != nullptr ? row->meaning : std::string_view();
 }
 
+std::vector<std::string> statements_for(camera::StageKind kind) {
+    switch (kind) {
+        case camera::StageKind::picture_arranger: return {"arrange"};
+        case camera::StageKind::picture_mapper: return {"map"};
+        case camera::StageKind::parameter_transformer: return {"warp"};
+        case camera::StageKind::object_generator: return {"eye", "toward", "object"};
+        case camera::StageKind::object_transformer: return {"move"};
+        case camera::StageKind::direction_rule: return {"look"};
+        case camera::StageKind::clip_shape: return {"clip"};
+    }
+    return {};
+}
+
 }  // namespace balcony::lang

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "balcony/catalogue.hpp"
 #include "lang/syntax.hpp"
 
 namespace balcony::lang {
@@ -43,5 +44,7 @@ struct Keyword {
 [[nodiscard]] std::string_view keyword(StatementKind kind);
 /// What the keyword's row says that it means.
 [[nodiscard]] std::string_view meaning_of(StatementKind kind);
+/// The statements that stages of a kind belong to.
+[[nodiscard]] std::vector<std::string> statements_for(camera::StageKind kind);
 
 }  // namespace balcony::lang

@@ -44,8 +44,8 @@ bool read_parameters(const SyntaxTree& tree, const Expression& call, Scope& name
                      GivenParameters& given) {
     Reporter& reporter = session.reporter();
     if (call.kind == ExpressionKind::formula) {
-        reporter.error(tree.at(call.span),
-                       "a layer names a camera or a picture; this is a formula");
+        reporter.error(tree.at(call.span), "a layer names a camera or a picture; this is a formula",
+                       "write a camera with it, and name that");
         return false;
     }
     bool good = true;

@@ -181,7 +181,8 @@ private:
             ++at_;
             skip_digits();
             push(TokenKind::stray, begin);
-            error(begin, at_, "this number has two decimal points");
+            error(begin, at_, "this number has two decimal points",
+                  "leave one out; a range is written 0.5 .. 1");
             return;
         }
         const std::size_t digits_end = at_;
@@ -207,8 +208,9 @@ private:
             const bool angle = nearest_name(unit, {"deg", "rad", "degrees", "radians"}).has_value();
             error(digits_end, at_, fmt::format("there is no unit '{}'", unit),
                   angle ? "angles are written 30deg or 0.5rad"
-                        : fmt::format("angles are written 30deg or 0.5rad, products {}*{}", digits,
-                                      unit));
+                        : fmt::format("angles are written 30deg or 0.5rad, lengths {}, in units of "
+                                      "the scene, products {}*{}",
+                                      digits, digits, unit));
             token.kind = TokenKind::stray;
         }
     }
@@ -238,7 +240,9 @@ private:
             at_ += code_point_length(text_.substr(at_));
         } while (!ascii && at_ < text_.size() && !is_ascii(peek()));
         const std::string_view what = text_.substr(begin, at_ - begin);
-        error(begin, at_, fmt::format("'{}' is not part of the language", what), remedy_for(what));
+        const bool third_point = what == "." && begin > 0 && text_[begin - 1] == '.';
+        error(begin, at_, fmt::format("'{}' is not part of the language", what),
+              third_point ? "a range is written with two points, 0 .. 1" : remedy_for(what));
         push(TokenKind::stray, begin);
     }
 
@@ -246,8 +250,12 @@ private:
         struct Instead {
             std::string_view written, meant;
         };
-        constexpr std::array<Instead, 11> instead = {
-            {{"#", "// for a comment, import \"file.cam\" for a file"},
+        constexpr std::array<Instead, 15> instead = {
+            {{".", "\"vase.obj\", in quotation marks, for a file's name; 0.5 for a number"},
+             {"\\", "'/' between a folder and a file"},
+             {"%", "mod(a, b) for a remainder, 0.5 for 50 %"},
+             {"?", "if(condition, a, b) for a choice"},
+             {"#", "// for a comment, import \"file.cam\" for a file"},
              {"&", "'&&'"},
              {"|", "'||'"},
              {"\xc2\xb0", "30deg for an angle"},
@@ -263,7 +271,7 @@ private:
                 return fmt::format("write {}", row.meant);
             }
         }
-        return is_ascii(what.front()) ? std::string()
+        return is_ascii(what.front()) ? "remove it"
                                       : "names are made of the letters a to z and A to Z, digits "
                                         "and _; anything may stand in a comment";
     }

@@ -44,11 +44,13 @@ public:
             return false;
         }
         tokens_.next();
-        if (!tokens_.expect("=", "after the parameter's name") || !expressions_.expression()) {
+        if (!tokens_.expect("=", "after the parameter's name", "--set takes name=value") ||
+            !expressions_.expression()) {
             return false;
         }
         if (!tokens_.at_end()) {
-            tokens_.expected("the end of the value");
+            tokens_.expected("the end of the value",
+                             "join its parts by operators; another parameter takes another --set");
             return false;
         }
         return true;
@@ -77,7 +79,8 @@ private:
                 "'import', 'let', 'camera' or 'picture'",
                 suggestion(token.text, {"import", "let", "camera", "picture"}, "write"));
         } else {
-            tokens_.expected("'import', 'let', 'camera' or 'picture'");
+            tokens_.expected("'import', 'let', 'camera' or 'picture'",
+                             "a camera is written camera name { ... }");
         }
         if (camera_follows) {
             camera();
@@ -140,7 +143,10 @@ private:
             size(camera);
         }
         if (!tokens_.peek().is("{")) {
-            tokens_.expected(fmt::format("'{{' to begin the {}", what));
+            tokens_.expected(fmt::format("'{{' to begin the {}", what),
+                             fmt::format("it is written {} name {{ ... }}; names are made of "
+                                         "letters, digits and _",
+                                         what));
             while (!tokens_.at_end() && !tokens_.peek().is("{") &&
                    !is_file_keyword(tokens_.peek())) {
                 tokens_.next();

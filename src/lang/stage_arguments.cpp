@@ -74,6 +74,16 @@ private:
     std::size_t at_ = 0;
 };
 
+constexpr std::string_view curve_remedy =
+    "write a curve such as circle(1) or curve(u) = [cos(u), sin(u)]";
+
+// A number that is written as one, with or without a sign.
+bool is_literal(const SyntaxTree& tree, const Expression& node) {
+    const bool sign = node.kind == ExpressionKind::operation && node.arguments.size() == 1;
+    return node.kind == ExpressionKind::number ||
+           (sign && is_literal(tree, tree[node.arguments.front().value]));
+}
+
 bool may_be_stage(const Expression& node) {
     return node.kind == ExpressionKind::name || node.kind == ExpressionKind::call ||
            node.kind == ExpressionKind::formula;
@@ -116,6 +126,9 @@ std::optional<Arguments> StageBuilder::arguments(const StageEntry& row, const Ex
               fmt::format("it is written {}", signature(row)));
         return std::nullopt;
     }
+    if (tuple_is_spread(row, call)) {
+        return std::nullopt;
+    }
     std::vector<Given> given(row.parameters.size());
     bool good = assign(row, call, given);
     for (std::size_t i = 0; i < given.size(); ++i) {
@@ -136,6 +149,37 @@ std::optional<Arguments> StageBuilder::arguments(const StageEntry& row, const Ex
 }
 
 // ---------------------------------------------------------- which parameter an argument is for
+
+// plane(1, 0, 0) for plane((1, 0, 0)): one message in the place of three.
+bool StageBuilder::tuple_is_spread(const StageEntry& row, const Expression& call) {
+    Positions positions(row);
+    for (std::size_t i = 0; i < call.arguments.size() && !call.arguments[i].name; ++i) {
+        const StageParameter* parameter = positions.next();
+        if (parameter == nullptr) {
+            return false;
+        }
+        const std::size_t count = parameter->type == ParameterType::triple ? 3
+                                  : parameter->type == ParameterType::pair ? 2
+                                                                           : 1;
+        const auto first = call.arguments.begin() + static_cast<std::ptrdiff_t>(i);
+        if (count == 1 || call.arguments.size() < i + count ||
+            !std::all_of(first, first + static_cast<std::ptrdiff_t>(count),
+                         [this](const Argument& one) {
+                             return !one.name && is_literal(tree_, tree_[one.value]);
+                         })) {
+            continue;
+        }
+        const Span span = {tree_[first->value].span.begin,
+                           tree_[call.arguments[i + count - 1].value].span.end};
+        error(span,
+              fmt::format("the {} numbers of '{}' of '{}' stand in parentheses of their own",
+                          count == 2 ? "two" : "three", parameter->name, row.name),
+              fmt::format("write ({})",
+                          tree_.source->text().substr(span.begin, span.end - span.begin)));
+        return true;
+    }
+    return false;
+}
 
 bool StageBuilder::assign(const StageEntry& row, const Expression& call,
                           std::vector<Given>& given) {
@@ -183,7 +227,10 @@ bool StageBuilder::assign(const StageEntry& row, const Expression& call,
         if (!slot.empty() && !one_more) {
             Diagnostic diagnostic =
                 balcony::error(fmt::format("'{}' is given twice", parameter->name),
-                               tree_.at(argument.name ? argument.name->span : value.span));
+                               tree_.at(argument.name ? argument.name->span : value.span),
+                               fmt::format("leave one out; without names they come in the order "
+                                           "of {}",
+                                           signature(row)));
             diagnostic.notes.push_back({slot.element
                                             ? slot.element->place
                                             : tree_.at(tree_[slot.expressions.front()].span),
@@ -335,14 +382,15 @@ StageBuilder::Stage StageBuilder::curve(const StageEntry& row, const StageParame
         error(node.span,
               fmt::format("'{}' of '{}' is a curve, but this is {}", parameter.name, row.name,
                           described(node)),
-              "write a curve such as circle(1) or curve(u) = [cos(u), sin(u)]");
+              std::string(curve_remedy));
         return nullptr;
     }
     const auto made = make<camera::ObjectGenerator>(StageKind::object_generator, given);
     if (made && made->dimension() != 1) {
         error(node.span,
               fmt::format("'{}' of '{}' is a curve, but '{}' is a {}", parameter.name, row.name,
-                          node.name.text, made->dimension() == 0 ? "point" : "surface"));
+                          node.name.text, made->dimension() == 0 ? "point" : "surface"),
+              std::string(curve_remedy));
         return nullptr;
     }
     return made;

@@ -74,6 +74,38 @@ expr::Expr within_range(const StageParameter& parameter, expr::Expr value) {
     return value;
 }
 
+// What the parameter is for, and what it is if nothing is said.
+std::string purpose(const StageParameter& parameter) {
+    const std::string left_out =
+        parameter.default_value.size() == 1
+            ? fmt::format("; left out, it is {}",
+                          written(parameter.default_value.front(), parameter.unit))
+            : "";
+    return fmt::format("{}: {}{}", parameter.name, parameter.meaning, left_out);
+}
+
+// at = (1, 2, 3): how the numbers of a parameter are written, from its default.
+std::string example_of(const StageParameter& parameter, std::size_t count) {
+    const auto& standard = parameter.default_value;
+    const double rest = parameter.type == ParameterType::size ? 1.0 : 0.0;
+    std::vector<std::string> numbers;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double value = standard.size() == count ? standard[i] : i == 0 ? 1.0 : rest;
+        numbers.push_back(written(value, parameter.unit));
+    }
+    return fmt::format("{} = ({})", parameter.name, fmt::join(numbers, ", "));
+}
+
+// How the numbers of a parameter are written that were given in another form.
+std::string form_remedy(const StageParameter& parameter) {
+    const std::size_t count = count_of(parameter.type);
+    if (parameter.type == ParameterType::axis) {
+        return fmt::format("name it, such as z, or write {}", example_of(parameter, count));
+    }
+    return count == 1 ? purpose(parameter)
+                      : fmt::format("such as {}", example_of(parameter, count));
+}
+
 }  // namespace
 
 bool StageBuilder::set_default(const StageEntry& row, const StageParameter& parameter, Span call,
@@ -143,7 +175,8 @@ std::optional<std::vector<Scalar>> StageBuilder::numbers(const StageEntry& row,
                           parameter.type == ParameterType::axis ? ", or x, y or z" : "",
                           parameter.type == ParameterType::size ? ", or one for both" : "",
                           tuple ? fmt::format("these are {}", several->elements->size())
-                                : fmt::format("this is {}", instead)));
+                                : fmt::format("this is {}", instead)),
+              form_remedy(parameter));
         return std::nullopt;
     }
     const Naming naming(*this, node);
@@ -199,15 +232,22 @@ bool StageBuilder::in_range(const StageEntry& row, const StageParameter& paramet
                             const SourceSpan& place) {
     const std::string what = fmt::format("'{}' of '{}'", parameter.name, row.name);
     if (parameter.type == ParameterType::count && std::floor(value) != value) {
-        error(place, fmt::format("{} must be a whole number, but is {}", what,
-                                 written(value, parameter.unit)));
+        const double below = std::max(std::floor(value), parameter.least);
+        const double above = std::min(std::floor(value) + 1.0, parameter.most);
+        error(place,
+              fmt::format("{} must be a whole number, but is {}", what,
+                          written(value, parameter.unit)),
+              below < above ? fmt::format("write {:.17g} or {:.17g}", below, above)
+                            : fmt::format("write {:.17g}", std::min(below, above)));
         return false;
     }
     const bool too_small =
         parameter.above_least ? value <= parameter.least : value < parameter.least;
     if (too_small || value > parameter.most) {
-        error(place, fmt::format("{} must be {}, but is {}", what, range_text(parameter),
-                                 written(value, parameter.unit)));
+        error(place,
+              fmt::format("{} must be {}, but is {}", what, range_text(parameter),
+                          written(value, parameter.unit)),
+              purpose(parameter));
         return false;
     }
     return true;
@@ -285,11 +325,13 @@ std::optional<double> StageBuilder::constant(ExpressionId id, std::string_view w
         return std::nullopt;
     }
     if (value.is_angle()) {
-        error(tree_[id].span, fmt::format("{} is a plain number, but this is an angle", what));
+        error(tree_[id].span, fmt::format("{} is a plain number, but this is an angle", what),
+              "leave out deg or rad, or divide the angle by 1rad");
         return std::nullopt;
     }
     if (!value.is_constant()) {
-        error(tree_[id].span, fmt::format("{} cannot change with time", what));
+        error(tree_[id].span, fmt::format("{} cannot change with time", what),
+              "write it without t: it is needed before a time is known");
         return std::nullopt;
     }
     return value.constant();

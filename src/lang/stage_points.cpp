@@ -104,10 +104,12 @@ bool StageBuilder::enough_points(const StageEntry& row, const StageParameter& pa
         return true;
     }
     const std::size_t bound = few ? parameter.points_least : most_points;
-    error(span, fmt::format("'{}' of '{}' needs at {} {} {}{}, but has {}", parameter.name,
-                            row.name, few ? "least" : "most", bound,
-                            is_list_of_numbers(parameter) ? "number" : "point",
-                            bound == 1 ? "" : "s", count));
+    const std::string_view noun = is_list_of_numbers(parameter) ? "number" : "point";
+    error(span,
+          fmt::format("'{}' of '{}' needs at {} {} {}{}, but has {}", parameter.name, row.name,
+                      few ? "least" : "most", bound, noun, bound == 1 ? "" : "s", count),
+          few ? fmt::format("{}: {}; add {} more", parameter.name, parameter.meaning, bound - count)
+              : fmt::format("keep one {} in {}", noun, (count + most_points - 1) / most_points));
     return false;
 }
 
@@ -125,7 +127,8 @@ bool StageBuilder::add_point(const StageEntry& row, const StageParameter& parame
         } else if (std::abs(coordinate.value.constant()) > largest_coordinate) {
             reporter_.error(coordinate.place,
                             fmt::format("a co-ordinate of '{}' lies between -{} and {}",
-                                        parameter.name, largest_coordinate, largest_coordinate));
+                                        parameter.name, largest_coordinate, largest_coordinate),
+                            "write the points in a larger unit; scale makes the object larger");
             good = false;
         } else {
             points.values.push_back(coordinate.value.constant());
@@ -139,14 +142,20 @@ bool StageBuilder::has_coordinates(const StageEntry& row, const StageParameter& 
                                    const PointList& points) {
     const auto& allowed = parameter.coordinates;
     if (std::find(allowed.begin(), allowed.end(), count) == allowed.end()) {
-        error(place, fmt::format("a point of '{}' of '{}' has {} number{}, but this has {}",
-                                 parameter.name, row.name, numbers_in_words(allowed),
-                                 is_list_of_numbers(parameter) ? "" : "s", count));
+        error(place,
+              fmt::format("a point of '{}' of '{}' has {} number{}, but this has {}",
+                          parameter.name, row.name, numbers_in_words(allowed),
+                          is_list_of_numbers(parameter) ? "" : "s", count),
+              place.source == tree_.source
+                  ? fmt::format("such as {} = {}", parameter.name, example_of(parameter))
+                  : "a line of a table is a point; leave out columns that are not of it");
         return false;
     }
     if (points.coordinates != 0 && points.coordinates != count) {
-        error(place, fmt::format("this point has {} number{}, but the first has {}", count,
-                                 count == 1 ? "" : "s", points.coordinates));
+        error(place,
+              fmt::format("this point has {} number{}, but the first has {}", count,
+                          count == 1 ? "" : "s", points.coordinates),
+              fmt::format("give all points {} numbers", points.coordinates));
         return false;
     }
     return true;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "lang/stages.hpp"
+#include "lang/keywords.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,18 +19,20 @@ using camera::StageEntry;
 using camera::StageKind;
 using camera::StageParameter;
 
-// The statements that stages of a kind belong to.
-std::string_view statement_for(StageKind kind) {
-    switch (kind) {
-        case StageKind::picture_arranger: return "arrange";
-        case StageKind::picture_mapper: return "map";
-        case StageKind::parameter_transformer: return "warp";
-        case StageKind::object_generator: return "eye', 'toward' and 'object";
-        case StageKind::object_transformer: return "move";
-        case StageKind::direction_rule: return "look";
-        case StageKind::clip_shape: return "clip";
+// The stage of a kind that a word is a choice of, with the word: "normal outward" for outward.
+std::optional<std::string> stage_with_choice(StageKind kind, std::string_view word) {
+    for (const StageEntry& row : camera::catalogue()) {
+        for (const StageParameter& parameter : row.parameters) {
+            const auto& choices = parameter.choices;
+            if (row.kind == kind &&
+                std::find(choices.begin(), choices.end(), word) != choices.end()) {
+                return kind == StageKind::direction_rule
+                           ? fmt::format("{} {}", row.name, word)
+                           : fmt::format("{}({} = {})", row.name, parameter.name, word);
+            }
+        }
     }
-    return {};
+    return std::nullopt;
 }
 
 std::vector<std::string> names_of_kind(StageKind kind) {
@@ -125,11 +128,14 @@ const StageEntry* StageBuilder::find_row(StageKind kind, const Identifier& name)
               fmt::format("'{}' is {}, but this is the place of {}", name.text,
                           with_article(camera::name_of(row->kind)),
                           with_article(camera::name_of(kind))),
-              fmt::format("{}s belong to '{}'", camera::name_of(row->kind),
-                          statement_for(row->kind)));
+              fmt::format("{}s belong to {}", camera::name_of(row->kind),
+                          all_of(statements_for(row->kind))));
         return nullptr;
     }
-    const auto nearest = nearest_name(name.text, names_of_kind(kind));
+    auto nearest = stage_with_choice(kind, name.text);
+    if (!nearest) {
+        nearest = nearest_name(name.text, names_of_kind(kind));
+    }
     error(name.span, fmt::format("there is no {} named '{}'", camera::name_of(kind), name.text),
           nearest ? fmt::format("did you mean '{}'?", *nearest)
                   : "'balcony list' names all there are");

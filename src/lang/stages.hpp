@@ -81,6 +81,7 @@ private:
         [[nodiscard]] bool empty() const { return expressions.empty() && !element; }
     };
 
+    bool tuple_is_spread(const camera::StageEntry& row, const Expression& call);
     bool assign(const camera::StageEntry& row, const Expression& call, std::vector<Given>& given);
     std::size_t assign_tuple(const camera::StageEntry& row, ExpressionId value,
                              std::span<const camera::StageParameter* const> positions,

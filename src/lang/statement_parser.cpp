@@ -8,12 +8,34 @@
 
 #include <fmt/format.h>
 
+#include "balcony/catalogue.hpp"
+
 namespace balcony::lang {
 
 namespace {
 
 // Names that mean something everywhere.
 constexpr std::array<std::string_view, 2> constants = {"pi", "t"};
+
+// What a word may be that opens no statement: a range of map, a stage, or a statement misspelled.
+std::string statement_suggestion(std::string_view word, const std::vector<std::string>& known) {
+    const auto opens = [&known](const std::string& statement) {
+        return std::find(known.begin(), known.end(), statement) != known.end();
+    };
+    if ((word == "u" || word == "v") && opens("map")) {
+        return "ranges belong to one map, with a ',' between them: map u = -1 .. 1, v = -1 .. 1";
+    }
+    std::vector<std::string> with_statement;
+    for (const camera::StageEntry& row : camera::catalogue()) {
+        for (const std::string& statement : statements_for(row.kind)) {
+            if (row.name == word && opens(statement)) {
+                with_statement.push_back(fmt::format("{} {}", statement, word));
+            }
+        }
+    }
+    return with_statement.empty() ? suggestion(word, known, "the statements are")
+                                  : fmt::format("write {}", one_of(with_statement));
+}
 
 }  // namespace
 
@@ -25,7 +47,7 @@ std::optional<Identifier> StatementParser::new_name(std::string_view what) {
     const Token& after = tokens_.peek(1);
     const bool meant_as_name = after.is("=") || after.is("{") || after.is("(");
     if (token.kind != TokenKind::name || (opens_statement && !meant_as_name)) {
-        tokens_.expected(what);
+        tokens_.expected(what, "names are made of letters, digits and _, and begin with a letter");
         return std::nullopt;
     }
     if (constant || opens_statement) {
@@ -103,11 +125,12 @@ StatementKind StatementParser::unknown_statement(Block block) {
         return StatementKind::unknown;
     }
     if (token.kind != TokenKind::name) {
-        tokens_.expected(fmt::format("a statement ({})", one_of(known)));
+        tokens_.expected(fmt::format("a statement ({})", one_of(known)),
+                         "what a stage is given stands in parentheses, as in sphere(1)");
         return StatementKind::unknown;
     }
     tokens_.error(token.span, fmt::format("there is no statement '{}'", token.text),
-                  suggestion(token.text, known, "the statements are"));
+                  statement_suggestion(token.text, known));
     const auto nearest = nearest_name(token.text, known);
     for (const Keyword& row : keywords()) {
         if (nearest && row.text == *nearest) {
@@ -182,6 +205,14 @@ bool StatementParser::body(Statement& made) {
     return false;
 }
 
+// Says what the next statement, or nothing, stands in the place of.
+void StatementParser::missing(std::string_view what) {
+    const std::string_view before = tokens_.previous().text;
+    tokens_.expected(what, before == ","
+                               ? "remove the ',' before it, or write one more between them"
+                               : fmt::format("write it behind '{}'", before));
+}
+
 bool StatementParser::value(Statement& made) {
     const auto read = expressions_.expression();
     if (read) {
@@ -196,13 +227,13 @@ bool StatementParser::let(Statement& made) {
         return false;
     }
     made.name = *name;
-    return tokens_.expect("=", "after the name") && value(made);
+    return tokens_.expect("=", "after the name", "such as let width = 4") && value(made);
 }
 
 bool StatementParser::word(Statement& made, std::string_view what) {
     const Token& token = tokens_.peek();
     if (token.kind != TokenKind::name || keyword_at(token) != nullptr) {
-        tokens_.expected(what);
+        missing(what);
         return false;
     }
     made.name = {token.text, token.span};
@@ -220,7 +251,8 @@ bool StatementParser::map(Statement& made) {
         MapRange range;
         range.coordinate = {coordinate.text, coordinate.span};
         tokens_.next();
-        if (!tokens_.expect("=", fmt::format("after '{}'", coordinate.text)) ||
+        if (!tokens_.expect("=", fmt::format("after '{}'", coordinate.text),
+                            "such as map u = -1 .. 1, v = square") ||
             !range_value(range)) {
             return false;
         }
@@ -240,7 +272,8 @@ bool StatementParser::range_value(MapRange& range) {
         return false;
     }
     const auto first = expressions_.expression();
-    if (!first || !tokens_.expect("..", "between the two ends of the range")) {
+    if (!first ||
+        !tokens_.expect("..", "between the two ends of the range", "a range is written -1 .. 1")) {
         return false;
     }
     const auto last = expressions_.expression();
@@ -295,7 +328,7 @@ bool StatementParser::layer(Statement& made) {
 bool StatementParser::stages(Statement& made, std::string_view what, bool several) {
     do {
         if (opens_next_statement()) {
-            tokens_.expected(what);
+            missing(what);
             return false;
         }
         const auto stage = expressions_.stage(what);
@@ -309,7 +342,7 @@ bool StatementParser::stages(Statement& made, std::string_view what, bool severa
 
 bool StatementParser::look(Statement& made, std::string_view what) {
     if (opens_next_statement()) {
-        tokens_.expected(what);
+        missing(what);
         return false;
     }
     const auto rule = expressions_.stage_with_words(what);

@@ -36,6 +36,7 @@ private:
     void misplaced_statement(const Keyword& row, Block block);
     void skip_statement();
     [[nodiscard]] bool body(Statement& made);
+    void missing(std::string_view what);
     [[nodiscard]] bool value(Statement& made);
     [[nodiscard]] bool let(Statement& made);
     [[nodiscard]] bool word(Statement& made, std::string_view what);

@@ -55,7 +55,7 @@ public:
     /// reported something.
     void expected(std::string_view what, std::string remedy = {}) const;
     /// Steps over a symbol or says that it is missing.
-    bool expect(std::string_view symbol, std::string_view where);
+    bool expect(std::string_view symbol, std::string_view where, std::string remedy);
     /// Steps over a closing bracket or says that it is missing, pointing at the opening one.
     bool expect_closing(std::string_view symbol, Span opening);
 
@@ -63,6 +63,9 @@ public:
     [[nodiscard]] std::string found() const;
 
 private:
+    [[nodiscard]] bool at_unit() const { return peek().is_name("deg") || peek().is_name("rad"); }
+    [[nodiscard]] std::string closing_remedy(std::string_view symbol) const;
+
     std::shared_ptr<const SourceText> source_;
     std::vector<Token> tokens_;
     bool cut_short_;

@@ -64,9 +64,12 @@ std::vector<StageParameter> count() {
 TEST(StageArguments, ACountIsAWholeConstantNumber) {
     EXPECT_EQ(read(count(), "stage(3)").arguments->count("n"), 3U);
     EXPECT_EQ(read(count(), "stage(n = 4*a)").arguments->count("n"), 8U);
-    EXPECT_EQ(refused(count(), "stage(2.5)"), "'n' of 'stage' must be a whole number, but is 2.5");
-    EXPECT_EQ(refused(count(), "stage(0)"), "'n' of 'stage' must be from 1 to 20, but is 0");
-    EXPECT_EQ(refused(count(), "stage(1e30)"), "'n' of 'stage' must be from 1 to 20, but is 1e+30");
+    EXPECT_EQ(refused(count(), "stage(2.5)"),
+              "'n' of 'stage' must be a whole number, but is 2.5; write 2 or 3");
+    EXPECT_EQ(refused(count(), "stage(0)"),
+              "'n' of 'stage' must be from 1 to 20, but is 0; n: its use");
+    EXPECT_EQ(refused(count(), "stage(1e30)"),
+              "'n' of 'stage' must be from 1 to 20, but is 1e+30; n: its use");
     EXPECT_EQ(refused(count(), "stage(1 + t)"),
               "'n' of 'stage' cannot change with time; it decides what the stage is made of, "
               "which is done once for all times");
@@ -146,19 +149,21 @@ TEST(StageArguments, WrongPointsAreErrors) {
               "'at' of 'stage' is a list of numbers; write it in brackets, such as [0, 1], "
               "or name a table, such as \"table.csv\"");
     EXPECT_EQ(refused(points({2}), "stage([])"),
-              "'at' of 'stage' needs at least 2 points, but has 0");
+              "'at' of 'stage' needs at least 2 points, but has 0; at: its use; add 2 more");
     EXPECT_EQ(refused(points({2, 3}), "stage([(1, 2), 3])"),
-              "a point of 'at' of 'stage' has 2 or 3 numbers, but this has 1");
+              "a point of 'at' of 'stage' has 2 or 3 numbers, but this has 1; such as at = [(0, "
+              "0), (1, 1)]");
     EXPECT_EQ(refused(points({1}), "stage([(1, 2), 3])"),
-              "a point of 'at' of 'stage' has 1 number, but this has 2");
+              "a point of 'at' of 'stage' has 1 number, but this has 2; such as at = [0, 1]");
     EXPECT_EQ(refused(points({2, 3}), "stage([(1, 2), (1, 2, 3)])"),
-              "this point has 3 numbers, but the first has 2");
+              "this point has 3 numbers, but the first has 2; give all points 2 numbers");
     EXPECT_EQ(refused(points({1}), "stage([1deg, 0])"),
               "'at' of 'stage' is a plain number, but this is an angle; leave out deg or rad, or "
               "divide the angle by 1rad");
     EXPECT_TRUE(refused(points({1}), "stage([1, t])").starts_with("'at' of 'stage' cannot change"));
-    EXPECT_EQ(refused(points({1}), "stage([1, [2]])"), "expected a number, but this is a list");
-    EXPECT_EQ(refused(points({1}), "stage([1, 1/0])"), "division by 0");
+    EXPECT_TRUE(refused(points({1}), "stage([1, [2]])")
+                    .starts_with("a list has numbers or points, but this is a list; "));
+    EXPECT_TRUE(refused(points({1}), "stage([1, 1/0])").starts_with("division by 0; "));
 }
 
 TEST(StageArguments, TooManyPointsAreOneError) {
@@ -167,7 +172,7 @@ TEST(StageArguments, TooManyPointsAreOneError) {
         list += ",0";
     }
     EXPECT_EQ(refused(points({1}), "stage([" + list + "])"),
-              "'at' of 'stage' needs at most 65536 numbers, but has 65537");
+              "'at' of 'stage' needs at most 65536 numbers, but has 65537; keep one number in 2");
     EXPECT_TRUE(read(points({1}), "stage([" + list.substr(2) + "])").arguments);
 }
 
@@ -284,7 +289,8 @@ TEST(StageArguments, AFormulaHasTheNameOfItsParameter) {
     EXPECT_EQ(refused(row, "stage(weight = 0.5)"),
               "'weight' of 'stage' is a formula; it is written weight(u, v) = [a]");
     EXPECT_EQ(refused(row, "stage(weight(u, v) = [u], weight(u, v) = [v])"),
-              "'weight' is given twice");
+              "'weight' is given twice; leave one out; without names they come in the order of "
+              "stage(r, weight(u, v) = [a], s)");
     EXPECT_EQ(refused(row, "stage(1, 2, 3)"),
               "'stage' takes 2 arguments, but is given 3; it is written "
               "stage(r, weight(u, v) = [a], s)");

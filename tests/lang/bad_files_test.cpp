@@ -52,6 +52,14 @@ TEST_P(BadFile, SaysWhatIsExpected) {
     EXPECT_EQ(said, test::read_file(expected_file));
 }
 
+TEST_P(BadFile, HasAWayOutOfEachError) {
+    for (const Diagnostic& said : check(GetParam())) {
+        const bool is_sum = said.message.starts_with("there are more errors");
+        EXPECT_TRUE(said.severity != Severity::error || !said.remedy.empty() || is_sum)
+            << to_text({said});
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, BadFile, testing::ValuesIn(bad_files()), [](const auto& file) {
     std::string name = file.param.stem().string();
     std::replace_if(

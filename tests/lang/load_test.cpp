@@ -75,15 +75,18 @@ TEST(Load, WrongOverridesAreErrors) {
     EXPECT_EQ(error_of("radius", "1/0"),
               "--set:1:10: error: division by 0\n"
               "    1 | radius=1/0\n"
-              "      |          ^\n");
+              "      |          ^\n"
+              "  help: change the divisor, or keep clear of 0 with if(condition, a, b)\n");
     EXPECT_EQ(error_of("radius", "2 3"),
               "--set:1:10: error: expected the end of the value, but found '3'\n"
               "    1 | radius=2 3\n"
-              "      |          ^\n");
+              "      |          ^\n"
+              "  help: join its parts by operators; another parameter takes another --set\n");
     EXPECT_EQ(error_of("radius", ""),
               "--set:1:8: error: expected a number, a name or '(', but the text ends here\n"
               "    1 | radius=\n"
-              "      |        ^\n");
+              "      |        ^\n"
+              "  help: write a value behind '='\n");
     EXPECT_TRUE(test::make(text, {{"free", "30deg"}}));
 }
 

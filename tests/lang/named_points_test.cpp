@@ -108,7 +108,8 @@ TEST(NamedPoints, WhereTheyDoNotFitIsSaid) {
     EXPECT_EQ(error_of(with("eye bezier(3)")), "'points' of 'bezier' is a list of points");
     EXPECT_EQ(error_of(with("eye bezier([two, many])")),
               "a list has numbers or points, but this is a list");
-    EXPECT_EQ(error_of(with("eye bezier([[1, 2], two])")), "expected a number, but this is a list");
+    EXPECT_EQ(error_of(with("eye bezier([[1, 2], two])")),
+              "a list has numbers or points, but this is a list");
     EXPECT_EQ(error_of(with("eye bezier([two, (two, 1)])")),
               "expected one number, but 'two' is 2 numbers in parentheses");
 }
