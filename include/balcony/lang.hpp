@@ -62,6 +62,11 @@ struct CameraDescription {
                                                    const std::vector<Override>& overrides = {},
                                                    const std::filesystem::path& folder = {});
 
+/// Makes every camera and picture of a file, in its order; cameras as in load_picture(). What
+/// several of them show with the same parameters is one camera.
+[[nodiscard]] Result<std::vector<camera::Picture>> load_all(
+    const std::filesystem::path& file, const std::vector<Override>& overrides = {});
+
 /// Makes every camera and picture of a file, to find all that is wrong with it.
 [[nodiscard]] Diagnostics check(const std::filesystem::path& file);
 

@@ -116,11 +116,34 @@ public:
     [[nodiscard]] const std::string& name() const { return parts_->name; }
     [[nodiscard]] const Parts& parts() const { return *parts_; }
 
+    /// The camera that it was made of by itself; null if it was made of layers.
+    [[nodiscard]] const Camera* only_camera() const;
+
     [[nodiscard]] PictureExpressions emit(Graph& graph, double width, double height) const;
 
 private:
     explicit Picture(Parts parts) : parts_(std::make_shared<const Parts>(std::move(parts))) {}
     std::shared_ptr<const Parts> parts_;
+    bool of_layers_ = true;
 };
+
+/// A camera that a picture shows, once for all layers that share it: copies of one camera, as the
+/// language makes them for the same parameters.
+struct ShownCamera {
+    struct Place {
+        std::string layer;  ///< Its number from 1 at the back, "3.1" in the picture of the third.
+        std::vector<PictureArrangerPointer>
+            arrangers;  ///< From the whole picture, outermost first.
+    };
+    Camera camera;
+    std::vector<Place> places;
+};
+
+/// From the back to the front, those of pictures in the picture among them.
+[[nodiscard]] std::vector<ShownCamera> shown_cameras(const Picture& picture);
+
+/// Width and height in pixels of a layer's own picture, in a whole picture of a size in pixels.
+[[nodiscard]] std::array<double, 2> size_of(const ShownCamera::Place& place, double width,
+                                            double height, double time = 0.0);
 
 }  // namespace balcony::camera

@@ -285,7 +285,11 @@ Result<Picture> Picture::make(Parts parts) {
     return {std::move(made), std::move(said)};
 }
 
-Picture::Picture(Camera camera) {
+const Camera* Picture::only_camera() const {
+    return of_layers_ ? nullptr : std::get_if<Camera>(&parts_->layers.front().content);
+}
+
+Picture::Picture(Camera camera) : of_layers_(false) {
     Parts parts;
     parts.name = camera.name();
     parts.aspect = camera.parts().aspect;

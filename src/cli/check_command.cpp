@@ -12,6 +12,7 @@
 #include "balcony/lang.hpp"
 #include "cli/camera_argument.hpp"
 #include "cli/check_report.hpp"
+#include "cli/check_subjects.hpp"
 #include "cli/command.hpp"
 #include "cli/json.hpp"
 #include "cli/option_values.hpp"
@@ -30,6 +31,7 @@ struct CheckOptions {
     std::vector<std::string> set;
     std::string scene;
     std::string size;
+    std::string layer;
     std::string time = "0";
     std::string distance = "auto";
     std::vector<std::pair<std::string, std::string>> maps;
@@ -45,8 +47,7 @@ struct Map {
 
 /// The options as they are meant.
 struct Wishes {
-    PictureSize size;
-    double time = 0.0;
+    SubjectWishes cameras;
     std::optional<double> distance;
     std::vector<Map> maps;
 };
@@ -80,8 +81,11 @@ Map read_map(const std::string& name, const std::string& file, Diagnostics& said
 Wishes read_wishes(const CheckOptions& options, Diagnostics& said) {
     constexpr double largest = 1e12;
     Wishes wishes;
-    wishes.size = read_size(options.size, said);
-    wishes.time = read_number("--time", options.time, -largest, largest, "give a number", said);
+    wishes.cameras.set = options.set;
+    wishes.cameras.layer = options.layer;
+    wishes.cameras.size = read_size(options.size, said);
+    wishes.cameras.time =
+        read_number("--time", options.time, -largest, largest, "give a number", said);
     if (options.distance != "auto") {
         wishes.distance = read_number("--distance", options.distance, 1e-12, largest,
                                       "give auto, or a distance above 0 in scene units", said);
@@ -188,36 +192,34 @@ private:
             tell(fmt::format("{}: {}{}, no errors\n", printable(file),
                              counted(count, "camera", "cameras"),
                              pictures > 0 ? ", " + counted(pictures, "picture", "pictures") : ""));
-            if (argument != file) {
-                check_camera(argument, entry["reports"]);
-            } else {
-                // A picture is as good as its cameras.
-                for (const lang::CameraDescription& camera : *cameras) {
-                    if (!camera.is_picture) {
-                        check_camera(file + ":" + camera.name, entry["reports"]);
-                    }
-                }
-            }
+            check_cameras(argument, entry["reports"]);
         }
         files_.push_back(std::move(entry));
     }
 
-    void check_camera(const std::string& name, nlohmann::json& reports) {
-        const Result<camera::Camera> camera = load_camera(name, options_.set);
-        if (!camera) {
-            // Nothing else can be wrong with a camera that is good by itself.
-            say(camera.diagnostics);
+    void check_cameras(const std::string& argument, nlohmann::json& reports) {
+        const auto subjects = check_subjects(argument, wishes_.cameras);
+        if (!subjects) {
+            // Nothing else can be wrong with a file that is good by itself.
+            say(subjects.diagnostics);
             return;
         }
-        const auto [width, height] = wishes_.size.resolve(camera->parts().aspect);
+        for (const CheckSubject& subject : *subjects) {
+            check_camera(subject, reports);
+        }
+    }
+
+    void check_camera(const CheckSubject& subject, nlohmann::json& reports) {
         analyse::DiagnoseSettings settings;
-        settings.width = static_cast<double>(width);
-        settings.height = static_cast<double>(height);
-        settings.time = wishes_.time;
+        settings.width = subject.width;
+        settings.height = subject.height;
+        settings.time = wishes_.cameras.time;
         settings.distance = wishes_.distance;
         CameraCheck check;
+        check.by_itself = subject.by_itself;
+        check.layers = subject.layers;
         if (scene_) {
-            const Result<render::Probe> probe = look_at(*scene_, *camera, width, height);
+            const Result<render::Probe> probe = look_at(*scene_, subject);
             if (!probe) {
                 say(probe.diagnostics);
                 return;
@@ -225,34 +227,31 @@ private:
             check.in_scene = in_scene(*scene_, *probe);
             scene_distance_ = probe->median_distance;
         }
-        check.report = analyse::diagnose(*camera, settings);
+        check.report = analyse::diagnose(subject.camera, settings);
         if (scene_distance_ && !settings.distance && !check.report.single_viewpoint) {
             settings.distance = scene_distance_;
-            check.report = analyse::diagnose(*camera, settings);
+            check.report = analyse::diagnose(subject.camera, settings);
         }
         finish(check, reports);
     }
 
     // With rays a pixel apart at most; in a very large picture further, so that it comes to an end.
     [[nodiscard]] Result<render::Probe> look_at(const scene::Scene& scene,
-                                                const camera::Camera& camera, std::size_t width,
-                                                std::size_t height) const {
+                                                const CheckSubject& subject) const {
         constexpr double most_pixels = 16e6;
-        const auto pixels = static_cast<double>(width) * static_cast<double>(height);
-        const double scale = std::max(1.0, std::sqrt(pixels / most_pixels));
-        const auto scaled = [scale](std::size_t side) {
-            return std::max<std::size_t>(
-                1, static_cast<std::size_t>(std::lround(static_cast<double>(side) / scale)));
+        const double scale = std::max(1.0, std::sqrt(subject.width * subject.height / most_pixels));
+        const auto scaled = [scale](double side) {
+            return static_cast<std::size_t>(std::max(1.0, std::round(side / scale)));
         };
+        const std::size_t width = scaled(subject.width);
+        const std::size_t height = scaled(subject.height);
         Result<render::Probe> probe =
-            render::probe(scene, camera,
-                          {.width = scaled(width), .height = scaled(height), .time = wishes_.time});
+            render::probe(scene, subject.camera,
+                          {.width = width, .height = height, .time = wishes_.cameras.time});
         if (probe) {
             for (render::ObjectSight& sight : probe->objects) {
-                sight.inside_at.x *=
-                    static_cast<double>(width) / static_cast<double>(scaled(width));
-                sight.inside_at.y *=
-                    static_cast<double>(height) / static_cast<double>(scaled(height));
+                sight.inside_at.x *= subject.width / static_cast<double>(width);
+                sight.inside_at.y *= subject.height / static_cast<double>(height);
             }
         }
         return probe;
@@ -265,8 +264,7 @@ private:
             write_map(check.report, map);
         }
         if (options_.strict && check.defect_count() > 0) {
-            say({error(fmt::format("camera '{}' has {}, and --strict allows none",
-                                   check.report.camera,
+            say({error(fmt::format("camera '{}' has {}, and --strict allows none", check.title(),
                                    counted(check.defect_count(), "defect", "defects")))});
         }
     }
@@ -304,17 +302,37 @@ private:
     nlohmann::json files_ = nlohmann::json::array();
 };
 
+// A map shows one camera. What else is wrong is found when the cameras are looked at.
+void check_one_camera(const CheckOptions& options, const SubjectWishes& wishes, Diagnostics& said) {
+    const std::string& first = options.cameras.front();
+    const auto subjects = check_subjects(first, wishes);
+    if (options.cameras.size() == 1 && (!subjects || subjects->size() == 1)) {
+        return;
+    }
+    std::vector<std::string> choice;
+    for (std::size_t i = 0; subjects && i < subjects->size(); ++i) {
+        const CheckSubject& subject = (*subjects)[i];
+        for (const CameraCheck::Layer& layer : subject.layers) {
+            choice.push_back(fmt::format("{} for {}", layer.number, subject.camera.name()));
+        }
+    }
+    const std::string file = camera_file(first).string();
+    const bool of_picture = options.cameras.size() == 1 && first != file;
+    said.push_back(error("--map shows one camera, here are several", {},
+                         of_picture
+                             ? fmt::format("choose one with --layer: {}", fmt::join(choice, ", "))
+                             : fmt::format("name it: {}:NAME", file)));
+}
+
 ExitCode check_command(const CheckOptions& options) {
     Diagnostics said;
     Wishes wishes = read_wishes(options, said);
+    if (!options.layer.empty() && options.cameras.size() > 1) {
+        said.push_back(
+            error("--layer is of one picture, here are several files", {}, "name the picture"));
+    }
     if (!wishes.maps.empty() && !has_errors(said)) {
-        const std::string& only = options.cameras.front();
-        const std::string file = camera_file(only).string();
-        const auto cameras = lang::describe(file);
-        if (options.cameras.size() > 1 || (only == file && cameras && cameras->size() > 1)) {
-            said.push_back(error("--map shows one camera, here are several", {},
-                                 fmt::format("name it: {}:NAME", file)));
-        }
+        check_one_camera(options, wishes.cameras, said);
     }
     if (has_errors(said)) {
         if (options.json) {
@@ -336,8 +354,8 @@ void add_check_command(CLI::App& app, ExitCode& code) {
     const auto options = std::make_shared<CheckOptions>();
     command
         ->add_option("FILE", options->cameras,
-                     "camera files or one of their cameras, FILE:NAME, or cameras of 'balcony list "
-                     "cameras'")
+                     "camera files or one of their cameras or pictures, FILE:NAME, or cameras of "
+                     "'balcony list cameras'")
         ->required()
         ->take_all();
     add_set_option(*command, options->set);
@@ -354,6 +372,11 @@ void add_check_command(CLI::App& app, ExitCode& code) {
                      "of the picture whose pixels are meant (default: about a million, in the "
                      "camera's proportion)")
         ->type_name("WIDTH[xHEIGHT]");
+    command
+        ->add_option("--layer", options->layer,
+                     "only this layer of the picture: 1 is at the back, 3.1 is in the picture that "
+                     "layer 3 shows")
+        ->type_name("NUMBER");
     command
         ->add_option("--distance", options->distance,
                      "where magnification is measured: how far from where the rays start; auto is "
@@ -375,6 +398,7 @@ void add_check_command(CLI::App& app, ExitCode& code) {
         "Examples:\n"
         "  balcony check gallery.cam room.cam\n"
         "  balcony check gallery.cam:closeup --scene gallery.glb --strict\n"
+        "  balcony check gallery.cam:poster --layer 2 --map anisotropy inset.png\n"
         "  balcony check superelliptic --set gamma=1/2 --map magnification size.png");
     command->callback([options, &code] { code = check_command(*options); });
 }

@@ -161,6 +161,15 @@ std::size_t CameraCheck::defect_count() const {
     return count;
 }
 
+std::string CameraCheck::title() const {
+    std::string text = report.camera + (by_itself && !layers.empty() ? ", and" : "");
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        text += fmt::format("{} layer {} of {}", i > 0 || !by_itself ? "," : "", layers[i].number,
+                            layers[i].picture);
+    }
+    return text;
+}
+
 CameraCheck::InScene in_scene(const scene::Scene& scene, const render::Probe& probe) {
     CameraCheck::InScene found;
     found.scene = scene.name;
@@ -182,7 +191,7 @@ CameraCheck::InScene in_scene(const scene::Scene& scene, const render::Probe& pr
 std::string check_text(const CameraCheck& check) {
     const Report& report = check.report;
     std::string text =
-        fmt::format("\ncamera {}: {:.0f} x {:.0f} pixels, {} samples\n", printable(report.camera),
+        fmt::format("\ncamera {}: {:.0f} x {:.0f} pixels, {} samples\n", printable(check.title()),
                     report.grid.picture_width, report.grid.picture_height, report.samples.size());
     text += line("ray origins", origins_text(report));
     if (report.magnification) {
@@ -212,7 +221,12 @@ nlohmann::json check_json(const CameraCheck& check) {
     for (const Finding& finding : report.findings) {
         findings.push_back(finding_json(finding));
     }
+    nlohmann::json layers = nlohmann::json::array();
+    for (const CameraCheck::Layer& layer : check.layers) {
+        layers.push_back({{"picture", layer.picture}, {"layer", layer.number}});
+    }
     nlohmann::json entry{{"camera", report.camera},
+                         {"layers", layers},
                          {"width", report.grid.picture_width},
                          {"height", report.grid.picture_height},
                          {"samples", report.samples.size()},

@@ -18,6 +18,13 @@ namespace balcony::cli {
 struct CameraCheck {
     analyse::Report report;
 
+    struct Layer {
+        std::string picture;
+        std::string number;  ///< "2", or "3.1" in the picture that layer 3 shows.
+    };
+    bool by_itself = true;      ///< Not only in layers.
+    std::vector<Layer> layers;  ///< That show the camera with these parameters.
+
     struct Start {
         std::string object;
         double share = 0.0;  ///< Of the rays.
@@ -33,6 +40,8 @@ struct CameraCheck {
 
     /// What --strict does not allow. Few pictures show every object, so that is not asked for.
     [[nodiscard]] std::size_t defect_count() const;
+    /// The camera and where it is shown: visitor, layer 2 of poster.
+    [[nodiscard]] std::string title() const;
 };
 
 [[nodiscard]] CameraCheck::InScene in_scene(const scene::Scene& scene, const render::Probe& probe);

@@ -33,8 +33,7 @@ ExitCode explain(const CameraArgument& wanted, const PictureSize& size, bool as_
     }
     const auto [width, height] = size.resolve(picture->parts().aspect, picture->parts().size);
     const std::string formulas =
-        formulas_text(*picture, !explanation->is_picture, static_cast<double>(width),
-                      static_cast<double>(height));
+        formulas_text(*picture, static_cast<double>(width), static_cast<double>(height));
     if (as_json) {
         document = explanation_json(*explanation);
         document["width"] = width;

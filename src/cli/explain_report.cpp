@@ -207,12 +207,11 @@ nlohmann::json explanation_json(const Explanation& explanation) {
     return made;
 }
 
-std::string formulas_text(const camera::Picture& picture, bool is_camera, double width,
-                          double height) {
+std::string formulas_text(const camera::Picture& picture, double width, double height) {
     expr::Graph graph;
     FormulaList formulas;
     const Elements elements = picture.emit(graph, width, height).elements;
-    if (is_camera) {
+    if (picture.only_camera() != nullptr) {
         formulas.add_ray("", *elements.front().ray);
     } else {
         add_elements(picture, elements, "layer", formulas);

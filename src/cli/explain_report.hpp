@@ -16,7 +16,7 @@ namespace balcony::cli {
 
 /// What a picture of a size in pixels is computed from: of a picture of one camera its ray, else
 /// how much each layer shows, its ray, and the same of frames and leader lines.
-[[nodiscard]] std::string formulas_text(const camera::Picture& picture, bool is_camera,
-                                        double width, double height);
+[[nodiscard]] std::string formulas_text(const camera::Picture& picture, double width,
+                                        double height);
 
 }  // namespace balcony::cli

@@ -295,9 +295,8 @@ private:
 Explanation explain(const CameraPlace& place, const camera::Picture& picture,
                     const GivenParameters& given, Session& session) {
     Explainer explainer(session);
-    if (!place.camera->is_picture) {
-        return explainer.camera(
-            place, std::get<camera::Camera>(picture.parts().layers.front().content), given);
+    if (const camera::Camera* camera = picture.only_camera()) {
+        return explainer.camera(place, *camera, given);
     }
     Explanation made = explainer.picture(place, picture, given);
     made.shown = explainer.take_shown();

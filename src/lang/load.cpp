@@ -234,19 +234,22 @@ Result<Explanation> explain(const std::filesystem::path& file, std::string_view 
     return {std::move(explanation), session.reporter().take()};
 }
 
-Diagnostics check(const std::filesystem::path& file) {
+Result<std::vector<camera::Picture>> load_all(const std::filesystem::path& file,
+                                              const std::vector<Override>& overrides) {
     Session session;
     const Module* module = session.load(file);
+    std::vector<camera::Picture> made;
     if (module != nullptr && require_cameras(*module, session.reporter())) {
         for (const CameraPlace& place : own_cameras(*module)) {
-            (void)build_picture(place, {}, session);
+            if (auto picture = build_picture(place, {overrides, {}}, session)) {
+                made.push_back(std::move(*picture));
+            }
         }
     }
-    if (module != nullptr && session.reporter().error_count() == 0) {
-        warn_of_unused_lets(*module, session.reporter());
-    }
-    return session.reporter().take();
+    return finish(std::optional(std::move(made)), module, session.reporter());
 }
+
+Diagnostics check(const std::filesystem::path& file) { return load_all(file).diagnostics; }
 
 const std::vector<std::string>& standard_cameras() {
     static const std::vector<std::string> names = [] {

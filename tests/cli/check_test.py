@@ -28,6 +28,17 @@ camera folded {
 }
 """
 
+# Layers that show one camera with the same parameters, with others, and one that has a fault.
+PICTURES = """import "two.cam"
+picture pair { layer front(turn = 5) layer folded }
+picture poster(slant = 5) 160 x 90 {
+    layer front
+    layer front(turn = slant) { place (0, 0) .. (1/2, 1/2) }
+    layer pair                { place (0, 0) .. (1/4, 1/2) arrange rotate(90deg) }
+    layer front(turn = 2)     { place (1/2, 1/2) .. (1, 1) }
+}
+"""
+
 
 def box(first, last):
     """A closed box that faces outwards: from first to last along x, -9 to 9 along y and z."""
@@ -81,6 +92,47 @@ class Check(support.CommandTest):
         self.assertEqual((report["magnification"], report["valid_share"]), (None, 0))
         self.refused_after_text("two.cam:front", "--set", "turm=5", says="'turm'")
         self.refused_after_text("two.cam:frnt", says="'frnt'")
+
+    def test_pictures(self):
+        (self.folder / "poster.cam").write_text(PICTURES)
+        reports = self.json_of("check", "poster.cam:poster")["files"][0]["reports"]
+        self.assertEqual(
+            [(report["camera"], [layer["layer"] for layer in report["layers"]], report["width"],
+              report["height"]) for report in reports],
+            [("front", ["1"], 160, 90),
+             # With one and the same turn, in the largest of its layers.
+             ("front", ["2", "3.1"], 80, 45),
+             ("folded", ["3.2"], 40, 45),
+             ("front", ["4"], 80, 45)])
+        # The parameters are those that the layers give; slanting rays see things compressed.
+        for report, turn in ((reports[0], 0), (reports[1], 5), (reports[3], 2)):
+            self.assertAlmostEqual(report["anisotropy"]["median"], (1 + (turn/5)**2)**0.5, places=9)
+        out, _ = self.run_command("check", "poster.cam:poster", "--set", "slant=2")
+        self.assertIn("\ncamera front, layer 2 of poster, layer 4 of poster: 80 x 45 pixels", out)
+        # The whole file: what two pictures show is looked at once.
+        out, err = self.run_command("check", "poster.cam", "--strict", code=1)
+        self.assertEqual(out.count("\ncamera "), 4)
+        self.assertIn("\ncamera folded, layer 2 of pair, layer 3.2 of poster: ", out)
+        self.assertIn("camera 'folded, layer 2 of pair, layer 3.2 of poster' has ", err)
+        # A camera by itself as well.
+        (self.folder / "both.cam").write_text(CAMERAS + "picture both { layer front layer folded }")
+        out, _ = self.run_command("check", "both.cam")
+        self.assertIn("\ncamera front, and layer 1 of both: ", out)
+
+    def test_one_layer(self):
+        (self.folder / "poster.cam").write_text(PICTURES)
+        numbers = lambda *words: [[layer["layer"] for layer in report["layers"]]
+                                  for report in self.reports("poster.cam:poster", *words)]
+        self.assertEqual(numbers("--layer", "2"), [["2"]])
+        self.assertEqual(numbers("--layer", "3"), [["3.1"], ["3.2"]])
+        self.assertEqual(numbers("--layer", "3.2", "--map", "seams", "a.png"), [["3.2"]])
+        self.assertGreater(png_size(self.folder / "a.png")[0], 0)
+        self.refused("check", "poster.cam:poster", "--map", "seams", "a.png", code=2,
+                     says="several", helps="--layer: 1 for front, 2 for front, 3.1 for front, "
+                                           "3.2 for folded, 4 for front")
+        self.refused("check", "poster.cam", "two.cam", "--layer", "1", code=2, says="--layer")
+        self.refused_after_text("poster.cam:poster", "--layer", "5", says="no layer 5")
+        self.refused_after_text("two.cam:front", "--layer", "1", says="'front' is a camera")
 
     def refused_after_text(self, *words, says):
         _, err = self.run_command("check", *words, code=1)
