@@ -104,19 +104,10 @@ TEST(MeshSurface, ThereAreNoGapsAlongEdgesAndAtCorners) {
     }
 }
 
-TEST(MeshSurface, ItGoesOnALittleBeyondItsEdges) {
-    const MeshProbe mesh(mesh_of(square(7, on_plane)));
-    for (const auto& [u, v] :
-         {std::pair{-0.005, 0.3}, {1.005, 0.3}, {0.3, -0.005}, {0.3, 1.005}, {-0.005, 1.005}}) {
-        EXPECT_TRUE(mesh(u, v).valid);
-        expect_near(mesh(u, v).point, on_plane(u, v).position, 2e-14);
-    }
-}
-
 TEST(MeshSurface, OutsideOfItsTrianglesThereIsNothing) {
     std::vector<Triangle> triangles = square(7, on_plane);
     const MeshProbe whole(mesh_of(triangles));
-    for (const double outside : {-0.02, 1.02, 1e300, -1e300}) {
+    for (const double outside : {-1e-6, 1.0 + 1e-6, 1e300, -1e300}) {
         EXPECT_FALSE(whole(outside, 0.5).valid);
         EXPECT_FALSE(whole(0.5, outside).valid);
     }

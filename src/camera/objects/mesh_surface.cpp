@@ -45,8 +45,7 @@ struct Barycentric {
     std::array<std::array<double, 2>, 2> matrix;
 };
 
-/// The number of the first triangle that a point (u, v) lies in, -1 if there is none. Points beyond
-/// all texture co-ordinates by a hundredth of their extent count to the border. Cells of a
+/// The number of the first triangle that a point (u, v) lies in, -1 if there is none. Cells of a
 /// uniform grid over all texture co-ordinates list the triangles that may reach into them.
 class TriangleFinder final : public Native {
 public:
@@ -148,19 +147,10 @@ private:
                        [&](std::size_t c, std::uint32_t number) { lists_[next[c]++] = number; });
     }
 
-    // The triangles at the border go on a little, so that a picture that shows all of a mesh has
-    // rays for the parts of its filter that reach over the edge.
-    [[nodiscard]] bool close_to_all(double place, std::size_t axis) const {
-        const double beyond = 0.01 * (most_[axis] - least_[axis]);
-        return place >= least_[axis] - beyond && place <= most_[axis] + beyond;
-    }
-
     [[nodiscard]] double find(double u, double v) const {
-        if (!close_to_all(u, 0) || !close_to_all(v, 1)) {
+        if (std::isnan(u) || std::isnan(v)) {
             return -1.0;
         }
-        u = std::clamp(u, least_[0], most_[0]);
-        v = std::clamp(v, least_[1], most_[1]);
         const std::size_t c = cell(v, 1) * side_ + cell(u, 0);
         for (std::size_t i = begins_[c]; i < begins_[c + 1]; ++i) {
             if (triangles_[lists_[i]].contains(u, v)) {
