@@ -65,8 +65,8 @@ camera valley_walk {
          FormulaShape{2, 3, 3},
          2,
          R"(
-// The normals of a shallow trough meet in front of it and spread again.
-camera trough {
+// A wall that bulges: its normals face both sides of a room's corner and spread between them.
+camera bulge {
     map  u = 1.2 .. -1.2, v = -1 .. 1
     eye  surface(u, v) = [-3*cosh(u), 3*sinh(u), v]
     look normal

@@ -296,7 +296,7 @@ camera apse {
          make_interpolating_patch,
          {},
          2,
-         R"(// A wall with a swelling in the middle, which shows what is there larger.
+         R"(// A wall with a swelling in the middle, from which rays spread: it shows more, and that smaller.
 camera swelling_wall {
     map  u = 1 .. 0, v = 0 .. 1
     eye  interpolating_patch([(0, -2, -1), (0, -1, -1),  (0, 0, -1),  (0, 1, -1),  (0, 2, -1),

@@ -178,7 +178,7 @@ std::vector<StageEntry> sweeps() {
          make_sweep,
          {},
          2,
-         R"(// The inside of a tube that winds through space, from its last bend to its first.
+         R"(// Outwards from a tube that winds through space, from its last bend to its first.
 camera winding_tube {
     map  u = 0.98 .. 0.02, v = -180deg .. 180deg
     eye  sweep(circle(0.4), natural_spline([(-4, -3, 0), (-2, 2, 1), (0, 0, -1), (2, -2, 1), (4, 3, 0)]),

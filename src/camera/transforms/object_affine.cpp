@@ -198,11 +198,11 @@ camera egg {
          {},
          0,
          R"(
-// What a flat mirror in the plane y = 0 would show of the left side.
+// What somebody at the left of a flat mirror in the plane y = 0 sees in it.
 camera mirrored {
     map    u = 0.6 .. -0.6, v = square
     eye    point(0, 1, 0)
-    toward plane((1, 1.5, 0))
+    toward plane((1, 0.2, 0))
     move   mirror(y)
 }
 )"},
@@ -219,7 +219,7 @@ camera mirrored {
          {},
          0,
          R"(
-// Oblique parallel projection: the picture plane leans, its rays keep at right angles to it.
+// Parallel rays from a picture plane that leans forwards and to the left, at right angles to it.
 camera sheared {
     map  u = 3 .. -3, v = square
     eye  plane
