@@ -5,10 +5,11 @@
 // Drawing: a camera itself, its projection objects with the picture on them and some of its rays,
 // as a picture and as a scene.
 //
-//     camera ─▶ draw ─▶ Drawing ─▶ to_svg, rasterise
-//            └▶ model ─▶ scene::Scene
+//     picture or camera ─▶ draw ─▶ Drawing ─▶ to_svg, rasterise
+//                       └▶ model ─▶ scene::Scene
 //
-// The picture's own arrangement (place, clip) is left aside: it does not change the camera.
+// Of a picture the cameras of all layers are shown, each once for the same parameters and in a
+// colour of its own. Arrangement (place, clip) is left aside: it does not change the cameras.
 
 #include <array>
 #include <cstddef>
@@ -21,8 +22,8 @@
 #include <Imath/ImathVec.h>
 
 #include "balcony/base.hpp"
-#include "balcony/camera.hpp"
 #include "balcony/image.hpp"
+#include "balcony/picture.hpp"
 #include "balcony/scene.hpp"
 
 namespace balcony::analyse {
@@ -65,18 +66,29 @@ struct DrawingShape {
     DrawingColor color{};
     double line_width = 0.0;  ///< Pixels; 0 is an area.
     double opacity = 1.0;     ///< Lines are opaque.
+    std::size_t camera = 0;   ///< Of several cameras the number, from 1; 0 for what is of none.
+};
+
+/// A line of text.
+struct DrawingLabel {
+    std::string text;
+    V2d position;       ///< The left end of its baseline, in pixels from the top left.
+    double size = 0.0;  ///< The height of a capital, in pixels.
+    DrawingColor color{};
 };
 
 /// Shapes on white, in the order of drawing.
 struct Drawing {
-    std::string name;  ///< The camera's.
+    std::string name;  ///< The picture's or the camera's.
     std::size_t width = 0;
     std::size_t height = 0;
     std::vector<DrawingShape> shapes;
+    std::vector<DrawingLabel> labels{};  ///< Of several cameras: their layers and names.
 };
 
-/// Draws a camera. It is an error if it has no point anywhere.
-[[nodiscard]] Result<Drawing> draw(const camera::Camera& camera, const Depiction& depiction = {},
+/// Draws the cameras of a picture, or one. It is an error if none of them has a point anywhere, and
+/// a warning if some have not.
+[[nodiscard]] Result<Drawing> draw(const camera::Picture& picture, const Depiction& depiction = {},
                                    const DrawingView& view = {});
 
 [[nodiscard]] std::string to_svg(const Drawing& drawing);
@@ -84,10 +96,11 @@ struct Drawing {
 /// Antialiased by 16 points a pixel.
 [[nodiscard]] Image rasterise(const Drawing& drawing);
 
-/// A camera as a scene in the camera's own axes: objects `surface` (the eye object, with its
+/// A camera as a scene in its own axes: objects `surface` (the eye object, with its
 /// normals and (u, v) as texture co-ordinates), `target` (the direction object), `rays` (arrows),
-/// `frame`; each with a material of its name. What there is nothing of is left out.
-[[nodiscard]] Result<scene::Scene> model(const camera::Camera& camera,
+/// `frame`; each with a material of its name. What there is nothing of is left out. Of several
+/// cameras in the axes of the first, with layers and names before theirs: `layer 2, closeup: rays`.
+[[nodiscard]] Result<scene::Scene> model(const camera::Picture& picture,
                                          const Depiction& depiction = {});
 
 }  // namespace balcony::analyse

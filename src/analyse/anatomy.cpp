@@ -150,4 +150,56 @@ Result<Anatomy> dissect(const camera::Camera& camera, const Depiction& depiction
     return anatomy;
 }
 
+namespace {
+
+// In the proportion that its first layer has in the picture.
+camera::Camera as_shown(const camera::ShownCamera& shown, const camera::Picture& picture,
+                        double time) {
+    constexpr double height = 1000.0;
+    const auto size = size_of(shown.places.front(), height * picture.parts().aspect, height, time);
+    camera::Camera::Parts parts = shown.camera.parts();
+    if (size[0] > 0.0 && size[1] > 0.0) {
+        parts.aspect = size[0] / size[1];
+    }
+    const auto made = camera::Camera::make(std::move(parts));
+    return made ? *made : shown.camera;
+}
+
+std::string title_of(const camera::ShownCamera& shown) {
+    std::string numbers;
+    for (const camera::ShownCamera::Place& place : shown.places) {
+        numbers += (numbers.empty() ? " " : ", ") + place.layer;
+    }
+    return fmt::format("layer{}{}, {}", shown.places.size() > 1 ? "s" : "", numbers,
+                       shown.camera.name());
+}
+
+}  // namespace
+
+Result<PictureAnatomy> dissect(const camera::Picture& picture, const Depiction& depiction) {
+    PictureAnatomy whole;
+    Diagnostics said;
+    const bool by_itself = picture.only_camera() != nullptr;
+    for (const camera::ShownCamera& shown : shown_cameras(picture)) {
+        auto anatomy = by_itself ? dissect(shown.camera, depiction)
+                                 : dissect(as_shown(shown, picture, depiction.time), depiction);
+        said.insert(said.end(), anatomy.diagnostics.begin(), anatomy.diagnostics.end());
+        if (!anatomy) {
+            continue;
+        }
+        if (whole.cameras.empty()) {
+            whole.axes = shown.camera.parts().axes;
+        }
+        whole.bounds.extendBy(anatomy->bounds);
+        whole.cameras.push_back({by_itself ? "" : title_of(shown), std::move(*anatomy)});
+    }
+    if (whole.cameras.empty()) {
+        return said;
+    }
+    for (Diagnostic& diagnostic : said) {
+        diagnostic.severity = Severity::warning;
+    }
+    return {std::move(whole), std::move(said)};
+}
+
 }  // namespace balcony::analyse

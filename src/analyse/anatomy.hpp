@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "analyse/sheet.hpp"
@@ -46,5 +47,22 @@ struct Anatomy {
 
 /// Parts that are not depicted are measured all the same. It is an error if there is no point.
 [[nodiscard]] Result<Anatomy> dissect(const camera::Camera& camera, const Depiction& depiction);
+
+/// The cameras of a picture, or one.
+struct PictureAnatomy {
+    struct Part {
+        std::string title;  ///< Its layers and its name; empty for a camera by itself.
+        Anatomy anatomy;
+    };
+    std::vector<Part> cameras;
+    Axes axes = Axes::z_up;  ///< Of the first camera.
+    Box3d bounds;
+
+    [[nodiscard]] double extent() const { return bounds.size().length(); }
+};
+
+/// Cameras without a point are left out with a warning. It is an error if there is no other.
+[[nodiscard]] Result<PictureAnatomy> dissect(const camera::Picture& picture,
+                                             const Depiction& depiction);
 
 }  // namespace balcony::analyse

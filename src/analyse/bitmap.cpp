@@ -13,12 +13,6 @@ namespace {
 
 constexpr std::size_t advance = glyph_width + 1;
 
-const Glyph& glyph(char character) {
-    const auto index = static_cast<std::size_t>(static_cast<unsigned char>(character)) -
-                       static_cast<std::size_t>(first_glyph);
-    return index < glyphs.size() ? glyphs[index] : glyphs['?' - first_glyph];
-}
-
 }  // namespace
 
 Bitmap::Bitmap(std::size_t width, std::size_t height, const Color& background)

@@ -117,4 +117,11 @@ inline constexpr std::array<Glyph, 95> glyphs = {{
     {0x00, 0x00, 0x08, 0x15, 0x02, 0x00, 0x00},  // ~
 }};
 
+/// Of a character that the typeface does not have a question mark.
+[[nodiscard]] inline const Glyph& glyph(char character) {
+    const auto index = static_cast<std::size_t>(static_cast<unsigned char>(character)) -
+                       static_cast<std::size_t>(first_glyph);
+    return index < glyphs.size() ? glyphs[index] : glyphs['?' - first_glyph];
+}
+
 }  // namespace balcony::analyse

@@ -35,6 +35,7 @@ const std::array<std::vector<std::vector<V2d>>, 3>& letters() {
 constexpr DrawingColor letter_color{70, 70, 70};
 constexpr double letter_size = 5.5;  // Half of it.
 constexpr double letter_width = 1.8;
+constexpr double label_size = 11.0;
 
 /// Without points that nobody would miss: those near the one before, and those near the line
 /// between their neighbours.
@@ -118,8 +119,19 @@ public:
         const bool is_nothing =
             is_area ? points.size() < 3 : points.size() < 2 && item.points.size() > 1;
         if (!is_nothing) {
-            drawing_.shapes.push_back(
-                {item.part, std::move(points), item.color, item.line_width * unit_, item.opacity});
+            drawing_.shapes.push_back({item.part, std::move(points), item.color,
+                                       item.line_width * unit_, item.opacity, item.camera});
+        }
+    }
+
+    // From the top left, the front layer first, as they lie on one another.
+    void add_labels(const PictureAnatomy& anatomy) {
+        const std::size_t count = anatomy.cameras.size();
+        for (std::size_t i = 0; i < count; ++i) {
+            const V2d position(label_size, label_size * (2.0 + 2.0 * static_cast<double>(i)));
+            const std::size_t camera = count - i;
+            drawing_.labels.push_back({anatomy.cameras[camera - 1].title, unit_ * position,
+                                       unit_ * label_size, camera_color(camera)});
         }
     }
 
@@ -167,12 +179,12 @@ std::string_view name_of(DrawingPart part) {
     return {};
 }
 
-Result<Drawing> draw(const camera::Camera& camera, const Depiction& depiction,
+Result<Drawing> draw(const camera::Picture& picture, const Depiction& depiction,
                      const DrawingView& view) {
     if (const auto refused = refusal(view)) {
         return *refused;
     }
-    const auto anatomy = dissect(camera, depiction);
+    const auto anatomy = dissect(picture, depiction);
     if (!anatomy) {
         return anatomy.diagnostics;
     }
@@ -181,8 +193,14 @@ Result<Drawing> draw(const camera::Camera& camera, const Depiction& depiction,
         bounds = Box3d(bounds.min - V3d(1.0), bounds.max + V3d(1.0));
     }
     const DrawingViewer viewer(view, bounds);
-    std::vector<DrawingItem> items = drawing_items(*anatomy, depiction, viewer);
-    const DrawnAxes axes = drawn_axes(*anatomy, camera.parts().axes, viewer);
+    std::vector<DrawingItem> items;
+    const bool several = picture.only_camera() == nullptr;
+    for (std::size_t i = 0; i < anatomy->cameras.size(); ++i) {
+        const std::vector<DrawingItem> more = drawing_items(
+            anatomy->cameras[i].anatomy, several ? i + 1 : 0, anatomy->extent(), depiction, viewer);
+        items.insert(items.end(), more.begin(), more.end());
+    }
+    const DrawnAxes axes = drawn_axes(*anatomy, viewer);
     if (depiction.axes) {
         const std::vector<DrawingItem> more = drawing_items(axes, viewer);
         items.insert(items.end(), more.begin(), more.end());
@@ -196,7 +214,7 @@ Result<Drawing> draw(const camera::Camera& camera, const Depiction& depiction,
         usual_page_side;
     constexpr double margin = 26.0;
     const Page page(view, seen(items, bounds, viewer), margin * unit);
-    Drawing drawing{camera.name(), view.width, view.height, {}};
+    Drawing drawing{picture.name(), view.width, view.height, {}};
     Composer composer(drawing, viewer, page, unit);
     for (const DrawingItem& item : items) {
         composer.add(item);
@@ -204,7 +222,10 @@ Result<Drawing> draw(const camera::Camera& camera, const Depiction& depiction,
     for (std::size_t axis = 0; depiction.axes && axis < axes.tips.size(); ++axis) {
         composer.add_letter(axis, axes);
     }
-    return drawing;
+    if (several) {
+        composer.add_labels(*anatomy);
+    }
+    return {std::move(drawing), anatomy.diagnostics};
 }
 
 }  // namespace balcony::analyse

@@ -22,6 +22,15 @@ struct ObjectStyle {
 constexpr ObjectStyle eye_style{{0, 90, 150}, {226, 241, 251}, {128, 184, 222}, 0.78};
 constexpr ObjectStyle toward_style{{0, 140, 105}, {222, 243, 236}, {140, 205, 184}, 0.42};
 constexpr DrawingColor ray_color{213, 94, 0};
+// Of several cameras each has one of these, and tints of it.
+constexpr std::array<DrawingColor, 6> camera_colors{{
+    {0, 114, 178},
+    {213, 94, 0},
+    {0, 158, 115},
+    {204, 121, 167},
+    {230, 159, 0},
+    {86, 180, 233},
+}};
 constexpr DrawingColor frame_color{25, 25, 25};
 constexpr DrawingColor axis_color{120, 120, 120};
 
@@ -44,6 +53,25 @@ DrawingColor mix(const DrawingColor& a, const DrawingColor& b, double share) {
     return mixed;
 }
 
+struct CameraStyle {
+    ObjectStyle eye, toward;
+    DrawingColor ray;
+};
+
+CameraStyle style_of(std::size_t camera) {
+    if (camera == 0) {
+        return {eye_style, toward_style, ray_color};
+    }
+    constexpr DrawingColor black{0, 0, 0};
+    constexpr DrawingColor white{255, 255, 255};
+    const DrawingColor own = camera_color(camera);
+    ObjectStyle object{mix(own, black, 0.2), mix(own, white, 0.86), mix(own, white, 0.45),
+                       eye_style.opacity};
+    CameraStyle style{object, object, own};
+    style.toward.opacity = toward_style.opacity;
+    return style;
+}
+
 double mean_distance(const DrawingViewer& viewer, const std::vector<V3d>& points) {
     double sum = 0.0;
     for (const V3d& point : points) {
@@ -55,11 +83,11 @@ double mean_distance(const DrawingViewer& viewer, const std::vector<V3d>& points
 /// One object with the grid of the picture's lines on it.
 class SheetPainter {
 public:
-    SheetPainter(Sheet& sheet, DrawingPart part, double aspect, double extent,
-                 const DrawingViewer& viewer)
+    SheetPainter(Sheet& sheet, DrawingPart part, const ObjectStyle& style, double aspect,
+                 double extent, const DrawingViewer& viewer)
         : sheet_(sheet),
           part_(part),
-          style_(part == DrawingPart::eye ? eye_style : toward_style),
+          style_(style),
           grid_(PictureGrid::of_cells(cell_count, aspect)),
           tolerance_(0.0015 * extent),
           step_(1e-6 * extent),
@@ -270,13 +298,19 @@ std::vector<DrawingItem> arrow_items(const Arrow& arrow, DrawingPart part,
 
 }  // namespace
 
-std::vector<DrawingItem> drawing_items(const Anatomy& anatomy, const Depiction& depiction,
-                                       const DrawingViewer& viewer) {
+DrawingColor camera_color(std::size_t camera) {
+    return camera_colors[(camera - 1) % camera_colors.size()];
+}
+
+std::vector<DrawingItem> drawing_items(const Anatomy& anatomy, std::size_t camera, double extent,
+                                       const Depiction& depiction, const DrawingViewer& viewer) {
     std::vector<DrawingItem> items;
-    const double extent = anatomy.extent();
+    const CameraStyle style = style_of(camera);
     const auto paint = [&](Sheet& sheet, DrawingPart part) {
         const bool with_frame = depiction.frame && &sheet == anatomy.screen();
-        append(items, SheetPainter(sheet, part, anatomy.aspect, extent, viewer).paint(with_frame));
+        const ObjectStyle& own = part == DrawingPart::eye ? style.eye : style.toward;
+        append(items,
+               SheetPainter(sheet, part, own, anatomy.aspect, extent, viewer).paint(with_frame));
     };
     if (depiction.eye) {
         paint(*anatomy.eye, DrawingPart::eye);
@@ -286,12 +320,15 @@ std::vector<DrawingItem> drawing_items(const Anatomy& anatomy, const Depiction& 
     }
     const double head = 0.024 * extent;
     for (const Arrow& ray : anatomy.rays) {
-        append(items, arrow_items(ray, DrawingPart::ray, ray_color, ray_width, head, viewer));
+        append(items, arrow_items(ray, DrawingPart::ray, style.ray, ray_width, head, viewer));
+    }
+    for (DrawingItem& item : items) {
+        item.camera = camera;
     }
     return items;
 }
 
-DrawnAxes drawn_axes(const Anatomy& anatomy, Axes axes, const DrawingViewer& viewer) {
+DrawnAxes drawn_axes(const PictureAnatomy& anatomy, const DrawingViewer& viewer) {
     const double extent = std::max(anatomy.extent(), 1e-300);
     const Box3d& box = anatomy.bounds;
     DrawnAxes drawn{V3d(0.0), {}};
@@ -308,7 +345,7 @@ DrawnAxes drawn_axes(const Anatomy& anatomy, Axes axes, const DrawingViewer& vie
     const double length = 0.22 * extent;
     const std::array<V3d, 3> own{V3d(1, 0, 0), V3d(0, 1, 0), V3d(0, 0, 1)};
     for (std::size_t i = 0; i < own.size(); ++i) {
-        drawn.tips[i] = drawn.origin + length * z_up_from(axes, own[i]);
+        drawn.tips[i] = drawn.origin + length * z_up_from(anatomy.axes, own[i]);
     }
     return drawn;
 }

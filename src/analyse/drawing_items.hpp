@@ -19,13 +19,18 @@ struct DrawingItem {
     DrawingColor color{};
     double line_width = 0.0;  ///< On a page of 960 x 720; 0 is an area.
     double opacity = 1.0;
-    bool hull = false;      ///< An area round all its points, which are corners of a convex body.
-    double distance = 0.0;  ///< Far ones are painted first.
+    bool hull = false;       ///< An area round all its points, which are corners of a convex body.
+    double distance = 0.0;   ///< Far ones are painted first.
+    std::size_t camera = 0;  ///< As in DrawingShape.
 };
 
-/// The depicted parts of a camera, in no order.
-[[nodiscard]] std::vector<DrawingItem> drawing_items(const Anatomy& anatomy,
-                                                     const Depiction& depiction,
+/// The colour that tells one of several cameras, numbered from 1, from the others.
+[[nodiscard]] DrawingColor camera_color(std::size_t camera);
+
+/// The depicted parts of a camera in a drawing of an extent, in no order. `camera` is its number
+/// among several, 0 for the only one.
+[[nodiscard]] std::vector<DrawingItem> drawing_items(const Anatomy& anatomy, std::size_t camera,
+                                                     double extent, const Depiction& depiction,
                                                      const DrawingViewer& viewer);
 
 /// The axes of a camera: three lines from the origin, or from beside the objects if they are far
@@ -34,7 +39,7 @@ struct DrawnAxes {
     V3d origin;
     std::array<V3d, 3> tips;
 };
-[[nodiscard]] DrawnAxes drawn_axes(const Anatomy& anatomy, Axes axes, const DrawingViewer& viewer);
+[[nodiscard]] DrawnAxes drawn_axes(const PictureAnatomy& anatomy, const DrawingViewer& viewer);
 [[nodiscard]] std::vector<DrawingItem> drawing_items(const DrawnAxes& axes,
                                                      const DrawingViewer& viewer);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "analyse/bitmap_font.hpp"
 #include "balcony/drawing.hpp"
 
 namespace balcony::analyse {
@@ -139,10 +140,33 @@ std::vector<std::vector<V2d>> outlines_of(const DrawingShape& shape) {
     return outlines;
 }
 
-Paint paint_of(const DrawingShape& shape) {
-    Paint paint{{}, static_cast<float>(shape.opacity)};
+// The dots of a text.
+std::vector<std::vector<V2d>> outlines_of(const DrawingLabel& label) {
+    const double dot = label.size / static_cast<double>(glyph_height);
+    std::vector<std::vector<V2d>> outlines;
+    double left = label.position.x;
+    for (const char character : label.text) {
+        const Glyph& rows = glyph(character);
+        for (std::size_t row = 0; row < glyph_height; ++row) {
+            for (std::size_t column = 0; column < glyph_width; ++column) {
+                if ((rows[row] >> (glyph_width - 1 - column) & 1) != 0) {
+                    const V2d corner(
+                        left + dot * static_cast<double>(column),
+                        label.position.y - dot * static_cast<double>(glyph_height - row));
+                    outlines.push_back({corner, corner + V2d(dot, 0.0), corner + V2d(dot, dot),
+                                        corner + V2d(0.0, dot)});
+                }
+            }
+        }
+        left += dot * static_cast<double>(glyph_width + 1);
+    }
+    return outlines;
+}
+
+Paint paint_of(const DrawingColor& color, double opacity) {
+    Paint paint{{}, static_cast<float>(opacity)};
     for (std::size_t c = 0; c < paint.color.size(); ++c) {
-        paint.color[c] = static_cast<float>(shape.color[c]) / 255.0F;
+        paint.color[c] = static_cast<float>(color[c]) / 255.0F;
     }
     return paint;
 }
@@ -156,7 +180,12 @@ Image rasterise(const Drawing& drawing) {
         Band band(drawing.width, top);
         for (const DrawingShape& shape : drawing.shapes) {
             for (const std::vector<V2d>& outline : outlines_of(shape)) {
-                band.fill(outline, paint_of(shape));
+                band.fill(outline, paint_of(shape.color, shape.opacity));
+            }
+        }
+        for (const DrawingLabel& label : drawing.labels) {
+            for (const std::vector<V2d>& dot : outlines_of(label)) {
+                band.fill(dot, paint_of(label.color, 1.0));
             }
         }
         for (std::size_t y = 0; y < std::min(band_height, drawing.height - top); ++y) {

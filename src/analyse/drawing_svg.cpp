@@ -72,8 +72,18 @@ std::string element(const DrawingShape& shape) {
         : shape.opacity < 1.0
             ? fmt::format("fill=\"{}\" fill-opacity=\"{:.3g}\"", color, shape.opacity)
             : fmt::format("fill=\"{}\"", color);
-    return fmt::format("<path class=\"{}\" {} d=\"{}\"/>\n", name_of(shape.part), paint,
+    const std::string camera = shape.camera > 0 ? fmt::format(" camera-{}", shape.camera) : "";
+    return fmt::format("<path class=\"{}{}\" {} d=\"{}\"/>\n", name_of(shape.part), camera, paint,
                        path_of(shape));
+}
+
+std::string element(const DrawingLabel& label) {
+    // A capital of most typefaces is 0.7 of their size high.
+    return fmt::format(
+        "<text x=\"{:.1f}\" y=\"{:.1f}\" font-family=\"sans-serif\" "
+        "font-size=\"{:.1f}\" fill=\"#{:02x}{:02x}{:02x}\">{}</text>\n",
+        label.position.x, label.position.y, label.size / 0.7, label.color[0], label.color[1],
+        label.color[2], xml_text(label.text));
 }
 
 }  // namespace
@@ -88,6 +98,9 @@ std::string to_svg(const Drawing& drawing) {
         drawing.width, drawing.height, xml_text(drawing.name));
     for (const DrawingShape& shape : drawing.shapes) {
         text += element(shape);
+    }
+    for (const DrawingLabel& label : drawing.labels) {
+        text += element(label);
     }
     return text + "</g>\n</svg>\n";
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "analyse/anatomy.hpp"
+#include "analyse/drawing_items.hpp"
 #include "balcony/drawing.hpp"
 
 namespace balcony::analyse {
@@ -169,39 +170,59 @@ void complete_normals(Mesh& mesh) {
     }
 }
 
+/// In linear light.
+struct CameraColors {
+    scene::Color3f eye{0.16F, 0.42F, 0.66F};
+    scene::Color3f toward{0.10F, 0.48F, 0.34F};
+    scene::Color3f ray{0.66F, 0.11F, 0.005F};
+};
+
+/// Of one of several cameras, as in the drawing. A power of 2.2 stands for sRGB's curve.
+CameraColors colors_of(std::size_t camera) {
+    const DrawingColor drawn = camera_color(camera);
+    const auto linear = [](std::uint8_t level) {
+        return std::pow(static_cast<float>(level) / 255.0F, 2.2F);
+    };
+    const scene::Color3f own(linear(drawn[0]), linear(drawn[1]), linear(drawn[2]));
+    return {own, own, 0.5F * own};
+}
+
 class Modeller {
 public:
-    Modeller(const camera::Camera& camera, const Anatomy& anatomy)
-        : anatomy_(anatomy),
-          own_axes_(camera.parts().axes),
-          size_(anatomy.extent() > 0.0 ? anatomy.extent() : 1.0) {
-        scene_.name = camera.name();
+    Modeller(const std::string& name, const PictureAnatomy& whole)
+        : own_axes_(whole.axes), size_(whole.extent() > 0.0 ? whole.extent() : 1.0) {
+        scene_.name = name;
         scene_.format = "camera";
         scene_.axes = own_axes_;
         scene_.default_light = true;
     }
 
-    scene::Scene build(const Depiction& depiction) {
+    void add(const PictureAnatomy::Part& camera, const CameraColors& colors,
+             const Depiction& depiction) {
+        const Anatomy& anatomy = camera.anatomy;
+        const std::string prefix = camera.title.empty() ? "" : camera.title + ": ";
         if (depiction.eye) {
-            add(sheet_mesh(*anatomy_.eye), "surface", {0.16F, 0.42F, 0.66F});
+            add(sheet_mesh(*anatomy.eye, anatomy.aspect), prefix + "surface", colors.eye);
         }
-        if (depiction.toward && anatomy_.toward) {
-            add(sheet_mesh(*anatomy_.toward), "target", {0.10F, 0.48F, 0.34F}, 0.4F);
+        if (depiction.toward && anatomy.toward) {
+            add(sheet_mesh(*anatomy.toward, anatomy.aspect), prefix + "target", colors.toward,
+                0.4F);
         }
-        if (!anatomy_.rays.empty()) {
-            add(ray_mesh(), "rays", {0.66F, 0.11F, 0.005F});
+        if (!anatomy.rays.empty()) {
+            add(ray_mesh(anatomy.rays), prefix + "rays", colors.ray);
         }
-        if (Sheet* screen = anatomy_.screen(); screen != nullptr && depiction.frame) {
-            add(frame_mesh(*screen), "frame", {0.02F, 0.02F, 0.02F});
+        if (Sheet* screen = anatomy.screen(); screen != nullptr && depiction.frame) {
+            add(frame_mesh(*screen), prefix + "frame", {0.02F, 0.02F, 0.02F});
         }
-        return std::move(scene_);
     }
 
+    scene::Scene take() { return std::move(scene_); }
+
 private:
-    Mesh sheet_mesh(Sheet& sheet) const {
+    Mesh sheet_mesh(Sheet& sheet, double aspect) const {
         Mesh mesh;
         if (sheet.dimension() == 2) {
-            add_surface(sheet, anatomy_.aspect, mesh);
+            add_surface(sheet, aspect, mesh);
             complete_normals(mesh);
             return mesh;
         }
@@ -219,10 +240,10 @@ private:
         return mesh;
     }
 
-    Mesh ray_mesh() const {
+    Mesh ray_mesh(const std::vector<Arrow>& rays) const {
         Mesh mesh;
         Solids solids(mesh);
-        for (const Arrow& ray : anatomy_.rays) {
+        for (const Arrow& ray : rays) {
             const double length = (ray.to - ray.from).length();
             if (!(length > 0.0)) {
                 continue;
@@ -261,7 +282,7 @@ private:
     }
 
     // The geometry is z up; the scene has the camera's axes.
-    void add(Mesh mesh, const char* name, const scene::Color3f& color, float alpha = 1.0F) {
+    void add(Mesh mesh, const std::string& name, const scene::Color3f& color, float alpha = 1.0F) {
         if (mesh.triangles.empty()) {
             return;
         }
@@ -289,7 +310,6 @@ private:
         scene_.meshes.push_back(std::move(mesh));
     }
 
-    const Anatomy& anatomy_;
     Axes own_axes_;
     double size_;
     scene::Scene scene_;
@@ -297,12 +317,17 @@ private:
 
 }  // namespace
 
-Result<scene::Scene> model(const camera::Camera& camera, const Depiction& depiction) {
-    const auto anatomy = dissect(camera, depiction);
+Result<scene::Scene> model(const camera::Picture& picture, const Depiction& depiction) {
+    const auto anatomy = dissect(picture, depiction);
     if (!anatomy) {
         return anatomy.diagnostics;
     }
-    return Modeller(camera, *anatomy).build(depiction);
+    const bool several = picture.only_camera() == nullptr;
+    Modeller modeller(picture.name(), *anatomy);
+    for (std::size_t i = 0; i < anatomy->cameras.size(); ++i) {
+        modeller.add(anatomy->cameras[i], several ? colors_of(i + 1) : CameraColors{}, depiction);
+    }
+    return {modeller.take(), anatomy.diagnostics};
 }
 
 }  // namespace balcony::analyse

@@ -147,17 +147,17 @@ struct Written {
     Diagnostics camera, file;
 };
 
-Written write(const camera::Camera& camera, const analyse::Depiction& depiction,
+Written write(const camera::Picture& picture, const analyse::Depiction& depiction,
               const analyse::DrawingView& view, const fs::path& file) {
     const Format format = *format_of(file);
     if (format == Format::glb) {
-        const auto scene = analyse::model(camera, depiction);
+        const auto scene = analyse::model(picture, depiction);
         if (!scene) {
             return {scene.diagnostics, {}};
         }
         return {scene.diagnostics, write_whole(file, scene::to_glb(*scene))};
     }
-    const auto drawing = analyse::draw(camera, depiction, view);
+    const auto drawing = analyse::draw(picture, depiction, view);
     return {drawing.diagnostics, drawing ? write_drawing(*drawing, format, file) : Diagnostics{}};
 }
 
@@ -177,10 +177,10 @@ Outcome make_drawing(const DrawOptions& options) {
     if (outcome.code != ExitCode::done) {
         return outcome;
     }
-    const auto camera = load_camera(options.camera, options.set);
-    add(camera.diagnostics, ExitCode::bad_input);
-    if (camera) {
-        const Written written = write(*camera, depiction, view, options.output);
+    const auto picture = load_picture(options.camera, options.set);
+    add(picture.diagnostics, ExitCode::bad_input);
+    if (picture) {
+        const Written written = write(*picture, depiction, view, options.output);
         add(written.camera, ExitCode::bad_input);
         add(written.file, ExitCode::environment);
     }
@@ -208,12 +208,15 @@ ExitCode draw(const DrawOptions& options) {
 }  // namespace
 
 void add_draw_command(CLI::App& app, ExitCode& code) {
-    auto* command = app.add_subcommand("draw", "draws a camera itself: its objects and its rays");
+    auto* command =
+        app.add_subcommand("draw", "draws a camera, or those of a picture: objects and rays");
     command->group("Commands");
     const auto options = std::make_shared<DrawOptions>();
     command
-        ->add_option("CAMERA", options->camera,
-                     "a camera file, FILE:NAME, or a camera of 'balcony list cameras'")
+        ->add_option(
+            "CAMERA", options->camera,
+            "a camera file or its camera or picture NAME (the last if not said), or a camera "
+            "of 'balcony list cameras'")
         ->required();
     command
         ->add_option("-o,--output", options->output,
@@ -242,6 +245,7 @@ void add_draw_command(CLI::App& app, ExitCode& code) {
         "Examples:\n"
         "  balcony draw superelliptic -o superelliptic.svg\n"
         "  balcony draw my.cam:closeup --view 120,10 --size 1600x1200 -o closeup.png\n"
+        "  balcony draw my.cam:poster -o poster.svg\n"
         "  balcony draw my.cam --rays 20 --length 2 -o camera.glb");
     command->callback([options, &code] { code = draw(*options); });
 }

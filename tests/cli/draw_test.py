@@ -48,6 +48,31 @@ class Draw(support.CommandTest):
         self.run_command("render", "s.glb", "-o", "s.png", "--size", "32x24", "-s", "1")
         self.assertGreater(support.opaque_share(self.folder / "s.png"), 0.02)
 
+    def test_pictures(self):
+        (self.folder / "two.cam").write_text(
+            'import "my.cam"\n'
+            "picture inner { layer above(size = 1) layer nowhere }\n"
+            "picture two { layer closeup layer above(size = 1) layer inner }\n")
+        _, err = self.run_command("draw", "two.cam", "-o", "two.svg", "-q")
+        # What cannot be drawn is said, and the rest is drawn: once for the same parameters.
+        self.assertIn("warning: camera 'nowhere' has no point anywhere", err)
+        parts = self.parts("two.svg")
+        self.assertEqual({name for name in parts if name.startswith("ray")},
+                         {"ray camera-1", "ray camera-2"})
+        self.assertEqual(parts["ray camera-1"], parts["ray camera-2"])
+        root = ElementTree.parse(self.folder / "two.svg").getroot()
+        texts = [(text.text, text.get("fill")) for text in root.iter(f"{SVG}text")]
+        self.assertEqual([text for text, _ in texts], ["layers 2, 3.1, above", "layer 1, closeup"])
+        self.assertEqual(len({color for _, color in texts}), 2)
+        self.run_command("draw", "two.cam", "-o", "two.glb", "-q")
+        objects = self.json_of("info", "two.glb")["scene"]["objects"]
+        names = [one["name"] if isinstance(one, dict) else one for one in objects]
+        self.assertIn("layer 1, closeup: rays", names)
+        self.assertIn("layers 2, 3.1, above: surface", names)
+        # A camera by itself has no labels.
+        self.run_command("draw", "my.cam:above", "-o", "one.svg", "-q")
+        self.assertNotIn("<text", (self.folder / "one.svg").read_text())
+
     def test_time_and_view_matter(self):
         (self.folder / "t.cam").write_text(
             "camera c { map u = 1 .. -1, v = square eye surface(u, v) = [t*v^2, u, v] }")
