@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Probe: which objects of a scene a camera sees, and whether its rays start where they may.
+// Probe: which objects of a scene a camera sees, whether its rays start where they may, and what
+// stands between a camera and a point.
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <Imath/ImathVec.h>
@@ -42,5 +45,23 @@ struct Probe {
 /// Surfaces with transparency are seen, and what is behind them, too.
 [[nodiscard]] Result<Probe> probe(const scene::Scene& scene, const camera::Camera& camera,
                                   const ProbeSettings& settings);
+
+/// From where a ray starts to a point that it may show.
+struct SightLine {
+    Imath::V3d from, to;
+};
+
+/// What hides the end of a line from its start.
+struct Obstacle {
+    std::uint32_t object = 0;  ///< Index into Scene::objects.
+    double distance = 0.0;     ///< From the start, in scene units.
+};
+
+/// The first opaque surface on each line, none where the point is seen. Lines start and end as the
+/// renderer's rays do: a surface at the very start counts, one that the end lies on does not. The
+/// end lies on it if it is in the plane of the triangle as far as floats can tell, or if the
+/// surface is nearer to it than a hundred-thousandth of the line. `axes` are those of the lines.
+[[nodiscard]] Result<std::vector<std::optional<Obstacle>>> find_obstacles(
+    const scene::Scene& scene, std::span<const SightLine> lines, Axes axes);
 
 }  // namespace balcony::render

@@ -14,6 +14,8 @@
 
 #include "balcony/data.hpp"
 #include "balcony/inverse.hpp"
+#include "balcony/probe.hpp"
+#include "balcony/scene.hpp"
 #include "cli/camera_argument.hpp"
 #include "cli/command.hpp"
 #include "cli/json.hpp"
@@ -35,6 +37,7 @@ struct LocateOptions {
     std::string size;
     std::string time = "0";
     std::string axes;
+    std::string scene;
     bool json = false;
 };
 
@@ -123,13 +126,44 @@ struct Located {
     bool closed_form = false;
     std::vector<V3d> points;  ///< As given.
     std::vector<analyse::Sighting> sightings;
+    /// With a scene, what hides each sighting.
+    std::optional<std::vector<std::optional<render::Obstacle>>> obstacles;
+    std::vector<scene::Object> objects;  ///< Of the scene.
 };
 
+void add_to(Diagnostics& said, const Diagnostics& more) {
+    said.insert(said.end(), more.begin(), more.end());
+}
+
+// Whether what was found is hidden in a scene.
+void look_for_obstacles(const scene::Scene& scene, Axes axes, Located& located, Diagnostics& said) {
+    std::vector<render::SightLine> lines;
+    lines.reserve(located.sightings.size());
+    for (const analyse::Sighting& sighting : located.sightings) {
+        lines.push_back({sighting.origin, located.points[sighting.point]});
+    }
+    auto found = render::find_obstacles(scene, lines, axes);
+    add_to(said, found.diagnostics);
+    located.obstacles = std::move(found.value);
+    located.objects = scene.objects;
+}
+
+// Points are in the scene's axes if there is one and nothing else is said.
 Result<Located> find_all(const LocateOptions& options, const PictureSize& size, double time,
                          std::optional<Axes> axes, std::vector<V3d> points) {
     const Result<camera::Picture> picture = load_picture(options.camera, options.set);
-    if (!picture) {
-        return picture.diagnostics;
+    Diagnostics said = picture.diagnostics;
+    std::optional<scene::Scene> scene;
+    if (!options.scene.empty()) {
+        Result<scene::Scene> loaded = scene::load(options.scene);
+        add_to(said, loaded.diagnostics);
+        scene = std::move(loaded.value);
+    }
+    if (has_errors(said)) {
+        return said;
+    }
+    if (scene && !axes) {
+        axes = scene->axes;
     }
     Located found;
     found.camera = picture->name();
@@ -138,16 +172,44 @@ Result<Located> find_all(const LocateOptions& options, const PictureSize& size, 
     const auto locator = analyse::Locator::make(*picture, static_cast<double>(found.width),
                                                 static_cast<double>(found.height), time, axes);
     if (!locator) {
-        return locator.diagnostics;
+        add_to(said, locator.diagnostics);
+        return said;
     }
     found.layers = locator->layers();
     found.closed_form = locator->closed_form();
     found.points = std::move(points);
     found.sightings = locator->locate(found.points);
-    return {std::move(found), picture.diagnostics};
+    if (scene) {
+        look_for_obstacles(*scene, locator->axes(), found, said);
+        if (!found.obstacles) {
+            return said;
+        }
+    }
+    return {std::move(found), std::move(said)};
+}
+
+std::string name_of(const Located& located, const render::Obstacle& obstacle) {
+    return located.objects[obstacle.object].name;
+}
+
+std::string line_of(const Located& located, std::size_t number) {
+    const analyse::Sighting& sighting = located.sightings[number];
+    std::string line = fmt::format("\n    x {:>10.4f}   y {:>10.4f}   distance {:.6g}",
+                                   sighting.position.x, sighting.position.y, sighting.distance);
+    if (located.layers.size() > 1) {
+        line += fmt::format("   in {}", printable(located.layers[sighting.layer]));
+    }
+    if (located.obstacles) {
+        const auto& obstacle = (*located.obstacles)[number];
+        line += obstacle ? fmt::format("   hidden by {} at distance {:.6g}",
+                                       printable(name_of(located, *obstacle)), obstacle->distance)
+                         : "   seen";
+    }
+    return line;
 }
 
 std::string text_of(const Located& located) {
+    const std::string_view heading = located.obstacles ? " is in the picture at" : " is seen at";
     std::string text = fmt::format("{}, {} x {} pixels\n", printable(located.camera), located.width,
                                    located.height);
     std::size_t next = 0;
@@ -156,13 +218,8 @@ std::string text_of(const Located& located) {
         text += fmt::format("({}, {}, {})", point.x, point.y, point.z);
         const std::size_t first = next;
         for (; next < located.sightings.size() && located.sightings[next].point == number; ++next) {
-            const analyse::Sighting& sighting = located.sightings[next];
-            text += fmt::format("{}\n    x {:>10.4f}   y {:>10.4f}   distance {:.6g}",
-                                next == first ? " is seen at" : "", sighting.position.x,
-                                sighting.position.y, sighting.distance);
-            if (located.layers.size() > 1) {
-                text += fmt::format("   in {}", printable(located.layers[sighting.layer]));
-            }
+            text += next == first ? heading : "";
+            text += line_of(located, next);
         }
         text += next == first ? " is not in the picture\n" : "\n";
     }
@@ -175,11 +232,19 @@ nlohmann::json json_of(const Located& located) {
         points.push_back(
             {{"point", {point.x, point.y, point.z}}, {"sightings", nlohmann::json::array()}});
     }
-    for (const analyse::Sighting& sighting : located.sightings) {
-        points[sighting.point]["sightings"].push_back({{"x", sighting.position.x},
-                                                       {"y", sighting.position.y},
-                                                       {"layer", sighting.layer},
-                                                       {"distance", sighting.distance}});
+    for (std::size_t number = 0; number < located.sightings.size(); ++number) {
+        const analyse::Sighting& sighting = located.sightings[number];
+        nlohmann::json entry{{"x", sighting.position.x},
+                             {"y", sighting.position.y},
+                             {"layer", sighting.layer},
+                             {"distance", sighting.distance}};
+        if (located.obstacles) {
+            const auto& obstacle = (*located.obstacles)[number];
+            entry["hidden_by"] = obstacle ? nlohmann::json{{"object", name_of(located, *obstacle)},
+                                                           {"distance", obstacle->distance}}
+                                          : nlohmann::json();
+        }
+        points[sighting.point]["sightings"].push_back(std::move(entry));
     }
     return {{"camera", located.camera},
             {"layers", located.layers},
@@ -241,6 +306,12 @@ void add_locate_command(CLI::App& app, ExitCode& code) {
         ->add_option("--points", options->file,
                      "a table with a point in each line, - for standard input")
         ->type_name("FILE");
+    command
+        ->add_option(
+            "--scene", options->scene,
+            "a scene: says of each place whether the point is hidden there, by which object "
+            "and how far away")
+        ->type_name("SCENE");
     add_set_option(*command, options->set);
     command->add_option("--size", options->size, "the picture's size, or its width alone")
         ->type_name("WxH");
@@ -248,15 +319,17 @@ void add_locate_command(CLI::App& app, ExitCode& code) {
         ->capture_default_str()
         ->type_name("T");
     command
-        ->add_option("--axes", options->axes,
-                     "the axes of the points: y_up, as most scenes have them, or z_up; the "
-                     "camera's own if not said")
+        ->add_option(
+            "--axes", options->axes,
+            "the axes of the points: y_up, as most scenes have them, or z_up; if not said, "
+            "the scene's, or without one the camera's own")
         ->type_name("AXES");
     command->add_flag("--json", options->json, "for programs");
     command->footer(
         "Examples:\n"
         "  balcony locate panorama --point 3,2,0.5\n"
         "  balcony locate pinhole --set fov=90deg --size 1920x1080 --axes y_up --point 1,0,-4\n"
+        "  balcony locate my.cam:closeup --scene room.glb --point 0,0.5,-1\n"
         "  balcony locate my.cam:closeup --points corners.csv --json");
     command->callback([options, &code] { code = locate(*options); });
 }

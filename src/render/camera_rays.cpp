@@ -8,21 +8,10 @@
 
 namespace balcony::render {
 
-namespace {
-
-std::array<expr::Expr, 3> turned(const std::array<expr::Expr, 3>& v, Axes from, Axes to) {
-    if (from == to) {
-        return v;
-    }
-    return to == Axes::y_up ? std::array{v[0], v[2], -v[1]} : std::array{v[0], -v[2], v[1]};
-}
-
 bool fits_float(const V3d& v) {
     constexpr double most = std::numeric_limits<float>::max();
     return std::abs(v.x) <= most && std::abs(v.y) <= most && std::abs(v.z) <= most;
 }
-
-}  // namespace
 
 void RayGrid::resize(std::size_t points, bool footprints) {
     for (std::size_t root = 0; root < (footprints ? root_count : origin_by_x); ++root) {
@@ -68,7 +57,7 @@ program::Program compile_rays(const camera::RayExpressions& ray, Axes camera_axe
                               bool footprints) {
     std::vector<expr::Expr> roots;
     const auto add = [&](const auto& v) {
-        const auto in_scene = turned({v.x, v.y, v.z}, camera_axes, scene_axes);
+        const auto in_scene = turned(std::array{v.x, v.y, v.z}, camera_axes, scene_axes);
         roots.insert(roots.end(), in_scene.begin(), in_scene.end());
     };
     add(ray.origin);

@@ -64,8 +64,19 @@ private:
     std::array<double*, root_count> roots_{};
 };
 
-/// The program of a ray, turned from the camera's axes into the scene's: z_up (x, y, z) is y_up
-/// (x, z, -y).
+/// Whether floats can hold it.
+[[nodiscard]] bool fits_float(const V3d& v);
+
+/// A vector in other axes: z_up (x, y, z) is y_up (x, z, -y).
+template <class T>
+[[nodiscard]] std::array<T, 3> turned(const std::array<T, 3>& v, Axes from, Axes to) {
+    if (from == to) {
+        return v;
+    }
+    return to == Axes::y_up ? std::array{v[0], v[2], -v[1]} : std::array{v[0], -v[2], v[1]};
+}
+
+/// The program of a ray, turned from the camera's axes into the scene's.
 [[nodiscard]] program::Program compile_rays(const camera::RayExpressions& ray, Axes camera_axes,
                                             Axes scene_axes, bool footprints);
 /// The same of a camera by itself, in a picture of the given size, without footprints.

@@ -4,6 +4,7 @@
 
 // What a ray meets: the surface at a hit, and the ray's footprint on it.
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -37,6 +38,12 @@ struct Ray {
 struct PositionDifferentials {
     V3f along_x{0.0F}, along_y{0.0F};
 };
+
+/// Transparent surfaces one behind the other that a ray passes; the next one is taken as opaque.
+inline constexpr std::size_t most_crossings = 64;
+
+/// A ray to a point ends just before it, by more than its length is rounded.
+inline constexpr float nearly_all = 1.0F - 1e-5F;
 
 struct Surface {
     V3f position;

@@ -13,9 +13,6 @@ namespace balcony::render {
 
 namespace {
 
-// Transparent surfaces one behind the other that a ray passes; the next one is taken as opaque.
-constexpr std::size_t most_crossings = 64;
-
 // Rays that one camera ray may lead to, and the weight below which none is followed: less than half
 // a step of an 8-bit picture.
 constexpr std::size_t most_rays = 256;
@@ -151,8 +148,6 @@ Color3f Tracer::light(const Ray& ray, const Surface& surface, const Appearance& 
         if (largest(unshadowed) <= 0.0F) {
             continue;
         }
-        // The ray ends just before the lamp, by more than its length is rounded.
-        constexpr float nearly_all = 1.0F - 1e-5F;
         total += unshadowed * traced_->accelerator.transmittance(
                                   {surface.start(arriving.to_light), arriving.to_light,
                                    nearly_all * arriving.distance},

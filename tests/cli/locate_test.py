@@ -71,6 +71,39 @@ class Locate(support.CommandTest):
                      helps="y_up or z_up")
         self.located("mixed.cam", "--point", "4,1,0", "--axes", "z_up")
 
+    def test_hidden_in_a_scene(self):
+        words = ("my.cam:above", "--scene", "scene.obj", "--size", "120x60")
+        wall, beside, tip = self.located(*words, "--point", "0,0,-1", "--point", "1.8,0.5,-1",
+                                         "--point", "0,0,0")
+        self.assertEqual(wall["sightings"][0]["hidden_by"], {"object": "tip", "distance": 5})
+        self.assertEqual(wall["sightings"][0]["distance"], 6)
+        self.assertIsNone(beside["sightings"][0]["hidden_by"])
+        self.assertIsNone(tip["sightings"][0]["hidden_by"])
+        out, _ = self.run_command("locate", *words, "--point", "0,0,-1", "--point", "0,0,0")
+        self.assertIn("distance 6   hidden by tip at distance 5\n", out)
+        self.assertIn("distance 5   seen\n", out)
+        (bare,) = self.located("my.cam:above", "--point", "0,0,-1")
+        self.assertNotIn("hidden_by", bare["sightings"][0])
+
+    def test_points_are_in_the_axes_of_the_scene(self):
+        # The pinhole's own axes have z up, the scene's have y up: x is forward for both.
+        (self.folder / "upright.obj").write_text(
+            "o door\nv 5 -1 -9\nv 5 9 -9\nv 5 9 1\nv 5 -1 1\nf 1 2 3 4\n")
+        words = ("pinhole", "--set", "fov=90deg", "--size", "200")
+        (own,) = self.located(*words, "--point", "10,1,2")
+        scene = ("--scene", "upright.obj")
+        for point, axes in (("10,2,-1", ()), ("10,2,-1", ("--axes", "y_up")),
+                            ("10,1,2", ("--axes", "z_up"))):
+            (same,) = self.located(*words, *scene, "--point", point, *axes)
+            (seen,) = same["sightings"]
+            self.assertAlmostEqual(seen["x"], own["sightings"][0]["x"])
+            self.assertAlmostEqual(seen["y"], own["sightings"][0]["y"])
+            self.assertEqual(seen["hidden_by"]["object"], "door")
+            self.assertAlmostEqual(seen["hidden_by"]["distance"], seen["distance"] / 2, 5)
+        # As far to the other side, past the door's edge at z = 1.
+        (free,) = self.located(*words, *scene, "--point", "10,2,3")
+        self.assertIsNone(free["sightings"][0]["hidden_by"])
+
     def test_axes_of_the_points(self):
         words = ("pinhole", "--size", "400", "--point")
         own = self.located(*words, "5,1,2")[0]["sightings"]
@@ -105,6 +138,8 @@ class Locate(support.CommandTest):
         with open("/dev/zero", "rb") as endless:
             _, err = self.run_command("locate", "pinhole", "--points", "-", code=1, stdin=endless)
         self.assertIn("'standard input' is larger than 16 MB", err)
+        self.refused("locate", "pinhole", "--point", "1,2,3", "--scene", "none.glb", code=1,
+                     says="none.glb")
         self.refused("locate", "none.cam", "--point", "1,2,3", code=1, says="none.cam")
         self.json_of("locate", "none.cam", "--point", "1,2,3", code=1)
         self.json_of("locate", "pinhole", code=2)
