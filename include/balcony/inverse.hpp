@@ -47,8 +47,8 @@ struct Sighting {
 /// seams, folds and borders; a detail that falls between those places can be overlooked.
 ///
 /// Where a whole line of the picture sees a point (a pole of a panorama), some positions on it are
-/// found. A point at which all rays of a region start is not seen by them. Co-ordinates should stay
-/// below 1e150 in size.
+/// found. A point at which all rays of a region start is not seen by them, and one that is no
+/// number by none.
 class Locator {
 public:
     /// Width and height of the picture are in pixels and positive. Time as in the camera's

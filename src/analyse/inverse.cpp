@@ -34,6 +34,14 @@ std::optional<V2d> inside(const V2d& place, const V2d& picture) {
                      : std::nullopt;
 }
 
+// Farther away than this, in scene units, it is the direction alone that counts, and products of
+// co-ordinates come near the end of the numbers.
+constexpr double far_away = 1e60;
+
+double largest_coordinate(const V3d& point) {
+    return std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
+}
+
 // By point, then from left to right.
 bool comes_before(const Sighting& a, const Sighting& b) {
     return std::tie(a.point, a.position.x, a.position.y) <
@@ -219,7 +227,31 @@ public:
     [[nodiscard]] Axes axes() const { return axes_; }
     [[nodiscard]] const std::vector<LayerIndex>& layers() const { return layers_; }
 
+    // Points beyond far_away are looked for there.
     [[nodiscard]] std::vector<Sighting> locate(std::span<const V3d> points) const {
+        const auto beyond = [](const V3d& p) { return largest_coordinate(p) > far_away; };
+        if (std::none_of(points.begin(), points.end(), beyond)) {
+            return locate_near(points);
+        }
+        std::vector<V3d> nearer(points.begin(), points.end());
+        for (V3d& point : nearer) {
+            if (beyond(point)) {
+                point = point / largest_coordinate(point) * far_away;
+            }
+        }
+        std::vector<Sighting> found = locate_near(nearer);
+        for (Sighting& sighting : found) {
+            if (beyond(points[sighting.point])) {
+                const double times = largest_coordinate(points[sighting.point]) / far_away;
+                sighting.distance *= times;
+                sighting.miss *= times;
+            }
+        }
+        return found;
+    }
+
+private:
+    [[nodiscard]] std::vector<Sighting> locate_near(std::span<const V3d> points) const {
         if (layers_.size() == 1 && !covers_) {
             return layers_.front().locate(points);
         }
@@ -237,7 +269,6 @@ public:
         return all;
     }
 
-private:
     Axes axes_;
     std::vector<LayerIndex> layers_;
     std::optional<Covers> covers_;  // None where nothing can hide anything.

@@ -140,7 +140,7 @@ private:
         if (numbers_ > most_numbers) {
             error(at({fields.front().begin, fields.back().end}),
                   fmt::format("this table has more than {} numbers", most_numbers),
-                  "a stage takes at most 65536 points; keep one line in several");
+                  "keep one line in several, or spread them over several files");
         } else if (!numbers.empty()) {
             table_.rows.push_back(std::move(numbers));
         }

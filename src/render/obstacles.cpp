@@ -35,12 +35,14 @@ public:
 
     [[nodiscard]] std::optional<Obstacle> operator()(const V3d& from, const V3d& to) const {
         const V3d way = to - from;
-        const double length = way.length();
-        // The renderer traces no ray that starts so far away, and none goes nowhere.
-        if (!(length > 0.0) || !std::isfinite(length) || !fits_float(from)) {
+        const double size = std::max({std::abs(way.x), std::abs(way.y), std::abs(way.z)});
+        const V3d scaled = way / size;  // Squares of what is very long would overflow.
+        // No way leads nowhere or to what is no number; the renderer traces no ray from so far.
+        if (!(scaled.length() > 0.0) || !fits_float(from)) {
             return std::nullopt;
         }
-        const V3d direction = way / length;
+        const V3d direction = scaled.normalized();
+        const double length = size * scaled.length();
         embree::Ray ray{V3f(from), V3f(direction)};
         for (std::size_t crossings = 0;; ++crossings) {
             const embree::Hit hit = accelerator_.intersect(ray);
@@ -63,8 +65,7 @@ private:
     // Whether a point lies in the plane of the triangle. Of a line that ends there flatly the hit
     // may come far from the end, but rounding does not take it off the plane.
     static bool holds(const Surface& surface, const V3d& point) {
-        const double height =
-            (point - V3d(surface.position)).dot(V3d(surface.geometric_normal));
+        const double height = (point - V3d(surface.position)).dot(V3d(surface.geometric_normal));
         return std::abs(height) <= surface.offset;
     }
 

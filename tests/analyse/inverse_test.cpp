@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <numbers>
 #include <thread>
 
@@ -316,6 +317,27 @@ TEST(Locate, ManyPointsAreAsOneAndThreadsAgree) {
     for (std::size_t i = 0; i < single.size(); ++i) {
         EXPECT_EQ(single[i].position, together[i].position);
         EXPECT_EQ(single[i].distance, together[i].distance);
+    }
+}
+
+TEST(Locate, FindsWhatIsFarBeyondMeasure) {
+    for (const char* name : {"pinhole", "panorama", "fisheye"}) {
+        const auto locator = Locator::make(test::standard(name), 800, 400);
+        const V3d direction(4, 1, -0.5);
+        const Sighting near = locator->locate(direction).at(0);
+        for (const double far : {1e50, 1e80, 1e149, 1e200, 1e306}) {
+            // One far point among others does not change these.
+            const auto found = locator->locate(std::vector{direction, far * direction});
+            ASSERT_EQ(found.size(), 2U) << name << ' ' << far;
+            EXPECT_EQ(found[0].position, near.position);
+            EXPECT_LT((found[1].position - near.position).length(), 1e-6) << name << ' ' << far;
+            EXPECT_NEAR(found[1].distance / far, near.distance, 1e-9);
+        }
+        const double none = std::nan("");
+        const double infinite = std::numeric_limits<double>::infinity();
+        EXPECT_TRUE(locator->locate(V3d(none, 0, 0)).empty());
+        EXPECT_TRUE(locator->locate(V3d(1, none, infinite)).empty());
+        EXPECT_TRUE(locator->locate(V3d(infinite, 0, 0)).empty());
     }
 }
 

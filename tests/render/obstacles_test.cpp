@@ -199,9 +199,10 @@ TEST(Obstacles, NumbersWithoutMeasureHideNothing) {
     const Obstacles found = obstacles(scene, {{V3d(huge), V3d(0.0)},
                                               {V3d(0.0), V3d(none, 0, -9)},
                                               {V3d(none), V3d(0, 0, -9)},
-                                              {V3d(0.0), V3d(0, 0, -1e30)}});
+                                              {V3d(0.0), V3d(0, 0, -1e30)},
+                                              {V3d(0.0), V3d(0, 0, -huge)}});
     EXPECT_FALSE(found[0] || found[1] || found[2]);
-    EXPECT_TRUE(found[3]);
+    EXPECT_TRUE(found[3] && found[4]);
 }
 
 }  // namespace balcony::render
