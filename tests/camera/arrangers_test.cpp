@@ -5,6 +5,7 @@
 
 #include <numbers>
 
+#include "camera/arrange.hpp"
 #include "support.hpp"
 
 namespace balcony::camera {
@@ -33,6 +34,31 @@ public:
         const std::vector<double> r = expr::evaluate(roots_, {x, y, 0.0, {}});
         return {r[0], r[1], r[2], r[3]};
     }
+
+private:
+    Graph graph_;
+    std::vector<Expr> roots_;
+};
+
+/// An arranger that is a formula: build({x, y}) gives {x', y'}.
+class FormulaProbe {
+public:
+    template <class Build>
+    explicit FormulaProbe(const Build& build) {
+        Arguments arguments;
+        arguments.set_formula(
+            formula(2, [&build](Graph&, const std::vector<Expr>& p) { return build(p); }));
+        const auto made = find_stage(StageKind::picture_arranger, "formula")->make(arguments);
+        const auto arranger = std::dynamic_pointer_cast<const PictureArranger>(*made);
+        Emitter emit(graph_);
+        const ArrangedPoint p = arranger->arrange(
+            {{graph_.picture_x(), graph_.picture_y()}, {emit(width), emit(height)}}, emit);
+        roots_ = {p.point.x, p.point.y, emit.valid()};
+    }
+    std::vector<double> operator()(double x, double y) const {
+        return expr::evaluate(roots_, {x, y, 0.0, {}});
+    }
+    [[nodiscard]] bool valid(double x, double y) const { return (*this)(x, y)[2] != 0.0; }
 
 private:
     Graph graph_;
@@ -115,25 +141,66 @@ TEST(Ripple, MovesAlongTheRayFromItsMiddle) {
     EXPECT_TRUE(std::isfinite(rippled(100.0, 50.0).x));
 }
 
+TEST(Ripple, RunsOutwardsWithItsPhase) {
+    const ArrangerProbe rippled("ripple", {{"amplitude", numbers({0.02})},
+                                           {"wavelength", numbers({0.2})},
+                                           {"at", numbers({0.5, 0.5})},
+                                           {"phase", angle(90.0)}});
+    // The crest that stood a quarter of a wavelength out has gone on by as much.
+    expect_point(rippled(110.0, 50.0), 112.0, 50.0);
+    expect_point(rippled(105.0, 50.0), 105.0, 50.0);
+}
+
 TEST(PictureFormula, RunsFromMinusOneToOneToTheRightAndUp) {
-    const auto* row = find_stage(StageKind::picture_arranger, "formula");
-    Arguments arguments;
-    arguments.set_formula(formula(2, [](Graph&, const std::vector<Expr>& p) {
+    const FormulaProbe at([](const std::vector<Expr>& p) {
         return std::vector{0.5 * p[0], p[1] + 0.5};
-    }));
-    const auto made = row->make(arguments);
-    ASSERT_TRUE(made);
-    Graph graph;
-    Emitter emit(graph);
-    const auto arranger = std::dynamic_pointer_cast<const PictureArranger>(*made);
-    const ArrangedPoint p = arranger->arrange(
-        {{graph.picture_x(), graph.picture_y()}, {emit(width), emit(height)}}, emit);
-    const auto at = [&](double x, double y) {
-        return expr::evaluate(std::array{p.point.x, p.point.y}, {x, y, 0.0, {}});
-    };
+    });
     // The middle shows what is half way to the top; the left edge what is half way to it.
     EXPECT_NEAR(at(100.0, 50.0)[1], 25.0, tolerance);
     EXPECT_NEAR(at(0.0, 50.0)[0], 50.0, tolerance);
+    EXPECT_NEAR(at(100.0, 90.0)[1], 65.0, tolerance);
+}
+
+TEST(PictureFormula, HasNoPlaceWhereItHasNoValue) {
+    const FormulaProbe across([](const std::vector<Expr>& p) {
+        return std::vector{sqrt(p[0]), p[1]};
+    });
+    EXPECT_TRUE(across.valid(150.0, 50.0));
+    EXPECT_FALSE(across.valid(50.0, 50.0));
+    const FormulaProbe upwards([](const std::vector<Expr>& p) {
+        return std::vector{p[0], sqrt(p[1])};
+    });
+    EXPECT_TRUE(upwards.valid(100.0, 25.0));
+    EXPECT_FALSE(upwards.valid(100.0, 75.0));
+}
+
+// Leader lines begin where this finds the corners of an inset.
+TEST(FindArranged, InvertsAffineAndBentArrangers) {
+    const std::vector<PictureArrangerPointer> affine{
+        stage<PictureArranger>(StageKind::picture_arranger, "place",
+                               {{"from", numbers({0.5, 0.1})}, {"to", numbers({0.9, 0.6})}}),
+        stage<PictureArranger>(StageKind::picture_arranger, "rotate",
+                               {{"angle", angle(25.0)}, {"at", numbers({0.5, 0.5})}})};
+    std::vector<PictureArrangerPointer> bent = affine;
+    bent.push_back(stage<PictureArranger>(
+        StageKind::picture_arranger, "zoom",
+        {{"at", numbers({0.5, 0.5})}, {"radius", numbers({2.0})}, {"strength", numbers({1.3})}}));
+    for (const auto& arrangers : {affine, bent}) {
+        for (const auto& [across, down] : {std::pair(0.0, 0.0), std::pair(1.0, 0.25)}) {
+            Graph graph;
+            Emitter emit(graph);
+            const ArrangedPoint whole = whole_picture(graph, width, height);
+            const DevicePoint found =
+                find_arranged(whole.size, arrangers, {emit(across), emit(down)}, emit);
+            const ArrangedPoint back = arranged({found, whole.size}, arrangers, emit);
+            const std::array roots{back.point.x - across * back.size.width,
+                                   back.point.y - down * back.size.height};
+            const std::vector<double> miss = expr::evaluate(roots, {0.0, 0.0, 0.0, {}});
+            // Six steps of Newton's method from the middle of the whole: far below a pixel.
+            EXPECT_NEAR(miss[0], 0.0, 1e-6);
+            EXPECT_NEAR(miss[1], 0.0, 1e-6);
+        }
+    }
 }
 
 }  // namespace balcony::camera

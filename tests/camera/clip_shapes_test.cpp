@@ -52,13 +52,20 @@ private:
 
 Given list(std::vector<double> corners) { return {{"points", PointList{2, std::move(corners)}}}; }
 
-ClipShapePointer formula_shape() {
+/// build(graph, {x, y}) gives the value that is above 0 inside.
+template <class Build>
+ClipShapePointer formula_shape(const Build& build) {
     const auto* row = find_stage(StageKind::clip_shape, "formula");
     Arguments arguments;
-    arguments.set_formula(formula(2, [](Graph&, const std::vector<Expr>& p) {
-        return std::vector{0.5 - p[0] * p[0] - p[1] * p[1]};
+    arguments.set_formula(formula(2, [&build](Graph& graph, const std::vector<Expr>& p) {
+        return std::vector<Expr>{build(graph, p)};
     }));
     return std::dynamic_pointer_cast<const ClipShape>(*row->make(arguments));
+}
+
+ClipShapePointer disc_formula() {
+    return formula_shape(
+        [](Graph&, const std::vector<Expr>& p) { return 0.5 - p[0] * p[0] - p[1] * p[1]; });
 }
 
 struct Case {
@@ -87,7 +94,7 @@ std::vector<Case> cases() {
         // n triangles on either side of each tip: n r R sin(pi/n).
         {"star", shape("star", {{"points", numbers({5.0})}, {"inner", numbers({0.5})}}),
          5.0 * 0.5 * std::sin(pi / 5.0) * 0.25 * width * height},
-        {"formula", formula_shape(), 0.5 * ellipse},
+        {"formula", disc_formula(), 0.5 * ellipse},
     };
 }
 
@@ -167,6 +174,50 @@ TEST(ClipShape, AreSymmetricWhereTheyShould) {
     EXPECT_GT(star.distance(150.0, 190.0), 0.0);
 }
 
+// Inside of the circles' middles the nearest side is as near as that of the rectangle.
+TEST(RoundedRectangle, IsAsDeepAsTheRectangleAwayFromItsCorners) {
+    const ShapeProbe rounded("rounded", {{"radius", numbers({0.1})}});
+    const ShapeProbe rectangle("rectangle");
+    for (const auto& [x, y] : {std::pair(150.0, 100.0), std::pair(150.0, 50.0),
+                               std::pair(60.0, 90.0), std::pair(290.0, 100.0)}) {
+        EXPECT_NEAR(rounded.distance(x, y), rectangle.distance(x, y), 1e-9);
+    }
+}
+
+TEST(ClipFormula, RunsFromMinusOneToOneToTheRightAndUp) {
+    const ShapeProbe upper(
+        formula_shape([](Graph&, const std::vector<Expr>& p) { return p[1] - 0.5; }));
+    EXPECT_NEAR(upper.distance(150.0, 20.0), -20.0, 1e-9) << "the picture's border is nearer";
+    EXPECT_NEAR(upper.distance(150.0, 60.0), 10.0, 1e-9);
+    const ShapeProbe right(
+        formula_shape([](Graph&, const std::vector<Expr>& p) { return p[0] - 0.5; }));
+    EXPECT_NEAR(right.distance(215.0, 100.0), 10.0, 1e-9);
+    EXPECT_LT(right.distance(240.0, 100.0), 0.0);
+}
+
+TEST(ClipFormula, EndsAtThePicturesBorder) {
+    const ShapeProbe whole(
+        formula_shape([](Graph& graph, const std::vector<Expr>&) { return graph.constant(1.0); }));
+    EXPECT_EQ(whole.coverage(150.0, 100.0), 1.0);
+    EXPECT_NEAR(whole.distance(150.0, -10.0), 10.0, 1e-9);
+    EXPECT_EQ(whole.coverage(310.0, 100.0), 0.0);
+}
+
+TEST(ClipFormula, IsOutsideWhereItHasNoValueAndHasAPlaceWhereItHasNoSlope) {
+    const ShapeProbe half(
+        formula_shape([](Graph&, const std::vector<Expr>& p) { return sqrt(p[0]); }));
+    EXPECT_GT(half.distance(100.0, 100.0), 0.0);
+    EXPECT_EQ(half.coverage(100.0, 100.0), 0.0);
+    EXPECT_EQ(half.coverage(200.0, 100.0), 1.0);
+    // At x = 0 the root's slope is not finite, and its sign says the side.
+    const ShapeProbe cusp(
+        formula_shape([](Graph&, const std::vector<Expr>& p) { return 0.5 - sqrt(abs(p[0])); }));
+    EXPECT_LT(cusp.distance(150.0, 100.0), 0.0);
+    const ShapeProbe none(
+        formula_shape([](Graph&, const std::vector<Expr>& p) { return sqrt(abs(p[0])) - 0.5; }));
+    EXPECT_GT(none.distance(150.0, 100.0), 0.0);
+}
+
 TEST(ImageMask, ShowsWhereTheImageIsWhite) {
     const auto image = std::make_shared<const GreyImage>(GreyImage{2, 1, {0.0F, 1.0F}});
     const ShapeProbe probe("image", {{"file", image}, {"invert", std::string("no")}});
@@ -191,6 +242,19 @@ TEST(ImageMask, HasItsRowsFromTheTop) {
 
 TEST(Polygon, RefusesWhatHasNoSides) {
     EXPECT_FALSE(try_stage(StageKind::clip_shape, "polygon", list({0.1, 0.1, 0.1, 0.1, 0.5, 0.5})));
+}
+
+TEST(Polygon, HasAtMost256Corners) {
+    const auto corners = [](std::size_t count) {
+        std::vector<double> values;
+        for (std::size_t i = 0; i < count; ++i) {
+            const double angle = 2.0 * pi * static_cast<double>(i) / static_cast<double>(count);
+            values.insert(values.end(), {0.5 + 0.5 * std::cos(angle), 0.5 + 0.5 * std::sin(angle)});
+        }
+        return list(std::move(values));
+    };
+    EXPECT_TRUE(try_stage(StageKind::clip_shape, "polygon", corners(256)));
+    EXPECT_FALSE(try_stage(StageKind::clip_shape, "polygon", corners(257)));
 }
 
 }  // namespace balcony::camera

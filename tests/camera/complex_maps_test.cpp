@@ -105,6 +105,13 @@ TEST(Power, OfAWholeExponentHasNoSeamAndNoHole) {
     expect_near(cube({-1.0, 1e-9}), cube({-1.0, -1e-9}), 1e-8);
 }
 
+TEST(Power, OfAComplexExponentIsTheExponentialOfItsLogarithm) {
+    const Complex w{2.0, 0.5};
+    for (const Complex z : some_points()) {
+        expect_near(power(w.real(), w.imag())(z), std::exp(w * std::log(z)), 1e-10);
+    }
+}
+
 TEST(Power, IsUndefinedInItsCentreAlone) {
     EXPECT_FALSE(power(0.5).sample(0.0).valid);
     EXPECT_TRUE(power(0.5).sample(1e-100).valid);
@@ -157,6 +164,11 @@ TEST(Moebius, WithoutAnInverseIsAnError) {
                                 coefficients(1.0, 2.0, {0.0, 2.0}, {0.0, 4.0}));
     ASSERT_FALSE(made);
     EXPECT_NE(made.diagnostics.front().message.find("a d = b c"), std::string::npos);
+    // a d and b c differ in one part alone.
+    for (const Complex d : {Complex(4.0, 1.0), Complex(5.0, 0.0)}) {
+        EXPECT_TRUE(
+            try_stage(StageKind::parameter_transformer, "moebius", coefficients(1.0, 2.0, 2.0, d)));
+    }
 }
 
 // Multiplication by gamma with gamma^alpha = s turns and scales the picture onto itself.

@@ -78,6 +78,26 @@ TEST(Bend, MakesAnArcOfTheAxis) {
     expect_near(half({0.2, 0.1, -1.0}).point, {0.2, 0.1, -1.0}, tolerance);
 }
 
+// Of the direction that it bends to only what is across the axis counts.
+TEST(Bend, TakesASlantingSide) {
+    const auto slanting = move("bend", along(z_axis, {{"toward", numbers({2.0, 0.0, 3.0})},
+                                                      {"angle", numbers({1.2})},
+                                                      {"from", numbers({-1.0})},
+                                                      {"to", numbers({1.0})}}));
+    for (const Vector& p : some_points) {
+        expect_near(transformed(slanting, p), transformed(bend(1.2, -1.0, 1.0), p), tolerance);
+    }
+}
+
+// Behind its end it goes straight on, also where it ends below its beginning.
+TEST(Bend, WorksDownwardsToo) {
+    const auto down = bend(pi, 0.0, -pi);
+    expect_near(transformed(down, {0.2, 0.1, 1.0}), {0.2, 0.1, 1.0}, tolerance);
+    const Vector end = transformed(down, {0.0, 0.0, -pi});
+    EXPECT_NEAR(length(transformed(down, {0.0, 0.0, -pi - 1.0}) - end), 1.0, tolerance);
+    EXPECT_NEAR(length(end), 2.0, tolerance) << "half a circle of radius 1";
+}
+
 TEST(Bend, ByNoAngleIsTheIdentity) {
     for (const Vector& p : some_points) {
         // Straight is a curvature of 1e-12.

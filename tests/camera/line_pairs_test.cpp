@@ -132,6 +132,7 @@ TEST(LinePairs, SayWhatCannotBe) {
     };
     EXPECT_NE(message(points(8, {0, 0, 1, 0, 0, 0, 1, 0, 2, 2, 2, 2, 0, 0, 1, 1})).find("pair 2"),
               std::string::npos);
+    EXPECT_NE(message(points(8, {0, 0, 1, 1, 2, 2, 2, 2})).find("pair 1"), std::string::npos);
     EXPECT_NE(message(mapped_lines(1001, [](Pair p) { return p; })).find("too many"),
               std::string::npos);
 }

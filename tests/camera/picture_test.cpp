@@ -76,6 +76,8 @@ TEST(SquareMapper, HasSquarePixelsInPicturesOfAnyProportion) {
                 EXPECT_NEAR(given_u ? centre.u : centre.v, 0.5 * (first + last), tolerance);
                 EXPECT_NEAR(given_u ? centre.v : centre.u, 0.0, tolerance);
                 EXPECT_NEAR(std::fabs(right.u - centre.u), std::fabs(up.v - centre.v), tolerance);
+                // The parameter that is not given grows to the right or upwards.
+                EXPECT_GT(given_u ? up.v - centre.v : right.u - centre.u, 0.0);
                 const double edge =
                     given_u ? mapped(mapper, w, 0.0, w, h).u : mapped(mapper, 0.0, 0.0, w, h).v;
                 EXPECT_NEAR(edge, last, tolerance);

@@ -265,6 +265,63 @@ TEST(Blend, FollowsTheFormulas) {
     }
 }
 
+struct BlendCase {
+    BlendMode mode;
+    float below, source;
+    double wanted;
+};
+
+// Both sides of every case distinction, and light brighter than white.
+TEST(Blend, FollowsTheFormulasInEveryPart) {
+    const std::vector<BlendCase> cases = {
+        {BlendMode::overlay, 0.8F, 0.3F, 0.6 + 0.3 - 0.6 * 0.3},
+        {BlendMode::hard_light, 0.8F, 0.3F, 2 * 0.8 * 0.3},
+        {BlendMode::darken, 0.8F, 0.3F, 0.3},
+        {BlendMode::lighten, 0.8F, 0.3F, 0.8},
+        {BlendMode::difference, 0.8F, 0.3F, 0.5},
+        {BlendMode::subtract, 0.8F, 0.3F, 0.5},
+        {BlendMode::soft_light, 0.7F, 0.2F, 0.7 - 0.6 * 0.7 * 0.3},
+        {BlendMode::soft_light, 0.2F, 0.8F, 0.2 + 0.6 * (((16 * 0.2 - 12) * 0.2 + 4) * 0.2 - 0.2)},
+        {BlendMode::color_dodge, 0.3F, 0.4F, 0.3 / 0.6},
+        {BlendMode::color_dodge, 0.0F, 1.0F, 0.0},
+        {BlendMode::color_dodge, 0.1F, 1.0F, 1.0},
+        {BlendMode::color_burn, 1.0F, 0.0F, 1.0},
+        {BlendMode::color_burn, 0.9F, 0.0F, 0.0},
+        {BlendMode::color_burn, 0.1F, 0.5F, 0.0},
+        {BlendMode::multiply, 3.0F, 0.5F, 1.5},
+        {BlendMode::screen, 3.0F, 0.5F, 1.0},
+        {BlendMode::exclusion, 3.0F, 0.25F, 0.75},
+        {BlendMode::exclusion, 0.25F, 3.0F, 0.75},
+    };
+    for (const auto& [mode, b, s, wanted] : cases) {
+        const Color4f made = blended(mode, Color4f(b, b, b, 1.0F), Color4f(s, s, s, 1.0F));
+        EXPECT_NEAR(made.r, wanted, 1e-6) << camera::name_of(mode) << ' ' << b << ' ' << s;
+    }
+}
+
+// W3C: premultiplied, co = cs (1 - ab) + cb (1 - as) + as ab B(Cb, Cs), channel by channel.
+TEST(Blend, MixesByTheAlphasOfBoth) {
+    const Color4f below(0.1F, 0.2F, 0.3F, 0.5F);
+    const Color4f source(0.2F, 0.04F, 0.12F, 0.4F);
+    const Color4f made = blended(BlendMode::multiply, below, source);
+    for (int i = 0; i < 3; ++i) {
+        // Of colours cb/ab and cs/as the last term is cb cs.
+        EXPECT_NEAR(made[i], source[i] * 0.5 + below[i] * 0.6 + below[i] * source[i], 1e-6) << i;
+    }
+    EXPECT_NEAR(made.a, 1.0 - 0.5 * 0.6, 1e-6);
+    // Light without a body, as behind glass, is covered as any other.
+    const Color4f light(0.5F, 0.5F, 0.5F, 0.0F);
+    EXPECT_NEAR(blended(BlendMode::multiply, light, source).r, 0.2 + 0.6 * 0.5, 1e-6);
+}
+
+TEST(Blend, TwoHalvesPresentAreThreeQuarters) {
+    const Color4f color(0.2F, 0.2F, 0.2F, 1.0F);
+    for (const BlendMode mode : {BlendMode::normal, BlendMode::multiply}) {
+        EXPECT_NEAR(composed({color, 0.5F}, {color, 0.5F}, 1.0F, mode).presence, 0.75, 1e-6);
+        EXPECT_NEAR(composed({color, 0.5F}, {color, 1.0F}, 0.5F, mode).presence, 0.75, 1e-6);
+    }
+}
+
 TEST(Blend, WhatIsTransparentChangesNothing) {
     const Color4f below(0.2F, 0.3F, 0.1F, 0.5F);
     const Color4f nothing(0.0F);
