@@ -47,14 +47,16 @@ Diagnostics OutputFile::check(const fs::path& file) {
     const fs::path real = resolved(file);
     const fs::path folder = folder_of(real);
     if (!fs::is_directory(folder, failed)) {
-        return {error(fmt::format("there is no folder '{}' to write '{}' to", folder.string(),
-                                  file.string()))};
+        return {error(
+            fmt::format("there is no folder '{}' to write '{}' to", folder.string(), file.string()),
+            {}, "make the folder first, or name another one")};
     }
     if (fs::exists(real, failed) && !fs::is_regular_file(real, failed)) {
         return {not_a_file(file)};
     }
     if (::access(folder.c_str(), W_OK) != 0) {
-        return {error(fmt::format("the folder '{}' cannot be written to", folder.string()))};
+        return {error(fmt::format("the folder '{}' cannot be written to", folder.string()), {},
+                      "name a file in a folder where you may write")};
     }
     return {};
 }

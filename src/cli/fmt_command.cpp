@@ -3,6 +3,7 @@
 
 #include <iostream>
 #include <iterator>
+#include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -27,17 +28,26 @@ struct Outcome {
     Diagnostics said;
     bool changed = false;
     bool written = true;
+    std::optional<std::string> text{};  // Of what came by standard input.
 };
 
-// Standard input to standard output, as editors like it.
-Outcome format_input() {
+Diagnostic not_in_layout(std::string_view file, std::string_view command) {
+    return error(fmt::format("'{}' is not in layout", file), {}, fmt::format("run: {}", command));
+}
+
+// Standard input, to standard output as editors like it.
+Outcome format_input(bool only_check) {
     const std::string text(std::istreambuf_iterator<char>(std::cin), {});
     const Result<std::string> made =
         lang::format(std::make_shared<const SourceText>("standard input", text));
-    if (made) {
-        print_verbatim(*made);
+    if (!made) {
+        return {made.diagnostics};
     }
-    return {made.diagnostics, made && *made != text, true};
+    Outcome outcome{made.diagnostics, *made != text, true, only_check ? std::nullopt : made.value};
+    if (outcome.changed && only_check) {
+        outcome.said.push_back(not_in_layout("standard input", "balcony fmt -"));
+    }
+    return outcome;
 }
 
 Outcome format_file(const std::string& file, bool only_check) {
@@ -51,8 +61,7 @@ Outcome format_file(const std::string& file, bool only_check) {
     }
     Outcome outcome{made.diagnostics, *made != (*source)->text(), true};
     if (outcome.changed && only_check) {
-        outcome.said.push_back(error(fmt::format("'{}' is not in layout", file), {},
-                                     fmt::format("run: balcony fmt {}", file)));
+        outcome.said.push_back(not_in_layout(file, fmt::format("balcony fmt {}", file)));
     } else if (outcome.changed) {
         const Diagnostics failed = write_whole(file, *made);
         outcome.written = failed.empty();
@@ -66,10 +75,14 @@ ExitCode format(const FmtOptions& options) {
     Diagnostics all;
     nlohmann::json files = nlohmann::json::array();
     for (const std::string& file : options.files) {
-        const bool piped = file == "-" && !options.json;
-        const Outcome outcome = piped ? format_input() : format_file(file, options.check);
+        const bool piped = file == "-";
+        const Outcome outcome =
+            piped ? format_input(options.check) : format_file(file, options.check);
         all.insert(all.end(), outcome.said.begin(), outcome.said.end());
         files.push_back({{"file", file}, {"changed", outcome.changed}});
+        if (outcome.text) {
+            files.back()["text"] = *outcome.text;
+        }
         if (!outcome.written) {
             code = ExitCode::environment;
         } else if (has_errors(outcome.said) && code == ExitCode::done) {
@@ -77,6 +90,7 @@ ExitCode format(const FmtOptions& options) {
         }
         if (!options.json) {
             report(outcome.said);
+            print_verbatim(outcome.text.value_or(""));
             if (outcome.changed && outcome.written && !piped && !options.check) {
                 print_result(fmt::format("{}: laid out\n", printable(file)));
             }

@@ -8,6 +8,7 @@
 #include "cli/command.hpp"
 #include "cli/json.hpp"
 #include "cli/report.hpp"
+#include "cli/scene_argument.hpp"
 
 namespace balcony::cli {
 
@@ -73,7 +74,7 @@ std::string scene_text(const scene::Scene& scene, bool objects) {
 }
 
 ExitCode info(const InfoOptions& options) {
-    const auto scene = scene::load(options.scene);
+    const auto scene = load_scene(options.scene);
     if (options.json) {
         nlohmann::json result{{"diagnostics", to_json(scene.diagnostics)}};
         if (scene) {
@@ -95,7 +96,10 @@ void add_info_command(CLI::App& app, ExitCode& code) {
     auto* command = app.add_subcommand("info", "says what is in a scene file");
     command->group("Commands");
     const auto options = std::make_shared<InfoOptions>();
-    command->add_option("SCENE", options->scene, "a scene file (.glb, .gltf, .obj)")->required();
+    command
+        ->add_option("SCENE", options->scene,
+                     "a scene file (.glb, .gltf, .obj); of cameras 'list' and 'explain' say more")
+        ->required();
     command->add_flag("--objects", options->objects,
                       "list the objects with their ids in the object layer");
     command->add_flag("--json", options->json, "the same with all objects, for programs");

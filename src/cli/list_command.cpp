@@ -56,27 +56,52 @@ nlohmann::json stage_json(const StageEntry& row) {
             {"parameters", parameters}};
 }
 
-// All stages under the names of their kinds, a line each.
-std::string stages_text() {
+// Whether a kind is meant by "object generators", "object_generator", ...
+bool names_kind(std::string what, camera::StageKind kind) {
+    std::replace(what.begin(), what.end(), '_', ' ');
+    return what == name_of(kind) || what == fmt::format("{}s", name_of(kind));
+}
+
+bool is_kind(const std::string& what) {
+    const auto rows = camera::catalogue();
+    return std::any_of(rows.begin(), rows.end(),
+                       [&](const StageEntry& row) { return names_kind(what, row.kind); });
+}
+
+// Whether a row is asked for: by 'stages', by its kind or by its own name.
+bool is_listed(const StageEntry& row, const std::string& what) {
+    return what == "stages" || row.name == what || names_kind(what, row.kind);
+}
+
+// Stages under the names of their kinds, a line each.
+std::string stages_text(const std::string& what) {
+    std::size_t longest = 0;
+    for (const StageEntry& row : camera::catalogue()) {
+        longest = std::max(longest, row.name.size());
+    }
     std::string text;
     std::optional<camera::StageKind> heading;
     for (const StageEntry& row : camera::catalogue()) {
+        if (!is_listed(row, what)) {
+            continue;
+        }
         if (heading != row.kind) {
             text += fmt::format("{}{}s\n", heading ? "\n" : "", name_of(row.kind));
             heading = row.kind;
         }
-        text += fmt::format("  {:<14} {}\n", row.name, row.meaning);
+        text += fmt::format("  {:<{}} {}\n", row.name, longest, row.meaning);
     }
     return text;
 }
 
-ExitCode list_stages(const ListOptions& options, const std::string& name) {
+ExitCode list_stages(const ListOptions& options) {
+    const bool several = options.what == "stages" || is_kind(options.what);
     nlohmann::json all = nlohmann::json::array();
-    std::string text = name.empty() ? stages_text() : "";
+    std::string text = several ? stages_text(options.what) : "";
     for (const StageEntry& row : camera::catalogue()) {
-        if (name.empty() || row.name == name) {
+        if (is_listed(row, options.what)) {
             all.push_back(stage_json(row));
-            text += name.empty() ? "" : stage_text(row);
+            text += several ? "" : stage_text(row);
         }
     }
     if (options.json) {
@@ -180,6 +205,7 @@ ExitCode refuse(const ListOptions& options) {
     known.insert(known.end(), {"stages", "cameras"});
     for (const StageEntry& row : camera::catalogue()) {
         known.emplace_back(row.name);
+        known.push_back(fmt::format("{}s", name_of(row.kind)));
     }
     const auto nearest = nearest_name(options.what, known);
     const Diagnostics said{error(
@@ -217,8 +243,8 @@ ExitCode list(const ListOptions& options) {
     if (!options.markdown.empty()) {
         return write_pages(options);
     }
-    if (options.what == "stages" || is_stage(options.what)) {
-        return list_stages(options, options.what == "stages" ? "" : options.what);
+    if (options.what == "stages" || is_kind(options.what) || is_stage(options.what)) {
+        return list_stages(options);
     }
     std::error_code ignored;
     if (options.what == "cameras" || is_standard_camera(options.what) ||
@@ -235,10 +261,10 @@ void add_list_command(CLI::App& app, ExitCode& code) {
     command->group("Commands");
     const auto options = std::make_shared<ListOptions>();
     options->what = "stages";
-    command->add_option(
-        "WHAT", options->what,
-        "'stages' (if not said), 'cameras', the name of a stage or of a camera that "
-        "comes along, or a camera file (.cam)");
+    command->add_option("WHAT", options->what,
+                        "'stages' (if not said), a kind of them such as 'object generators', "
+                        "'cameras', the name of "
+                        "a stage or of a camera that comes along, or a camera file (.cam)");
     command
         ->add_option("--markdown", options->markdown,
                      "write all stages as pages of documentation into a folder, with the examples "
@@ -248,6 +274,7 @@ void add_list_command(CLI::App& app, ExitCode& code) {
     command->footer(
         "Examples:\n"
         "  balcony list                   all stages, a line each\n"
+        "  balcony list direction_rules   the stages of one kind\n"
         "  balcony list superellipse      one stage with its parameters\n"
         "  balcony list cameras           the cameras that come along\n"
         "  balcony list gallery.cam       the cameras of a file");

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <csignal>
 #include <exception>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -36,7 +38,7 @@ void open_closed_streams() {
 void describe(CLI::App& app) {
     app.formatter(cli::help_layout());
     app.set_help_flag("-h,--help", "show this and end");
-    app.set_version_flag("--version", "balcony " BALCONY_VERSION, "show the version and end");
+    app.set_version_flag("-V,--version", "balcony " BALCONY_VERSION, "show the version and end");
     app.option_defaults()->take_last();
     app.require_subcommand(1);
     app.footer(
@@ -58,6 +60,17 @@ void tell(const balcony::Diagnostic& said, bool as_json) {
     }
 }
 
+// CLI11 takes the last word first. `help render` is `render --help`.
+std::vector<std::string> words_from_the_last(int argc, char** argv) {
+    std::vector<std::string> words(argv + 1, argv + argc);
+    if (words.front() == "help") {
+        words.erase(words.begin());
+        words.emplace_back("--help");
+    }
+    std::reverse(words.begin(), words.end());
+    return words;
+}
+
 ExitCode run(CLI::App& app, int argc, char** argv) {
     ExitCode code = ExitCode::done;
     cli::add_render_command(app, code);
@@ -76,7 +89,7 @@ ExitCode run(CLI::App& app, int argc, char** argv) {
         return ExitCode::wrong_usage;
     }
     try {
-        app.parse(argc, argv);
+        app.parse(words_from_the_last(argc, argv));
     } catch (const CLI::CallForHelp&) {
         cli::print_result(app.help());
     } catch (const CLI::CallForVersion& version) {

@@ -16,6 +16,7 @@
 #include "cli/progress_display.hpp"
 #include "cli/render_options.hpp"
 #include "cli/report.hpp"
+#include "cli/scene_argument.hpp"
 
 namespace balcony::cli {
 
@@ -231,7 +232,7 @@ Outcome render_picture(const RenderOptions& options) {
     if (has_errors(outcome.said)) {
         return fail(std::move(outcome), ExitCode::bad_input);
     }
-    auto scene = scene::load(options.scene);
+    auto scene = load_scene(options.scene);
     add(outcome, scene.diagnostics);
     if (!scene) {
         return fail(std::move(outcome), ExitCode::bad_input);

@@ -4,7 +4,10 @@
 #include "cli/usage.hpp"
 
 #include <algorithm>
+#include <initializer_list>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -113,6 +116,55 @@ std::string in_plain_words(const CLI::ParseError& problem) {
     return said;
 }
 
+bool has_option(const CLI::App& command, const std::string& name) {
+    return command.get_option_no_throw(name) != nullptr;
+}
+
+bool ends_in(std::string_view word, std::initializer_list<std::string_view> endings) {
+    return std::any_of(endings.begin(), endings.end(),
+                       [word](std::string_view ending) { return word.ends_with(ending); });
+}
+
+// "-camera" is read as -c with the value "amera"; the option it was, if there is one.
+std::optional<std::string> option_with_one_hyphen(const CLI::App& command) {
+    for (const CLI::Option* option : command.get_options()) {
+        for (const std::string& value : option->results()) {
+            for (const std::string& name : option->get_lnames()) {
+                if (!option->get_snames().empty() && option->get_snames().front() + value == name) {
+                    return "--" + name;
+                }
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+// The option that an argument too many is likely meant for; empty if none is.
+std::string option_for(const CLI::App& command, const std::string& word) {
+    if (const auto option = option_with_one_hyphen(command)) {
+        return fmt::format("write {} with two hyphens", *option);
+    }
+    const bool is_point = word.find(',') != std::string::npos &&
+                          word.find_first_not_of("0123456789.,-+e") == std::string::npos;
+    const char* option = ends_in(word, {".cam"})                                 ? "--camera"
+                         : ends_in(word, {".png", ".exr", ".svg"})               ? "--output"
+                         : ends_in(word, {".glb", ".gltf", ".obj"})              ? "--scene"
+                         : is_point                                              ? "--point"
+                         : word.find('=') != std::string::npos && word[0] != '=' ? "--set"
+                                                                                 : nullptr;
+    return option != nullptr && has_option(command, option)
+               ? fmt::format("did you mean {} {}?", option, word)
+               : "";
+}
+
+// The command that a file is for which stands in the place of a command.
+std::string command_for(const std::string& word) {
+    return ends_in(word, {".glb", ".gltf", ".obj"})
+               ? fmt::format("did you mean balcony render {}?", word)
+           : ends_in(word, {".cam"}) ? fmt::format("did you mean balcony check {}?", word)
+                                     : "";
+}
+
 }  // namespace
 
 std::shared_ptr<CLI::FormatterBase> help_layout() { return std::make_shared<HelpLayout>(); }
@@ -133,12 +185,16 @@ Diagnostic usage_error(const CLI::App& app, const CLI::ParseError& problem) {
     }
     const std::string word = is_option ? option->substr(0, option->find('=')) : unknown.front();
     if (!is_option && !chosen.empty()) {
-        return error(fmt::format("'{}' is one argument too many", word), {}, look_up);
+        const std::string meant = option_for(command, word);
+        return error(fmt::format("'{}' is one argument too many", word), {},
+                     meant.empty() ? look_up : meant);
     }
     const auto nearest =
         nearest_name(word, is_option ? names_of_options(command) : names_of_commands(app));
     return error(fmt::format("{} has no {} '{}'", name, is_option ? "option" : "command", word), {},
-                 nearest ? fmt::format("did you mean '{}'?", *nearest) : look_up);
+                 nearest ? fmt::format("did you mean '{}'?", *nearest)
+                 : is_option || command_for(word).empty() ? look_up
+                                                          : command_for(word));
 }
 
 }  // namespace balcony::cli

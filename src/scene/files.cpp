@@ -54,7 +54,7 @@ std::string similar_file(const fs::path& file) {
     std::sort(names.begin(), names.end());
     const auto near = nearest_name(file.filename().string(), names);
     return near ? fmt::format("did you mean {}?", in_quotes((file.parent_path() / *near).string()))
-                : std::string();
+                : "check its name and its folder";
 }
 
 std::vector<std::uint8_t> read_bytes(const fs::path& file) {
@@ -68,7 +68,8 @@ std::vector<std::uint8_t> read_bytes(const fs::path& file) {
         throw ReadError{error(fmt::format("{} is a directory", name), {}, "name a file in it")};
     }
     if (!fs::is_regular_file(status)) {
-        throw ReadError{error(fmt::format("{} is not a regular file", name))};
+        throw ReadError{error(fmt::format("{} is not a regular file", name), {},
+                              "save what comes from it in a file")};
     }
     const std::uintmax_t size = fs::file_size(file, code);
     std::ifstream stream(file, std::ios::binary);

@@ -47,7 +47,8 @@ void read_obj(Import& import);
 /// All bytes of a regular file. Throws ReadError if there is none, or if it cannot be read.
 [[nodiscard]] std::vector<std::uint8_t> read_bytes(const std::filesystem::path& file);
 
-/// "did you mean 'x.glb'?" if the directory of a missing file has a similar name, else empty.
+/// "did you mean 'x.glb'?" if the directory of a missing file has a similar name, else a general
+/// advice.
 [[nodiscard]] std::string similar_file(const std::filesystem::path& file);
 
 /// A path written in a scene file, made relative to the directory of the file that says it.

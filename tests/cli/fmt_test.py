@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """balcony fmt: lays out camera files."""
 
+import json
 import os
 
 import support
@@ -32,6 +33,18 @@ class Fmt(support.CommandTest):
     def test_from_standard_input(self):
         with self.file.open() as text:
             self.assertEqual(self.run_command("fmt", "-", stdin=text), (NEAT, ""))
+
+    def test_standard_input_as_json(self):
+        with self.file.open() as text:
+            out, err = self.run_command("fmt", "-", "--json", stdin=text)
+        self.assertEqual(err, "")
+        self.assertEqual(json.loads(out)["files"], [{"file": "-", "changed": True, "text": NEAT}])
+
+    def test_check_of_standard_input_writes_nothing(self):
+        with self.file.open() as text:
+            out, err = self.run_command("fmt", "--check", "-", code=1, stdin=text)
+        self.assertEqual(out, "")
+        self.assertIn("'standard input' is not in layout", err)
 
     def test_errors_leave_the_file_alone(self):
         self.file.write_text("camera a {")

@@ -6,6 +6,13 @@ import support
 
 
 class List(support.CommandTest):
+    def test_stages_of_one_kind(self):
+        out, _ = self.run_command("list", "direction rules")
+        self.assertTrue(out.startswith("direction rules\n  normal "), out)
+        self.assertNotIn("sphere", out)
+        for name in ("direction_rules", "direction rule"):
+            self.assertEqual(self.run_command("list", name), (out, ""))
+
     def test_stages_and_one_stage(self):
         out, err = self.run_command("list")
         self.assertEqual(err, "")

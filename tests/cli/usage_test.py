@@ -31,6 +31,14 @@ class Help(support.CommandTest):
         self.assertRegex(out, r"^balcony \d+\.\d+\.\d+\n$")
 
 
+    def test_by_the_word_help(self):
+        self.assertEqual(self.run_command("help"), self.run_command("--help"))
+        self.assertEqual(self.run_command("help", "render"), self.run_command("render", "--help"))
+
+    def test_version_by_one_letter(self):
+        self.assertEqual(self.run_command("-V"), self.run_command("--version"))
+
+
 class WrongUsage(support.CommandTest):
     def test_nothing_said_shows_the_help(self):
         out, err = self.run_command(code=2)
@@ -52,6 +60,24 @@ class WrongUsage(support.CommandTest):
         self.refused("check", code=2, says="FILE", helps="balcony check --help")
         self.refused("render", "scene.obj", "--size", code=2, says="--size needs a value")
         self.refused("render", "scene.obj", "other.obj", code=2, says="'other.obj'")
+
+    def test_arguments_that_are_values_of_an_option(self):
+        for words, helps in ((("render", "scene.obj", "my.cam"), "--camera my.cam"),
+                             (("render", "scene.obj", "my.png"), "--output my.png"),
+                             (("render", "scene.obj", "gamma=1/2"), "--set gamma=1/2"),
+                             (("render", "scene.obj", "-camera", "panorama"),
+                              "--camera with two hyphens"),
+                             (("locate", "panorama", "1,2,-3"), "--point 1,2,-3"),
+                             (("draw", "panorama", "-o", "a.svg", "b.svg"), "--output b.svg"),
+                             (("scene.obj",), "balcony render scene.obj"),
+                             (("my.cam",), "balcony check my.cam")):
+            self.refused(*words, code=2, says="", helps=helps)
+
+    def test_a_camera_in_the_place_of_a_scene(self):
+        for command in ("info", "render"):
+            for camera in ("my.cam", "panorama"):
+                self.refused(command, camera, code=1, says=f"'{camera}' is a camera, not a scene",
+                             helps=f"balcony explain {camera}")
 
     def test_as_json(self):
         for words in (("rendr",), ("render",), ("render", "scene.obj", "--samplse"), ()):
