@@ -75,7 +75,8 @@ struct Layer {
     std::vector<Leader> leaders{};
 };
 
-/// A picture as expressions of picture x, picture y and time.
+/// A picture as expressions of picture x, picture y and time, for points in the picture and on its
+/// border. A filter that reaches beyond it takes the nearest of these.
 struct PictureExpressions {
     /// What is drawn, in the order of drawing; one of ray, paint and group.
     struct Element {

@@ -170,7 +170,7 @@ RayExpressions Camera::emit(const ArrangedPoint& whole) const {
     Emitter emit(whole.size.width.graph());
     const ArrangedPoint picture = arranged(whole, parts_->arrangers, emit);
     if (!parts_->arrangers.empty()) {
-        emit.require(inside(arranged(clamped(whole), parts_->arrangers, emit)));
+        emit.require(inside(picture));
     }
     RayExpressions ray =
         with_picture_point(ray_in_own_picture(*parts_, picture.size), picture.point);

@@ -97,12 +97,6 @@ void check_extent(const Picture::Parts& parts, Diagnostics& said) {
 
 // ----------------------------------------------------------------------------------- elements
 
-/// A point on its way into nested pictures: where rays are made, and, for coverages, the nearest
-/// point of the whole picture on the same way.
-struct Sample {
-    ArrangedPoint traced, shown;
-};
-
 /// From 0 to 1, a pixel wide, where a distance in pixels passes 0.
 Expr antialiased(Expr distance, const Emitter& emit) {
     return min(max(0.5 - distance, emit(0.0)), emit(1.0));
@@ -162,51 +156,49 @@ class PictureEmitter {
 public:
     explicit PictureEmitter(Graph& graph) : graph_(graph) {}
 
-    std::vector<Element> elements(const Picture& picture, const Sample& sample,
+    std::vector<Element> elements(const Picture& picture, const ArrangedPoint& point,
                                   const std::string& path) {
         std::vector<Element> made;
         for (const Layer& layer : picture.parts().layers) {
-            add(layer, sample, path, made);
+            add(layer, point, path, made);
         }
         return made;
     }
 
 private:
-    void add(const Layer& layer, const Sample& whole, const std::string& path,
+    void add(const Layer& layer, const ArrangedPoint& whole, const std::string& path,
              std::vector<Element>& made) {
         Emitter emit(graph_);
-        const Sample own{arranged(whole.traced, layer.arrangers, emit),
-                         arranged(whole.shown, layer.arrangers, emit)};
+        const ArrangedPoint own = arranged(whole, layer.arrangers, emit);
         const ClipShapePointer clip = layer.clip ? layer.clip : whole_rectangle();
         const Expr edge = layer.frame || !layer.leaders.empty()
-                              ? in_device_pixels(clip->distance(own.traced, emit), own.traced, emit)
+                              ? in_device_pixels(clip->distance(own, emit), own, emit)
                               : Expr();
         for (const Leader& leader : layer.leaders) {
-            made.push_back(leader_element(leader, layer, *clip, edge, whole.traced, emit));
+            made.push_back(leader_element(leader, layer, *clip, edge, whole, emit));
         }
 
         Element content;
         content.name = path.empty() ? layer.name : path + "/" + layer.name;
-        content.coverage = emit(layer.alpha) * coverage(layer, *clip, own.shown, emit);
+        content.coverage = emit(layer.alpha) * coverage(layer, *clip, own, emit);
         content.blend = layer.blend;
         if (const Picture* inner = nested(layer)) {
             content.group = elements(*inner, own, content.name);
         } else {
             const Camera& camera = std::get<Camera>(layer.content);
-            content.ray = camera.emit(own.traced);
+            content.ray = camera.emit(own);
             content.axes = camera.parts().axes;
         }
         made.push_back(std::move(content));
 
         if (layer.frame) {
-            const Expr width = emit(layer.frame->width) * whole.traced.size.height;
+            const Expr width = emit(layer.frame->width) * whole.size.height;
             const Expr from_middle = abs(edge + 0.5 * width) - 0.5 * width;
             made.push_back(painted(antialiased(from_middle, emit), *layer.frame, emit));
         }
     }
 
-    // A layer that nothing clips or moves covers all, also beyond the picture's border, and costs
-    // nothing to tell so.
+    // A layer that nothing clips or moves covers all, and costs nothing to tell so.
     static Expr coverage(const Layer& layer, const ClipShape& clip, const ArrangedPoint& own,
                          Emitter& emit) {
         if (!layer.clip && layer.arrangers.empty() && layer.softness.constant() == 0.0) {
@@ -299,8 +291,7 @@ Picture::Picture(Camera camera) : of_layers_(false) {
 }
 
 PictureExpressions Picture::emit(Graph& graph, double width, double height) const {
-    const ArrangedPoint whole = whole_picture(graph, width, height);
-    return {PictureEmitter(graph).elements(*this, {whole, clamped(whole)}, "")};
+    return {PictureEmitter(graph).elements(*this, whole_picture(graph, width, height), "")};
 }
 
 }  // namespace balcony::camera
