@@ -91,8 +91,57 @@ TEST(Measures, EquirectangularIsAsAnisotropicAsTheSecantOfLatitude) {
         const double expected = 1 / std::cos(latitude);
         EXPECT_NEAR(report.samples[i].anisotropy, expected, 1e-9 * expected);
     }
+    // Half of the rows lie within 45 degrees of the equator; a row of samples is 1.8 degrees high,
+    // in which the secant grows by 0.045.
+    EXPECT_NEAR(report.anisotropy->median, std::sqrt(2.0), 0.045);
     // A sphere all round has no seam within the picture, and shows nothing twice.
     EXPECT_EQ(words(report), "");
+}
+
+TEST(Measures, TheGridHasNoMoreSamplesThanAskedFor) {
+    DiagnoseSettings settings;
+    settings.width = 60;
+    settings.height = 40;
+    const camera::Camera camera = standard("pinhole");
+    // A step of 1.5 would do for the first, one of 2 just does for the second.
+    for (const std::size_t most : {1067, 600}) {
+        settings.most_samples = most;
+        const Report report = diagnose(camera, settings);
+        EXPECT_EQ(report.grid.step, 2.0);
+        EXPECT_EQ(report.samples.size(), 600U);
+    }
+    settings.most_samples = 10'000;
+    EXPECT_EQ(diagnose(camera, settings).grid.step, 1.0);
+}
+
+TEST(Measures, OriginsHaveTheirMiddleAndExtent) {
+    const Report report =
+        report_on(camera_of("camera o { map u = 1 .. -1, v = -1 .. 1\n"
+                            "eye surface(u, v) = [5, 3 + u, v - 2] look normal }"),
+                  100, 50);
+    EXPECT_FALSE(report.single_viewpoint);
+    // The outermost samples lie half a pixel within the picture.
+    const double width = 2 - 2.0 / 100;
+    const double height = 2 - 2.0 / 50;
+    EXPECT_NEAR(report.origin_extent, std::hypot(width, height), 1e-12);
+    EXPECT_NEAR(*report.distance, report.origin_extent / 4, 1e-12);
+    for (std::size_t i = 0; i < report.samples.size(); i += 37) {
+        const V2d off = report.grid.at(i) - V2d(50, 25);
+        EXPECT_NEAR(report.samples[i].origin_distance, std::hypot(off.x / 50, off.y / 25), 1e-12);
+    }
+}
+
+TEST(Measures, ASmallEyeIsNoPoint) {
+    const auto eye = [](const std::string& formula) {
+        return report_on(camera_of("camera e { map u = 1 .. -1, v = -1 .. 1\n"
+                                   "eye surface(u, v) = " +
+                                   formula + " toward plane((1e5, 0, 0)) }"),
+                         40, 30);
+    };
+    EXPECT_FALSE(eye("[0, u/1000, 0]").single_viewpoint);
+    EXPECT_TRUE(eye("[0, u/10^12, 0]").single_viewpoint);
+    // So far away 1e-6 is no more than rounding.
+    EXPECT_TRUE(eye("[10^4, u/10^6, 0]").single_viewpoint);
 }
 
 TEST(Measures, ACubeShapedCameraLooksSquarelyAtItsDistance) {
@@ -177,6 +226,39 @@ TEST(Findings, OneSeamOfKnownLength) {
     const auto slant = findings(across, FindingKind::seam);
     ASSERT_EQ(slant.size(), 1U) << words(across);
     EXPECT_NEAR(slant[0].length, 200 * std::sqrt(1.25), 1.0);
+}
+
+TEST(Findings, ASeamMarksTheSamplesOnBothSides) {
+    const Report report = report_on(
+        camera_of("camera s { map u = 1 .. -1, v = -1 .. 1 eye surface(u, v) = [0, u, v]\n"
+                  "toward surface(u, v) = [1, u + if(u > 0 && v < -0.5, 1, 0), v]\n"
+                  "look relative }"),
+        40, 20);
+    // To the left of x = 20 and below y = 15.
+    for (std::size_t i = 0; i < report.samples.size(); ++i) {
+        const V2d at = report.grid.at(i);
+        const bool beside = std::abs(at.x - 20) < 1 && at.y > 15;
+        const bool above = std::abs(at.y - 15) < 1 && at.x < 20;
+        EXPECT_EQ(report.samples[i].seam, beside || above) << at;
+    }
+}
+
+// The same camera in nanometres and in gigametres.
+TEST(Findings, SeamsAreFoundInAnyUnitOfLength) {
+    for (const char* unit : {"10^-9", "1", "10^9"}) {
+        const std::string scaled = "camera s { let k = " + std::string(unit) +
+                                   " map u = 1 .. -1, v = -1 .. 1\n"
+                                   "eye surface(u, v) = [0, ";
+        const std::string directions =
+            "u*k, v*k]\ntoward surface(u, v) = [k, k*(u + if(u > 0.3, 0.1, 0)), v*k]\n"
+            "look relative }";
+        const std::string origins = "k*(u + if(u > 0.3, 0.1, 0)), v*k]\nlook along(x) }";
+        for (const std::string& rest : {directions, origins}) {
+            const Report report = report_on(camera_of(scaled + rest), 100, 50);
+            EXPECT_EQ(findings(report, FindingKind::seam).size(), 1U) << unit << '\n'
+                                                                      << words(report);
+        }
+    }
 }
 
 TEST(Findings, WhatIsSteepIsNoSeam) {

@@ -51,6 +51,29 @@ std::vector<std::filesystem::path> camera_files() {
     return files;
 }
 
+// The lines of a text, without their ends.
+std::vector<std::string> lines(const std::string& text) {
+    std::vector<std::string> made;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        made.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return made;
+}
+
+// A camera whose statement `eye    plane(label = "...", side = 1)` is `width` columns wide, written
+// in letters of two bytes each.
+std::string camera_of_width(std::size_t width, const std::string& rest = "") {
+    const std::string begin = "    eye plane(label = \"";
+    const std::string end = "\", side = 1)";
+    std::string letters;
+    for (std::size_t i = begin.size() + end.size(); i < width; ++i) {
+        letters += "\u00e4";
+    }
+    return "camera a {\n" + begin + letters + end + rest + "\n}\n";
+}
+
 }  // namespace
 
 TEST(Format, PutsOneStatementOnALineAndAlignsArguments) {
@@ -132,18 +155,102 @@ TEST(Format, BreaksLongSumsBeforeAnOperator) {
     }
     const std::string made = formatted(sum);
     EXPECT_EQ(words(made), words(sum));
-    std::size_t begin = 0;
-    for (std::size_t end = made.find('\n'); end != std::string::npos;
-         end = made.find('\n', begin)) {
-        EXPECT_LE(end - begin, 100U);
-        begin = end + 1;
+    const std::vector<std::string> rows = lines(made);
+    ASSERT_GT(rows.size(), 3U);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        EXPECT_LE(rows[i].size(), 100U);
+        if (i > 0) {
+            EXPECT_TRUE(rows[i].starts_with("    + 1")) << rows[i];
+        }
     }
+}
+
+TEST(Format, KeepsALineOf100LettersWhole) {
+    const std::string full = camera_of_width(100);
+    EXPECT_EQ(formatted(full), full);
+    const std::vector<std::string> broken = lines(formatted(camera_of_width(101)));
+    ASSERT_EQ(broken.size(), 4U);
+    EXPECT_EQ(broken[2], "              side = 1)");
+}
+
+TEST(Format, LeavesCommentsBehindLongLines) {
+    // The comma is the last letter that fits.
+    const std::string line = "    eye plane(label = \"" + std::string(75, 'a') + "\",";
+    ASSERT_EQ(line.size(), 100U);
+    const std::string text = "camera a {\n" + line + "  // Why.\n              side = 1)\n}\n";
+    EXPECT_EQ(formatted(text), text);
+    const std::string behind = camera_of_width(100, "  // Behind a full line.");
+    EXPECT_EQ(formatted(behind), behind);
+}
+
+TEST(Format, FillsLinesUpToTheElementThatDoesNotFit) {
+    // The third argument fits into the first line, whatever stands behind it.
+    const std::string first =
+        "    eye product(superellipse(1, 2, 0.25), superellipse(1, 2, 0.25), scale(1, (2, 3)),";
+    const std::string second = "                superellipse(45, 25.5, 0.25))";
+    const std::string text = "camera a {\n" + first + "\n" + second + "\n}\n";
+    EXPECT_EQ(formatted(text), text);
+}
+
+TEST(Format, WritesKeywordsWithASpaceAndCallsWithout) {
+    EXPECT_EQ(formatted("camera a { aspect-1 }"), "camera a {\n    aspect -1\n}\n");
+    EXPECT_EQ(formatted("camera a { aspect(1+2)/3 }"), "camera a {\n    aspect (1 + 2)/3\n}\n");
+    EXPECT_EQ(formatted("picture p { layer a { frame (width=0.02) place(0,0) .. (1,1) } }"),
+              "picture p {\n"
+              "    layer a {\n"
+              "        frame(width = 0.02)\n"
+              "        place (0, 0) .. (1, 1)\n"
+              "    }\n"
+              "}\n");
+}
+
+TEST(Format, LeavesOutBlanksBehindComments) {
+    EXPECT_EQ(formatted("// One. \t\r\nlet a = 1  // Two.  \n"), "// One.\nlet a = 1  // Two.\n");
+}
+
+TEST(Format, KeepsCommentsInTheMiddleOfAStatement) {
+    const std::string text =
+        "camera a {\n"
+        "    eye  /* which? */ plane(at = (0, 0, 0),\n"
+        "                            // On a line of its own.\n"
+        "                            along_u = (1, 0, 0))\n"
+        "}\n";
+    EXPECT_EQ(formatted(text), text);
+}
+
+TEST(Format, AlignsArgumentsAcrossComments) {
+    const std::string text =
+        "camera a {\n"
+        "    eye    plane\n"
+        "    // The next word is longer.\n"
+        "    toward sphere\n"
+        "\n"
+        "    map u = 0 .. 1, v = 0 .. 1\n"
+        "}\n";
+    EXPECT_EQ(formatted(text), text);
 }
 
 TEST(Format, LeavesTextsWithSyntaxErrorsAlone) {
     const auto made = format(source("camera a { map u = }"));
     EXPECT_FALSE(made);
     EXPECT_TRUE(has_errors(made.diagnostics));
+}
+
+TEST(Format, RefusesWhatWouldBeTooLargeToRead) {
+    // The rows of the list stand below one another: each takes 73 bytes.
+    const auto laid_out = [](int rows) {
+        std::string text = "let " + std::string(62, 'a') + " = [0";
+        for (int i = 1; i < rows; ++i) {
+            text += ",\n0";
+        }
+        return format(source(text + "]\n"));
+    };
+    EXPECT_TRUE(laid_out(1'000'000 / 73 - 1));
+    const auto made = laid_out(1'000'000 / 73 + 2);
+    ASSERT_FALSE(made);
+    ASSERT_EQ(made.diagnostics.size(), 1U);
+    EXPECT_EQ(made.diagnostics[0].message,
+              "'test.cam' laid out would be larger than 1 MB, which no camera file is");
 }
 
 class FormatsFile : public testing::TestWithParam<std::filesystem::path> {};
