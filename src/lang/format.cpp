@@ -219,13 +219,10 @@ private:
         piece.text = text_.substr(span.begin, span.end - span.begin);
         piece.text = piece.text.substr(0, piece.text.find_last_not_of(" \t\r") + 1);
         piece.space = true;
-        piece.breaks_before = !trails && !between;
+        piece.breaks_before = !trails;
         piece.breaks_after = piece.text.starts_with("//");
         lines_.back().pieces.push_back(piece);
         last_end_ = span.end;
-        if (lines_.back().comment && piece.breaks_after) {
-            line_ended_ = true;
-        }
     }
 
     std::string_view text_;
@@ -323,7 +320,7 @@ private:
         if (before.comma && piece.on_new_line && !brackets_.empty() && brackets_.back().of_list) {
             return true;
         }
-        const bool may_break = before.comma || (piece.sum && i > 1);
+        const bool may_break = before.comma || piece.sum;
         return may_break && !is_comment(piece) &&
                column_ + (piece.space ? 1 : 0) + width_of_element(i) > longest_line;
     }
