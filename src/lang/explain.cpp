@@ -21,6 +21,7 @@ namespace balcony::lang {
 
 namespace {
 
+using camera::ParameterType;
 using camera::StageKind;
 
 // What is written, with single spaces and without comments.
@@ -53,29 +54,40 @@ std::string meaning(const camera::StageEntry& row) {
     return fmt::format("{}: {}", row.name, row.meaning);
 }
 
-// A stage inside another is mostly of its kind.
-const camera::StageEntry* find_row(StageKind kind, std::string_view name) {
-    if (const camera::StageEntry* row = camera::find_stage(kind, name)) {
-        return row;
-    }
-    for (const camera::StageEntry& row : camera::catalogue()) {
-        if (row.name == name) {
-            return &row;
-        }
-    }
-    return nullptr;
+// The parameter of a stage that takes this argument as a stage; null if it is something else, as a
+// choice and a number are that have the name of a stage.
+const camera::StageParameter* stage_parameter(const camera::StageEntry& row,
+                                              const Argument& argument) {
+    const auto found = std::find_if(
+        row.parameters.begin(), row.parameters.end(), [&](const camera::StageParameter& one) {
+            const bool takes_stages = one.type == ParameterType::curve ||
+                                      one.type == ParameterType::stage ||
+                                      one.type == ParameterType::stages;
+            return takes_stages && (!argument.name || argument.name->text == one.name);
+        });
+    return found != row.parameters.end() ? &*found : nullptr;
 }
 
-// What the catalogue says of a call and of the stages inside it, each name once.
+// What the catalogue says of a call and of the stages inside it, each once.
 void add_stages(const SyntaxTree& tree, ExpressionId call, StageKind kind, Meanings& said) {
-    for (std::size_t i = call.value() + 1; i-- > tree[call].first.value();) {
-        const Expression& node = tree[ExpressionId(i)];
-        const bool may_be_stage = node.kind == ExpressionKind::call ||
-                                  node.kind == ExpressionKind::name ||
-                                  node.kind == ExpressionKind::formula;
-        const camera::StageEntry* row = may_be_stage ? find_row(kind, node.name.text) : nullptr;
-        if (row != nullptr && std::find(said.begin(), said.end(), meaning(*row)) == said.end()) {
-            said.push_back(meaning(*row));
+    const Expression& node = tree[call];
+    const bool may_be_stage = node.kind == ExpressionKind::call ||
+                              node.kind == ExpressionKind::name ||
+                              node.kind == ExpressionKind::formula;
+    const camera::StageEntry* row =
+        may_be_stage ? camera::find_stage(kind, node.name.text) : nullptr;
+    if (row == nullptr) {
+        return;
+    }
+    if (std::find(said.begin(), said.end(), meaning(*row)) == said.end()) {
+        said.push_back(meaning(*row));
+    }
+    if (node.kind == ExpressionKind::formula) {
+        return;
+    }
+    for (const Argument& argument : node.arguments) {
+        if (const camera::StageParameter* parameter = stage_parameter(*row, argument)) {
+            add_stages(tree, argument.value, parameter->stage_kind, said);
         }
     }
 }

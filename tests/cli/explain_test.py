@@ -14,6 +14,26 @@ class Explain(support.CommandTest):
         self.assertRegex(out, r"\n    map     u = ")
         self.assertRegex(out, r"\norigin_x = ")
 
+    def test_what_has_the_name_of_a_stage_and_is_none(self):
+        (self.folder / "names.cam").write_text("""let line = (0, 0, 1)
+camera names {
+    map  u = 180deg .. -180deg, v = -60deg .. 60deg
+    eye  product(superellipse(1, 1, 1/4, by = arc_length), arc_length(circle, to = 360deg))
+    move translate(line), repeat(2, scale(2))
+    look blend(normal(inward), along(-z), weight(u, v) = [v])
+}
+camera choice {
+    map  u = 180deg .. -180deg, v = -60deg .. 60deg
+    eye  product(circle, superellipse(1, 1, 1/4, by = arc_length))
+}
+""")
+        steps = {step["statement"]: [said.split(":")[0] for said in step["meanings"]]
+                 for step in self.json_of("explain", "names.cam:names")["steps"]}
+        self.assertEqual(steps["eye"], ["product", "superellipse", "arc_length", "circle"])
+        self.assertEqual(steps["move"], ["translate", "repeat", "scale"])
+        self.assertEqual(steps["look"], ["blend", "normal", "along"])
+        self.assertNotIn("arc_length:", self.run_command("explain", "names.cam:choice")[0])
+
     def test_json(self):
         document = self.json_of("explain", "pinhole", "--size", "100x50")
         self.assertEqual(document["camera"], "pinhole")
