@@ -133,6 +133,7 @@ private:
 struct ShownCamera {
     struct Place {
         std::string layer;  ///< Its number from 1 at the back, "3.1" in the picture of the third.
+        std::size_t index = 0;  ///< Which camera layer of all this is, the back one 0.
         std::vector<PictureArrangerPointer>
             arrangers;  ///< From the whole picture, outermost first.
     };

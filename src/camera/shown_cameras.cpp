@@ -14,7 +14,8 @@ namespace balcony::camera {
 
 namespace {
 
-void add_layers(const Picture& picture, const ShownCamera::Place& whole,
+// `count` is of all camera layers so far.
+void add_layers(const Picture& picture, const ShownCamera::Place& whole, std::size_t& count,
                 std::vector<ShownCamera>& made) {
     std::size_t number = 0;
     for (const Layer& layer : picture.parts().layers) {
@@ -25,9 +26,11 @@ void add_layers(const Picture& picture, const ShownCamera::Place& whole,
                                layer.arrangers.end());
         const auto* camera = std::get_if<Camera>(&layer.content);
         if (camera == nullptr) {
-            add_layers(*std::get<std::shared_ptr<const Picture>>(layer.content), place, made);
+            add_layers(*std::get<std::shared_ptr<const Picture>>(layer.content), place, count,
+                       made);
             continue;
         }
+        place.index = count++;
         const auto known = std::find_if(made.begin(), made.end(), [camera](const ShownCamera& one) {
             return &one.camera.parts() == &camera->parts();
         });
@@ -43,7 +46,8 @@ void add_layers(const Picture& picture, const ShownCamera::Place& whole,
 
 std::vector<ShownCamera> shown_cameras(const Picture& picture) {
     std::vector<ShownCamera> made;
-    add_layers(picture, {}, made);
+    std::size_t count = 0;
+    add_layers(picture, {}, count, made);
     return made;
 }
 

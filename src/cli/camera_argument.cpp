@@ -57,6 +57,15 @@ Result<camera::Picture> load_picture(const std::string& picture,
                   : Result<camera::Picture>(wanted.diagnostics);
 }
 
+void add_camera_option(CLI::App& command, std::string& camera) {
+    command
+        .add_option("CAMERA", camera,
+                    "a camera file or its camera or picture NAME (the last if not said), or a "
+                    "camera of 'balcony list cameras'")
+        ->type_name("FILE[:NAME]")
+        ->required();
+}
+
 void add_set_option(CLI::App& command, std::vector<std::string>& set) {
     command.add_option("--set", set, "a parameter of the camera or picture; may be repeated")
         ->type_name("NAME=VALUE")

@@ -33,6 +33,9 @@ struct CameraArgument {
 [[nodiscard]] Result<camera::Picture> load_picture(const std::string& picture,
                                                    const std::vector<std::string>& set);
 
+/// The positional CAMERA, which a command cannot do without.
+void add_camera_option(CLI::App& command, std::string& camera);
+
 /// --set NAME=VALUE, which may be repeated.
 void add_set_option(CLI::App& command, std::vector<std::string>& set);
 

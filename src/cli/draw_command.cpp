@@ -212,12 +212,7 @@ void add_draw_command(CLI::App& app, ExitCode& code) {
         app.add_subcommand("draw", "draws a camera, or those of a picture: objects and rays");
     command->group("Commands");
     const auto options = std::make_shared<DrawOptions>();
-    command
-        ->add_option(
-            "CAMERA", options->camera,
-            "a camera file or its camera or picture NAME (the last if not said), or a camera "
-            "of 'balcony list cameras'")
-        ->required();
+    add_camera_option(*command, options->camera);
     command
         ->add_option("-o,--output", options->output,
                      "a picture (.svg, .png), or a scene of the camera (.glb)")

@@ -79,13 +79,7 @@ void add_explain_command(CLI::App& app, ExitCode& code) {
         app.add_subcommand("explain", "says in words and formulas what a camera or a picture does");
     command->group("Commands");
     const auto options = std::make_shared<ExplainOptions>();
-    command
-        ->add_option(
-            "CAMERA", options->camera,
-            "a camera file or its camera or picture NAME (the last if not said), or a camera "
-            "of 'balcony list cameras'")
-        ->type_name("FILE[:NAME]")
-        ->required();
+    add_camera_option(*command, options->camera);
     add_set_option(*command, options->set);
     command->add_option("--size", options->size, "the picture's size, which the formulas hold for")
         ->type_name("WxH");

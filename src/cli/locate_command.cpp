@@ -22,6 +22,7 @@
 #include "cli/option_values.hpp"
 #include "cli/render_options.hpp"
 #include "cli/report.hpp"
+#include "cli/scene_argument.hpp"
 
 namespace balcony::cli {
 
@@ -121,6 +122,8 @@ std::optional<Axes> read_axes(const std::string& text, Diagnostics& said) {
 struct Located {
     std::string camera;
     std::vector<std::string> layers;  ///< Of a picture; one of a camera.
+    /// Of these layers, as text: "2", or "3.1" in the picture of layer 3.
+    std::vector<std::string> numbers;
     std::size_t width = 0;
     std::size_t height = 0;
     bool closed_form = false;
@@ -130,6 +133,16 @@ struct Located {
     std::optional<std::vector<std::optional<render::Obstacle>>> obstacles;
     std::vector<scene::Object> objects;  ///< Of the scene.
 };
+
+std::vector<std::string> numbers_of_layers(const camera::Picture& picture, std::size_t count) {
+    std::vector<std::string> numbers(count);
+    for (const camera::ShownCamera& shown : shown_cameras(picture)) {
+        for (const camera::ShownCamera::Place& place : shown.places) {
+            numbers[place.index] = place.layer;
+        }
+    }
+    return numbers;
+}
 
 void add_to(Diagnostics& said, const Diagnostics& more) {
     said.insert(said.end(), more.begin(), more.end());
@@ -155,7 +168,7 @@ Result<Located> find_all(const LocateOptions& options, const PictureSize& size, 
     Diagnostics said = picture.diagnostics;
     std::optional<scene::Scene> scene;
     if (!options.scene.empty()) {
-        Result<scene::Scene> loaded = scene::load(options.scene);
+        Result<scene::Scene> loaded = load_scene(options.scene);
         add_to(said, loaded.diagnostics);
         scene = std::move(loaded.value);
     }
@@ -176,6 +189,7 @@ Result<Located> find_all(const LocateOptions& options, const PictureSize& size, 
         return said;
     }
     found.layers = locator->layers();
+    found.numbers = numbers_of_layers(*picture, found.layers.size());
     found.closed_form = locator->closed_form();
     found.points = std::move(points);
     found.sightings = locator->locate(found.points);
@@ -197,7 +211,8 @@ std::string line_of(const Located& located, std::size_t number) {
     std::string line = fmt::format("\n    x {:>10.4f}   y {:>10.4f}   distance {:.6g}",
                                    sighting.position.x, sighting.position.y, sighting.distance);
     if (located.layers.size() > 1) {
-        line += fmt::format("   in {}", printable(located.layers[sighting.layer]));
+        line += fmt::format("   in layer {}, {}", located.numbers[sighting.layer],
+                            printable(located.layers[sighting.layer]));
     }
     if (located.obstacles) {
         const auto& obstacle = (*located.obstacles)[number];
@@ -246,11 +261,9 @@ nlohmann::json json_of(const Located& located) {
         }
         points[sighting.point]["sightings"].push_back(std::move(entry));
     }
-    return {{"camera", located.camera},
-            {"layers", located.layers},
-            {"width", located.width},
-            {"height", located.height},
-            {"closed_form", located.closed_form},
+    return {{"camera", located.camera},         {"layers", located.layers},
+            {"layer_numbers", located.numbers}, {"width", located.width},
+            {"height", located.height},         {"closed_form", located.closed_form},
             {"points", std::move(points)}};
 }
 
@@ -292,12 +305,7 @@ void add_locate_command(CLI::App& app, ExitCode& code) {
         app.add_subcommand("locate", "says where in a picture points in space are seen");
     command->group("Commands");
     const auto options = std::make_shared<LocateOptions>();
-    command
-        ->add_option("CAMERA", options->camera,
-                     "a camera file or its camera or picture NAME (the last if not said), or a "
-                     "camera of 'balcony list cameras'")
-        ->type_name("FILE[:NAME]")
-        ->required();
+    add_camera_option(*command, options->camera);
     command->add_option("--point", options->points, "a point in space; may be repeated")
         ->type_name("X,Y,Z")
         ->allow_extra_args(false)

@@ -59,9 +59,29 @@ class Locate(support.CommandTest):
         self.assertAlmostEqual(left["x"], 100 - 100 * math.atan2(1, 4) / math.pi)
         self.assertAlmostEqual(right["x"], 275)
         out, _ = self.run_command("locate", "two.cam", "--point", "4,1,0")
-        self.assertIn("in panorama\n", out)
-        self.assertIn("in pinhole\n", out)
+        self.assertIn("in layer 1, panorama\n", out)
+        self.assertIn("in layer 2, pinhole\n", out)
         self.assertNotIn(" in ", self.run_command("locate", "pinhole", "--point", "4,1,0")[0])
+
+    def test_layers_have_the_numbers_of_explain(self):
+        (self.folder / "nested.cam").write_text(
+            "picture pair { layer panorama { alpha 0.5 } layer pinhole { alpha 0.5 } }\n"
+            "picture all 400 x 100 {\n"
+            "    layer pinhole { frame alpha 0.5 }\n"
+            "    layer pair { alpha 0.5 leader (0.1, 0.1) .. (0.2, 0.2) }\n"
+            "    layer panorama { alpha 0.5 }\n"
+            "}\n")
+        document = self.json_of("locate", "nested.cam", "--point", "4,0.1,0")
+        self.assertEqual(document["layer_numbers"], ["1", "2.1", "2.2", "3"])
+        self.assertEqual(document["layers"],
+                         ["pinhole", "pair/panorama", "pair/pinhole", "panorama"])
+        out, _ = self.run_command("locate", "nested.cam", "--point", "4,0.1,0")
+        explained, _ = self.run_command("explain", "nested.cam")
+        for number, name in zip(document["layer_numbers"], document["layers"], strict=True):
+            self.assertIn(f"in layer {number}, {name}\n", out)
+            self.assertRegex(explained, rf"(?m)^ *{number}  ")
+        self.assertEqual(self.json_of("locate", "pinhole", "--point", "4,1,0")["layer_numbers"],
+                         ["1"])
 
     def test_a_picture_of_several_axes(self):
         (self.folder / "mixed.cam").write_text(
@@ -140,6 +160,8 @@ class Locate(support.CommandTest):
         self.assertIn("'standard input' is larger than 16 MB", err)
         self.refused("locate", "pinhole", "--point", "1,2,3", "--scene", "none.glb", code=1,
                      says="none.glb")
+        self.refused("locate", "pinhole", "--point", "1,2,3", "--scene", "my.cam", code=1,
+                     says="'my.cam' is a camera, not a scene")
         self.refused("locate", "none.cam", "--point", "1,2,3", code=1, says="none.cam")
         self.json_of("locate", "none.cam", "--point", "1,2,3", code=1)
         self.json_of("locate", "pinhole", code=2)
