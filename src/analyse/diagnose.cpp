@@ -130,7 +130,8 @@ Report diagnose(const camera::Camera& camera, const DiagnoseSettings& settings) 
     for (std::size_t i = 0; i < rays.size(); ++i) {
         report.samples[i].views = repeats.views[i];
     }
-    report.findings = find_all({report, rays, crossings, repeats, plain});
+    const Turns turns = count_turns(camera, settings.width, settings.height, settings.time);
+    report.findings = find_all({report, rays, crossings, repeats, turns, plain});
     return report;
 }
 

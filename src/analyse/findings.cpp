@@ -23,6 +23,9 @@ constexpr double negligible_share = 0.001;
 // Of so few samples neither sign nor size are sure.
 constexpr std::size_t fewest_samples = 4;
 
+// A map that goes round more often is rarely meant so. A field of view of 30 in radians does.
+constexpr double most_turns = 4.0;
+
 constexpr std::array<std::string_view, 6> kind_names = {"no_ray", "fold",     "mirrored",
                                                         "seam",   "singular", "repeated"};
 
@@ -47,6 +50,7 @@ public:
     }
 
     std::vector<Finding> operator()() {
+        find_many_turns();
         find_no_ray();
         find_orientation();
         find_seams();
@@ -91,6 +95,28 @@ private:
         finding.share = share(regions);
         finding.place = place(regions.front().middle);
         return found_.emplace_back(std::move(finding));
+    }
+
+    [[nodiscard]] bool goes_round_often() const {
+        return std::max(evidence_.turns.u, evidence_.turns.v) > most_turns;
+    }
+
+    void find_many_turns() {
+        const auto all = regions([this](std::size_t i) { return report_.samples[i].valid; });
+        if (!goes_round_often() || all.empty()) {
+            return;
+        }
+        const auto round = [](char name, double turns) {
+            return turns > most_turns ? fmt::format("{} goes round {:.3g} times", name, turns) : "";
+        };
+        const std::string u = round('u', evidence_.turns.u);
+        const std::string v = round('v', evidence_.turns.v);
+        Finding& finding = add(FindingKind::repeated, all);
+        finding.message = fmt::format("{}{}{}", u, u.empty() || v.empty() ? "" : " and ", v);
+        finding.remedy =
+            "a number without a unit is an angle in radians; if degrees are meant, write deg "
+            "behind "
+            "it: a whole turn is 360deg";
     }
 
     void find_no_ray() {
@@ -259,14 +285,50 @@ private:
             "or change without bound",
             percent(finding.share), in_regions(singular.size()));
         finding.remedy =
-            "if that is not meant, look for a u or v that the objects make no use of, or for a "
-            "parametrisation that stands still there";
+            all_in_one_plane()
+                ? "every ray lies in the plane it starts from: if that is not meant, move the eye "
+                  "out of the plane of the direction object, or that away from the eye"
+                : "if that is not meant, look for a u or v that the objects make no use of, or for "
+                  "a parametrisation that stands still there";
+    }
+
+    // Whether all rays lie in one plane although they change with both picture x and picture y.
+    [[nodiscard]] bool all_in_one_plane() const {
+        constexpr double tolerance = 1e-9;
+        const double size = 1.0 + report_.origin_extent;
+        const Ray* first = nullptr;
+        V3d normal(0.0);
+        bool by_x = false;
+        bool by_y = false;
+        const auto widen = [&](const V3d& vector) {
+            const V3d found = first->direction.cross(vector);
+            normal = found.length2() > normal.length2() ? found : normal;
+        };
+        for (const Ray& ray : evidence_.rays) {
+            if (!ray.valid) {
+                continue;
+            }
+            first = first == nullptr ? &ray : first;
+            widen(ray.direction);
+            widen((ray.origin - first->origin) / size);
+            by_x = by_x || ray.origin_by_x.length() + ray.direction_by_x.length() > tolerance;
+            by_y = by_y || ray.origin_by_y.length() + ray.direction_by_y.length() > tolerance;
+        }
+        if (!(by_x && by_y && normal.length() > tolerance)) {
+            return false;
+        }
+        normal.normalize();
+        return std::all_of(evidence_.rays.begin(), evidence_.rays.end(), [&](const Ray& ray) {
+            return !ray.valid ||
+                   (std::abs(normal.dot(ray.direction)) <= tolerance &&
+                    std::abs(normal.dot(ray.origin - first->origin)) <= tolerance * size);
+        });
     }
 
     void find_repeated() {
         const auto repeated =
             regions([this](std::size_t i) { return report_.samples[i].views > 1; });
-        if (repeated.empty()) {
+        if (repeated.empty() || goes_round_often()) {
             return;
         }
         int most = 0;

@@ -9,6 +9,7 @@
 #include "analyse/ray_field.hpp"
 #include "analyse/repeats.hpp"
 #include "analyse/seams.hpp"
+#include "analyse/turns.hpp"
 
 namespace balcony::analyse {
 
@@ -18,10 +19,12 @@ struct Evidence {
     const std::vector<Ray>& rays;
     const std::vector<Crossing>& crossings;
     const Repeats& repeats;
+    const Turns& turns;
     RayProgram& program;
 };
 
-/// Defects first, then by kind.
+/// Defects first, then by kind; before all others a map in degrees that is read as radians, since
+/// it explains the rest.
 [[nodiscard]] std::vector<Finding> find_all(const Evidence& evidence);
 
 }  // namespace balcony::analyse

@@ -18,6 +18,7 @@
 #include "cli/option_values.hpp"
 #include "cli/render_options.hpp"
 #include "cli/report.hpp"
+#include "cli/scene_argument.hpp"
 #include "render/png_file.hpp"
 
 namespace balcony::cli {
@@ -78,6 +79,13 @@ Map read_map(const std::string& name, const std::string& file, Diagnostics& said
     return {kind.value_or(analyse::MapKind::magnification), file};
 }
 
+// Whether two names, which need not be there yet, lead to one place, as a.png and ./a.png do.
+bool lead_to_one_file(const fs::path& a, const fs::path& b) {
+    std::error_code failed;
+    const fs::path place = fs::weakly_canonical(fs::absolute(a, failed), failed);
+    return !failed && place == fs::weakly_canonical(fs::absolute(b, failed), failed);
+}
+
 Wishes read_wishes(const CheckOptions& options, Diagnostics& said) {
     constexpr double largest = 1e12;
     Wishes wishes;
@@ -92,7 +100,7 @@ Wishes read_wishes(const CheckOptions& options, Diagnostics& said) {
     }
     for (const auto& [name, file] : options.maps) {
         for (const Map& other : wishes.maps) {
-            if (other.file == file) {
+            if (lead_to_one_file(other.file, file)) {
                 said.push_back(error(fmt::format("two maps cannot be in one file '{}'", file), {},
                                      "name a file for each"));
             }
@@ -122,7 +130,7 @@ public:
 
     ExitCode operator()() {
         if (!options_.scene.empty()) {
-            load_scene();
+            read_scene();
         }
         if (code_ == ExitCode::done) {
             for (const std::string& camera : options_.cameras) {
@@ -153,8 +161,8 @@ private:
         }
     }
 
-    void load_scene() {
-        Result<scene::Scene> loaded = scene::load(options_.scene);
+    void read_scene() {
+        Result<scene::Scene> loaded = load_scene(options_.scene);
         say(loaded.diagnostics);
         scene_ = std::move(loaded.value);
         if (scene_) {
@@ -179,34 +187,30 @@ private:
     void check_file(const std::string& argument) {
         const std::string file = camera_file(argument).string();
         const Diagnostics said = lang::check(file);
+        say(said);
+        // Of a good file it can still be wrong what was asked of it.
+        const auto subjects = has_errors(said) ? Result<std::vector<CheckSubject>>(said)
+                                               : check_subjects(argument, wishes_.cameras);
+        if (!has_errors(said) && !subjects) {
+            say(subjects.diagnostics);
+        }
         const auto cameras = lang::describe(file);
         const std::size_t pictures = cameras ? count_pictures(*cameras) : 0;
         const std::size_t count = cameras ? cameras->size() - pictures : 0;
         nlohmann::json entry{{"file", file},
                              {"cameras", count},
                              {"pictures", pictures},
-                             {"good", !has_errors(said)},
+                             {"good", static_cast<bool>(subjects)},
                              {"reports", nlohmann::json::array()}};
-        say(said);
-        if (!has_errors(said)) {
+        if (subjects) {
             tell(fmt::format("{}: {}{}, no errors\n", printable(file),
                              counted(count, "camera", "cameras"),
                              pictures > 0 ? ", " + counted(pictures, "picture", "pictures") : ""));
-            check_cameras(argument, entry["reports"]);
+            for (const CheckSubject& subject : *subjects) {
+                check_camera(subject, entry["reports"]);
+            }
         }
         files_.push_back(std::move(entry));
-    }
-
-    void check_cameras(const std::string& argument, nlohmann::json& reports) {
-        const auto subjects = check_subjects(argument, wishes_.cameras);
-        if (!subjects) {
-            // Nothing else can be wrong with a file that is good by itself.
-            say(subjects.diagnostics);
-            return;
-        }
-        for (const CheckSubject& subject : *subjects) {
-            check_camera(subject, reports);
-        }
     }
 
     void check_camera(const CheckSubject& subject, nlohmann::json& reports) {

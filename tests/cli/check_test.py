@@ -147,6 +147,56 @@ class Check(support.CommandTest):
         self.assertIn("fold", [finding["kind"] for finding in report["findings"]])
         self.run_command("check", "my.cam:half", "--strict", code=1)
 
+    def test_a_good_file_without_what_is_asked_for(self):
+        for words, says in ((("two.cam:foo",), "'foo'"), (("panorama:foo",), "'foo'"),
+                            (("two.cam", "--set", "nothing=1"), "'nothing'")):
+            self.refused("check", *words, code=1, says=says)
+            (entry,) = self.json_of("check", *words, code=1)["files"]
+            self.assertFalse(entry["good"])
+
+    def test_a_map_in_degrees_without_deg(self):
+        (self.folder / "round.cam").write_text("""
+camera turns(u = 180deg, v = 90deg) { aspect 2 map u = u .. -u, v = -v .. v eye sphere(1) }
+camera seen(u = 45) { map u = u .. -u, v = square eye point toward sphere(1) }
+camera formula(u = 180) { map u = -u .. u, v = -1 .. 1
+    eye surface(a, b) = [cos(a), sin(a), b] warp rotate(0) }
+camera tall(v = 60) { map u = 30deg .. -30deg, v = -v .. v eye cylinder(1) }
+camera flat { map u = 180 .. -180, v = square eye plane look normal }
+camera unused { map u = 30deg .. -30deg, v = -60 .. 60 eye circle(1) look tangent }
+""")
+        for words, says in (
+                (("turns", "--set", "u=180*1rad", "--set", "v=90*1rad"),
+                 "u goes round 57.3 times and v goes round 28.6 times"),
+                (("turns", "--set", "u=180*1rad"), "u goes round 57.3 times"),
+                (("turns", "--set", "v=90*1rad"), "v goes round 28.6 times"),
+                (("seen",), "u goes round 14.3 times and v goes round 8.06 times"),
+                (("formula",), "u goes round 57.3 times")):
+            (report,) = self.reports(f"round.cam:{words[0]}", *words[1:])
+            first, *others = report["findings"]
+            self.assertEqual((first["kind"], first["message"]), ("repeated", says))
+            self.assertTrue(first["defect"])
+            self.assertIn("write deg", first["remedy"])
+            self.assertNotIn("repeated", [finding["kind"] for finding in others])
+        # Lengths are none, nor what the rays do not depend on, nor a turn or four.
+        for words in (("turns",), ("turns", "--set", "u=720deg"), ("seen", "--set", "u=3"),
+                      ("tall",), ("flat",), ("unused",)):
+            (report,) = self.reports(f"round.cam:{words[0]}", *words[1:])
+            self.assertNotIn("write deg", str(report["findings"]), words)
+
+    def test_rays_in_the_plane_that_they_start_from(self):
+        (self.folder / "planes.cam").write_text("""
+camera inside { map u = 1 .. -1, v = square eye point(3, 2, 1) toward plane((3, 0, 0)) }
+camera slide { map u = 1 .. -1, v = square eye plane((3, 0, 0)) toward plane((3, 5, 1)) }
+camera unused { map u = 1 .. -1, v = square eye circle(1) look tangent }
+""")
+        for name, says in (("inside", "lies in the plane it starts from"),
+                           ("slide", "lies in the plane it starts from"),
+                           ("unused", "make no use of")):
+            (report,) = self.reports(f"planes.cam:{name}")
+            (finding,) = report["findings"]
+            self.assertEqual((finding["kind"], finding["share"]), ("singular", 1))
+            self.assertIn(says, finding["remedy"])
+
     def test_in_a_scene(self):
         (report,) = self.reports("two.cam:front", "--scene", "scene.obj")
         self.assertEqual(report["in_scene"],
@@ -163,6 +213,8 @@ class Check(support.CommandTest):
         out, _ = self.run_command("check", "two.cam:front", "--scene", "aside.obj", "--strict")
         self.assertRegex(out, r"never seen +1 object: box\n")
         self.refused("check", "two.cam", "--scene", "none.obj", code=1, says="'none.obj'")
+        self.refused("check", "two.cam", "--scene", "my.cam", code=1,
+                     says="'my.cam' is a camera, not a scene")
 
     def test_maps(self):
         kinds = ("magnification", "anisotropy", "orientation", "validity", "seams", "repeated",
@@ -187,8 +239,11 @@ class Check(support.CommandTest):
         self.refused("check", "cam.png:front", "--map", "seams", "cam.png", code=2,
                      says="'cam.png' would be overwritten")
         self.run_command(*one, "--map", "seams", "nowhere/a.png", code=3)
-        self.refused(*one, "--map", "seams", "a.png", "--map", "origins", "a.png", code=2,
-                     says="'a.png'")
+        for again in ("a.png", "./a.png", "../" + self.folder.name + "/a.png",
+                      str(self.folder / "a.png")):
+            self.refused(*one, "--map", "seams", "a.png", "--map", "origins", again, code=2,
+                         says=f"'{again}'", helps="a file for each")
+        self.assertNotIn("a.png", self.files())
         os.mkfifo(self.folder / "pipe.png")
         self.run_command(*one, "--map", "seams", "pipe.png", code=3)
         self.assertTrue((self.folder / "pipe.png").is_fifo())
