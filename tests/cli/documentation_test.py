@@ -25,8 +25,11 @@ class Documentation(support.CommandTest):
         super().setUp()
         for name in ("gallery", "scene"):
             (self.folder / f"{name}.glb").write_bytes(support.glb_bytes())
-        for name in ("gallery", "room"):
-            (self.folder / f"{name}.cam").write_text(support.CAMERAS)
+        # The last camera stays the one that is meant where none is named.
+        poster = "picture poster { layer above layer closeup { place (0, 0) .. (1/2, 1/2) } }\n"
+        for name in ("gallery", "room", "my"):
+            (self.folder / f"{name}.cam").write_text(poster + support.CAMERAS)
+        (self.folder / "corners.csv").write_text("1,2,3\n-1,0,0.5\n")
 
     def run_all(self, lines):
         for words in lines:
@@ -56,7 +59,8 @@ class Documentation(support.CommandTest):
 
     def test_help(self):
         lines = []
-        for words in ((), ("render",), ("check",), ("list",), ("info",), ("draw",)):
+        for words in ((), ("render",), ("check",), ("list",), ("info",), ("draw",),
+                      ("explain",), ("locate",)):
             lines += command_lines(self.run_command(*words, "--help")[0])
         self.assertGreaterEqual(len(lines), 10)
         self.run_all(lines)
