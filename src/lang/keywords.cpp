@@ -31,7 +31,7 @@ constexpr std::array rows = {
     Keyword{StatementKind::layer, "layer", in_pictures},
     Keyword{StatementKind::clip, "clip", in_layer},
     Keyword{StatementKind::soft, "soft", in_layer,
-            "how wide the clip's edge is, as a fraction of the layer's height"},
+            "how wide the clip's edge is, half of it outside, as a fraction of the layer's height"},
     Keyword{StatementKind::alpha, "alpha", in_layer,
             "its opacity: from 0, nothing of it shows, to 1"},
     Keyword{StatementKind::blend, "blend", in_layer},

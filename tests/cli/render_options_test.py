@@ -212,6 +212,26 @@ class Picture(support.CommandTest):
         if "BALCONY_SANITIZED" not in os.environ:
             self.assertLess(best, 1.0)
 
+    def test_the_outer_half_of_a_soft_edge_is_beyond_the_map(self):
+        (self.folder / "soft.cam").write_text("""
+camera patch(margin = 0) { aspect 1 axes y_up
+    map u = margin - 1 .. 1 - margin, v = margin - 1 .. 1 - margin
+    eye    surface(u, v) = [u, v, 5 + (sqrt(1 - u^2) + sqrt(1 - v^2))/1e6]
+    toward surface(u, v) = [u, v, 0] }
+picture inset(margin = 0) 80 x 80 {
+    layer patch(margin = margin) { place (1/4, 1/4) .. (3/4, 3/4) soft 0.4 }
+}
+""")
+        # The edge is from 12 to 28, its middle the place's border at 20; filters reach 2 further.
+        for margin, outside in (("0", False), ("0.2", True)):
+            self.run_command("render", "scene.obj", "--camera", "soft.cam", "--set",
+                             f"margin={margin}", "-o", "soft.png")
+            _, _, rows = support.png_pixels(self.folder / "soft.png")
+            alpha = [pixel[3] for pixel in rows[40]]
+            self.assertEqual(alpha[9], 0)
+            self.assertEqual(alpha[17] > 0, outside)
+            self.assertTrue(0 < alpha[22] < alpha[25] < alpha[31] == 255, alpha)
+
 
 if __name__ == "__main__":
     support.main()
