@@ -32,13 +32,14 @@ std::shared_ptr<const Picture> picture(std::vector<Layer> layers) {
     return std::make_shared<const Picture>(*made);
 }
 
-/// "left at 1 and 3.1, ...".
+/// "left at 1 and 3.1 (2), ...", with the index of those that are not the back one.
 std::string described(const std::vector<ShownCamera>& cameras) {
     std::string text;
     for (const ShownCamera& one : cameras) {
         text += (text.empty() ? "" : ", ") + one.camera.name() + " at ";
         for (const ShownCamera::Place& place : one.places) {
             text += (&place == &one.places.front() ? "" : " and ") + place.layer;
+            text += place.index == 0 ? "" : " (" + std::to_string(place.index) + ")";
         }
     }
     return text;
@@ -60,16 +61,17 @@ TEST(ShownCameras, AreNumberedFromTheBackThroughThePicturesOfLayers) {
     const Camera near = named("near");
     const auto inner = picture({{"a", near}, {"b", far}});
     const auto middle = picture({{"a", inner}, {"b", near}});
-    EXPECT_EQ(described(shown_cameras(*picture({{"a", far}, {"b", near}}))), "far at 1, near at 2");
+    EXPECT_EQ(described(shown_cameras(*picture({{"a", far}, {"b", near}}))),
+              "far at 1, near at 2 (1)");
     EXPECT_EQ(described(shown_cameras(*picture({{"a", far}, {"b", middle}, {"c", near}}))),
-              "far at 1 and 2.1.2, near at 2.1.1 and 2.2 and 3");
+              "far at 1 and 2.1.2 (2), near at 2.1.1 (1) and 2.2 (3) and 3 (4)");
 }
 
 TEST(ShownCameras, OfOneNameAreTwoUnlessTheyAreCopies) {
     const Camera one = named("same");
     const Camera copy = one;
     EXPECT_EQ(described(shown_cameras(*picture({{"a", one}, {"b", named("same")}, {"c", copy}}))),
-              "same at 1 and 3, same at 2");
+              "same at 1 and 3 (2), same at 2 (1)");
 }
 
 TEST(ShownCameras, HaveTheirArrangersFromTheWholePictureInwards) {
@@ -78,7 +80,7 @@ TEST(ShownCameras, HaveTheirArrangersFromTheWholePictureInwards) {
     const auto inner = picture({{.name = "a", .content = named("in"), .arrangers = {third}}});
     const std::vector<ShownCamera> shown = shown_cameras(
         *picture({{.name = "a", .content = inner, .arrangers = {half}}, {"b", named("beside")}}));
-    ASSERT_EQ(described(shown), "in at 1.1, beside at 2");
+    ASSERT_EQ(described(shown), "in at 1.1, beside at 2 (1)");
     EXPECT_EQ(shown[0].places[0].arrangers, (std::vector{half, third}));
     EXPECT_TRUE(shown[1].places[0].arrangers.empty());
     const auto [width, height] = size_of(shown[0].places[0], 200, 100);
@@ -89,7 +91,7 @@ TEST(ShownCameras, HaveTheirArrangersFromTheWholePictureInwards) {
 TEST(SizeOf, IsThatOfItsTime) {
     const Formula moving =
         formula(0, [](Graph& graph, const auto&) { return std::vector{0.1 * graph.time()}; });
-    const ShownCamera::Place growing{"1", {place(moving, 0.0, 1.0, 0.5)}};
+    const ShownCamera::Place growing{.layer = "1", .arrangers = {place(moving, 0.0, 1.0, 0.5)}};
     EXPECT_NEAR(size_of(growing, 200, 100)[0], 200.0, tolerance);
     EXPECT_NEAR(size_of(growing, 200, 100, 5.0)[0], 100.0, tolerance);
     EXPECT_NEAR(size_of(growing, 200, 100, 5.0)[1], 50.0, tolerance);
@@ -103,7 +105,7 @@ TEST(SizeOf, IsThatInTheMiddleOfThePicture) {
             return {whole.point, {whole.point.x, 3.0 * whole.point.y}};
         }
     };
-    const ShownCamera::Place place{"1", {std::make_shared<const Widening>()}};
+    const ShownCamera::Place place{.layer = "1", .arrangers = {std::make_shared<const Widening>()}};
     EXPECT_EQ(size_of(place, 200, 100), (std::array{100.0, 150.0}));
 }
 
