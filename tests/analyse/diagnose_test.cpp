@@ -17,36 +17,12 @@ namespace balcony::analyse {
 namespace {
 
 using test::camera_of;
+using test::findings;
+using test::report_on;
 using test::standard;
+using test::words;
 
 constexpr double pi = std::numbers::pi;
-
-Report report_on(const camera::Camera& camera, double width, double height,
-                 std::optional<double> distance = {}) {
-    DiagnoseSettings settings;
-    settings.width = width;
-    settings.height = height;
-    settings.distance = distance;
-    return diagnose(camera, settings);
-}
-
-std::vector<Finding> findings(const Report& report, FindingKind kind) {
-    std::vector<Finding> found;
-    for (const Finding& finding : report.findings) {
-        if (finding.kind == kind) {
-            found.push_back(finding);
-        }
-    }
-    return found;
-}
-
-std::string words(const Report& report) {
-    std::string text;
-    for (const Finding& finding : report.findings) {
-        text += finding.message + "\n";
-    }
-    return text;
-}
 
 TEST(Measures, PinholeHasTheSolidAngleOfPerspective) {
     const double width = 400;
@@ -154,6 +130,18 @@ TEST(Measures, ACubeShapedCameraLooksSquarelyAtItsDistance) {
     const double by_y = 2.0 / 100;
     EXPECT_NEAR(report.magnification->median, 1 / std::sqrt(by_x * by_y), 1e-9);
     EXPECT_NEAR(report.anisotropy->median, by_x / by_y, 1e-9);
+}
+
+// Where on its line a ray begins makes no picture.
+TEST(Measures, OriginsThatSlideAlongTheirRaysChangeNothing) {
+    const Report report =
+        report_on(camera_of("camera s { map u = 1 .. -1, v = -1 .. 1\n"
+                            "eye surface(u, v) = [2*u + u*v, u, v] look along(x) }"),
+                  100, 100);
+    EXPECT_NEAR(report.magnification->least, 50.0, 1e-9);
+    EXPECT_NEAR(report.magnification->most, 50.0, 1e-9);
+    // By roots of differences near 0.
+    EXPECT_NEAR(report.anisotropy->most, 1.0, 1e-6);
 }
 
 TEST(Findings, SuperellipticCameraHasNone) {
@@ -267,6 +255,25 @@ TEST(Findings, WhatIsSteepIsNoSeam) {
         "toward surface(u, v) = [1, u + tanh(300*(u - 0.3)) + sqrt(abs(v)), v]\n"
         "look relative }");
     EXPECT_TRUE(findings(report_on(steep, 200, 100), FindingKind::seam).empty());
+    // Over a ten thousandth of a pixel, too.
+    const camera::Camera steepest = camera_of(
+        "camera s { map u = 1 .. -1, v = -1 .. 1 eye surface(u, v) = [0, u, v]\n"
+        "toward surface(u, v) = [1, u + tanh(10^6*(u - 0.3)), v] look relative }");
+    EXPECT_TRUE(findings(report_on(steepest, 200, 100), FindingKind::seam).empty());
+}
+
+// Nobody sees a jump by less than what a tenth of a pixel changes beside it.
+TEST(Findings, AJumpWithinWhatIsSteepIsASeamIfItShows) {
+    const auto seams = [](const std::string& jump) {
+        const Report report = report_on(
+            camera_of("camera s { map u = 1 .. -1, v = -1 .. 1 eye surface(u, v) = [0, u, v]\n"
+                      "toward surface(u, v) = [1, u + tanh(300*(u - 0.3))/2 + if(u > 0.3, " +
+                      jump + ", 0), v] look relative }"),
+            200, 100);
+        return findings(report, FindingKind::seam).size();
+    };
+    EXPECT_EQ(seams("0.01"), 0U);
+    EXPECT_EQ(seams("0.3"), 1U);
 }
 
 TEST(Findings, TwoTurnsShowAllTwice) {
@@ -286,6 +293,9 @@ TEST(Findings, TwoTurnsShowAllTwice) {
             ASSERT_EQ(report.samples[i].views, in_middle ? 3 : 2);
         }
         EXPECT_EQ(report.findings.size(), 1U) << words(report);
+        EXPECT_NE(words(report).find(width == 400.0 ? "up to 2 times" : "up to 3 times"),
+                  std::string::npos)
+            << words(report);
     }
 }
 

@@ -20,4 +20,31 @@ camera::Camera standard(const std::string& name, const std::vector<lang::Overrid
     return *made;
 }
 
+Report report_on(const camera::Camera& camera, double width, double height,
+                 std::optional<double> distance) {
+    DiagnoseSettings settings;
+    settings.width = width;
+    settings.height = height;
+    settings.distance = distance;
+    return diagnose(camera, settings);
+}
+
+std::vector<Finding> findings(const Report& report, FindingKind kind) {
+    std::vector<Finding> found;
+    for (const Finding& finding : report.findings) {
+        if (finding.kind == kind) {
+            found.push_back(finding);
+        }
+    }
+    return found;
+}
+
+std::string words(const Report& report) {
+    std::string text;
+    for (const Finding& finding : report.findings) {
+        text += finding.message + "\n";
+    }
+    return text;
+}
+
 }  // namespace balcony::analyse::test

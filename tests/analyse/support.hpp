@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "balcony/diagnose.hpp"
 #include "balcony/lang.hpp"
 
 namespace balcony::analyse::test {
@@ -14,5 +15,14 @@ camera::Camera camera_of(const std::string& text);
 
 /// A camera that comes along.
 camera::Camera standard(const std::string& name, const std::vector<lang::Override>& overrides = {});
+
+/// On a picture of a size in pixels, measured at a distance if one is given.
+Report report_on(const camera::Camera& camera, double width, double height,
+                 std::optional<double> distance = {});
+
+std::vector<Finding> findings(const Report& report, FindingKind kind);
+
+/// The messages of all findings, a line each.
+std::string words(const Report& report);
 
 }  // namespace balcony::analyse::test
