@@ -118,5 +118,80 @@ TEST(FalseColor, ColoursStandWhereTheSamplesAre) {
     EXPECT_EQ(red_at(400, 200), 53);
 }
 
+// 200 samples in 20 columns, all valid; make(i, sample) changes them.
+template <class Make>
+Report report_of(const Make& make) {
+    Report report;
+    report.grid = SampleGrid::over(20, 10, 1);
+    report.samples.resize(report.grid.size());
+    for (std::size_t i = 0; i < report.samples.size(); ++i) {
+        report.samples[i] = {.valid = true, .orientation = 1, .views = 1};
+        make(i, report.samples[i]);
+    }
+    return report;
+}
+
+// The colour of a sample in a map of 800 pixels, 40 for each sample.
+Color color_of(const Image& image, std::size_t sample) {
+    const std::size_t at = 3 * ((40 * (sample / 20) + 20) * image.width + 40 * (sample % 20) + 20);
+    return {image.samples[at], image.samples[at + 1], image.samples[at + 2]};
+}
+
+TEST(FalseColor, AHundredthAtEitherEndGoesWithoutColoursOfItsOwn) {
+    const Report report = report_of([](std::size_t i, Sample& sample) {
+        sample.anisotropy = static_cast<double>(i + 1);
+        sample.magnification = 5.0;
+    });
+    const Image image = false_color(report, MapKind::anisotropy);
+    const ColorScale scale(3.0, 198.0, Spacing::logarithmic);
+    for (const std::size_t i : {0, 1, 2, 3, 5, 50, 150, 196, 199}) {
+        EXPECT_EQ(color_of(image, i), scale.color(static_cast<double>(i + 1))) << i;
+    }
+    // Where all is alike it has the middle of a scale round it.
+    const ColorScale narrow(4.75, 5.25, Spacing::logarithmic);
+    EXPECT_EQ(color_of(false_color(report, MapKind::magnification), 7), narrow.color(5.0));
+}
+
+TEST(FalseColor, SingularSamplesAreNotOfTheScale) {
+    const Report report = report_of([](std::size_t i, Sample& sample) {
+        sample.singular = i % 2 == 1;
+        sample.magnification = sample.singular ? 0.0 : static_cast<double>(i + 1);
+    });
+    // 100 values 1, 3 .. 199, of which the outermost are left out.
+    const ColorScale scale(3.0, 197.0, Spacing::logarithmic);
+    const Image image = false_color(report, MapKind::magnification);
+    EXPECT_EQ(color_of(image, 20), scale.color(21.0));
+    EXPECT_EQ(color_of(image, 100), scale.color(101.0));
+    EXPECT_EQ(color_of(image, 21), color_of(image, 101));
+}
+
+TEST(FalseColor, SignsSeamsAndRepeatsHaveTheirColours) {
+    const Report report = report_of([](std::size_t i, Sample& sample) {
+        sample.orientation = i < 20 ? -1 : 1;
+        sample.seam = i < 40;
+        sample.views = i < 60 ? 0 : i < 80 ? 7 : 1;
+    });
+    const Image signs = false_color(report, MapKind::orientation);
+    EXPECT_EQ(color_of(signs, 0), (Color{240, 150, 40}));
+    EXPECT_EQ(color_of(signs, 20), (Color{49, 104, 142}));
+    const Image seams = false_color(report, MapKind::seams);
+    EXPECT_EQ(color_of(seams, 39), (Color{190, 20, 20}));
+    EXPECT_EQ(color_of(seams, 40), (Color{205, 215, 225}));
+    const Image repeats = false_color(report, MapKind::repeated);
+    const ColorScale scale(1.0, 7.0, Spacing::linear);
+    EXPECT_EQ(color_of(repeats, 60), scale.color(7.0));
+    EXPECT_EQ(color_of(repeats, 80), scale.color(1.0));
+    EXPECT_NE(color_of(repeats, 0), scale.color(0.0));
+    // The legend below the map says what 7 looks like, too.
+    const Color seven = scale.color(7.0);
+    bool in_legend = false;
+    for (std::size_t i = 3 * 400 * repeats.width; i + 2 < repeats.samples.size(); i += 3) {
+        in_legend =
+            in_legend || (repeats.samples[i] == seven[0] && repeats.samples[i + 1] == seven[1] &&
+                          repeats.samples[i + 2] == seven[2]);
+    }
+    EXPECT_TRUE(in_legend);
+}
+
 }  // namespace
 }  // namespace balcony::analyse

@@ -95,6 +95,35 @@ TEST(StageArguments, AnOptionalParameterMayBeMissing) {
     EXPECT_EQ(read(row, "stage").arguments->number("r").constant(), 3.0);
 }
 
+TEST(StageArguments, RangesHaveTheirEndsAndUnits) {
+    const std::vector<StageParameter> angle{{.name = "fov",
+                                             .unit = Unit::angle,
+                                             .least = 0.0,
+                                             .most = std::numbers::pi / 2,
+                                             .meaning = "its use"}};
+    EXPECT_TRUE(read(angle, "stage(0deg)").arguments);
+    EXPECT_TRUE(read(angle, "stage(90deg)").arguments);
+    EXPECT_EQ(refused(angle, "stage(100deg)"),
+              "'fov' of 'stage' must be from 0deg to 90deg, but is 100deg; fov: its use");
+    const std::vector<StageParameter> above{
+        {.name = "r", .least = 0.0, .above_least = true, .meaning = "its use"}};
+    EXPECT_TRUE(read(above, "stage(1/1000)").arguments);
+    EXPECT_EQ(refused(above, "stage(0)"), "'r' of 'stage' must be above 0, but is 0; r: its use");
+}
+
+TEST(StageArguments, OneDefaultNumberIsForAll) {
+    const std::vector<StageParameter> row{
+        {.name = "size", .type = ParameterType::size, .default_value = {3.0}, .meaning = "its use"},
+        {.name = "at",
+         .type = ParameterType::triple,
+         .default_value = {2.0},
+         .meaning = "its use"}};
+    const Read made = read(row, "stage");
+    ASSERT_TRUE(made.arguments) << to_text(made.said);
+    EXPECT_EQ(made.arguments->pair("size")[1].constant(), 3.0);
+    EXPECT_EQ(made.arguments->triple("at")[2].constant(), 2.0);
+}
+
 std::vector<StageParameter> points(std::vector<std::size_t> coordinates, Unit unit = Unit::number) {
     return {{.name = "at",
              .type = ParameterType::points,
@@ -155,6 +184,11 @@ TEST(StageArguments, WrongPointsAreErrors) {
               "0), (1, 1)]");
     EXPECT_EQ(refused(points({1}), "stage([(1, 2), 3])"),
               "a point of 'at' of 'stage' has 1 number, but this has 2; such as at = [0, 1]");
+    std::vector<StageParameter> triangle = points({1, 2, 3});
+    triangle.front().points_least = 3;
+    EXPECT_EQ(refused(triangle, "stage([(1, 2, 3, 4), 0, 0])"),
+              "a point of 'at' of 'stage' has 1, 2 or 3 numbers, but this has 4; such as "
+              "at = [0, 1, 2]");
     EXPECT_EQ(refused(points({2, 3}), "stage([(1, 2), (1, 2, 3)])"),
               "this point has 3 numbers, but the first has 2; give all points 2 numbers");
     EXPECT_EQ(refused(points({1}), "stage([1deg, 0])"),
@@ -194,6 +228,9 @@ TEST(StageArguments, PointsMayStandInATable) {
     EXPECT_EQ(to_text(angle.said).rfind((folder.path() / "points.csv").string() + ":3:3", 0), 0U);
     ASSERT_EQ(angle.said[0].notes.size(), 1U);
     EXPECT_EQ(angle.said[0].notes[0].span.source->name(), "test.cam");
+    folder.write("short.csv", "0,1\n");
+    EXPECT_EQ(read(points({2}), "stage(\"short.csv\")", "eye", folder.path()).message(),
+              "'at' of 'stage' needs at least 2 points, but has 1");
     EXPECT_EQ(read(points({3}), "stage(\"points.csv\")", "eye", folder.path()).message(),
               "a point of 'at' of 'stage' has 3 numbers, but this has 2");
 }
@@ -214,6 +251,15 @@ TEST(StageArguments, ImagesAndMeshesAreFiles) {
         {.name = "mask", .type = ParameterType::image, .meaning = "its use"}};
     EXPECT_TRUE(refused(mask, "stage(\"vase.obj\")")
                     .starts_with("'standard/vase.obj' cannot be read as an image: "));
+}
+
+TEST(StageArguments, OfOneFileAreReadOnce) {
+    const std::vector<StageParameter> row{
+        {.name = "one", .type = ParameterType::mesh, .meaning = "its use"},
+        {.name = "other", .type = ParameterType::mesh, .meaning = "its use"}};
+    const Read made = read(row, "stage(\"vase.obj\", \"vase.obj\")");
+    ASSERT_TRUE(made.arguments) << to_text(made.said);
+    EXPECT_EQ(made.arguments->mesh("one"), made.arguments->mesh("other"));
 }
 
 TEST(StageArguments, AStageTakesAStageOfItsKind) {
@@ -250,6 +296,8 @@ TEST(StageArguments, StagesTakeAllThatIsLeft) {
     EXPECT_EQ(made("stage(3, scale(2), mirror(x), translate(1, 2, 3))"), 3U);
     EXPECT_EQ(made("stage(3, scale(2))"), 1U);
     EXPECT_EQ(made("stage(n = 3, stages = scale(2))"), 1U);
+    EXPECT_TRUE(refused(row, "stage(3, stages = scale(2), stages = mirror(x))")
+                    .starts_with("'stages' is given twice; "));
     EXPECT_EQ(refused(row, "stage(3)"),
               "'stage' is not given its 'stages' (its use); it is written stage(n, stages, ...)");
     EXPECT_EQ(refused(row, "stage(3, scale(2), 1)"),
@@ -286,6 +334,8 @@ TEST(StageArguments, AFormulaHasTheNameOfItsParameter) {
               "or divide the angle by 1rad");
     EXPECT_EQ(refused(row, "stage(wieght(u, v) = [u])"),
               "'stage' has no argument 'wieght'; did you mean 'weight'?");
+    EXPECT_EQ(refused(row, "stage(weight(pi, v) = [v])"),
+              "'pi' is taken: it is the number 3.14159...; choose another name, such as u");
     EXPECT_EQ(refused(row, "stage(weight = 0.5)"),
               "'weight' of 'stage' is a formula; it is written weight(u, v) = [a]");
     EXPECT_EQ(refused(row, "stage(weight(u, v) = [u], weight(u, v) = [v])"),
@@ -294,6 +344,21 @@ TEST(StageArguments, AFormulaHasTheNameOfItsParameter) {
     EXPECT_EQ(refused(row, "stage(1, 2, 3)"),
               "'stage' takes 2 arguments, but is given 3; it is written "
               "stage(r, weight(u, v) = [a], s)");
+}
+
+// A formula whose name is that of a stage is this stage, whatever formulas the row takes.
+TEST(StageArguments, AFormulaMayBeAStageBesideFormulas) {
+    const std::vector<StageParameter> row{{.name = "inner",
+                                           .type = ParameterType::stage,
+                                           .stage_kind = StageKind::object_generator,
+                                           .meaning = "its use"},
+                                          {.name = "weight",
+                                           .type = ParameterType::formula,
+                                           .shape = {1, 1, 1},
+                                           .meaning = "its use"}};
+    const Read made = read(row, "stage(weight(u) = [u], surface(u, v) = [u, v, 0])");
+    ASSERT_TRUE(made.arguments) << to_text(made.said);
+    EXPECT_EQ(made.arguments->stage<camera::ObjectGenerator>("inner")->dimension(), 2U);
 }
 
 TEST(StageArguments, WordsBehindARuleAreItsChoices) {

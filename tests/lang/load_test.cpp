@@ -36,6 +36,17 @@ TEST(Load, ErrorsOfOtherCamerasDoNotMatter) {
     EXPECT_FALSE(test::make(text, {}, "a"));
 }
 
+TEST(Load, AnAspectIsAPlainNumberAbove0) {
+    const auto error_of = [](const std::string& aspect) {
+        return first_error(
+            test::make("camera a { aspect " + aspect + " map u = 0 .. 1, v = square eye sphere }")
+                .diagnostics);
+    };
+    EXPECT_EQ(error_of("1/100"), "");
+    EXPECT_EQ(error_of("0"), "the aspect of a camera must be above 0, but is 0");
+    EXPECT_EQ(error_of("90deg"), "the aspect of a camera is a plain number, but this is an angle");
+}
+
 TEST(Load, OverridesReplaceDefaults) {
     const std::string text =
         "let k = 5 camera a(r = 1, s = 2*r) "
