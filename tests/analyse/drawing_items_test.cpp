@@ -60,18 +60,18 @@ TEST(DrawingItems, AreThoseAskedFor) {
 }
 
 TEST(DrawingItems, LinesLieOnTheAreasBesideThem) {
-    const auto items = items_of(between_planes, {.rays = 0});
-    for (const DrawingItem& line : items) {
-        if (is_area(line) || (line.part != DrawingPart::eye && line.part != DrawingPart::toward)) {
-            continue;
-        }
-        for (const DrawingItem& area : items) {
-            const auto is_corner = [&area](const V3d& point) {
-                return std::find(area.points.begin(), area.points.end(), point) !=
-                       area.points.end();
-            };
-            if (is_area(area) && is_corner(line.points.front()) && is_corner(line.points.back())) {
-                ASSERT_LT(line.distance, area.distance);
+    for (const char* camera : {between_planes, ball}) {
+        const auto items = items_of(camera, {.rays = 0, .frame = false});
+        for (const DrawingItem& line : items) {
+            for (const DrawingItem& area : items) {
+                const auto is_corner = [&area](const V3d& point) {
+                    return std::find(area.points.begin(), area.points.end(), point) !=
+                           area.points.end();
+                };
+                if (!is_area(line) && is_area(area) && is_corner(line.points.front()) &&
+                    is_corner(line.points.back())) {
+                    ASSERT_LT(line.distance, area.distance);
+                }
             }
         }
     }

@@ -5,6 +5,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -139,6 +140,52 @@ TEST(Model, KeepsTheCamerasAxes) {
     EXPECT_EQ(scene.axes, Axes::y_up);
     EXPECT_NEAR(scene.bounds().max.y, 2.0, 0.02);
     EXPECT_NEAR(scene.bounds().max.z, 0.0, 1e-6);
+}
+
+TEST(Model, TurnsDepthWithTheCamerasAxes) {
+    const scene::Scene scene = modelled(test::camera_of(R"(camera upright {
+        axes y_up
+        map  u = -1 .. 1, v = -2 .. 2
+        eye  surface(u, v) = [u, v, 3 + u]
+    })"),
+                                        {.rays = 0, .frame = false});
+    EXPECT_NEAR(scene.bounds().min.z, 2.0, 0.02);
+    EXPECT_NEAR(scene.bounds().max.z, 4.0, 0.02);
+}
+
+TEST(Model, TrianglesOfASurfaceAllFaceAsItsNormalsDo) {
+    const scene::Scene scene = modelled(ball(), {.rays = 0, .frame = false});
+    const scene::Mesh& surface = *parts_of(scene).at("surface");
+    int with = 0;
+    int against = 0;
+    for (const auto& corner : surface.triangles) {
+        const V3f& a = surface.positions[corner[0]];
+        const V3f across =
+            (surface.positions[corner[1]] - a).cross(surface.positions[corner[2]] - a);
+        // At a pole a triangle has no area.
+        const float facing = across.dot(surface.normals[corner[0]]);
+        with += facing > 1e-6F ? 1 : 0;
+        against += facing < -1e-6F ? 1 : 0;
+    }
+    EXPECT_EQ(std::min(with, against), 0);
+    EXPECT_GT(std::max(with, against), 1000);
+}
+
+TEST(Model, ShortArrowsBeginWhereTheirRaysDo) {
+    const scene::Scene scene = modelled(ball(), {.rays = 4, .length = 0.01});
+    for (const V3f& position : parts_of(scene).at("rays")->positions) {
+        ASSERT_GT(position.length(), 2.0F - 1e-3F);
+    }
+}
+
+TEST(Model, OnlyTheTargetIsTransparent) {
+    const scene::Scene scene =
+        modelled(test::camera_of("camera c { map u = 1 .. -1, v = -1 .. 1 eye plane((-1, 0, 0))\n"
+                                 "toward plane((1, 0, 0)) }"));
+    for (const scene::Material& material : scene.materials) {
+        EXPECT_EQ(material.alpha_mode == scene::AlphaMode::blend, material.name == "target")
+            << material.name;
+    }
 }
 
 }  // namespace
