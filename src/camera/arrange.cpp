@@ -23,6 +23,12 @@ Expr inside(const ArrangedPoint& picture) {
     return 0.0 <= point.x && point.x <= size.width && 0.0 <= point.y && point.y <= size.height;
 }
 
+ArrangedPoint clamped(const ArrangedPoint& picture) {
+    const auto& [point, size] = picture;
+    const Expr zero = size.width.graph().constant(0.0);
+    return {{min(max(point.x, zero), size.width), min(max(point.y, zero), size.height)}, size};
+}
+
 DevicePoint find_arranged(const PictureSize& whole,
                           std::span<const PictureArrangerPointer> arrangers,
                           const DevicePoint& fraction, Emitter& emit) {

@@ -21,6 +21,9 @@ namespace balcony::camera {
 /// Whether a point lies in its picture, the border included.
 [[nodiscard]] Expr inside(const ArrangedPoint& picture);
 
+/// The point of the picture that is nearest.
+[[nodiscard]] ArrangedPoint clamped(const ArrangedPoint& picture);
+
 /// Where a point of the arranged picture, in fractions of it from its top left corner, lies in the
 /// whole: arrange() inverted by Newton's method from the middle of the whole, which is exact where
 /// the arrangers are affine.

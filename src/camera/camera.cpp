@@ -169,8 +169,9 @@ RayExpressions Camera::emit(Graph& graph, double width, double height) const {
 RayExpressions Camera::emit(const ArrangedPoint& whole) const {
     Emitter emit(whole.size.width.graph());
     const ArrangedPoint picture = arranged(whole, parts_->arrangers, emit);
+    // In a layer with a soft edge the camera goes on beyond its picture, as far as it fills it.
     if (!parts_->arrangers.empty()) {
-        emit.require(inside(picture));
+        emit.require(inside(arranged(clamped(whole), parts_->arrangers, emit)));
     }
     RayExpressions ray =
         with_picture_point(ray_in_own_picture(*parts_, picture.size), picture.point);

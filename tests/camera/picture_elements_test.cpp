@@ -111,6 +111,24 @@ TEST(LayerCoverage, IsNothingWhereAnArrangerHasNoPlace) {
     EXPECT_EQ(probe(0, 50.0, 50.0), 0.0);
 }
 
+// So that a soft edge, half of which lies outside of the layer, has rays to show.
+TEST(LayerCoverage, ACameraGoesOnBeyondItsPictureWhereItsArrangersFillIt) {
+    Layer inset = layer();
+    Camera::Parts parts = std::get<Camera>(inset.content).parts();
+    parts.arrangers = {place({0.0, 0.0}, {0.5, 1.0})};
+    inset.content = camera(std::move(parts));
+    inset.arrangers = {place({0.25, 0.2}, {0.75, 0.8})};
+    inset.softness = 0.2;
+    const CoverageProbe probe(inset);
+    const auto valid = [&probe](double x, double y) {
+        return expr::evaluate(std::array{probe.elements()[0].ray->valid}, {x, y, 0.0, {}})[0];
+    };
+    EXPECT_EQ(valid(46.0, 50.0), 1.0);
+    EXPECT_EQ(valid(60.0, 16.0), 1.0);
+    EXPECT_EQ(valid(120.0, 50.0), 0.0);
+    EXPECT_EQ(valid(154.0, 50.0), 0.0);
+}
+
 // There lie the samples of filters that reach beyond it.
 TEST(LayerCoverage, IncludesThePicturesBorder) {
     Layer left = layer();
