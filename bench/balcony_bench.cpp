@@ -23,7 +23,7 @@ constexpr int passes = 9;
 
 // Seconds for the plain loop and then each instruction set. They take turns, so that whatever
 // disturbs the machine for a while disturbs all of them.
-std::vector<double> least_seconds(const Case& row) {
+std::vector<double> min_seconds(const Case& row) {
     const std::vector<program::Tile> tiles = tiles_of_picture(picture_width, picture_height);
     const TileResults results(ray_roots);
     program::Scratch scratch;
@@ -49,7 +49,7 @@ std::vector<double> least_seconds(const Case& row) {
 
 // The largest difference between a camera and its plain loop, relative to the size of the value
 // where that is above 1: a figure for another formula would mean nothing.
-double largest_difference(const Case& row) {
+double max_difference(const Case& row) {
     const TileResults loop(ray_roots);
     const TileResults program(ray_roots);
     program::Scratch scratch;
@@ -75,13 +75,13 @@ void print_row(const Case& row) {
         row.program.instruction_count(Rate::column) + row.program.instruction_count(Rate::row),
         row.program.instruction_count(Rate::pixel));
     constexpr double million_rays = 1e-6 * static_cast<double>(picture_width * picture_height);
-    const std::vector<double> seconds = least_seconds(row);
+    const std::vector<double> seconds = min_seconds(row);
     fmt::print("{:>9.1f}", million_rays / seconds[0]);
     for (std::size_t column = 1; column < seconds.size(); ++column) {
         fmt::print("{:>9.1f} ({:>5.1f} x)", million_rays / seconds[column],
                    seconds[0] / seconds[column]);
     }
-    fmt::print("{:>11.1e}\n", largest_difference(row));
+    fmt::print("{:>11.1e}\n", max_difference(row));
 }
 
 }  // namespace

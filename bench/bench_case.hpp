@@ -53,8 +53,8 @@ struct Superelliptic {
     double b = 25.0;
     double c = 25.0;
     double exponent = 8.0;  ///< e = 2/gamma
-    double longest_u = 3.141592653589793;
-    double longest_v = 1.2217304763960306;  ///< 70 degrees
+    double max_u = 3.141592653589793;
+    double max_v = 1.2217304763960306;  ///< 70 degrees
 };
 
 struct Zoom {

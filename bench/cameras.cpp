@@ -24,7 +24,7 @@ std::string superelliptic_text(const std::string& warp) {
         "    {6}\n"
         "    look normal\n"
         "}}\n",
-        camera.longest_u, camera.longest_v, camera.a, camera.b, camera.c, camera.exponent, warp);
+        camera.max_u, camera.max_v, camera.a, camera.b, camera.c, camera.exponent, warp);
 }
 
 std::string zoom_text() {

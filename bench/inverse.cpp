@@ -69,7 +69,7 @@ void print_inverse() {
     fmt::print("\nthousand points a second found in a picture {} pixels high, one core\n\n",
                picture_side);
     fmt::print("{:<20}{:>12}{:>10}{:>14}\n", "camera", "points", "patches", "to make, ms");
-    for (const std::string& name : lang::standard_cameras()) {
+    for (const std::string& name : lang::built_in_cameras()) {
         const auto camera = lang::load_camera(name, "");
         if (!camera) {
             throw std::runtime_error(to_text(camera.diagnostics));

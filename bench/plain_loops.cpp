@@ -77,8 +77,8 @@ double across(double x, double size, double limit) { return (2.0 * x / size - 1.
 void plain_superelliptic(const program::Tile& tile, std::span<double* const> results) {
     const Superelliptic camera;
     for_points(tile, results, [&](double x, double y) {
-        return superelliptic_ray(across(x, picture_width, camera.longest_u),
-                                 across(y, picture_height, -camera.longest_v), camera);
+        return superelliptic_ray(across(x, picture_width, camera.max_u),
+                                 across(y, picture_height, -camera.max_v), camera);
     });
 }
 
@@ -86,8 +86,8 @@ void plain_zoomed_superelliptic(const program::Tile& tile, std::span<double* con
     const Superelliptic camera;
     const Zoom zoom;
     for_points(tile, results, [&](double x, double y) {
-        const double du = across(x, picture_width, camera.longest_u) - zoom.u;
-        const double dv = across(y, picture_height, -camera.longest_v) - zoom.v;
+        const double du = across(x, picture_width, camera.max_u) - zoom.u;
+        const double dv = across(y, picture_height, -camera.max_v) - zoom.v;
         const double q = (du * du + dv * dv) / (zoom.radius * zoom.radius);
         double factor = 1.0;
         if (q < 1.0) {

@@ -119,7 +119,7 @@ void print_stages() {
 void print_compilation() {
     fmt::print("{:<52}{:>16}{:>16}\n", "milliseconds from text to program (reach: 10)", "first",
                "best of 5");
-    for (const std::string& name : lang::standard_cameras()) {
+    for (const std::string& name : lang::built_in_cameras()) {
         double first = 0.0;
         double best = std::numeric_limits<double>::infinity();
         for (int pass = 0; pass < passes; ++pass) {

@@ -32,14 +32,14 @@ std::vector<program::Tile> tiles_of_picture(std::size_t width, std::size_t heigh
 }
 
 Stopwatch::Stopwatch(std::size_t tiles)
-    : least_seconds_(tiles, std::numeric_limits<double>::infinity()) {}
+    : min_seconds_(tiles, std::numeric_limits<double>::infinity()) {}
 
 double Stopwatch::seconds() const {
-    return std::accumulate(least_seconds_.begin(), least_seconds_.end(), 0.0);
+    return std::accumulate(min_seconds_.begin(), min_seconds_.end(), 0.0);
 }
 
 void Stopwatch::note(std::size_t tile, double seconds) {
-    least_seconds_[tile] = std::min(least_seconds_[tile], seconds);
+    min_seconds_[tile] = std::min(min_seconds_[tile], seconds);
 }
 
 }  // namespace balcony::bench

@@ -44,7 +44,7 @@ public:
 private:
     void note(std::size_t tile, double seconds);
 
-    std::vector<double> least_seconds_;
+    std::vector<double> min_seconds_;
 };
 
 }  // namespace balcony::bench

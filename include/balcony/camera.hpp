@@ -129,7 +129,7 @@ public:
 };
 
 /// A point of the picture as a camera's own picture sees it, and how large that picture is.
-struct ArrangedPoint {
+struct PicturePoint {
     DevicePoint point;
     PictureSize size;
 };
@@ -138,14 +138,14 @@ struct ArrangedPoint {
 /// picture a camera does not show.
 class PictureArranger : public Stage {
 public:
-    [[nodiscard]] virtual ArrangedPoint arrange(const ArrangedPoint& picture,
-                                                Emitter& emit) const = 0;
+    [[nodiscard]] virtual PicturePoint arrange(const PicturePoint& picture,
+                                               Emitter& emit) const = 0;
 };
 
 /// DCS → PCS, affine: scaling, reflection, translation.
 class PictureMapper : public Stage {
 public:
-    [[nodiscard]] virtual ParameterPoint map(const ArrangedPoint& picture, Emitter& emit) const = 0;
+    [[nodiscard]] virtual ParameterPoint map(const PicturePoint& picture, Emitter& emit) const = 0;
 };
 
 /// PCS → PCS.
@@ -189,7 +189,7 @@ struct PathPoint {
 class DirectionRule : public Stage {
 public:
     /// The least dimension of eye object that it can work with.
-    [[nodiscard]] virtual int least_eye_dimension() const { return 0; }
+    [[nodiscard]] virtual int min_eye_dimension() const { return 0; }
     [[nodiscard]] virtual bool needs_direction_object() const { return false; }
     /// `toward` is null if the camera has no direction object.
     [[nodiscard]] virtual ObjectVector direction(const PathPoint& eye, const PathPoint* toward,
@@ -201,9 +201,9 @@ class ClipShape : public Stage {
 public:
     /// The distance in pixels from the shape's edge, negative inside; right to first order at the
     /// edge, and of the right sign everywhere.
-    [[nodiscard]] virtual Expr distance(const ArrangedPoint& picture, Emitter& emit) const = 0;
+    [[nodiscard]] virtual Expr distance(const PicturePoint& picture, Emitter& emit) const = 0;
     /// From 0, nothing shows, to 1. The edge is `softness` pixels wide, sharp if that is 0.
-    [[nodiscard]] virtual Expr coverage(const ArrangedPoint& picture, Expr softness,
+    [[nodiscard]] virtual Expr coverage(const PicturePoint& picture, Expr softness,
                                         Emitter& emit) const;
     /// How far from the middle of the picture to its corners the shape surely reaches, from 0 to 1:
     /// leader lines end there.
@@ -227,7 +227,7 @@ struct Path {
     ObjectGeneratorPointer generator;
     std::vector<ObjectTransformerPointer> object_transformers;
 
-    [[nodiscard]] PathPoint emit(const ArrangedPoint& picture, Emitter& emit) const;
+    [[nodiscard]] PathPoint emit(const PicturePoint& picture, Emitter& emit) const;
 };
 
 /// The ray of a picture point, as expressions of picture x, picture y and time.
@@ -270,7 +270,7 @@ public:
     /// getRay, for a picture of the given size in pixels.
     [[nodiscard]] RayExpressions emit(Graph& graph, double width, double height) const;
     /// The same for a point that arrangers have given a place in a larger picture.
-    [[nodiscard]] RayExpressions emit(const ArrangedPoint& picture) const;
+    [[nodiscard]] RayExpressions emit(const PicturePoint& picture) const;
 
 private:
     explicit Camera(Parts parts) : parts_(std::make_shared<const Parts>(std::move(parts))) {}

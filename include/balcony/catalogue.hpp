@@ -60,8 +60,8 @@ enum class Unit : std::uint8_t {
 /// Results as a formula of parameters: name(p1, p2) = [r1, r2, r3].
 struct FormulaShape {
     std::size_t parameters = 0;
-    std::size_t results_least = 0;
-    std::size_t results_most = 0;
+    std::size_t min_results = 0;
+    std::size_t max_results = 0;
 };
 
 /// Points that a stage is told, as control points or seeds; one after another in `values`.
@@ -100,13 +100,13 @@ struct StageParameter {
     ParameterType type = ParameterType::number;
     Unit unit = Unit::number;
     std::vector<double> default_value{};  ///< Empty: must be given (curve, or no default).
-    double least = -std::numeric_limits<double>::infinity();
-    double most = std::numeric_limits<double>::infinity();
-    bool above_least = false;                            ///< The least value itself is excluded.
+    double minimum = -std::numeric_limits<double>::infinity();
+    double maximum = std::numeric_limits<double>::infinity();
+    bool excludes_minimum = false;                       ///< The least value itself is excluded.
     std::vector<std::string_view> choices{};             ///< The first is the default.
     StageKind stage_kind = StageKind::object_generator;  ///< Of stage and stages.
     std::vector<std::size_t> coordinates{};              ///< How many points may have, least first.
-    std::size_t points_least = 1;                        ///< How many points there must be.
+    std::size_t min_points = 1;                          ///< How many points there must be.
     FormulaShape shape{};                                ///< Of a formula.
     /// It may be left out though it has no default value; the maker asks has().
     bool optional = false;

@@ -20,17 +20,17 @@
 
 namespace balcony::data {
 
-inline constexpr std::size_t largest_table = 16'000'000;       ///< Bytes.
-inline constexpr std::size_t most_numbers = 262'144;           ///< Of a table.
-inline constexpr std::size_t most_pixels = 16'777'216;         ///< Of an image.
-inline constexpr std::size_t largest_mesh_file = 500'000'000;  ///< Bytes.
-inline constexpr std::size_t most_triangles = 5'000'000;       ///< Of a mesh.
+inline constexpr std::size_t max_table = 16'000'000;       ///< Bytes.
+inline constexpr std::size_t max_numbers = 262'144;        ///< Of a table.
+inline constexpr std::size_t max_pixels = 16'777'216;      ///< Of an image.
+inline constexpr std::size_t max_mesh_file = 500'000'000;  ///< Bytes.
+inline constexpr std::size_t max_triangles = 5'000'000;    ///< Of a mesh.
 
 /// A file on the disk, or one that comes with Balcony.
 struct File {
     std::string name;  ///< For messages.
     std::filesystem::path path;
-    std::optional<std::span<const std::uint8_t>> standard;  ///< Its bytes if it comes along.
+    std::optional<std::span<const std::uint8_t>> built_in;  ///< Its bytes if it comes along.
 };
 
 /// Finds a file by the name that a camera file gives it: in a folder, if there is one to look in,
@@ -39,7 +39,7 @@ struct File {
 [[nodiscard]] Result<File> find_file(std::string_view name,
                                      const std::optional<std::filesystem::path>& folder);
 /// The files that come with Balcony (cameras/data), by name.
-[[nodiscard]] std::vector<std::string> standard_files();
+[[nodiscard]] std::vector<std::string> built_in_files();
 
 /// A table as text has it, row by row.
 struct Table {

@@ -49,7 +49,7 @@ struct SampleGrid {
 struct DiagnoseSettings {
     double width = 1280.0;  ///< Of the picture, in pixels.
     double height = 720.0;
-    std::size_t most_samples = 65536;
+    std::size_t max_samples = 65536;
     double time = 0.0;  ///< The t of the camera's formulas.
     /// Where the picture is measured: how far from the origins of the rays, along them. Nothing is
     /// directions alone if all rays leave one point, else a quarter of the diagonal of the box that
@@ -66,10 +66,10 @@ struct Place {
 };
 
 struct Statistics {
-    double least = 0.0;
+    double minimum = 0.0;
     double median = 0.0;
-    double most = 0.0;
-    Place least_at, most_at;
+    double maximum = 0.0;
+    Place min_at, max_at;
 };
 
 enum class FindingKind : std::uint8_t {

@@ -157,10 +157,10 @@ struct Table {
         double first = 0.0;
         double last = 1.0;
         std::size_t cells = 1;
-        std::size_t degree = 3;  ///< At most most_degree.
+        std::size_t degree = 3;  ///< At most max_degree.
     };
-    static constexpr std::size_t most_degree = 7;
-    static constexpr std::size_t most_axes = 3;
+    static constexpr std::size_t max_degree = 7;
+    static constexpr std::size_t max_axes = 3;
 
     std::vector<Axis> axes;
     /// Cell by cell and within a cell power by power, in both the last axis fastest.
@@ -246,7 +246,7 @@ private:
     std::vector<Node> nodes_;
     std::unordered_map<Node, NodeId, Hash> known_;
     std::vector<std::shared_ptr<const Table>> tables_;
-    std::vector<std::array<std::shared_ptr<const Table>, Table::most_axes>> derivative_tables_;
+    std::vector<std::array<std::shared_ptr<const Table>, Table::max_axes>> derivative_tables_;
     std::vector<std::shared_ptr<const Native>> natives_;
     std::uint32_t variables_ = 0;
 };
@@ -336,8 +336,8 @@ Expr signed_power(Expr x, Expr p);
 
 /// d expression / d leaf, exactly, by the derivative rules of the operations. The leaf is
 /// picture x, picture y, time or a variable.
-[[nodiscard]] std::vector<Expr> derive(std::span<const Expr> expressions, Expr leaf);
-[[nodiscard]] Expr derive(Expr expression, Expr leaf);
+[[nodiscard]] std::vector<Expr> differentiate(std::span<const Expr> expressions, Expr leaf);
+[[nodiscard]] Expr differentiate(Expr expression, Expr leaf);
 
 /// Leaves and what to put in their place.
 struct Substitution {

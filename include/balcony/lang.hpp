@@ -22,7 +22,7 @@ struct Override {
 };
 
 /// What a file says of a camera or a picture without making it.
-struct CameraDescription {
+struct Description {
     struct Parameter {
         std::string name;
         std::string default_text;  ///< As written.
@@ -36,9 +36,9 @@ struct CameraDescription {
 };
 
 /// Reads what cameras and pictures a file has, in the order of the file.
-[[nodiscard]] Result<std::vector<CameraDescription>> describe(const std::filesystem::path& file);
+[[nodiscard]] Result<std::vector<Description>> describe(const std::filesystem::path& file);
 
-/// Makes a camera. `file` is a .cam file or the name of a standard camera; an empty `name` means
+/// Makes a camera. `file` is a .cam file or the name of a built-in camera; an empty `name` means
 /// the file's last camera. Overrides that the camera does not know are errors; of two for one
 /// parameter the last counts. Warnings may come with the camera; --set names the text of an
 /// override in what is said of it.
@@ -112,6 +112,6 @@ struct Explanation {
 [[nodiscard]] Result<std::string> format(const std::shared_ptr<const SourceText>& source);
 
 /// The cameras that come with Balcony, by name: pinhole, orthographic, ...
-[[nodiscard]] const std::vector<std::string>& standard_cameras();
+[[nodiscard]] const std::vector<std::string>& built_in_cameras();
 
 }  // namespace balcony::lang

@@ -93,10 +93,10 @@ struct PictureExpressions {
 };
 
 /// How deep pictures may stand in pictures.
-inline constexpr std::size_t most_nested_pictures = 16;
+inline constexpr std::size_t max_nested_pictures = 16;
 /// How many layers a picture may have, those of the pictures in it counted each time they stand
 /// there.
-inline constexpr std::size_t most_layers = 1000;
+inline constexpr std::size_t max_layers = 1000;
 
 /// An immutable value, as a camera is.
 class Picture {

@@ -34,8 +34,8 @@ struct Tile {
     double time = 0.0;
 
     struct Limits {
-        double least = -std::numeric_limits<double>::infinity();
-        double most = std::numeric_limits<double>::infinity();
+        double minimum = -std::numeric_limits<double>::infinity();
+        double maximum = std::numeric_limits<double>::infinity();
     };
     Limits x_limits{};
     Limits y_limits{};
@@ -45,7 +45,8 @@ struct Tile {
 
 private:
     [[nodiscard]] double within(double first, std::size_t steps, const Limits& limits) const {
-        return std::clamp(first + static_cast<double>(steps) * step, limits.least, limits.most);
+        return std::clamp(first + static_cast<double>(steps) * step, limits.minimum,
+                          limits.maximum);
     }
 };
 

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "base/output_file.hpp"
+#include "balcony/output_file.hpp"
 #include "gallery/gallery.hpp"
 
 namespace {

@@ -37,10 +37,10 @@ CodePoint decode(std::string_view bytes) {
         }
         value = value << 6 | (static_cast<unsigned char>(byte) & 0x3fU);
     }
-    constexpr std::array<char32_t, 5> least = {0, 0, 0x80, 0x800, 0x10000};
+    constexpr std::array<char32_t, 5> minimum = {0, 0, 0x80, 0x800, 0x10000};
     const bool surrogate = value >= 0xd800 && value < 0xe000;
-    return value < least[length] || surrogate || value > 0x10ffff ? CodePoint{}
-                                                                  : CodePoint{length, value};
+    return value < minimum[length] || surrogate || value > 0x10ffff ? CodePoint{}
+                                                                    : CodePoint{length, value};
 }
 
 // Control codes move the cursor, clear the screen or worse; the direction marks of Unicode reorder

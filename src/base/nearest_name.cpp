@@ -43,16 +43,16 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::optional<std::string> nearest_name(std::string_view name,
                                         const std::vector<std::string>& candidates) {
-    constexpr std::size_t longest_sensible_name = 64;
-    if (name.empty() || name.size() > longest_sensible_name) {
+    constexpr std::size_t max_sensible_name = 64;
+    if (name.empty() || name.size() > max_sensible_name) {
         return std::nullopt;
     }
     std::optional<std::string> nearest;
-    std::size_t least = (name.size() == 2 ? 1 : name.size() / 3) + 1;
+    std::size_t minimum = (name.size() == 2 ? 1 : name.size() / 3) + 1;
     for (const std::string& candidate : candidates) {
         const std::size_t distance = edit_distance(name, candidate);
-        if (distance < least) {
-            least = distance;
+        if (distance < minimum) {
+            minimum = distance;
             nearest = candidate;
         }
     }

@@ -5,25 +5,25 @@
 
 namespace balcony::camera {
 
-ArrangedPoint whole_picture(Graph& graph, double width, double height) {
+PicturePoint whole_picture(Graph& graph, double width, double height) {
     return {{graph.picture_x(), graph.picture_y()},
             {graph.constant(width), graph.constant(height)}};
 }
 
-ArrangedPoint arranged(ArrangedPoint whole, std::span<const PictureArrangerPointer> arrangers,
-                       Emitter& emit) {
+PicturePoint arranged(PicturePoint whole, std::span<const PictureArrangerPointer> arrangers,
+                      Emitter& emit) {
     for (const PictureArrangerPointer& arranger : arrangers) {
         whole = arranger->arrange(whole, emit);
     }
     return whole;
 }
 
-Expr inside(const ArrangedPoint& picture) {
+Expr inside(const PicturePoint& picture) {
     const auto& [point, size] = picture;
     return 0.0 <= point.x && point.x <= size.width && 0.0 <= point.y && point.y <= size.height;
 }
 
-ArrangedPoint clamped(const ArrangedPoint& picture) {
+PicturePoint clamped(const PicturePoint& picture) {
     const auto& [point, size] = picture;
     const Expr zero = size.width.graph().constant(0.0);
     return {{min(max(point.x, zero), size.width), min(max(point.y, zero), size.height)}, size};
@@ -37,11 +37,11 @@ DevicePoint find_arranged(const PictureSize& whole,
     const Expr x = graph.fresh_variable();
     const Expr y = graph.fresh_variable();
     Emitter unused(graph);
-    const ArrangedPoint there = arranged({{x, y}, whole}, arrangers, unused);
+    const PicturePoint there = arranged({{x, y}, whole}, arrangers, unused);
     const std::array miss{there.point.x - fraction.x * there.size.width,
                           there.point.y - fraction.y * there.size.height};
-    const std::vector<Expr> by_x = expr::derive(miss, x);
-    const std::vector<Expr> by_y = expr::derive(miss, y);
+    const std::vector<Expr> by_x = expr::differentiate(miss, x);
+    const std::vector<Expr> by_y = expr::differentiate(miss, y);
     const Expr determinant = by_x[0] * by_y[1] - by_x[1] * by_y[0];
     const std::array next{x - (miss[0] * by_y[1] - miss[1] * by_y[0]) / determinant,
                           y - (by_x[0] * miss[1] - by_x[1] * miss[0]) / determinant};

@@ -11,18 +11,18 @@
 namespace balcony::camera {
 
 /// Picture x and y in a picture of the given size in pixels.
-[[nodiscard]] ArrangedPoint whole_picture(Graph& graph, double width, double height);
+[[nodiscard]] PicturePoint whole_picture(Graph& graph, double width, double height);
 
 /// A point of the whole picture in the picture that the arrangers, outermost first, lead to.
-[[nodiscard]] ArrangedPoint arranged(ArrangedPoint whole,
-                                     std::span<const PictureArrangerPointer> arrangers,
-                                     Emitter& emit);
+[[nodiscard]] PicturePoint arranged(PicturePoint whole,
+                                    std::span<const PictureArrangerPointer> arrangers,
+                                    Emitter& emit);
 
 /// Whether a point lies in its picture, the border included.
-[[nodiscard]] Expr inside(const ArrangedPoint& picture);
+[[nodiscard]] Expr inside(const PicturePoint& picture);
 
 /// The point of the picture that is nearest.
-[[nodiscard]] ArrangedPoint clamped(const ArrangedPoint& picture);
+[[nodiscard]] PicturePoint clamped(const PicturePoint& picture);
 
 /// Where a point of the arranged picture, in fractions of it from its top left corner, lies in the
 /// whole: arrange() inverted by Newton's method from the middle of the whole, which is exact where

@@ -54,7 +54,7 @@ void check_path(const Path& path, std::string_view object, const std::string& ca
 
 }  // namespace
 
-Expr ClipShape::coverage(const ArrangedPoint& picture, Expr softness, Emitter& emit) const {
+Expr ClipShape::coverage(const PicturePoint& picture, Expr softness, Emitter& emit) const {
     const Expr depth = -distance(picture, emit);
     const Expr sharp = select(0.0 <= depth, emit(1.0), emit(0.0));
     const Expr ramp = min(max(0.5 + depth / softness, emit(0.0)), emit(1.0));
@@ -65,8 +65,8 @@ RayFootprint footprint(const RayExpressions& ray) {
     Graph& graph = ray.origin.x.graph();
     const std::array values{ray.origin.x,    ray.origin.y,    ray.origin.z,
                             ray.direction.x, ray.direction.y, ray.direction.z};
-    const std::vector<Expr> by_x = expr::derive(values, graph.picture_x());
-    const std::vector<Expr> by_y = expr::derive(values, graph.picture_y());
+    const std::vector<Expr> by_x = expr::differentiate(values, graph.picture_x());
+    const std::vector<Expr> by_y = expr::differentiate(values, graph.picture_y());
     return {{by_x[0], by_x[1], by_x[2]},
             {by_y[0], by_y[1], by_y[2]},
             {by_x[3], by_x[4], by_x[5]},
@@ -82,12 +82,12 @@ Result<Camera> Camera::make(Parts parts) {
     if (!parts.look) {
         said.push_back(error(fmt::format("camera '{}' has no direction rule", parts.name)));
     } else {
-        const int least = parts.look->least_eye_dimension();
-        if (parts.eye.generator && parts.eye.generator->dimension() < least) {
+        const int minimum = parts.look->min_eye_dimension();
+        if (parts.eye.generator && parts.eye.generator->dimension() < minimum) {
             said.push_back(error(
                 fmt::format("the direction rule of camera '{}' needs a {} as eye object, but has "
                             "a {}",
-                            parts.name, least == 2 ? "surface" : "curve or surface",
+                            parts.name, minimum == 2 ? "surface" : "curve or surface",
                             parts.eye.generator->dimension() == 1 ? "curve" : "point"),
                 {}, "take another eye object, or add a direction object with: toward ..."));
         }
@@ -130,7 +130,7 @@ namespace {
 RayExpressions ray_in_own_picture(const Camera::Parts& parts, const PictureSize& size) {
     Graph& graph = size.width.graph();
     Emitter emit(graph);
-    const ArrangedPoint picture{{graph.picture_x(), graph.picture_y()}, size};
+    const PicturePoint picture{{graph.picture_x(), graph.picture_y()}, size};
     const PathPoint eye = parts.eye.emit(picture, emit);
     std::optional<PathPoint> toward;
     if (parts.toward) {
@@ -140,11 +140,11 @@ RayExpressions ray_in_own_picture(const Camera::Parts& parts, const PictureSize&
 
     // A sum of squares is finite only if every term is, so that one speaks for all six values.
     // Directions so short that their squares lose digits cannot be brought to unit length.
-    constexpr double least_squared_length = 0x1p-960;
+    constexpr double min_squared_length = 0x1p-960;
     const Expr squared_length = dot(direction, direction);
     const Expr origin_size =
         eye.point.x * eye.point.x + eye.point.y * eye.point.y + eye.point.z * eye.point.z;
-    emit.require(least_squared_length < squared_length);
+    emit.require(min_squared_length < squared_length);
     emit.require(is_finite(squared_length + origin_size));
     return {eye.point, (1.0 / sqrt(squared_length)) * direction, emit.valid(), eye.parameters};
 }
@@ -166,9 +166,9 @@ RayExpressions Camera::emit(Graph& graph, double width, double height) const {
     return emit(whole_picture(graph, width, height));
 }
 
-RayExpressions Camera::emit(const ArrangedPoint& whole) const {
+RayExpressions Camera::emit(const PicturePoint& whole) const {
     Emitter emit(whole.size.width.graph());
-    const ArrangedPoint picture = arranged(whole, parts_->arrangers, emit);
+    const PicturePoint picture = arranged(whole, parts_->arrangers, emit);
     // In a layer with a soft edge the camera goes on beyond its picture, as far as it fills it.
     if (!parts_->arrangers.empty()) {
         emit.require(inside(arranged(clamped(whole), parts_->arrangers, emit)));

@@ -53,7 +53,7 @@ Result<CurveSampler> CurveSampler::make(const ObjectGenerator& curve, Derivative
     made.roots_ = {p.x, p.y, p.z};
     for (std::size_t order = 0; order < (derivatives == Derivatives::first ? 1 : 2); ++order) {
         const std::vector<Expr> slopes =
-            expr::derive(std::span(made.roots_).subspan(3 * order, 3), parameter);
+            expr::differentiate(std::span(made.roots_).subspan(3 * order, 3), parameter);
         made.roots_.insert(made.roots_.end(), slopes.begin(), slopes.end());
     }
     made.roots_.push_back(emit.valid());

@@ -10,7 +10,7 @@ namespace balcony::camera {
 
 namespace {
 
-ParameterPoint parameters_of(const Path& path, const ArrangedPoint& picture, Emitter& emit) {
+ParameterPoint parameters_of(const Path& path, const PicturePoint& picture, Emitter& emit) {
     ParameterPoint p = path.mapper->map(picture, emit);
     for (const ParameterTransformerPointer& transformer : path.parameter_transformers) {
         p = transformer->transform(p, emit);
@@ -25,9 +25,9 @@ ObjectPoint moved(const Path& path, ObjectPoint p, Emitter& emit) {
     return p;
 }
 
-ObjectVector derive(const ObjectPoint& p, Expr leaf) {
+ObjectVector differentiate(const ObjectPoint& p, Expr leaf) {
     const std::array coordinates{p.x, p.y, p.z};
-    const std::vector<Expr> slopes = expr::derive(coordinates, leaf);
+    const std::vector<Expr> slopes = expr::differentiate(coordinates, leaf);
     return {slopes[0], slopes[1], slopes[2]};
 }
 
@@ -39,9 +39,9 @@ ObjectVector moved_normal(const Path& path, const ObjectPoint& at, const ObjectV
     const std::array free{graph.fresh_variable(), graph.fresh_variable(), graph.fresh_variable()};
     Emitter unused(graph);
     const ObjectPoint p = moved(path, {free[0], free[1], free[2]}, unused);
-    const ObjectVector by_x = derive(p, free[0]);
-    const ObjectVector by_y = derive(p, free[1]);
-    const ObjectVector by_z = derive(p, free[2]);
+    const ObjectVector by_x = differentiate(p, free[0]);
+    const ObjectVector by_y = differentiate(p, free[1]);
+    const ObjectVector by_z = differentiate(p, free[2]);
     const ObjectVector turned =
         normal.x * cross(by_y, by_z) + normal.y * cross(by_z, by_x) + normal.z * cross(by_x, by_y);
     const std::array made{turned.x, turned.y, turned.z};
@@ -55,14 +55,14 @@ ObjectVector moved_normal(const Path& path, const ObjectPoint& at, const ObjectV
 
 // The object is made on free parameters (u, v) first, so that its tangents are derivatives by its
 // own parameters, whatever the mapper and the parameter transformers do; then these are put in.
-PathPoint Path::emit(const ArrangedPoint& picture, Emitter& emit) const {
+PathPoint Path::emit(const PicturePoint& picture, Emitter& emit) const {
     Graph& graph = emit.graph();
     const Expr u = graph.fresh_variable();
     const Expr v = graph.fresh_variable();
     Emitter object_emit(graph);
     const ObjectPoint p = moved(*this, generator->generate({u, v}, object_emit), object_emit);
-    const ObjectVector along_u = derive(p, u);
-    const ObjectVector along_v = derive(p, v);
+    const ObjectVector along_u = differentiate(p, u);
+    const ObjectVector along_v = differentiate(p, v);
     const std::optional<ObjectVector> own = generator->normal({u, v}, object_emit);
     const ObjectVector normal =
         own ? moved_normal(*this, generator->generate({u, v}, object_emit), *own, object_emit)

@@ -40,11 +40,11 @@ struct Place {
     Vector3 tangent_by_part;
 };
 
-constexpr std::size_t least_cells = 256;
-constexpr std::size_t most_cells = 4096;
+constexpr std::size_t min_cells = 256;
+constexpr std::size_t max_cells = 4096;
 /// Up to this angle in radians between its ends a cubic follows the frame in a cell to 1e-6.
-constexpr double most_turn = 0.1;
-constexpr std::size_t most_corners = most_cells / 16;
+constexpr double max_turn = 0.1;
+constexpr std::size_t max_corners = max_cells / 16;
 
 double part(std::size_t i, std::size_t cells) {
     return static_cast<double>(i) / static_cast<double>(cells);
@@ -83,7 +83,7 @@ double angle_between(const Vector3& unit_a, const Vector3& unit_b) {
 /// Places so close that the path hardly turns between two of them. Corners, where it always does,
 /// are borne as long as they are few.
 Result<std::vector<Place>> fine_places_on(const CurveSampler& path, double from, double to) {
-    for (std::size_t cells = least_cells;; cells *= 2) {
+    for (std::size_t cells = min_cells;; cells *= 2) {
         Result<std::vector<Place>> places = places_on(path, from, to, cells);
         if (!places) {
             return places;
@@ -91,13 +91,13 @@ Result<std::vector<Place>> fine_places_on(const CurveSampler& path, double from,
         std::size_t turning = 0;
         for (std::size_t i = 0; i < cells; ++i) {
             const double turn = angle_between((*places)[i].tangent, (*places)[i + 1].tangent);
-            turning += turn > most_turn ? 1 : 0;
+            turning += turn > max_turn ? 1 : 0;
         }
-        if (turning == 0 || (cells == most_cells && turning <= most_corners)) {
+        if (turning == 0 || (cells == max_cells && turning <= max_corners)) {
             return places;
         }
-        if (cells == most_cells) {
-            return error(fmt::format("the path turns too much for a frame of {} steps", most_cells),
+        if (cells == max_cells) {
+            return error(fmt::format("the path turns too much for a frame of {} steps", max_cells),
                          {}, "sweep along parts of it, with from and to");
         }
     }

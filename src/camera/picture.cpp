@@ -47,9 +47,9 @@ Extent extent(const Picture::Parts& parts) {
 }
 
 // What is known of a number before there is a time.
-bool known_outside(const Scalar& value, double least, double most) {
+bool known_outside(const Scalar& value, double minimum, double maximum) {
     const auto known = value.constant();
-    return known && !(least <= *known && *known <= most);
+    return known && !(minimum <= *known && *known <= maximum);
 }
 
 void check_stroke(const Stroke& stroke, const std::string& layer, Diagnostics& said) {
@@ -83,15 +83,15 @@ void check_extent(const Picture::Parts& parts, Diagnostics& said) {
         said.push_back(error(fmt::format("picture '{}' has no layers", parts.name), {},
                              "add one with: layer NAME"));
     }
-    if (all.layers > most_layers) {
+    if (all.layers > max_layers) {
         said.push_back(
             error(fmt::format("picture '{}' has {} layers, those of its pictures "
                               "included; {} are allowed",
-                              parts.name, all.layers, most_layers)));
+                              parts.name, all.layers, max_layers)));
     }
-    if (all.depth > most_nested_pictures) {
+    if (all.depth > max_nested_pictures) {
         said.push_back(error(fmt::format("picture '{}' nests pictures {} deep; {} are allowed",
-                                         parts.name, all.depth, most_nested_pictures)));
+                                         parts.name, all.depth, max_nested_pictures)));
     }
 }
 
@@ -104,12 +104,12 @@ Expr antialiased(Expr distance, const Emitter& emit) {
 
 /// A distance as measured in the layer's picture in pixels of the whole one: to first order, the
 /// distance by the length of its gradient. Where there is none it stays.
-Expr in_device_pixels(Expr distance, const ArrangedPoint& layer, Emitter& emit) {
+Expr in_device_pixels(Expr distance, const PicturePoint& layer, Emitter& emit) {
     Graph& graph = emit.graph();
     const std::array leaves{graph.picture_x(), graph.picture_y()};
     const std::array point{layer.point.x, layer.point.y};
-    const std::vector<Expr> by_x = expr::derive(point, leaves[0]);
-    const std::vector<Expr> by_y = expr::derive(point, leaves[1]);
+    const std::vector<Expr> by_x = expr::differentiate(point, leaves[0]);
+    const std::vector<Expr> by_y = expr::differentiate(point, leaves[1]);
     const auto dot_is = [](const std::vector<Expr>& a, const std::vector<Expr>& b, double wanted) {
         const Expr product = a[0] * b[0] + a[1] * b[1];
         return product.is_constant() && std::abs(product.node().value - wanted) < 1e-9;
@@ -117,8 +117,8 @@ Expr in_device_pixels(Expr distance, const ArrangedPoint& layer, Emitter& emit) 
     if (dot_is(by_x, by_x, 1.0) && dot_is(by_y, by_y, 1.0) && dot_is(by_x, by_y, 0.0)) {
         return distance;
     }
-    const Expr dx = expr::derive(distance, leaves[0]);
-    const Expr dy = expr::derive(distance, leaves[1]);
+    const Expr dx = expr::differentiate(distance, leaves[0]);
+    const Expr dy = expr::differentiate(distance, leaves[1]);
     const Expr slope = sqrt(dx * dx + dy * dy);
     return select(is_finite(slope) && 1e-6 < slope, distance / slope, distance);
 }
@@ -156,7 +156,7 @@ class PictureEmitter {
 public:
     explicit PictureEmitter(Graph& graph) : graph_(graph) {}
 
-    std::vector<Element> elements(const Picture& picture, const ArrangedPoint& point,
+    std::vector<Element> elements(const Picture& picture, const PicturePoint& point,
                                   const std::string& path) {
         std::vector<Element> made;
         for (const Layer& layer : picture.parts().layers) {
@@ -166,10 +166,10 @@ public:
     }
 
 private:
-    void add(const Layer& layer, const ArrangedPoint& whole, const std::string& path,
+    void add(const Layer& layer, const PicturePoint& whole, const std::string& path,
              std::vector<Element>& made) {
         Emitter emit(graph_);
-        const ArrangedPoint own = arranged(whole, layer.arrangers, emit);
+        const PicturePoint own = arranged(whole, layer.arrangers, emit);
         const ClipShapePointer clip = layer.clip ? layer.clip : whole_rectangle();
         const Expr edge = layer.frame || !layer.leaders.empty()
                               ? in_device_pixels(clip->distance(own, emit), own, emit)
@@ -199,7 +199,7 @@ private:
     }
 
     // A layer that nothing clips or moves covers all, and costs nothing to tell so.
-    static Expr coverage(const Layer& layer, const ClipShape& clip, const ArrangedPoint& own,
+    static Expr coverage(const Layer& layer, const ClipShape& clip, const PicturePoint& own,
                          Emitter& emit) {
         if (!layer.clip && layer.arrangers.empty() && layer.softness.constant() == 0.0) {
             return emit(1.0);
@@ -210,7 +210,7 @@ private:
 
     // The frame of the region and the lines to it, which end where the layer begins.
     static Element leader_element(const Leader& leader, const Layer& layer, const ClipShape& clip,
-                                  Expr layer_edge, const ArrangedPoint& whole, Emitter& emit) {
+                                  Expr layer_edge, const PicturePoint& whole, Emitter& emit) {
         const auto& [point, size] = whole;
         const Expr half_line = 0.5 * emit(leader.stroke.width) * size.height;
         const DevicePoint from{emit(leader.from[0]) * size.width,

@@ -23,7 +23,7 @@ public:
           v_first_(std::move(v_first)),
           v_last_(std::move(v_last)) {}
 
-    ParameterPoint map(const ArrangedPoint& picture, Emitter& emit) const override {
+    ParameterPoint map(const PicturePoint& picture, Emitter& emit) const override {
         const auto& [point, size] = picture;
         return {between(emit(u_first_), emit(u_last_), point.x, size.width),
                 between(emit(v_last_), emit(v_first_), point.y, size.height)};
@@ -42,7 +42,7 @@ public:
     SquareMapper(Given given, Scalar first, Scalar last)
         : given_(given), first_(std::move(first)), last_(std::move(last)) {}
 
-    ParameterPoint map(const ArrangedPoint& picture, Emitter& emit) const override {
+    ParameterPoint map(const PicturePoint& picture, Emitter& emit) const override {
         const auto& [point, size] = picture;
         const Expr first = emit(first_);
         const Expr last = emit(last_);

@@ -19,9 +19,9 @@ inline constexpr std::size_t most_operations_of_picture = 500'000;
 
 /// Says so if `emit(graph)` writes more than so many operations, as repetitions of repetitions do.
 template <class Emit>
-[[nodiscard]] std::optional<Diagnostic> too_large(const std::string& what, std::size_t most,
+[[nodiscard]] std::optional<Diagnostic> too_large(const std::string& what, std::size_t maximum,
                                                   Emit emit) {
-    std::size_t operations = most + 1;
+    std::size_t operations = maximum + 1;
     try {
         expr::Graph graph;
         emit(graph);
@@ -29,12 +29,12 @@ template <class Emit>
     } catch (const std::length_error&) {
         // It did not even fit into a graph.
     }
-    if (operations <= most) {
+    if (operations <= maximum) {
         return std::nullopt;
     }
     return error(
-        fmt::format("{} is too large: its formulas have more than {} operations", what, most), {},
-        "repeat fewer stages");
+        fmt::format("{} is too large: its formulas have more than {} operations", what, maximum),
+        {}, "repeat fewer stages");
 }
 
 }  // namespace balcony::camera

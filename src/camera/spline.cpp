@@ -16,14 +16,14 @@ namespace balcony::camera {
 Spline::Spline(std::vector<double> breaks, std::size_t degree, bool closed)
     : breaks_(std::move(breaks)), degree_(degree), closed_(closed) {
     assert(breaks_.size() >= 2 && breaks_.front() == 0.0 && breaks_.back() == 1.0);
-    assert(degree_ <= expr::Table::most_degree);
+    assert(degree_ <= expr::Table::max_degree);
 }
 
 // --------------------------------------------------------------------------------- B-splines
 
 namespace {
 
-using Local = std::array<double, expr::Table::most_degree + 1>;  ///< Of one span.
+using Local = std::array<double, expr::Table::max_degree + 1>;  ///< Of one span.
 
 /// The polynomial of the span that begins at knots[span], in polar form: symmetric and affine in
 /// each argument, and the polynomial itself where all are equal (Ramshaw 1989). De Boor's algorithm
@@ -152,7 +152,7 @@ std::optional<Diagnostic> fault_of(std::span<const double> knots, std::size_t po
 
 Result<SplinePointer> make_bspline(std::size_t points, std::size_t degree, SplineEnds ends,
                                    std::span<const double> knots) {
-    assert(1 <= degree && degree <= expr::Table::most_degree);
+    assert(1 <= degree && degree <= expr::Table::max_degree);
     if (points <= degree) {
         return error(fmt::format("a spline of degree {} needs at least {} points, but has {}",
                                  degree, degree + 1, points),
@@ -179,7 +179,7 @@ Result<SplinePointer> make_bspline(std::size_t points, std::size_t degree, Splin
 
 // Bézier pieces are a B-spline whose every knot stands as often as the degree says.
 Result<SplinePointer> make_bezier(std::size_t points, std::size_t degree, bool closed) {
-    assert(1 <= degree && degree <= expr::Table::most_degree);
+    assert(1 <= degree && degree <= expr::Table::max_degree);
     const std::size_t steps = closed ? points : points - 1;
     if (points == 0 || steps == 0 || steps % degree != 0) {
         return error(fmt::format("{} points make no {}Bézier pieces of degree {}", points,

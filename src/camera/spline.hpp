@@ -48,7 +48,7 @@ using SplinePointer = std::shared_ptr<const Spline>;
 /// every knot is single; it goes round.
 enum class SplineEnds : std::uint8_t { clamped, open, closed };
 
-/// The B-spline of a degree from 1 to Table::most_degree for a number of points above the degree.
+/// The B-spline of a degree from 1 to Table::max_degree for a number of points above the degree.
 /// Without knots they are equally spaced.
 [[nodiscard]] Result<SplinePointer> make_bspline(std::size_t points, std::size_t degree,
                                                  SplineEnds ends,

@@ -97,21 +97,21 @@ SplineEnds ends_of(std::string_view choice) {
 Result<SplinePointer> bezier_spline(std::size_t points, std::optional<std::size_t> degree,
                                     bool closed) {
     const std::size_t one_piece = closed ? points : points - 1;
-    if (!degree && one_piece > expr::Table::most_degree) {
+    if (!degree && one_piece > expr::Table::max_degree) {
         return error(fmt::format("{} control points are too many for one piece", points), {},
                      fmt::format("say the degree of the pieces, such as degree = 3, or give at "
                                  "most {} points",
-                                 expr::Table::most_degree + (closed ? 0 : 1)));
+                                 expr::Table::max_degree + (closed ? 0 : 1)));
     }
     return make_bezier(points, degree.value_or(std::max<std::size_t>(one_piece, 1)), closed);
 }
 
-StageParameter points_parameter(std::vector<std::size_t> coordinates, std::size_t least,
+StageParameter points_parameter(std::vector<std::size_t> coordinates, std::size_t minimum,
                                 std::string_view meaning) {
     return {.name = "points",
             .type = ParameterType::points,
             .coordinates = std::move(coordinates),
-            .points_least = least,
+            .min_points = minimum,
             .meaning = meaning};
 }
 
@@ -127,7 +127,7 @@ StageParameter knots_parameter(std::string_view name) {
     return {.name = name,
             .type = ParameterType::points,
             .coordinates = {1},
-            .points_least = 4,
+            .min_points = 4,
             .optional = true,
             .meaning =
                 "as many as points, and the degree and 1 more, in order; the part of them "
@@ -137,8 +137,8 @@ StageParameter knots_parameter(std::string_view name) {
 StageParameter optional_degree_parameter(std::string_view meaning, std::string_view name) {
     return {.name = name,
             .type = ParameterType::count,
-            .least = 1.0,
-            .most = static_cast<double>(expr::Table::most_degree),
+            .minimum = 1.0,
+            .maximum = static_cast<double>(expr::Table::max_degree),
             .optional = true,
             .meaning = meaning};
 }

@@ -49,7 +49,7 @@ struct WeightedPoints {
                                                   std::optional<std::size_t> degree, bool closed);
 
 [[nodiscard]] StageParameter points_parameter(std::vector<std::size_t> coordinates,
-                                              std::size_t least, std::string_view meaning);
+                                              std::size_t minimum, std::string_view meaning);
 [[nodiscard]] StageParameter weights_parameter();
 [[nodiscard]] StageParameter knots_parameter(std::string_view name);
 [[nodiscard]] StageParameter optional_degree_parameter(std::string_view meaning,

@@ -42,8 +42,8 @@ inline StageParameter positive_parameter(std::string_view name, double value,
                                          std::string_view meaning) {
     return {.name = name,
             .default_value = {value},
-            .least = 0.0,
-            .above_least = true,
+            .minimum = 0.0,
+            .excludes_minimum = true,
             .meaning = meaning};
 }
 

@@ -8,7 +8,7 @@
 
 #include <unistd.h>
 
-#include "cli/command.hpp"
+#include "cli/commands/command.hpp"
 
 namespace balcony::cli {
 

@@ -12,11 +12,11 @@
 #include <unistd.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/command.hpp"
+#include "cli/commands/command.hpp"
 #include "cli/interruption.hpp"
-#include "cli/json.hpp"
-#include "cli/report.hpp"
-#include "cli/usage.hpp"
+#include "cli/report/json.hpp"
+#include "cli/report/report.hpp"
+#include "cli/report/usage.hpp"
 
 namespace {
 

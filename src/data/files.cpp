@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "data/standard_files.hpp"
+#include "data/built_in_files.hpp"
 
 namespace balcony::data {
 
@@ -16,10 +16,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const StandardFile* find_standard_file(std::string_view name) {
-    const std::span<const StandardFile> all = embedded_files();
+const BuiltInFile* find_built_in_file(std::string_view name) {
+    const std::span<const BuiltInFile> all = embedded_files();
     const auto found = std::find_if(all.begin(), all.end(),
-                                    [name](const StandardFile& file) { return file.name == name; });
+                                    [name](const BuiltInFile& file) { return file.name == name; });
     return found == all.end() ? nullptr : &*found;
 }
 
@@ -40,8 +40,8 @@ Diagnostic not_found(std::string_view name, const std::optional<fs::path>& folde
     if (folder) {
         known = names_in((*folder / name).parent_path());
     }
-    const std::vector<std::string> standard = standard_files();
-    known.insert(known.end(), standard.begin(), standard.end());
+    const std::vector<std::string> built_in = built_in_files();
+    known.insert(known.end(), built_in.begin(), built_in.end());
     const fs::path path = folder ? (*folder / name).lexically_normal() : fs::path();
     std::string message =
         folder ? fmt::format("there is no file '{}' and none of that name comes with Balcony",
@@ -63,9 +63,9 @@ Diagnostic not_found(std::string_view name, const std::optional<fs::path>& folde
 
 }  // namespace
 
-std::vector<std::string> standard_files() {
+std::vector<std::string> built_in_files() {
     std::vector<std::string> names;
-    for (const StandardFile& file : embedded_files()) {
+    for (const BuiltInFile& file : embedded_files()) {
         names.emplace_back(file.name);
     }
     return names;
@@ -93,15 +93,15 @@ Result<File> find_file(std::string_view name, const std::optional<fs::path>& fol
             return File{path.string(), std::move(path), std::nullopt};
         }
     }
-    if (const StandardFile* standard = find_standard_file(name)) {
-        return File{fmt::format("standard/{}", name), fs::path(name), standard->bytes};
+    if (const BuiltInFile* built_in = find_built_in_file(name)) {
+        return File{fmt::format("standard/{}", name), fs::path(name), built_in->bytes};
     }
     return not_found(name, folder);
 }
 
 Result<std::uintmax_t> size_of(const File& file) {
-    if (file.standard) {
-        return std::uintmax_t{file.standard->size()};
+    if (file.built_in) {
+        return std::uintmax_t{file.built_in->size()};
     }
     std::error_code failure;
     const std::uintmax_t size = fs::file_size(file.path, failure);
@@ -117,8 +117,8 @@ Result<std::string> read_text(const File& file, std::size_t largest) {
         return error(fmt::format("'{}' is larger than {} MB", file.name, largest / 1'000'000), {},
                      "check that it is the file you mean");
     }
-    if (file.standard) {
-        return std::string(file.standard->begin(), file.standard->end());
+    if (file.built_in) {
+        return std::string(file.built_in->begin(), file.built_in->end());
     }
     std::string text(static_cast<std::size_t>(*size), '\0');
     std::ifstream stream(file.path, std::ios::binary);

@@ -53,7 +53,7 @@ Result<std::shared_ptr<const GreyImage>> read_pixels(OIIO::ImageInput& input, co
     if (width == 0 || height == 0 || channels.count == 0 || spec.depth > 1) {
         return no_image(file, "it has no pixels in a plane");
     }
-    if (width > most_pixels / height) {
+    if (width > max_pixels / height) {
         return error(
             fmt::format("'{}' has {} x {} pixels, more than 16 million", file.name, width, height),
             {}, "scale it down: a mask needs no more pixels than the picture");
@@ -79,14 +79,14 @@ Result<std::shared_ptr<const GreyImage>> read_grey_image(const File& file) {
     // For a file that is not on the disk its name's ending says the format.
     const std::string ending = file.path.extension().string();
     const auto input = OIIO::ImageInput::create(
-        file.standard ? ending.substr(std::min<std::size_t>(1, ending.size())) : path);
+        file.built_in ? ending.substr(std::min<std::size_t>(1, ending.size())) : path);
     if (!input) {
         (void)OIIO::geterror();  // Says no more, in words for those who build the library.
         return no_image(file, "");
     }
-    if (file.standard) {
-        memory = std::make_unique<OIIO::Filesystem::IOMemReader>(file.standard->data(),
-                                                                 file.standard->size());
+    if (file.built_in) {
+        memory = std::make_unique<OIIO::Filesystem::IOMemReader>(file.built_in->data(),
+                                                                 file.built_in->size());
         input->set_ioproxy(memory.get());
     }
     OIIO::ImageSpec config;

@@ -16,7 +16,7 @@ namespace balcony::data {
 
 namespace {
 
-constexpr std::size_t most_errors = 10;
+constexpr std::size_t max_errors = 10;
 constexpr std::string_view blanks = " \t\r";
 
 bool begins_number(std::string_view field) {
@@ -65,7 +65,7 @@ private:
         return text_.substr(field.begin, field.end - field.begin);
     }
     [[nodiscard]] bool stopped() const {
-        return diagnostics_.size() >= most_errors || numbers_ > most_numbers;
+        return diagnostics_.size() >= max_errors || numbers_ > max_numbers;
     }
 
     [[nodiscard]] Field unquoted(Field field) const {
@@ -137,9 +137,9 @@ private:
             }
         }
         numbers_ += numbers.size();
-        if (numbers_ > most_numbers) {
+        if (numbers_ > max_numbers) {
             error(at({fields.front().begin, fields.back().end}),
-                  fmt::format("this table has more than {} numbers", most_numbers),
+                  fmt::format("this table has more than {} numbers", max_numbers),
                   "keep one line in several, or spread them over several files");
         } else if (!numbers.empty()) {
             table_.rows.push_back(std::move(numbers));
@@ -186,7 +186,7 @@ private:
 }  // namespace
 
 Result<Table> read_table(const File& file) {
-    Result<std::string> text = read_text(file, largest_table);
+    Result<std::string> text = read_text(file, max_table);
     if (!text) {
         return text.diagnostics;
     }

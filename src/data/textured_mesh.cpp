@@ -122,19 +122,18 @@ Result<std::shared_ptr<const TexturedMesh>> read_mesh(const File& file) {
     if (!size) {
         return size.diagnostics;
     }
-    if (*size > largest_mesh_file) {
-        return error(
-            fmt::format("'{}' is larger than {} MB", file.name, largest_mesh_file / 1'000'000), {},
-            "reduce the mesh: a camera needs its shape, not its details");
+    if (*size > max_mesh_file) {
+        return error(fmt::format("'{}' is larger than {} MB", file.name, max_mesh_file / 1'000'000),
+                     {}, "reduce the mesh: a camera needs its shape, not its details");
     }
     const Result<scene::Scene> scene =
-        file.standard ? scene::load(file.path, *file.standard) : scene::load(file.path);
+        file.built_in ? scene::load(file.path, *file.built_in) : scene::load(file.path);
     if (!scene) {
         return scene.diagnostics;
     }
-    if (scene->triangle_count() > most_triangles) {
+    if (scene->triangle_count() > max_triangles) {
         return error(fmt::format("'{}' has {} triangles, more than {} million", file.name,
-                                 scene->triangle_count(), most_triangles / 1'000'000),
+                                 scene->triangle_count(), max_triangles / 1'000'000),
                      {}, "reduce the mesh: a camera needs its shape, not its details");
     }
     return Merger(*scene).run(file);

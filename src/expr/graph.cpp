@@ -51,8 +51,8 @@ Expr Graph::intern(Node node) {
             node.depends |= nodes_[argument.value()].depends;
         }
     }
-    constexpr std::size_t most_nodes = std::size_t{1} << 22U;
-    if (nodes_.size() >= most_nodes) {
+    constexpr std::size_t max_nodes = std::size_t{1} << 22U;
+    if (nodes_.size() >= max_nodes) {
         throw std::length_error("an expression graph of more than 4 million nodes");
     }
     const auto [known, is_new] = known_.try_emplace(node, NodeId(nodes_.size()));

@@ -163,10 +163,10 @@ Expr divide_rules(Graph& graph, Expr a, Expr b) {
 // x^p for p a multiple of 1/8 by squarings and square roots. Each product rounds once and doubles
 // what a square carries on, which sums up to |p| + 3 units in the last place at most: 64 keeps it
 // below 1.5e-14.
-constexpr double largest_expanded_exponent = 64.0;
+constexpr double max_expanded_exponent = 64.0;
 
 bool expands(double p) {
-    return std::fabs(p) <= largest_expanded_exponent && p * 8.0 == std::floor(p * 8.0);
+    return std::fabs(p) <= max_expanded_exponent && p * 8.0 == std::floor(p * 8.0);
 }
 
 Expr expanded_power(Graph& graph, Expr x, double p) {

@@ -12,8 +12,8 @@ namespace balcony::expr {
 namespace {
 
 // Longer sums and products are cut into pieces, so that the work stays linear in the graph.
-constexpr std::size_t longest_sum = 16;
-constexpr std::size_t longest_product = 8;
+constexpr std::size_t max_sum = 16;
+constexpr std::size_t max_product = 8;
 
 /// One walk over the graph that rewrites every node on rewritten arguments.
 class Pass {
@@ -87,7 +87,7 @@ private:
 
     Expr keep_linear(NodeId id, LinearForm form) {
         const Expr built = form.build(graph_);
-        if (form.term_count() <= longest_sum) {
+        if (form.term_count() <= max_sum) {
             linear_[id.value()] = std::move(form);
         }
         return built;
@@ -125,7 +125,7 @@ private:
         }
         ProductForm dissolved = ProductForm::product(product(a), product(b));
         const bool dissolve = std::isnormal(dissolved.coefficient()) &&
-                              dissolved.factor_count() <= longest_product &&
+                              dissolved.factor_count() <= max_product &&
                               dissolved.pixel_cost() <= kept.pixel_cost();
         return keep_product(id, dissolve ? std::move(dissolved) : kept);
     }
@@ -199,8 +199,8 @@ std::vector<Expr> simplify(std::span<const Expr> expressions) {
         return result;
     }
     // A rewriting can open the way for another; a few passes reach the end.
-    constexpr int most_passes = 8;
-    for (int pass = 0; pass < most_passes; ++pass) {
+    constexpr int max_passes = 8;
+    for (int pass = 0; pass < max_passes; ++pass) {
         std::vector<Expr> next = Pass(expressions.front().graph(), result).run(result);
         if (same_nodes(next, result)) {
             break;

@@ -23,8 +23,8 @@ std::size_t coefficients_in_cell(std::span<const Table::Axis> axes) {
 double Table::operator()(std::span<const double> at) const {
     assert(at.size() == axes.size());
     std::size_t cell_number = 0;
-    std::array<double, most_axes> s{};
-    std::array<std::size_t, most_axes> degree{};
+    std::array<double, max_axes> s{};
+    std::array<std::size_t, max_axes> degree{};
     for (std::size_t i = 0; i < axes.size(); ++i) {
         const auto count = static_cast<double>(axes[i].cells);
         const double position = (at[i] - axes[i].first) * (count / (axes[i].last - axes[i].first));

@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "balcony/lang.hpp"
-#include "lang/build_camera.hpp"
-#include "lang/explain.hpp"
-#include "lang/session.hpp"
-#include "lang/standard_cameras.hpp"
+#include "lang/build/build_camera.hpp"
+#include "lang/built_in_cameras.hpp"
+#include "lang/names/session.hpp"
+#include "lang/tools/explain.hpp"
 
 namespace balcony::lang {
 
@@ -18,13 +18,13 @@ namespace {
 
 // A file without a camera is an error wherever one is wanted.
 bool require_cameras(const Module& module, Reporter& reporter) {
-    if (!own_cameras(module).empty() || reporter.error_count() > 0) {
-        return !own_cameras(module).empty();
+    if (!own_definitions(module).empty() || reporter.error_count() > 0) {
+        return !own_definitions(module).empty();
     }
     const SourceText& source = *module.tree.source;
     const bool blank = source.text().find_first_not_of(" \t\r\n") == std::string_view::npos;
     std::vector<std::string> imported;
-    for (const CameraPlace& place : visible_cameras(module)) {
+    for (const LocatedDefinition& place : visible_definitions(module)) {
         imported.emplace_back(place.camera->name.text);
     }
     reporter.error(
@@ -34,10 +34,10 @@ bool require_cameras(const Module& module, Reporter& reporter) {
     return false;
 }
 
-const CameraPlace* choose(const std::vector<CameraPlace>& cameras, std::string_view name,
-                          const Module& module, Reporter& reporter) {
+const LocatedDefinition* choose(const std::vector<LocatedDefinition>& cameras,
+                                std::string_view name, const Module& module, Reporter& reporter) {
     std::vector<std::string> known;
-    for (const CameraPlace& place : cameras) {
+    for (const LocatedDefinition& place : cameras) {
         if (place.camera->name.text == name) {
             return &place;
         }
@@ -69,27 +69,27 @@ void warn_of_unused_lets(const Module& module, Reporter& reporter) {
 
 // What is meant; an empty name means the file's last one, of the cameras if one is wanted and there
 // is one. Nothing, with the reason reported, if there is none.
-std::optional<CameraPlace> find(const Module* module, std::string_view name, bool camera_wanted,
-                                Reporter& reporter) {
+std::optional<LocatedDefinition> find(const Module* module, std::string_view name,
+                                      bool camera_wanted, Reporter& reporter) {
     if (module == nullptr || (name.empty() && !require_cameras(*module, reporter))) {
         return std::nullopt;
     }
     if (name.empty()) {
-        const std::vector<CameraPlace> own = own_cameras(*module);
+        const std::vector<LocatedDefinition> own = own_definitions(*module);
         const auto last =
-            std::find_if(own.rbegin(), own.rend(), [camera_wanted](const CameraPlace& place) {
+            std::find_if(own.rbegin(), own.rend(), [camera_wanted](const LocatedDefinition& place) {
                 return !camera_wanted || !place.camera->is_picture;
             });
         return last != own.rend() ? *last : own.back();
     }
-    const std::vector<CameraPlace> visible = visible_cameras(*module);
-    const CameraPlace* place = choose(visible, name, *module, reporter);
+    const std::vector<LocatedDefinition> visible = visible_definitions(*module);
+    const LocatedDefinition* place = choose(visible, name, *module, reporter);
     return place != nullptr ? std::optional(*place) : std::nullopt;
 }
 
-std::optional<CameraPlace> find_camera(const Module* module, std::string_view name,
-                                       Reporter& reporter) {
-    const std::optional<CameraPlace> place = find(module, name, true, reporter);
+std::optional<LocatedDefinition> find_camera(const Module* module, std::string_view name,
+                                             Reporter& reporter) {
+    const std::optional<LocatedDefinition> place = find(module, name, true, reporter);
     if (place && place->camera->is_picture) {
         const Identifier& found = place->camera->name;
         reporter.error(place->module->tree.at(found.span),
@@ -163,8 +163,8 @@ std::string comment_above(const SyntaxTree& tree, std::size_t offset) {
     return joined;
 }
 
-CameraDescription description_of(const SyntaxTree& tree, const CameraSyntax& camera) {
-    CameraDescription made;
+Description description_of(const SyntaxTree& tree, const DefinitionSyntax& camera) {
+    Description made;
     made.name = std::string(camera.name.text);
     made.comment = comment_above(tree, camera.span.begin);
     made.is_picture = camera.is_picture;
@@ -173,7 +173,7 @@ CameraDescription description_of(const SyntaxTree& tree, const CameraSyntax& cam
             made.layers.emplace_back(tree[statement.stages.front()].name.text);
         }
     }
-    for (const CameraParameter& parameter : camera.parameters) {
+    for (const DefinitionParameter& parameter : camera.parameters) {
         made.parameters.push_back({std::string(parameter.name.text),
                                    std::string(tree.text(tree[parameter.default_value].span))});
     }
@@ -182,14 +182,14 @@ CameraDescription description_of(const SyntaxTree& tree, const CameraSyntax& cam
 
 }  // namespace
 
-Result<std::vector<CameraDescription>> describe(const std::filesystem::path& file) {
+Result<std::vector<Description>> describe(const std::filesystem::path& file) {
     Session session;
     const Module* module = session.load(file);
     if (session.reporter().error_count() > 0) {
         return session.reporter().take();
     }
-    std::vector<CameraDescription> made;
-    for (const CameraPlace& place : own_cameras(*module)) {
+    std::vector<Description> made;
+    for (const LocatedDefinition& place : own_definitions(*module)) {
         made.push_back(description_of(module->tree, *place.camera));
     }
     return {std::move(made), session.reporter().take()};
@@ -240,7 +240,7 @@ Result<std::vector<camera::Picture>> load_all(const std::filesystem::path& file,
     const Module* module = session.load(file);
     std::vector<camera::Picture> made;
     if (module != nullptr && require_cameras(*module, session.reporter())) {
-        for (const CameraPlace& place : own_cameras(*module)) {
+        for (const LocatedDefinition& place : own_definitions(*module)) {
             if (auto picture = build_picture(place, {overrides, {}}, session)) {
                 made.push_back(std::move(*picture));
             }
@@ -251,10 +251,10 @@ Result<std::vector<camera::Picture>> load_all(const std::filesystem::path& file,
 
 Diagnostics check(const std::filesystem::path& file) { return load_all(file).diagnostics; }
 
-const std::vector<std::string>& standard_cameras() {
+const std::vector<std::string>& built_in_cameras() {
     static const std::vector<std::string> names = [] {
         std::vector<std::string> made;
-        for (const StandardCamera& camera : standard_camera_files()) {
+        for (const BuiltInCamera& camera : built_in_camera_files()) {
             made.emplace_back(camera.name);
         }
         return made;

@@ -75,7 +75,7 @@ Diagnostics Reporter::take() {
     }
     if (left_out_) {
         sorted.push_back(balcony::error(
-            fmt::format("there are more errors; these are the first {}", most_errors)));
+            fmt::format("there are more errors; these are the first {}", max_errors)));
     }
     diagnostics_.clear();
     return sorted;
@@ -102,8 +102,8 @@ std::string suggestion(std::string_view name, const std::vector<std::string>& kn
     if (const auto nearest = nearest_name(name, known)) {
         return fmt::format("did you mean '{}'?", *nearest);
     }
-    constexpr std::size_t most_listed = 40;
-    return known.empty() || known.size() > most_listed
+    constexpr std::size_t max_listed = 40;
+    return known.empty() || known.size() > max_listed
                ? std::string()
                : fmt::format("{} {}", otherwise, all_of(known));
 }

@@ -10,7 +10,7 @@ namespace balcony::lang {
 /// camera that is used twice has to say is said once.
 class Reporter {
 public:
-    static constexpr std::size_t most_errors = 20;
+    static constexpr std::size_t max_errors = 20;
 
     void add(Diagnostic diagnostic);
     void add(const Diagnostics& diagnostics);
@@ -21,7 +21,7 @@ public:
     /// grew has succeeded.
     [[nodiscard]] std::size_t error_count() const { return errors_; }
     /// So many errors that reading on is in vain.
-    [[nodiscard]] bool full() const { return errors_said_ >= most_errors; }
+    [[nodiscard]] bool full() const { return errors_said_ >= max_errors; }
     /// Everything in the order of the sources, with a closing line if something was left out.
     [[nodiscard]] Diagnostics take();
 

@@ -83,7 +83,7 @@ std::uint32_t decode_integer(const std::uint8_t* bytes, std::size_t component) {
 
 // Elements without bytes are zero; only sparse accessors have a use for them, and a few bytes of
 // JSON must not ask for the whole memory.
-constexpr std::size_t most_elements_without_bytes = std::size_t{1} << 24U;
+constexpr std::size_t max_elements_without_bytes = std::size_t{1} << 24U;
 
 }  // namespace
 
@@ -121,7 +121,7 @@ GltfDocument::Elements GltfDocument::elements(const Json& accessor) const {
     elements.stride = elements.component_size * elements.components;
     const auto view_index = index_in(accessor, "bufferView");
     if (!view_index) {
-        if (elements.count > most_elements_without_bytes) {
+        if (elements.count > max_elements_without_bytes) {
             throw PartError{"an accessor has no buffer view"};
         }
         return elements;

@@ -60,10 +60,10 @@ bool lights_itself(const Scene& scene) {
 
 // A file with ten thousand faults would bury the one that matters.
 void limit_warnings(Diagnostics& diagnostics) {
-    constexpr std::size_t most = 50;
-    if (diagnostics.size() > most) {
-        const std::size_t left_out = diagnostics.size() - most;
-        diagnostics.resize(most);
+    constexpr std::size_t maximum = 50;
+    if (diagnostics.size() > maximum) {
+        const std::size_t left_out = diagnostics.size() - maximum;
+        diagnostics.resize(maximum);
         diagnostics.push_back(
             warning(fmt::format("{} more like these", counted(left_out, "warning"))));
     }

@@ -50,7 +50,7 @@ private:
     void warn();
 
     // Assimp triangulates a polygon in a time that grows with the square of its corners.
-    static constexpr std::size_t most_corners = 4096;
+    static constexpr std::size_t max_corners = 4096;
 
     struct Corner {
         std::size_t position = 0;
@@ -186,7 +186,7 @@ void Checker::read_face(std::string_view arguments) {
         coordinates = coordinates && corners_.back().texture_coordinate > 0;
         normals = normals && corners_.back().normal > 0;
     }
-    if (corners_.size() < 3 || corners_.size() > most_corners) {
+    if (corners_.size() < 3 || corners_.size() > max_corners) {
         ++malformed_;
         return;
     }
@@ -234,7 +234,7 @@ void Checker::warn() {
     left_out(out_of_range_, "face", "that name a vertex the file does not have");
     left_out(not_usable_, "face", "with a vertex that is no usable number");
     left_out(malformed_, "face",
-             fmt::format("with fewer than 3 or more than {} corners", most_corners).c_str());
+             fmt::format("with fewer than 3 or more than {} corners", max_corners).c_str());
     left_out(not_faces_, "point, line or curve statement", "(only faces are rendered)");
 }
 

@@ -42,8 +42,8 @@ TEST(Measures, PinholeHasTheSolidAngleOfPerspective) {
         EXPECT_EQ(report.samples[i].views, 1);
     }
     // The least is in the middle, the most in a corner.
-    EXPECT_LT((report.magnification->least_at.point - V2d(200, 150)).length(), 3.0);
-    EXPECT_GT((report.magnification->most_at.point - V2d(200, 150)).length(), 240.0);
+    EXPECT_LT((report.magnification->min_at.point - V2d(200, 150)).length(), 3.0);
+    EXPECT_GT((report.magnification->max_at.point - V2d(200, 150)).length(), 240.0);
 }
 
 TEST(Measures, OrthographicShowsAllAlikeAtAnyDistance) {
@@ -52,7 +52,7 @@ TEST(Measures, OrthographicShowsAllAlikeAtAnyDistance) {
         const Report report = report_on(camera, 320, 200, distance);
         EXPECT_FALSE(report.single_viewpoint);
         for (const Statistics& row : {*report.magnification, *report.anisotropy}) {
-            EXPECT_NEAR(row.most, row.least, 1e-10);
+            EXPECT_NEAR(row.maximum, row.minimum, 1e-10);
         }
         EXPECT_NEAR(report.magnification->median, 40.0, 1e-10);
         EXPECT_NEAR(report.anisotropy->median, 1.0, 1e-7);
@@ -80,13 +80,13 @@ TEST(Measures, TheGridHasNoMoreSamplesThanAskedFor) {
     settings.height = 40;
     const camera::Camera camera = standard("pinhole");
     // A step of 1.5 would do for the first, one of 2 just does for the second.
-    for (const std::size_t most : {1067, 600}) {
-        settings.most_samples = most;
+    for (const std::size_t maximum : {1067, 600}) {
+        settings.max_samples = maximum;
         const Report report = diagnose(camera, settings);
         EXPECT_EQ(report.grid.step, 2.0);
         EXPECT_EQ(report.samples.size(), 600U);
     }
-    settings.most_samples = 10'000;
+    settings.max_samples = 10'000;
     EXPECT_EQ(diagnose(camera, settings).grid.step, 1.0);
 }
 
@@ -138,10 +138,10 @@ TEST(Measures, OriginsThatSlideAlongTheirRaysChangeNothing) {
         report_on(camera_of("camera s { map u = 1 .. -1, v = -1 .. 1\n"
                             "eye surface(u, v) = [2*u + u*v, u, v] look along(x) }"),
                   100, 100);
-    EXPECT_NEAR(report.magnification->least, 50.0, 1e-9);
-    EXPECT_NEAR(report.magnification->most, 50.0, 1e-9);
+    EXPECT_NEAR(report.magnification->minimum, 50.0, 1e-9);
+    EXPECT_NEAR(report.magnification->maximum, 50.0, 1e-9);
     // By roots of differences near 0.
-    EXPECT_NEAR(report.anisotropy->most, 1.0, 1e-6);
+    EXPECT_NEAR(report.anisotropy->maximum, 1.0, 1e-6);
 }
 
 TEST(Findings, SuperellipticCameraHasNone) {
@@ -158,7 +158,7 @@ TEST(Findings, SuperellipticCameraHasNone) {
 }
 
 TEST(Findings, StandardCamerasHaveNone) {
-    for (const std::string& name : lang::standard_cameras()) {
+    for (const std::string& name : lang::built_in_cameras()) {
         const camera::Camera camera = standard(name);
         const double width = 500 * std::sqrt(camera.parts().aspect);
         const Report report =

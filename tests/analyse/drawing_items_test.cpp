@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "analyse/anatomy.hpp"
-#include "analyse/drawing_items.hpp"
-#include "analyse/drawing_viewer.hpp"
+#include "analyse/draw/camera_geometry.hpp"
+#include "analyse/draw/drawing_items.hpp"
+#include "analyse/draw/drawing_viewer.hpp"
 #include "support.hpp"
 
 namespace balcony::analyse {
@@ -32,10 +32,10 @@ const char* const ball = R"(camera ball {
 constexpr DrawingView from_x{.azimuth = 0.0, .elevation = 0.0};
 
 std::vector<DrawingItem> items_of(const std::string& text, const Depiction& depiction = {}) {
-    const auto anatomy = dissect(camera::Picture(test::camera_of(text)), depiction);
-    EXPECT_TRUE(anatomy) << to_text(anatomy.diagnostics);
-    return drawing_items(anatomy->cameras.front().anatomy, 0, anatomy->extent(), depiction,
-                         DrawingViewer(from_x, anatomy->bounds));
+    const auto geometry = measure_geometry(camera::Picture(test::camera_of(text)), depiction);
+    EXPECT_TRUE(geometry) << to_text(geometry.diagnostics);
+    return drawing_items(geometry->cameras.front().geometry, 0, geometry->extent(), depiction,
+                         DrawingViewer(from_x, geometry->bounds));
 }
 
 template <class Test>
@@ -148,34 +148,34 @@ TEST(Drawing, HasAHeadOnEveryArrow) {
 }
 
 TEST(DrawnAxes, StandBesideObjectsFarFromTheOrigin) {
-    const auto anatomy = dissect(camera::Picture(test::camera_of(R"(camera far {
+    const auto geometry = measure_geometry(camera::Picture(test::camera_of(R"(camera far {
         map  u = 180deg .. -180deg, v = -80deg .. 80deg
         eye  sphere(2)
         look normal
         move translate(100, 100, 100)
     })")),
-                                 {});
-    ASSERT_TRUE(anatomy);
-    const Box3d& box = anatomy->bounds;
-    const V3d origin = drawn_axes(*anatomy, DrawingViewer(from_x, box)).origin;
+                                           {});
+    ASSERT_TRUE(geometry);
+    const Box3d& box = geometry->bounds;
+    const V3d origin = drawn_axes(*geometry, DrawingViewer(from_x, box)).origin;
     // At the bottom, where it is seen farthest to the left.
     EXPECT_EQ(origin.y, box.min.y);
     EXPECT_EQ(origin.z, box.min.z);
     const DrawingView from_behind{.azimuth = 3.14, .elevation = 0.0};
-    EXPECT_EQ(drawn_axes(*anatomy, DrawingViewer(from_behind, box)).origin.y, box.max.y);
+    EXPECT_EQ(drawn_axes(*geometry, DrawingViewer(from_behind, box)).origin.y, box.max.y);
 
-    const auto near = dissect(camera::Picture(test::camera_of(ball)), {});
+    const auto near = measure_geometry(camera::Picture(test::camera_of(ball)), {});
     ASSERT_TRUE(near);
     EXPECT_EQ(drawn_axes(*near, DrawingViewer(from_x, near->bounds)).origin, V3d(0.0));
 }
 
 TEST(DrawnAxes, AreThoseOfTheCamera) {
-    const auto anatomy = dissect(
+    const auto geometry = measure_geometry(
         camera::Picture(
             test::camera_of("camera y { axes y_up map u = 1 .. -1, v = -1 .. 1 eye sphere }")),
         {});
-    ASSERT_TRUE(anatomy);
-    const DrawnAxes axes = drawn_axes(*anatomy, DrawingViewer(from_x, anatomy->bounds));
+    ASSERT_TRUE(geometry);
+    const DrawnAxes axes = drawn_axes(*geometry, DrawingViewer(from_x, geometry->bounds));
     EXPECT_GT(axes.tips[1].z, 0.1);
     EXPECT_NEAR(axes.tips[2].z, 0.0, 1e-12);
 }

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analyse/anatomy.hpp"
+#include "analyse/draw/camera_geometry.hpp"
 #include "support.hpp"
 
 namespace balcony::analyse {
@@ -52,7 +52,7 @@ std::size_t count(const Drawing& drawing, DrawingPart part) {
 }
 
 TEST(Drawing, OfEveryCameraThatComesAlongIsOnThePage) {
-    for (const std::string& name : lang::standard_cameras()) {
+    for (const std::string& name : lang::built_in_cameras()) {
         const auto drawing = draw(test::standard(name));
         ASSERT_TRUE(drawing) << name;
         EXPECT_GT(drawing->shapes.size(), 100U) << name;
@@ -115,13 +115,13 @@ TEST(Drawing, OfNothingIsRefused) {
     EXPECT_FALSE(draw(test::camera_of(ball), {}, {.width = 8}));
 }
 
-TEST(Sheet, LinesBreakAtSeamsAndGaps) {
+TEST(ProjectionObject, LinesBreakAtSeamsAndGaps) {
     const auto sheet_of = [](const char* text) {
         const camera::Camera camera = test::camera_of(text);
-        return Sheet(camera.parts().eye, 1.0, Axes::z_up, 0.0);
+        return ProjectionObject(camera.parts().eye, 1.0, Axes::z_up, 0.0);
     };
     constexpr double tolerance = 0.01;
-    Sheet jump = sheet_of(torn);
+    ProjectionObject jump = sheet_of(torn);
     const auto two = jump.trace({0.1, 0.5}, {0.9, 0.5}, tolerance);
     ASSERT_EQ(two.size(), 2U);
     for (const Polyline& piece : two) {
@@ -135,27 +135,27 @@ TEST(Sheet, LinesBreakAtSeamsAndGaps) {
     EXPECT_FALSE(jump.joined({0.4, 0.5}, {0.6, 0.5}));
     EXPECT_TRUE(jump.joined({0.1, 0.5}, {0.4, 0.9}));
 
-    Sheet gap = sheet_of(half);
+    ProjectionObject gap = sheet_of(half);
     const auto one = gap.trace({0.1, 0.5}, {0.9, 0.5}, tolerance);
     ASSERT_EQ(one.size(), 1U);
     EXPECT_NEAR(one[0].back().y, 0.03, 1e-8);
     EXPECT_FALSE(gap.joined({0.4, 0.5}, {0.6, 0.5}));
 }
 
-TEST(Sheet, SteepIsNotTorn) {
+TEST(ProjectionObject, SteepIsNotTorn) {
     // An eighth root rises infinitely steeply at u = 0, without a jump.
     const camera::Camera camera = test::camera_of(R"(camera steep {
         aspect 1
         map u = 1 .. -1, v = -1 .. 1
         eye surface(u, v) = [v, u, spow(u, 1/8)]
     })");
-    Sheet sheet(camera.parts().eye, 1.0, Axes::z_up, 0.0);
+    ProjectionObject sheet(camera.parts().eye, 1.0, Axes::z_up, 0.0);
     EXPECT_TRUE(sheet.joined({0.2, 0.5}, {0.9, 0.5}));
 }
 
-TEST(Sheet, LinesKeepWithinTheTolerance) {
+TEST(ProjectionObject, LinesKeepWithinTheTolerance) {
     const camera::Camera camera = test::camera_of(ball);
-    Sheet sheet(camera.parts().eye, 1.0, Axes::z_up, 0.0);
+    ProjectionObject sheet(camera.parts().eye, 1.0, Axes::z_up, 0.0);
     constexpr double tolerance = 0.001;
     const auto pieces = sheet.trace({0.0, 0.5}, {1.0, 0.5}, tolerance);
     ASSERT_EQ(pieces.size(), 1U);
@@ -167,8 +167,8 @@ TEST(Sheet, LinesKeepWithinTheTolerance) {
     EXPECT_LT(equator.size(), 200U);
 }
 
-TEST(Anatomy, ArrowsAreRays) {
-    const auto outward = dissect(test::camera_of(ball), {.rays = 8, .length = 0.5});
+TEST(CameraGeometry, ArrowsAreRays) {
+    const auto outward = measure_geometry(test::camera_of(ball), {.rays = 8, .length = 0.5});
     ASSERT_TRUE(outward);
     // 8 over the width of a picture of 16 by 9 and 5 (4.5, rounded) over its height.
     ASSERT_EQ(outward->rays.size(), 40U);
@@ -179,8 +179,8 @@ TEST(Anatomy, ArrowsAreRays) {
     }
 }
 
-TEST(Anatomy, ArrowsGoThroughTheDirectionObject) {
-    const auto pinhole = dissect(test::standard("pinhole"), {});
+TEST(CameraGeometry, ArrowsGoThroughTheDirectionObject) {
+    const auto pinhole = measure_geometry(test::standard("pinhole"), {});
     ASSERT_TRUE(pinhole);
     ASSERT_EQ(pinhole->screen(), pinhole->toward.get());
     for (const Arrow& ray : pinhole->rays) {
@@ -189,16 +189,16 @@ TEST(Anatomy, ArrowsGoThroughTheDirectionObject) {
     }
 }
 
-TEST(Anatomy, DrawsCamerasWithYUpStandingUpright) {
-    const auto anatomy = dissect(test::camera_of(R"(camera upright {
+TEST(CameraGeometry, DrawsCamerasWithYUpStandingUpright) {
+    const auto geometry = measure_geometry(test::camera_of(R"(camera upright {
         axes y_up
         map  u = -1 .. 1, v = -2 .. 2
         eye  surface(u, v) = [u, v, 0]
     })"),
-                                 {.rays = 0});
-    ASSERT_TRUE(anatomy);
-    EXPECT_NEAR(anatomy->bounds.size().z, 4.0, 1e-9);
-    EXPECT_NEAR(anatomy->bounds.size().y, 0.0, 1e-9);
+                                           {.rays = 0});
+    ASSERT_TRUE(geometry);
+    EXPECT_NEAR(geometry->bounds.size().z, 4.0, 1e-9);
+    EXPECT_NEAR(geometry->bounds.size().y, 0.0, 1e-9);
 }
 
 TEST(DrawingSvg, EscapesAndRounds) {

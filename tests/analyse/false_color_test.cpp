@@ -7,9 +7,9 @@
 
 #include <set>
 
-#include "analyse/bitmap.hpp"
-#include "analyse/bitmap_font.hpp"
-#include "analyse/color_scale.hpp"
+#include "analyse/draw/bitmap.hpp"
+#include "analyse/draw/bitmap_font.hpp"
+#include "analyse/draw/color_scale.hpp"
 #include "balcony/diagnose.hpp"
 #include "support.hpp"
 

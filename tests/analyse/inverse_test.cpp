@@ -53,7 +53,7 @@ void expect_at(const Sighting& sighting, const V2d& place) {
 }  // namespace
 
 TEST(InverseLaw, HoldsForEveryCameraThatComesAlong) {
-    for (const std::string& name : lang::standard_cameras()) {
+    for (const std::string& name : lang::built_in_cameras()) {
         EXPECT_EQ(lost(test::standard(name), 500, 10'000), 0U) << name;
     }
 }

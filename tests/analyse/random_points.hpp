@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "analyse/point_rays.hpp"
+#include "analyse/inverse/point_rays.hpp"
 
 namespace balcony::analyse::test {
 

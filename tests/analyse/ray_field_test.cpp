@@ -4,7 +4,7 @@
 // Rays as numbers: the same from a grid and at points, with derivatives that are those of
 // neighbouring rays.
 
-#include "analyse/ray_field.hpp"
+#include "analyse/measure/ray_field.hpp"
 
 #include <gtest/gtest.h>
 

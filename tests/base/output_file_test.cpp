@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "base/output_file.hpp"
+#include "balcony/output_file.hpp"
 
 #include <fstream>
 #include <iterator>

@@ -26,7 +26,7 @@ public:
     ArrangerProbe(std::string_view name, const Given& given = {}) {
         const auto arranger = stage<PictureArranger>(StageKind::picture_arranger, name, given);
         Emitter emit(graph_);
-        const ArrangedPoint p = arranger->arrange(
+        const PicturePoint p = arranger->arrange(
             {{graph_.picture_x(), graph_.picture_y()}, {emit(width), emit(height)}}, emit);
         roots_ = {p.point.x, p.point.y, p.size.width, p.size.height};
     }
@@ -51,7 +51,7 @@ public:
         const auto made = find_stage(StageKind::picture_arranger, "formula")->make(arguments);
         const auto arranger = std::dynamic_pointer_cast<const PictureArranger>(*made);
         Emitter emit(graph_);
-        const ArrangedPoint p = arranger->arrange(
+        const PicturePoint p = arranger->arrange(
             {{graph_.picture_x(), graph_.picture_y()}, {emit(width), emit(height)}}, emit);
         roots_ = {p.point.x, p.point.y, emit.valid()};
     }
@@ -189,10 +189,10 @@ TEST(FindArranged, InvertsAffineAndBentArrangers) {
         for (const auto& [across, down] : {std::pair(0.0, 0.0), std::pair(1.0, 0.25)}) {
             Graph graph;
             Emitter emit(graph);
-            const ArrangedPoint whole = whole_picture(graph, width, height);
+            const PicturePoint whole = whole_picture(graph, width, height);
             const DevicePoint found =
                 find_arranged(whole.size, arrangers, {emit(across), emit(down)}, emit);
-            const ArrangedPoint back = arranged({found, whole.size}, arrangers, emit);
+            const PicturePoint back = arranged({found, whole.size}, arrangers, emit);
             const std::array roots{back.point.x - across * back.size.width,
                                    back.point.y - down * back.size.height};
             const std::vector<double> miss = expr::evaluate(roots, {0.0, 0.0, 0.0, {}});

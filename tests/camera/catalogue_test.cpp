@@ -39,25 +39,26 @@ TEST_P(EveryStage, SaysWhatItAndItsParametersMean) {
         EXPECT_TRUE(names.insert(parameter.name).second) << parameter.name << " stands twice";
         EXPECT_EQ(parameter.type == ParameterType::choice, !parameter.choices.empty());
         EXPECT_EQ(parameter.type == ParameterType::points, !parameter.coordinates.empty());
-        EXPECT_EQ(parameter.type == ParameterType::formula, parameter.shape.results_most > 0);
+        EXPECT_EQ(parameter.type == ParameterType::formula, parameter.shape.max_results > 0);
         // A count becomes a size: what a user can write must be one.
         if (parameter.type == ParameterType::count) {
-            EXPECT_GE(parameter.least, 0.0) << parameter.name;
-            EXPECT_LE(parameter.most, 1e6) << parameter.name;
+            EXPECT_GE(parameter.minimum, 0.0) << parameter.name;
+            EXPECT_LE(parameter.maximum, 1e6) << parameter.name;
         }
     }
 }
 
 TEST_P(EveryStage, HasDefaultsOfItsTypesInTheirRanges) {
     for (const StageParameter& parameter : GetParam().parameters) {
-        EXPECT_LE(parameter.least, parameter.most);
+        EXPECT_LE(parameter.minimum, parameter.maximum);
         if (!parameter.default_value.empty()) {
             EXPECT_EQ(parameter.default_value.size(), numbers_in(parameter.type)) << parameter.name;
         }
         for (const double value : parameter.default_value) {
-            EXPECT_GE(value, parameter.least) << parameter.name;
-            EXPECT_LE(value, parameter.most) << parameter.name;
-            EXPECT_FALSE(parameter.above_least && value == parameter.least) << parameter.name;
+            EXPECT_GE(value, parameter.minimum) << parameter.name;
+            EXPECT_LE(value, parameter.maximum) << parameter.name;
+            EXPECT_FALSE(parameter.excludes_minimum && value == parameter.minimum)
+                << parameter.name;
         }
     }
 }

@@ -20,8 +20,8 @@ class ShapeProbe {
 public:
     explicit ShapeProbe(const ClipShapePointer& shape, double softness = 0.0) {
         Emitter emit(graph_);
-        const ArrangedPoint picture{{graph_.picture_x(), graph_.picture_y()},
-                                    {emit(width), emit(height)}};
+        const PicturePoint picture{{graph_.picture_x(), graph_.picture_y()},
+                                   {emit(width), emit(height)}};
         roots_ = {shape->distance(picture, emit), shape->coverage(picture, emit(softness), emit)};
     }
     ShapeProbe(std::string_view name, const Given& given = {}, double softness = 0.0)

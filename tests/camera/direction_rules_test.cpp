@@ -279,11 +279,11 @@ TEST(BlendRule, NeedsWhatItsRulesNeed) {
     EXPECT_TRUE(blend(along({1.0, 0.0, 0.0}), look("relative"), half)->needs_direction_object());
     EXPECT_TRUE(blend(look("absolute"), along({1.0, 0.0, 0.0}), half)->needs_direction_object());
     EXPECT_FALSE(blend(look("tangent"), along({1.0, 0.0, 0.0}), half)->needs_direction_object());
-    EXPECT_EQ(blend(look("tangent"), along({1.0, 0.0, 0.0}), half)->least_eye_dimension(), 1);
-    EXPECT_EQ(blend(along({1.0, 0.0, 0.0}), normal("front"), half)->least_eye_dimension(), 2);
+    EXPECT_EQ(blend(look("tangent"), along({1.0, 0.0, 0.0}), half)->min_eye_dimension(), 1);
+    EXPECT_EQ(blend(along({1.0, 0.0, 0.0}), normal("front"), half)->min_eye_dimension(), 2);
     const auto nested = blend(blend(look("tangent"), look("relative"), half), normal("back"), half);
     EXPECT_TRUE(nested->needs_direction_object());
-    EXPECT_EQ(nested->least_eye_dimension(), 2);
+    EXPECT_EQ(nested->min_eye_dimension(), 2);
 }
 
 }  // namespace balcony::camera

@@ -35,14 +35,14 @@ double pulled(double strength, double offset, double angle) {
 }
 
 // The least slope of the offset along a ray, by differences.
-double least_slope(double strength) {
+double min_slope(double strength) {
     constexpr double h = 1e-4;
-    double least = 1.0;
+    double minimum = 1.0;
     for (double offset = 0.0; offset < 1.0; offset += 1e-3) {
         const double rise = pulled(strength, offset + h, 0.3) - pulled(strength, offset - h, 0.3);
-        least = std::min(least, rise / (2.0 * h));
+        minimum = std::min(minimum, rise / (2.0 * h));
     }
-    return least;
+    return minimum;
 }
 
 }  // namespace
@@ -110,16 +110,16 @@ TEST(LocalZoom, MeetsTheIdentityWithSlopeAndCurvatureAtTheRim) {
 
 TEST(LocalZoom, NeverFoldsForStrengthsOfOneAndMore) {
     for (const double strength : {1.0, 1.5, 3.0, 100.0}) {
-        EXPECT_GT(least_slope(strength), 0.0) << strength;
+        EXPECT_GT(min_slope(strength), 0.0) << strength;
     }
 }
 
 TEST(LocalZoom, FoldsExactlyBelowTheStatedStrength) {
     constexpr double limit = 32.0 / 81.0;
-    EXPECT_GT(least_slope(1.001 * limit), 0.0);
-    EXPECT_LT(least_slope(0.999 * limit), 0.0);
+    EXPECT_GT(min_slope(1.001 * limit), 0.0);
+    EXPECT_LT(min_slope(0.999 * limit), 0.0);
     // Differences and a grid of 1e-3 see the least slope, which is 0 at the limit, to 1e-5.
-    EXPECT_NEAR(least_slope(limit), 0.0, 1e-5);
+    EXPECT_NEAR(min_slope(limit), 0.0, 1e-5);
 }
 
 }  // namespace balcony::camera

@@ -42,7 +42,7 @@ PictureArrangerPointer bend(const Build& build) {
 /// Has no place for the left half of a picture, though its formula has a value there.
 class RightHalf final : public PictureArranger {
 public:
-    ArrangedPoint arrange(const ArrangedPoint& whole, Emitter& emit) const override {
+    PicturePoint arrange(const PicturePoint& whole, Emitter& emit) const override {
         emit.require(0.5 * whole.size.width <= whole.point.x);
         return whole;
     }
@@ -264,11 +264,11 @@ TEST(PictureBounds, HoldForNumbersOfLayers) {
 }
 
 TEST(PictureBounds, HoldForNestingLayersAndSize) {
-    EXPECT_TRUE(nested(most_nested_pictures));
-    EXPECT_FALSE(nested(most_nested_pictures + 1));
+    EXPECT_TRUE(nested(max_nested_pictures));
+    EXPECT_FALSE(nested(max_nested_pictures + 1));
 
     const auto inner =
-        std::make_shared<const Picture>(*picture(std::vector<Layer>(most_layers / 2, layer())));
+        std::make_shared<const Picture>(*picture(std::vector<Layer>(max_layers / 2, layer())));
     EXPECT_FALSE(picture({{"a", inner}, {"b", inner}})) << "1000 layers and the two that hold them";
 
     for (const std::array<std::size_t, 2> size :

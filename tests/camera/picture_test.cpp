@@ -38,7 +38,7 @@ Arranged placed(std::vector<double> from, std::vector<double> to, double x, doub
         {{"from", numbers(std::move(from))}, {"to", numbers(std::move(to))}});
     Graph graph;
     Emitter emit(graph);
-    const ArrangedPoint p =
+    const PicturePoint p =
         place->arrange({{graph.picture_x(), graph.picture_y()}, {emit(200.0), emit(100.0)}}, emit);
     const std::array roots{p.point.x, p.point.y, p.size.width, p.size.height};
     const std::vector<double> r = expr::evaluate(roots, {x, y, 0.0, {}});

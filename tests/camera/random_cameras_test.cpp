@@ -20,7 +20,7 @@ public:
         parts.name = "random";
         parts.look =
             std::dynamic_pointer_cast<const DirectionRule>(stage(StageKind::direction_rule));
-        parts.eye = path(parts.look->least_eye_dimension());
+        parts.eye = path(parts.look->min_eye_dimension());
         if (parts.look->needs_direction_object()) {
             parts.toward = path(0);
         }
@@ -58,19 +58,19 @@ private:
     }
 
     double number(const StageParameter& parameter) {
-        const double least = std::max(parameter.least, -4.0);
-        const double most = std::min(parameter.most, 4.0);
-        return std::uniform_real_distribution<double>(least, most)(engine_);
+        const double minimum = std::max(parameter.minimum, -4.0);
+        const double maximum = std::min(parameter.maximum, 4.0);
+        return std::uniform_real_distribution<double>(minimum, maximum)(engine_);
     }
 
-    Path path(int least_dimension) {
+    Path path(int min_dimension) {
         Path path;
         path.mapper =
             std::dynamic_pointer_cast<const PictureMapper>(stage(StageKind::picture_mapper));
         do {
             path.generator = std::dynamic_pointer_cast<const ObjectGenerator>(
                 stage(StageKind::object_generator));
-        } while (path.generator->dimension() < least_dimension);
+        } while (path.generator->dimension() < min_dimension);
         for (std::size_t i = below(4); i > 0; --i) {
             path.parameter_transformers.push_back(
                 std::dynamic_pointer_cast<const ParameterTransformer>(

@@ -45,9 +45,9 @@ TEST(Repeat, WithinRepeatsHasALimit) {
         return try_stage(StageKind::parameter_transformer, "repeat",
                          {{"times", numbers({64.0})}, {"stages", list({inner})}});
     };
-    const auto most = nested(*nested(warp("shear")));
-    ASSERT_TRUE(most);
-    const auto too_many = nested(*most);
+    const auto maximum = nested(*nested(warp("shear")));
+    ASSERT_TRUE(maximum);
+    const auto too_many = nested(*maximum);
     ASSERT_FALSE(too_many);
     EXPECT_NE(too_many.diagnostics.front().message.find("262144"), std::string::npos);
 }

@@ -188,18 +188,18 @@ TEST(InverseDistance, IsShepardsFormula) {
 // A mean lies between what it is the mean of.
 TEST(InverseDistance, NeverMovesFurtherThanItsSeeds) {
     const PointList seeds = random_seeds(9, 2, 0.3);
-    double least = 1e9;
-    double most = -1e9;
+    double minimum = 1e9;
+    double maximum = -1e9;
     for (std::size_t i = 0; i < seeds.size(); ++i) {
-        least = std::min(least, seeds[i][2] - seeds[i][0]);
-        most = std::max(most, seeds[i][2] - seeds[i][0]);
+        minimum = std::min(minimum, seeds[i][2] - seeds[i][0]);
+        maximum = std::max(maximum, seeds[i][2] - seeds[i][0]);
     }
     const auto warp = seeded("inverse_distance", seeds);
     for (double u = 0.0; u < 10.0; u += 0.37) {
         for (double v = 0.0; v < 10.0; v += 0.41) {
             const double moved = warped(warp, u, v)[0] - u;
-            EXPECT_GE(moved, least - tolerance);
-            EXPECT_LE(moved, most + tolerance);
+            EXPECT_GE(moved, minimum - tolerance);
+            EXPECT_LE(moved, maximum + tolerance);
         }
     }
 }

@@ -101,7 +101,7 @@ TEST(SizeOf, IsThatOfItsTime) {
 TEST(SizeOf, IsThatInTheMiddleOfThePicture) {
     class Widening final : public PictureArranger {
     public:
-        ArrangedPoint arrange(const ArrangedPoint& whole, Emitter&) const override {
+        PicturePoint arrange(const PicturePoint& whole, Emitter&) const override {
             return {whole.point, {whole.point.x, 3.0 * whole.point.y}};
         }
     };

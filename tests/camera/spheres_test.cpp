@@ -24,13 +24,13 @@ GeneratorProbe sphere(std::string_view by) {
 
 double area(const Sample& s) { return length(cross(s.along_u, s.along_v)); }
 
-void at_random_places(double u_most, double v_most,
+void at_random_places(double u_max, double v_max,
                       const std::function<void(double u, double v)>& check) {
     std::mt19937_64 random(73);
     std::uniform_real_distribution<double> any(-1.0, 1.0);
     for (int i = 0; i < 400; ++i) {
         const double u = any(random);
-        check(u_most * u, v_most * any(random));
+        check(u_max * u, v_max * any(random));
     }
 }
 
@@ -100,18 +100,18 @@ TEST(EqualAreaSpheres, HaveAreasInProportionEverywhere) {
 // Areas are kept, so each map covers the sphere once if it is valid on an area of 4 pi.
 TEST(EqualAreaSpheres, CoverTheSphereOnce) {
     constexpr int cells = 400;
-    for (const auto& [by, u_most, v_most] :
+    for (const auto& [by, u_max, v_max] :
          {std::tuple("equal_area", 2.2, 2.2), std::tuple("mollweide", 3.0, 1.5)}) {
         const GeneratorProbe probe = sphere(by);
         int valid = 0;
         for (int i = 0; i < cells; ++i) {
             for (int j = 0; j < cells; ++j) {
-                valid += probe(u_most * (2.0 * i + 1.0 - cells) / cells,
-                               v_most * (2.0 * j + 1.0 - cells) / cells)
+                valid += probe(u_max * (2.0 * i + 1.0 - cells) / cells,
+                               v_max * (2.0 * j + 1.0 - cells) / cells)
                              .valid;
             }
         }
-        const double covered = 4.0 * u_most * v_most * valid / (cells * cells);
+        const double covered = 4.0 * u_max * v_max * valid / (cells * cells);
         EXPECT_NEAR(covered, 4.0 * pi, 0.02) << by;  // a boundary of 10 cuts cells of 0.01
     }
 }

@@ -271,7 +271,7 @@ TEST(CellPosition, IsTheCellAndTheFractionOfIt) {
         Emitter emit(graph);
         const Expr u = graph.picture_x();
         const Expr position = CellPosition(breaks, false)(u, emit);
-        const std::array roots{position, expr::derive(position, u), emit.valid()};
+        const std::array roots{position, expr::differentiate(position, u), emit.valid()};
         const auto expect = [&](std::size_t cell, double r) {
             const double width = breaks[cell + 1] - breaks[cell];
             const double at = breaks[cell] + r * width;

@@ -36,7 +36,7 @@ namespace {
 // As many as there must be, on a grid in their first two co-ordinates, the others small and varied.
 PointList some_points(const StageParameter& parameter) {
     PointList points{parameter.coordinates.front(), {}};
-    for (std::size_t i = 0; i < parameter.points_least; ++i) {
+    for (std::size_t i = 0; i < parameter.min_points; ++i) {
         for (std::size_t k = 0; k < points.coordinates; ++k) {
             const double place = static_cast<double>(k == 0 ? i % 4 : k == 1 ? i / 4 : 0);
             points.values.push_back(place + 0.1 * std::sin(static_cast<double>(7 * i + 3 * k)));
@@ -77,7 +77,7 @@ std::shared_ptr<const TexturedMesh> some_mesh() {
 Formula some_formula(const FormulaShape& shape) {
     return formula(shape.parameters, [&](Graph& graph, const std::vector<Expr>& p) {
         std::vector<Expr> results;
-        for (std::size_t i = 0; i < shape.results_most; ++i) {
+        for (std::size_t i = 0; i < shape.max_results; ++i) {
             const Expr own = i < p.size() ? p[i] : graph.constant(0.0);
             results.push_back(own + 0.1 * sin(p[0] + static_cast<double>(i)));
         }
@@ -167,7 +167,7 @@ GeneratorProbe::GeneratorProbe(const ObjectGeneratorPointer& generator) {
     roots_ = {p.x, p.y, p.z};
     for (const Expr leaf : {u, v}) {
         const std::array coordinates{p.x, p.y, p.z};
-        for (const Expr slope : expr::derive(coordinates, leaf)) {
+        for (const Expr slope : expr::differentiate(coordinates, leaf)) {
             roots_.push_back(slope);
         }
     }

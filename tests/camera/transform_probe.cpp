@@ -12,7 +12,7 @@ WarpProbe::WarpProbe(const ParameterTransformerPointer& transformer) {
     const ParameterPoint p = transformer->transform({u, v}, emit);
     roots_ = {p.u, p.v};
     for (const Expr leaf : {u, v}) {
-        for (const Expr slope : expr::derive(std::array{p.u, p.v}, leaf)) {
+        for (const Expr slope : expr::differentiate(std::array{p.u, p.v}, leaf)) {
             roots_.push_back(slope);
         }
     }
@@ -31,7 +31,7 @@ MoveProbe::MoveProbe(const ObjectTransformerPointer& transformer) {
     const ObjectPoint p = transformer->transform({leaves[0], leaves[1], leaves[2]}, emit);
     roots_ = {p.x, p.y, p.z};
     for (const Expr leaf : leaves) {
-        for (const Expr slope : expr::derive(std::array{p.x, p.y, p.z}, leaf)) {
+        for (const Expr slope : expr::differentiate(std::array{p.x, p.y, p.z}, leaf)) {
             roots_.push_back(slope);
         }
     }

@@ -21,7 +21,7 @@ std::vector<Given> variants(const StageEntry& row) {
         for (const std::string_view choice : parameter.choices) {
             all.push_back({{parameter.name, std::string(choice)}});
         }
-        if (parameter.type == ParameterType::count && parameter.least <= 3.0) {
+        if (parameter.type == ParameterType::count && parameter.minimum <= 3.0) {
             all.push_back({{parameter.name, numbers({3.0})}});
         }
     }

@@ -78,9 +78,9 @@ std::string first_message(const Diagnostics& said) {
 TEST_F(Data, AFileIsLookedForInTheFolderFirst) {
     (void)write("vase.obj", "");
     EXPECT_EQ(find_file("vase.obj", folder_)->path, folder_ / "vase.obj");
-    EXPECT_FALSE(find_file("vase.obj", folder_)->standard);
-    EXPECT_TRUE(find_file("vase.obj", std::nullopt)->standard);
-    EXPECT_TRUE(find_file("vase.obj", folder_ / "nowhere")->standard);
+    EXPECT_FALSE(find_file("vase.obj", folder_)->built_in);
+    EXPECT_TRUE(find_file("vase.obj", std::nullopt)->built_in);
+    EXPECT_TRUE(find_file("vase.obj", folder_ / "nowhere")->built_in);
 }
 
 TEST_F(Data, AMissingFileGetsThePathAndTheNearestName) {
@@ -184,14 +184,14 @@ TEST_F(Data, ATableWithoutNumbersIsAnError) {
 
 TEST_F(Data, TablesAreBounded) {
     std::string many;
-    for (std::size_t i = 0; i < most_numbers; ++i) {
+    for (std::size_t i = 0; i < max_numbers; ++i) {
         many += "1\n";
     }
     EXPECT_TRUE(read_table(write("many.csv", many)));
     EXPECT_EQ(first_message(read_table(write("many.csv", many + "1\n")).diagnostics),
               "this table has more than 262144 numbers");
     const File large = write("large.csv", "");
-    fs::resize_file(large.path, largest_table + 1);
+    fs::resize_file(large.path, max_table + 1);
     EXPECT_EQ(first_message(read_table(large).diagnostics), "'large.csv' is larger than 16 MB");
     std::string rubbish;
     for (int i = 0; i < 5000; ++i) {
@@ -336,7 +336,7 @@ TEST_F(Data, AMirroredInstanceFacesTheSameSide) {
 
 TEST_F(Data, MeshFilesAreBounded) {
     const File large = write("large.obj", "");
-    fs::resize_file(large.path, largest_mesh_file + 1);
+    fs::resize_file(large.path, max_mesh_file + 1);
     EXPECT_EQ(first_message(read_mesh(large).diagnostics), "'large.obj' is larger than 500 MB");
 }
 

@@ -56,7 +56,7 @@ double seconds_for_all(const Shape& shape, std::size_t nodes) {
         Graph graph;
         const Expr deep = chain(graph, shape, nodes);
         const std::array roots{deep};
-        EXPECT_TRUE(derive(deep, graph.picture_x()).valid());
+        EXPECT_TRUE(differentiate(deep, graph.picture_x()).valid());
         EXPECT_TRUE(simplify(roots).front().valid());
         EXPECT_EQ(evaluate(roots, {0.5, 0.25, 0.0, {}}).size(), 1U);
         EXPECT_FALSE(print(deep).empty());

@@ -53,7 +53,7 @@ struct Comparison {
 // Kinks, jumps and the ends of domains show in the error of the difference; they are left out.
 void compare(Expr expression, double at, Comparison& count) {
     Graph& graph = expression.graph();
-    const Expr derivative = derive(expression, graph.picture_x());
+    const Expr derivative = differentiate(expression, graph.picture_x());
     const auto value = [](Expr e, double x) {
         return evaluate(std::span(&e, 1), {x, 0.5, 0.25, {}})[0];
     };
@@ -138,7 +138,7 @@ TEST(Derive, TakesEachBranchOfSelectMinimumAndMaximumAwayFromTheKink) {
 TEST(Derive, SecondDerivativesAreDerivativesOfDerivatives) {
     Graph graph;
     const Expr x = graph.picture_x();
-    const Expr second = derive(derive(sin(x * x), x), x);
+    const Expr second = differentiate(differentiate(sin(x * x), x), x);
     const double at = 0.7;
     EXPECT_NEAR(evaluate(std::span(&second, 1), {at, 0.0, 0.0, {}})[0],
                 2.0 * std::cos(at * at) - 4.0 * at * at * std::sin(at * at), 1e-15);
@@ -149,16 +149,17 @@ TEST(Derive, GoesByAnyLeafAndLeavesTheOthersAlone) {
     const Expr product = graph.picture_x() * graph.picture_y() * graph.time() * graph.variable(0);
     const std::array variables{7.0};
     const Point point{2.0, 3.0, 5.0, variables};
-    const std::array slopes{derive(product, graph.picture_x()), derive(product, graph.picture_y()),
-                            derive(product, graph.time()), derive(product, graph.variable(0))};
+    const std::array slopes{
+        differentiate(product, graph.picture_x()), differentiate(product, graph.picture_y()),
+        differentiate(product, graph.time()), differentiate(product, graph.variable(0))};
     EXPECT_EQ(evaluate(slopes, point), (std::vector<double>{105.0, 70.0, 42.0, 30.0}));
-    EXPECT_TRUE(derive(sin(graph.picture_x()), graph.time()).is_constant(0.0));
+    EXPECT_TRUE(differentiate(sin(graph.picture_x()), graph.time()).is_constant(0.0));
 }
 
 TEST(Derive, SignedPowerOfExponentOneHasTheSlopeOneAtZero) {
     Graph graph;
     const Expr x = graph.picture_x();
-    const Expr slope = derive(signed_power(x, graph.constant(1.0)), x);
+    const Expr slope = differentiate(signed_power(x, graph.constant(1.0)), x);
     EXPECT_EQ(evaluate(std::span(&slope, 1), {})[0], 1.0);
 }
 

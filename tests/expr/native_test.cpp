@@ -81,16 +81,17 @@ TEST(Native, HasTheDerivativesItNames) {
     const Expr y = graph.picture_y();
     const std::array inner{x * x, x + y, graph.time()};
     const Expr f = graph.native(monomial({2, 1, 0}), inner);  // 1.5 x^4 (x + y)
-    const Expr by_x = derive(f, x);
-    const Expr by_y = derive(f, y);
+    const Expr by_x = differentiate(f, x);
+    const Expr by_y = differentiate(f, y);
     for (const double at : {-1.2, 0.5, 2.0}) {
         const double x4 = std::pow(at, 4.0);
         // A few roundings of values of up to 150.
         EXPECT_NEAR(value(by_x, at, 0.3), 6.0 * std::pow(at, 3.0) * (at + 0.3) + 1.5 * x4, 1e-12);
         EXPECT_NEAR(value(by_y, at, 0.3), 1.5 * x4, 1e-12);
     }
-    EXPECT_TRUE(derive(f, graph.time()).is_constant(0.0)) << "null stands for a derivative of 0";
-    const Expr twice = derive(by_x, y);
+    EXPECT_TRUE(differentiate(f, graph.time()).is_constant(0.0))
+        << "null stands for a derivative of 0";
+    const Expr twice = differentiate(by_x, y);
     EXPECT_NEAR(value(twice, 2.0, 0.3), 48.0, 1e-12);
 }
 

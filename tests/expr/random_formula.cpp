@@ -15,10 +15,10 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double rounding = std::numeric_limits<double>::epsilon();
 
-constexpr std::size_t most_arguments = 3;
+constexpr std::size_t max_arguments = 3;
 
 std::size_t arity_of(Op op) {
-    return std::min(static_cast<std::size_t>(operation(op).arity), most_arguments);
+    return std::min(static_cast<std::size_t>(operation(op).arity), max_arguments);
 }
 
 double leaf_value(Op op, double constant, const Point& point) {

@@ -17,7 +17,7 @@ namespace balcony::expr {
 namespace {
 
 using Random = std::mt19937_64;
-using Place = std::array<double, Table::most_axes>;
+using Place = std::array<double, Table::max_axes>;
 
 /// The sum of c[i, j, k] x^i y^j z^k; variables that are not there have degree 0.
 struct Polynomial {
@@ -76,7 +76,7 @@ Case random_case(Random& random, std::size_t axes) {
     std::size_t count = 1;
     std::array<Table::Axis, 3> box;
     for (std::size_t axis = 0; axis < axes; ++axis) {
-        const std::size_t degree = random() % (Table::most_degree + 1);
+        const std::size_t degree = random() % (Table::max_degree + 1);
         const double first = number(random);
         box[axis] = {first, first + 0.5 + std::fabs(number(random)), 1 + random() % 5, degree};
         made.polynomial.degrees[axis] = degree;
@@ -231,7 +231,7 @@ TEST(LookupOfSeveral, HasTheDerivativeOfItsTableTimesTheInnerSlopes) {
         const Expr x = graph.picture_x();
         const std::array inner{0.5 * sin(x), x * x - 0.25, 0.1 + 0.3 * x};
         const Expr value = graph.lookup(table, std::span(inner).first(axes));
-        const Expr slope = derive(value, x);
+        const Expr slope = differentiate(value, x);
         for (const double place : {-0.4, 0.1, 0.6}) {
             constexpr double h = 1e-4;
             const auto composed = [&](double steps) {

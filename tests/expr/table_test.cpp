@@ -90,7 +90,7 @@ TEST(Lookup, HasTheDerivativeTableTimesTheInnerSlope) {
     const Cubic c{0.3, -1.0, 2.0, 0.7};
     const auto table = std::make_shared<const Table>(tabulated(c, -3.0, 3.0, 5));
     const Expr x = graph.picture_x();
-    const Expr slopes = derive(graph.lookup(table, x * x), x);
+    const Expr slopes = differentiate(graph.lookup(table, x * x), x);
     for (const double at : {-1.5, -0.2, 0.0, 0.9, 1.6}) {
         EXPECT_NEAR(evaluate(std::span(&slopes, 1), {at, 0.0, 0.0, {}})[0],
                     slope(c, at * at) * 2.0 * at, 1e-12);

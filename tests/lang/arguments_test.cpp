@@ -8,7 +8,7 @@
 
 #include <numbers>
 
-#include "lang/stages.hpp"
+#include "lang/build/stages.hpp"
 #include "support.hpp"
 
 namespace balcony::lang {
@@ -38,7 +38,7 @@ Read read(std::vector<StageParameter> parameters, const std::string& call,
         std::make_shared<const SourceText>(
             "test.cam", test::joined({"let a = 2 camera c { ", statement, " ", call, " }"})),
         folder);
-    const CameraSyntax& syntax = *own_cameras(*module).front().camera;
+    const DefinitionSyntax& syntax = *own_definitions(*module).front().camera;
     if (syntax.statements.empty() || syntax.statements.front().stages.empty()) {
         return {std::nullopt, session.reporter().take()};
     }
@@ -57,8 +57,11 @@ std::string refused(const std::vector<StageParameter>& parameters, const std::st
 }
 
 std::vector<StageParameter> count() {
-    return {
-        {.name = "n", .type = ParameterType::count, .least = 1, .most = 20, .meaning = "its use"}};
+    return {{.name = "n",
+             .type = ParameterType::count,
+             .minimum = 1,
+             .maximum = 20,
+             .meaning = "its use"}};
 }
 
 TEST(StageArguments, ACountIsAWholeConstantNumber) {
@@ -98,15 +101,15 @@ TEST(StageArguments, AnOptionalParameterMayBeMissing) {
 TEST(StageArguments, RangesHaveTheirEndsAndUnits) {
     const std::vector<StageParameter> angle{{.name = "fov",
                                              .unit = Unit::angle,
-                                             .least = 0.0,
-                                             .most = std::numbers::pi / 2,
+                                             .minimum = 0.0,
+                                             .maximum = std::numbers::pi / 2,
                                              .meaning = "its use"}};
     EXPECT_TRUE(read(angle, "stage(0deg)").arguments);
     EXPECT_TRUE(read(angle, "stage(90deg)").arguments);
     EXPECT_EQ(refused(angle, "stage(100deg)"),
               "'fov' of 'stage' must be from 0deg to 90deg, but is 100deg; fov: its use");
     const std::vector<StageParameter> above{
-        {.name = "r", .least = 0.0, .above_least = true, .meaning = "its use"}};
+        {.name = "r", .minimum = 0.0, .excludes_minimum = true, .meaning = "its use"}};
     EXPECT_TRUE(read(above, "stage(1/1000)").arguments);
     EXPECT_EQ(refused(above, "stage(0)"), "'r' of 'stage' must be above 0, but is 0; r: its use");
 }
@@ -129,14 +132,14 @@ std::vector<StageParameter> points(std::vector<std::size_t> coordinates, Unit un
              .type = ParameterType::points,
              .unit = unit,
              .coordinates = std::move(coordinates),
-             .points_least = 2,
+             .min_points = 2,
              .meaning = "its use"}};
 }
 
 TEST(StageArguments, WhatChangesWithTimeStaysInItsRange) {
     const std::vector<StageParameter> row{
-        {.name = "strength", .least = 0.0, .most = 0.99, .meaning = "below 1"},
-        {.name = "radius", .least = 0.0, .above_least = true, .meaning = "above 0"},
+        {.name = "strength", .minimum = 0.0, .maximum = 0.99, .meaning = "below 1"},
+        {.name = "radius", .minimum = 0.0, .excludes_minimum = true, .meaning = "above 0"},
         {.name = "height", .meaning = "any"}};
     const Read made = read(row, "stage(t, 1 + t, 2*t)");
     ASSERT_TRUE(made.arguments) << to_text(made.said);
@@ -185,7 +188,7 @@ TEST(StageArguments, WrongPointsAreErrors) {
     EXPECT_EQ(refused(points({1}), "stage([(1, 2), 3])"),
               "a point of 'at' of 'stage' has 1 number, but this has 2; such as at = [0, 1]");
     std::vector<StageParameter> triangle = points({1, 2, 3});
-    triangle.front().points_least = 3;
+    triangle.front().min_points = 3;
     EXPECT_EQ(refused(triangle, "stage([(1, 2, 3, 4), 0, 0])"),
               "a point of 'at' of 'stage' has 1, 2 or 3 numbers, but this has 4; such as "
               "at = [0, 1, 2]");

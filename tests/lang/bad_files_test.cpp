@@ -152,7 +152,7 @@ TEST(GeneratedBadFile, ErrorsAreCountedUpToABound) {
     EXPECT_EQ(said.back().message, "there are more errors; these are the first 20");
 }
 
-// Where reading ends for too many errors, the standard cameras are not read either.
+// Where reading ends for too many errors, the built-in cameras are not read either.
 TEST(GeneratedBadFile, PicturesOfStandardCamerasMayFollowAnyNumberOfErrors) {
     for (int errors = 0; errors < 30; ++errors) {
         std::string lets;

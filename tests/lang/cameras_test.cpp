@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The standard cameras against their textbook formulas, and what statements mean, by rays.
+// The built-in cameras against their textbook formulas, and what statements mean, by rays.
 
 #include <gtest/gtest.h>
 
@@ -32,15 +32,15 @@ camera::Camera standard(const char* name, const std::vector<Override>& overrides
 }
 
 TEST(StandardCameras, AllLoadWithoutAWord) {
-    EXPECT_EQ(standard_cameras(),
+    EXPECT_EQ(built_in_cameras(),
               (std::vector<std::string>{"cylinder", "fisheye", "hyperbolic", "orthographic",
                                         "panorama", "pinhole", "superelliptic"}));
-    for (const std::string& name : standard_cameras()) {
+    for (const std::string& name : built_in_cameras()) {
         const Result<camera::Camera> made = load_camera(name, "");
         ASSERT_TRUE(made) << to_text(made.diagnostics);
         EXPECT_EQ(to_text(made.diagnostics), "");
         EXPECT_EQ(made->name(), name);
-        const Result<std::vector<CameraDescription>> said = describe(name);
+        const Result<std::vector<Description>> said = describe(name);
         ASSERT_TRUE(said);
         EXPECT_FALSE(said->front().comment.empty());
     }
@@ -48,7 +48,7 @@ TEST(StandardCameras, AllLoadWithoutAWord) {
 
 // Every one looks along x in the middle, with what is left (y) on the left and what is up above.
 TEST(StandardCameras, FaceForwardUnmirrored) {
-    for (const std::string& name : standard_cameras()) {
+    for (const std::string& name : built_in_cameras()) {
         const camera::Camera camera = standard(name.c_str());
         const Ray middle = test::ray(camera, 100, 50, 200, 100);
         EXPECT_TRUE(middle.valid) << name;
@@ -205,7 +205,7 @@ TEST(Statements, LookDefaultsToRelativeOrNormal) {
     EXPECT_TRUE(made("map u = 0 .. 1, v = square eye point toward plane((1, 0, 0))")
                     .parts()
                     .look->needs_direction_object());
-    EXPECT_EQ(made("map u = 0 .. 1, v = square eye plane").parts().look->least_eye_dimension(), 2);
+    EXPECT_EQ(made("map u = 0 .. 1, v = square eye plane").parts().look->min_eye_dimension(), 2);
 }
 
 TEST(Statements, AStageWithoutParenthesesTakesItsDefaults) {

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "lang/keywords.hpp"
-#include "lang/value.hpp"
+#include "lang/names/value.hpp"
+#include "lang/syntax/keywords.hpp"
 #include "support.hpp"
 
 namespace balcony::lang {

@@ -128,7 +128,7 @@ TEST(Explain, SaysWhatIsWrongInsteadOfExplainingIt) {
 }
 
 TEST(Explain, KnowsEveryStandardCamera) {
-    for (const std::string& name : standard_cameras()) {
+    for (const std::string& name : built_in_cameras()) {
         const auto made = explain(name, "");
         ASSERT_TRUE(made) << name << to_text(made.diagnostics);
         for (const Explanation::Step& step : made->steps) {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lang/lexer.hpp"
+#include "lang/syntax/lexer.hpp"
 #include "support.hpp"
 
 namespace balcony::lang {

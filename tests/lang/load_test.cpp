@@ -133,7 +133,7 @@ TEST(Load, AFileThatOnlyImportsNamesWhatItCould) {
 TEST(Load, UnknownFilesGetASuggestion) {
     const Diagnostics said = load_camera("pinhol", "").diagnostics;
     ASSERT_EQ(said.size(), 1U);
-    EXPECT_EQ(said[0].message, "there is no file 'pinhol' and no standard camera of that name");
+    EXPECT_EQ(said[0].message, "there is no file 'pinhol' and no built-in camera of that name");
     EXPECT_EQ(said[0].remedy, "did you mean 'pinhole'?");
 }
 
@@ -146,7 +146,7 @@ TEST(Load, DescribesCameras) {
     const auto said = describe(file);
     ASSERT_TRUE(said);
     ASSERT_EQ(said->size(), 2U);
-    const CameraDescription& a = (*said)[0];
+    const Description& a = (*said)[0];
     EXPECT_EQ(a.comment, "First line,\nsecond line.");
     ASSERT_EQ(a.parameters.size(), 2U);
     EXPECT_EQ(a.parameters[0].default_text, "1 + 2");

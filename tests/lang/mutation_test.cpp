@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Stages that the standard cameras do not have.
+// Stages that the built-in cameras do not have.
 constexpr std::string_view more_cameras[] = {
     R"(camera a(w = 2, p = 1.5) {
     place (0.25, 0) .. (1, 0.75)

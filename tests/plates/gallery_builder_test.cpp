@@ -154,9 +154,9 @@ TEST(Gallery, PicturesHangWhereTheCameraLooksStraight) {
     const GlbFile file = gallery_file();
     for (const json& node : nodes_named(file, "picture ")) {
         const OnWall at = on_wall(bounds_z_up(file, node));
-        const double most_along = at.half_length == room_half_x ? 35.0 : 16.0;
-        EXPECT_GE(at.low_along, -most_along) << node["name"];
-        EXPECT_LE(at.high_along, most_along) << node["name"];
+        const double max_along = at.half_length == room_half_x ? 35.0 : 16.0;
+        EXPECT_GE(at.low_along, -max_along) << node["name"];
+        EXPECT_LE(at.high_along, max_along) << node["name"];
         EXPECT_GE(at.low_up, -16.0) << node["name"];
         EXPECT_LE(at.high_up, 16.0) << node["name"];
     }

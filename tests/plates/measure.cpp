@@ -69,7 +69,7 @@ struct Sight {
 };
 
 // The farthest that a sight lies from the affine map that fits all of them best (least squares).
-double largest_residual(const std::vector<Sight>& sights) {
+double max_residual(const std::vector<Sight>& sights) {
     Imath::M33d normal(0.0), mixed(0.0);
     for (const auto& [pixel, place] : sights) {
         for (int i = 0; i < 3; ++i) {
@@ -162,7 +162,7 @@ View view_of(const render::Film& film, const std::string& object, const Rectangl
     view.share_seen = static_cast<double>(std::count(cell_seen.begin(), cell_seen.end(), true)) /
                       static_cast<double>(cell_seen.size());
     view.bend =
-        sights.size() < 3 ? 0.0 : largest_residual(sights) / std::hypot(right_length, up_length);
+        sights.size() < 3 ? 0.0 : max_residual(sights) / std::hypot(right_length, up_length);
     return view;
 }
 
@@ -175,7 +175,7 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
-RayStep longest_step(const render::Film& film) {
+RayStep max_step(const render::Film& film) {
     const render::DataLayers& layers = film.layers.value();
     RayStep longest;
     const auto compare = [&](std::size_t a, std::size_t b) {

@@ -44,6 +44,6 @@ struct RayStep {
     double origin = 0.0;     ///< Scene units.
     double direction = 0.0;  ///< Radians, for small angles.
 };
-[[nodiscard]] RayStep longest_step(const render::Film& film);
+[[nodiscard]] RayStep max_step(const render::Film& film);
 
 }  // namespace balcony::plates

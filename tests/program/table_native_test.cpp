@@ -30,7 +30,7 @@ std::shared_ptr<const Table> random_table(Random& random, std::size_t axes) {
     for (std::size_t axis = 0; axis < axes; ++axis) {
         const double first = number(random);
         const std::size_t cells = 1 + random() % 6;
-        const std::size_t degree = random() % (Table::most_degree + 1);
+        const std::size_t degree = random() % (Table::max_degree + 1);
         table->axes.push_back({first, first + 0.5 + std::fabs(number(random)), cells, degree});
         count *= cells * (degree + 1);
     }

@@ -136,7 +136,7 @@ TEST(Tiles, PointsBeyondTheLimitsAreMovedOntoThem) {
                     .width = 13,
                     .height = 5,
                     .x_limits = {0.5, 9.25},
-                    .y_limits = {.most = 4.5}};
+                    .y_limits = {.maximum = 4.5}};
     expect_runners_equal_reference(program, tile);
     const Results results(program, tile);
     run_reference(program, tile, results.pointers());

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/tile_worker.hpp"
+#include "render/job/tile_worker.hpp"
 #include "support.hpp"
 
 namespace balcony::render::test {

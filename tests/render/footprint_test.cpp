@@ -7,8 +7,8 @@
 
 #include <random>
 
-#include "render/camera_rays.hpp"
-#include "render/compiled_picture.hpp"
+#include "render/job/camera_rays.hpp"
+#include "render/job/compiled_picture.hpp"
 #include "support.hpp"
 
 namespace balcony::render {

@@ -145,11 +145,11 @@ TEST(Light, NoSurfaceShadowsItself) {
         View view = view_down_z(away, -away, 5.0);
         const Picture picture =
             render(scene, orthographic(view), settings(50, 50, Integrator::direct));
-        float least = 1.0F;
+        float minimum = 1.0F;
         for (std::size_t i = 0; i < 50 * 50; ++i) {
-            least = std::min(least, picture.film.pixel(i % 50, i / 50).g);
+            minimum = std::min(minimum, picture.film.pixel(i % 50, i / 50).g);
         }
-        EXPECT_GT(least, 0.5F / pi * 0.9F) << away;
+        EXPECT_GT(minimum, 0.5F / pi * 0.9F) << away;
     }
 }
 

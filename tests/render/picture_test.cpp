@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "balcony/catalogue.hpp"
-#include "render/blend.hpp"
+#include "render/film/blend.hpp"
 #include "support.hpp"
 
 namespace balcony::render {

@@ -18,7 +18,7 @@ using camera::ParameterPoint;
 
 class UnitMapper final : public camera::PictureMapper {
 public:
-    ParameterPoint map(const camera::ArrangedPoint& picture, Emitter&) const override {
+    ParameterPoint map(const camera::PicturePoint& picture, Emitter&) const override {
         return {2.0 * picture.point.x / picture.size.width - 1.0,
                 1.0 - 2.0 * picture.point.y / picture.size.height};
     }

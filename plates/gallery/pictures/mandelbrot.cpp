@@ -13,7 +13,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int most_iterations = 450;
+constexpr int max_iterations = 450;
 constexpr double bailout = 1e4;
 
 struct Escape {
@@ -39,7 +39,7 @@ Escape escape(const Complex& c) {
     double y = 0.0;
     double dx = 0.0;
     double dy = 0.0;
-    for (int n = 0; n < most_iterations; ++n) {
+    for (int n = 0; n < max_iterations; ++n) {
         const double next_dx = 2.0 * (x * dx - y * dy) + 1.0;
         dy = 2.0 * (x * dy + y * dx);
         dx = next_dx;

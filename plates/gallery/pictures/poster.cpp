@@ -84,11 +84,11 @@ double word(const V2d& p) {
     constexpr Letter letters[] = {letter_b, letter_a, letter_l, letter_c,
                                   letter_o, letter_n, letter_y};
     const int nearest = int(std::lround(p.x / pitch)) + 3;
-    double least = 1e9;
+    double minimum = 1e9;
     for (int n = std::max(nearest - 1, 0); n <= std::min(nearest + 1, 6); ++n) {
-        least = std::min(least, letters[n]({p.x - (n - 3) * pitch, p.y}));
+        minimum = std::min(minimum, letters[n]({p.x - (n - 3) * pitch, p.y}));
     }
-    return std::max(least, std::abs(p.y) - half_height);
+    return std::max(minimum, std::abs(p.y) - half_height);
 }
 
 // The local zoom of the picture: what is seen at p stands at the returned point of the flat poster.

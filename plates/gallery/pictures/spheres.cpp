@@ -139,8 +139,8 @@ double fifth_power(double x) { return x * x * x * x * x; }
 Color radiance(V3d origin, V3d direction, int index) {
     Color sum(0.0);
     Color weight(1.0);
-    constexpr int most_bounces = 6;
-    for (int bounce = 0; bounce < most_bounces; ++bounce) {
+    constexpr int max_bounces = 6;
+    for (int bounce = 0; bounce < max_bounces; ++bounce) {
         const std::optional<Hit> hit = first_hit(origin, direction);
         if (!hit) {
             return sum + weight * sky(direction);

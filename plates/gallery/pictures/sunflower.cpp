@@ -44,11 +44,11 @@ Seed nearest_seed(const V2d& point) {
     const int first = std::max(0, int(square(std::max(radius - reach, 0.0))) - 1);
     const int last = std::min(seed_count - 1, int(square(radius + reach)) + 1);
     Seed nearest;
-    double least = 1e9;
+    double minimum = 1e9;
     for (int n = first; n <= last; ++n) {
         const V2d offset = point - places[static_cast<std::size_t>(n)];
-        if (offset.length2() < least) {
-            least = offset.length2();
+        if (offset.length2() < minimum) {
+            minimum = offset.length2();
             nearest = {n, offset / spacing};
         }
     }

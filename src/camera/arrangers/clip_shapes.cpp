@@ -23,21 +23,21 @@ struct Centered {
     Expr x, y, half_width, half_height;
 };
 
-Centered centered(const ArrangedPoint& picture) {
+Centered centered(const PicturePoint& picture) {
     const auto& [point, size] = picture;
     const Expr half_width = 0.5 * size.width;
     const Expr half_height = 0.5 * size.height;
     return {point.x - half_width, half_height - point.y, half_width, half_height};
 }
 
-Expr rectangle_distance(const ArrangedPoint& picture) {
+Expr rectangle_distance(const PicturePoint& picture) {
     const Centered c = centered(picture);
     return max(abs(c.x) - c.half_width, abs(c.y) - c.half_height);
 }
 
 class Rectangle final : public ClipShape {
 public:
-    Expr distance(const ArrangedPoint& picture, Emitter&) const override {
+    Expr distance(const PicturePoint& picture, Emitter&) const override {
         return rectangle_distance(picture);
     }
     double corner_reach() const override { return 1.0; }
@@ -51,14 +51,14 @@ Expr ellipse_distance(const Centered& c, Expr a, Expr b, Emitter& emit) {
     const Expr k = sqrt(nx * nx + ny * ny);
     const Expr g = sqrt(nx * nx / (a * a) + ny * ny / (b * b));
     // In the very middle, where both are 0, it is as if one were a little to the side.
-    const Expr least = emit(1e-9);
-    return (k - 1.0) * max(k, least) / max(g, least / a);
+    const Expr minimum = emit(1e-9);
+    return (k - 1.0) * max(k, minimum) / max(g, minimum / a);
 }
 
 /// The largest ellipse in the picture.
 class Ellipse final : public ClipShape {
 public:
-    Expr distance(const ArrangedPoint& picture, Emitter& emit) const override {
+    Expr distance(const PicturePoint& picture, Emitter& emit) const override {
         const Centered c = centered(picture);
         return ellipse_distance(c, c.half_width, c.half_height, emit);
     }
@@ -70,7 +70,7 @@ class Ring final : public ClipShape {
 public:
     explicit Ring(Scalar inner) : inner_(std::move(inner)) {}
 
-    Expr distance(const ArrangedPoint& picture, Emitter& emit) const override {
+    Expr distance(const PicturePoint& picture, Emitter& emit) const override {
         const Centered c = centered(picture);
         const Expr inner = emit(inner_);
         return max(ellipse_distance(c, c.half_width, c.half_height, emit),
@@ -87,7 +87,7 @@ class RoundedRectangle final : public ClipShape {
 public:
     explicit RoundedRectangle(Scalar radius) : radius_(std::move(radius)) {}
 
-    Expr distance(const ArrangedPoint& picture, Emitter& emit) const override {
+    Expr distance(const PicturePoint& picture, Emitter& emit) const override {
         const Centered c = centered(picture);
         const Expr radius = emit(radius_) * 2.0 * min(c.half_width, c.half_height);
         const Expr zero = emit(0.0);
@@ -110,7 +110,7 @@ class Polygon final : public ClipShape {
 public:
     explicit Polygon(PointList corners) : corners_(std::move(corners)) {}
 
-    Expr distance(const ArrangedPoint& picture, Emitter& emit) const override {
+    Expr distance(const PicturePoint& picture, Emitter& emit) const override {
         Expr nearest;
         Expr outside = emit(1.0);
         for (std::size_t i = 0; i < corners_.size(); ++i) {
@@ -141,7 +141,7 @@ private:
         Expr x, y, to_x, to_y;
     };
 
-    [[nodiscard]] Side relative(std::size_t i, const ArrangedPoint& picture) const {
+    [[nodiscard]] Side relative(std::size_t i, const PicturePoint& picture) const {
         const auto first = corners_[i];
         const auto second = corners_[(i + 1) % corners_.size()];
         const auto& [point, size] = picture;
@@ -170,11 +170,11 @@ class ClipFormula final : public ClipShape {
 public:
     explicit ClipFormula(Formula formula) : formula_(std::move(formula)) {}
 
-    Expr distance(const ArrangedPoint& picture, Emitter& emit) const override {
+    Expr distance(const PicturePoint& picture, Emitter& emit) const override {
         Graph& graph = emit.graph();
         const std::array free{graph.fresh_variable(), graph.fresh_variable()};
         const Expr f = formula_.emit(graph, free).front();
-        const std::array made{f, expr::derive(f, free[0]), expr::derive(f, free[1])};
+        const std::array made{f, expr::differentiate(f, free[0]), expr::differentiate(f, free[1])};
         const Centered c = centered(picture);
         const std::array put{expr::Substitution{free[0], c.x / c.half_width},
                              expr::Substitution{free[1], c.y / c.half_height}};
@@ -197,11 +197,12 @@ public:
     explicit ImageMask(std::shared_ptr<const expr::Table> grey) : grey_(std::move(grey)) {}
 
     // Where the grey is half, by its slope.
-    Expr distance(const ArrangedPoint& picture, Emitter& emit) const override {
+    Expr distance(const PicturePoint& picture, Emitter& emit) const override {
         Graph& graph = emit.graph();
         const std::array free{graph.fresh_variable(), graph.fresh_variable()};
         const Expr grey = value({{free[0], free[1]}, picture.size}, emit);
-        const std::array made{0.5 - grey, expr::derive(grey, free[0]), expr::derive(grey, free[1])};
+        const std::array made{0.5 - grey, expr::differentiate(grey, free[0]),
+                              expr::differentiate(grey, free[1])};
         const std::array put{expr::Substitution{free[0], picture.point.x},
                              expr::Substitution{free[1], picture.point.y}};
         const std::vector<Expr> there = expr::substitute(graph, made, put);
@@ -209,13 +210,13 @@ public:
         return max(there[0] / max(slope, emit(1e-30)), rectangle_distance(picture));
     }
 
-    Expr coverage(const ArrangedPoint& picture, Expr, Emitter& emit) const override {
+    Expr coverage(const PicturePoint& picture, Expr, Emitter& emit) const override {
         return select(rectangle_distance(picture) <= 0.0, value(picture, emit), emit(0.0));
     }
 
 private:
     // Between the centres of the image's pixels; as at the outermost ones beyond them.
-    [[nodiscard]] Expr value(const ArrangedPoint& picture, Emitter& emit) const {
+    [[nodiscard]] Expr value(const PicturePoint& picture, Emitter& emit) const {
         const auto& [point, size] = picture;
         const auto within = [&emit](Expr fraction, const expr::Table::Axis& axis) {
             const double count = static_cast<double>(axis.cells) + 1.0;
@@ -265,8 +266,8 @@ Result<std::shared_ptr<const Stage>> make_polygon(const Arguments& a) {
                          "leave one of them out; the last is joined to the first by itself");
         }
     }
-    constexpr std::size_t most_corners = 256;
-    if (corners.size() > most_corners) {
+    constexpr std::size_t max_corners = 256;
+    if (corners.size() > max_corners) {
         return error("this polygon has more than 256 corners", {},
                      "leave some out, or draw the shape and clip by image");
     }
@@ -327,9 +328,9 @@ std::vector<StageEntry> round_shapes() {
          "the largest ellipse in the layer's picture, with a hole",
          {{.name = "inner",
            .default_value = {0.5},
-           .least = 0.0,
-           .most = 1.0,
-           .above_least = true,
+           .minimum = 0.0,
+           .maximum = 1.0,
+           .excludes_minimum = true,
            .meaning = "the size of the hole, as a fraction of the ellipse's"}},
          [](const Arguments& a) { return made<Ring>(a.number("inner")); },
          {},
@@ -340,8 +341,8 @@ std::vector<StageEntry> round_shapes() {
          "a rectangle with round corners",
          {{.name = "radius",
            .default_value = {0.1},
-           .least = 0.0,
-           .most = 0.5,
+           .minimum = 0.0,
+           .maximum = 0.5,
            .meaning = "of the corners, as a fraction of the shorter side"}},
          [](const Arguments& a) { return made<RoundedRectangle>(a.number("radius")); },
          {},
@@ -367,7 +368,7 @@ std::vector<StageEntry> clip_shapes() {
          {{.name = "points",
            .type = points,
            .coordinates = {2},
-           .points_least = 3,
+           .min_points = 3,
            .meaning = "the corners, as fractions of the layer's picture from its top left"}},
          make_polygon,
          {},
@@ -379,15 +380,15 @@ std::vector<StageEntry> clip_shapes() {
                     {{.name = "points",
                       .type = count,
                       .default_value = {5.0},
-                      .least = 2.0,
-                      .most = 100.0,
+                      .minimum = 2.0,
+                      .maximum = 100.0,
                       .constant = true,
                       .meaning = "how many tips"},
                      {.name = "inner",
                       .default_value = {0.382},
-                      .least = 0.0,
-                      .most = 1.0,
-                      .above_least = true,
+                      .minimum = 0.0,
+                      .maximum = 1.0,
+                      .excludes_minimum = true,
                       .constant = true,
                       .meaning = "how far out the corners between the tips are, as a fraction "
                                  "of the tips' distance"}},

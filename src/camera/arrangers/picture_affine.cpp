@@ -17,7 +17,7 @@ class Place final : public PictureArranger {
 public:
     Place(Pair from, Pair to) : from_(std::move(from)), to_(std::move(to)) {}
 
-    ArrangedPoint arrange(const ArrangedPoint& picture, Emitter& emit) const override {
+    PicturePoint arrange(const PicturePoint& picture, Emitter& emit) const override {
         const auto& [point, size] = picture;
         const Expr x = point.x - emit(from_[0]) * size.width;
         const Expr y = point.y - emit(from_[1]) * size.height;
@@ -35,7 +35,7 @@ class Shift final : public PictureArranger {
 public:
     explicit Shift(Pair by) : by_(std::move(by)) {}
 
-    ArrangedPoint arrange(const ArrangedPoint& picture, Emitter& emit) const override {
+    PicturePoint arrange(const PicturePoint& picture, Emitter& emit) const override {
         const auto& [point, size] = picture;
         return {{point.x - emit(by_[0]) * size.width, point.y - emit(by_[1]) * size.height}, size};
     }
@@ -49,7 +49,7 @@ class ScalePicture final : public PictureArranger {
 public:
     ScalePicture(Pair by, Pair at) : by_(std::move(by)), at_(std::move(at)) {}
 
-    ArrangedPoint arrange(const ArrangedPoint& picture, Emitter& emit) const override {
+    PicturePoint arrange(const PicturePoint& picture, Emitter& emit) const override {
         const auto& [point, size] = picture;
         const Expr width = emit(by_[0]) * size.width;
         const Expr height = emit(by_[1]) * size.height;
@@ -67,7 +67,7 @@ class RotatePicture final : public PictureArranger {
 public:
     RotatePicture(Scalar angle, Pair at) : angle_(std::move(angle)), at_(std::move(at)) {}
 
-    ArrangedPoint arrange(const ArrangedPoint& picture, Emitter& emit) const override {
+    PicturePoint arrange(const PicturePoint& picture, Emitter& emit) const override {
         const auto& [point, size] = picture;
         const Expr center_x = emit(at_[0]) * size.width;
         const Expr center_y = emit(at_[1]) * size.height;
@@ -88,10 +88,10 @@ class Mirror final : public PictureArranger {
 public:
     explicit Mirror(bool left_and_right) : left_and_right_(left_and_right) {}
 
-    ArrangedPoint arrange(const ArrangedPoint& picture, Emitter&) const override {
+    PicturePoint arrange(const PicturePoint& picture, Emitter&) const override {
         const auto& [point, size] = picture;
-        return left_and_right_ ? ArrangedPoint{{size.width - point.x, point.y}, size}
-                               : ArrangedPoint{{point.x, size.height - point.y}, size};
+        return left_and_right_ ? PicturePoint{{size.width - point.x, point.y}, size}
+                               : PicturePoint{{point.x, size.height - point.y}, size};
     }
 
 private:
@@ -163,8 +163,8 @@ std::vector<StageEntry> picture_affine() {
          "makes the picture smaller or larger",
          {{.name = "by",
            .type = size,
-           .least = 0.0,
-           .above_least = true,
+           .minimum = 0.0,
+           .excludes_minimum = true,
            .meaning = "factors for width and height; below 1 is smaller"},
           fixed_point("the point that stays, as a fraction of the picture")},
          [](const Arguments& a) { return made<ScalePicture>(a.pair("by"), a.pair("at")); },

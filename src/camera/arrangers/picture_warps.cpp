@@ -17,7 +17,7 @@ struct Offset {
     Expr x, y;
 };
 
-Offset offset_from(const Pair& at, const ArrangedPoint& picture, Emitter& emit) {
+Offset offset_from(const Pair& at, const PicturePoint& picture, Emitter& emit) {
     const auto& [point, size] = picture;
     return {point.x - emit(at[0]) * size.width, point.y - emit(at[1]) * size.height};
 }
@@ -29,7 +29,7 @@ public:
     ZoomPicture(Pair at, Scalar radius, Scalar strength)
         : at_(std::move(at)), radius_(std::move(radius)), strength_(std::move(strength)) {}
 
-    ArrangedPoint arrange(const ArrangedPoint& picture, Emitter& emit) const override {
+    PicturePoint arrange(const PicturePoint& picture, Emitter& emit) const override {
         const auto& [point, size] = picture;
         const Offset d = offset_from(at_, picture, emit);
         const Expr radius = emit(radius_) * size.height;
@@ -53,7 +53,7 @@ public:
           at_(std::move(at)),
           phase_(std::move(phase)) {}
 
-    ArrangedPoint arrange(const ArrangedPoint& picture, Emitter& emit) const override {
+    PicturePoint arrange(const PicturePoint& picture, Emitter& emit) const override {
         const auto& [point, size] = picture;
         const Offset d = offset_from(at_, picture, emit);
         // A billionth of a pixel keeps the direction at the point itself from being 0/0.
@@ -76,7 +76,7 @@ class PictureFormula final : public PictureArranger {
 public:
     explicit PictureFormula(Formula formula) : formula_(std::move(formula)) {}
 
-    ArrangedPoint arrange(const ArrangedPoint& picture, Emitter& emit) const override {
+    PicturePoint arrange(const PicturePoint& picture, Emitter& emit) const override {
         const auto& [point, size] = picture;
         const std::array centered{2.0 * point.x / size.width - 1.0,
                                   1.0 - 2.0 * point.y / size.height};

@@ -57,8 +57,8 @@ public:
         // Cells about as many as triangles; fewer if large triangles would stand in too many.
         const auto count = static_cast<double>(triangles.size());
         side_ = static_cast<std::size_t>(std::clamp(std::sqrt(count), 1.0, 2048.0));
-        constexpr std::size_t most_entries_per_triangle = 16;
-        while (side_ > 1 && entries(triangles) > most_entries_per_triangle * triangles.size()) {
+        constexpr std::size_t max_entries_per_triangle = 16;
+        while (side_ > 1 && entries(triangles) > max_entries_per_triangle * triangles.size()) {
             side_ /= 2;
         }
         fill(triangles);
@@ -82,33 +82,33 @@ private:
     };
 
     void measure(const std::vector<Triangle>& triangles) {
-        least_ = most_ = triangles.front()[0].uv;
+        min_ = max_ = triangles.front()[0].uv;
         for (const Triangle& triangle : triangles) {
             for (const Corner& corner : triangle) {
                 for (std::size_t k = 0; k < 2; ++k) {
-                    least_[k] = std::min(least_[k], corner.uv[k]);
-                    most_[k] = std::max(most_[k], corner.uv[k]);
+                    min_[k] = std::min(min_[k], corner.uv[k]);
+                    max_[k] = std::max(max_[k], corner.uv[k]);
                 }
             }
         }
         for (std::size_t k = 0; k < 2; ++k) {
-            margin_[k] = 1e-6 * (most_[k] - least_[k]);
+            margin_[k] = 1e-6 * (max_[k] - min_[k]);
         }
     }
 
     // The cell of a place along an axis; places outside count to the cells at the border.
     [[nodiscard]] std::size_t cell(double place, std::size_t axis) const {
         const double all = static_cast<double>(side_);
-        const double at = (place - least_[axis]) / (most_[axis] - least_[axis]) * all;
+        const double at = (place - min_[axis]) / (max_[axis] - min_[axis]) * all;
         return static_cast<std::size_t>(std::clamp(at, 0.0, all - 1.0));
     }
 
     [[nodiscard]] Cells cells(const Triangle& t) const {
         Cells made{};
         for (std::size_t k = 0; k < 2; ++k) {
-            const auto [least, most] = std::minmax({t[0].uv[k], t[1].uv[k], t[2].uv[k]});
-            made.first[k] = cell(least - margin_[k], k);
-            made.last[k] = cell(most + margin_[k], k);
+            const auto [minimum, maximum] = std::minmax({t[0].uv[k], t[1].uv[k], t[2].uv[k]});
+            made.first[k] = cell(minimum - margin_[k], k);
+            made.last[k] = cell(maximum + margin_[k], k);
         }
         return made;
     }
@@ -161,7 +161,7 @@ private:
     }
 
     std::vector<Barycentric> triangles_;
-    std::array<double, 2> least_{}, most_{}, margin_{};
+    std::array<double, 2> min_{}, max_{}, margin_{};
     std::size_t side_ = 1;
     std::vector<std::size_t> begins_;
     std::vector<std::uint32_t> lists_;  // Of a cell in the order of the file.

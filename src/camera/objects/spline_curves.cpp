@@ -325,7 +325,7 @@ camera soft_tower {
           {.name = "tangents",
            .type = ParameterType::points,
            .coordinates = {2, 3},
-           .points_least = 2,
+           .min_points = 2,
            .meaning = "the tangent at each point, as long as a segment would be at that pace"},
           closed_parameter("closed", "whether it goes on to the first point")},
          make_hermite,

@@ -82,7 +82,7 @@ std::vector<double> tensor_coefficients(const Spline& along_u, const Spline& alo
 }
 
 /// Of one table: 32 MB. There are four at most, and their derivatives.
-constexpr std::size_t most_coefficients = std::size_t{1} << 22U;
+constexpr std::size_t max_coefficients = std::size_t{1} << 22U;
 
 /// The surface over a net; `coordinates` hold the values of three co-ordinates, times the weights
 /// if there are any.
@@ -97,7 +97,7 @@ Made surface_of(const Spline& along_u, const Spline& along_v, std::size_t column
     const std::array axes{cells_axis(along_u.cells(), along_u.degree()),
                           cells_axis(along_v.cells(), along_v.degree())};
     const std::size_t in_cell = (along_u.degree() + 1) * (along_v.degree() + 1);
-    if (along_u.cells() * along_v.cells() * in_cell > most_coefficients) {
+    if (along_u.cells() * along_v.cells() * in_cell > max_coefficients) {
         return error(fmt::format("a surface of {} x {} pieces, each of {} coefficients, is too "
                                  "large",
                                  along_u.cells(), along_v.cells(), in_cell),
@@ -190,8 +190,8 @@ std::vector<StageParameter> net_parameters(std::vector<std::size_t> coordinates,
     return {points_parameter(std::move(coordinates), 4, meaning),
             {.name = "columns",
              .type = ParameterType::count,
-             .least = 2.0,
-             .most = 65536.0,
+             .minimum = 2.0,
+             .maximum = 65536.0,
              .meaning = "how many points there are in a row, along u"}};
 }
 

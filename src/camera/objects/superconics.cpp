@@ -192,11 +192,11 @@ Result<ObjectGeneratorPointer> arc_length_superellipse(const Scalar& a, const Sc
         return error("a superellipse by arc_length cannot change with time", {},
                      "use constants for a, b and gamma, or by = angle_centre");
     }
-    constexpr double most_gamma = 2.0;
-    if (*constant_gamma > most_gamma) {
+    constexpr double max_gamma = 2.0;
+    if (*constant_gamma > max_gamma) {
         return error(fmt::format("a superellipse by arc_length cannot have the gamma {}, which is "
                                  "above {}",
-                                 *constant_gamma, most_gamma),
+                                 *constant_gamma, max_gamma),
                      {}, "use by = angle_centre or trigonometric");
     }
     return {
@@ -233,7 +233,8 @@ Result<ObjectGeneratorPointer> superhyperbola(Scalar a, Scalar b, Scalar gamma,
 // Below the least gamma the corners are sharper than the arc-length table resolves, above the most
 // the points reach the centre.
 StageParameter gamma_parameter(std::string_view name, std::string_view meaning) {
-    return {.name = name, .default_value = {1.0}, .least = 0.05, .most = 20.0, .meaning = meaning};
+    return {
+        .name = name, .default_value = {1.0}, .minimum = 0.05, .maximum = 20.0, .meaning = meaning};
 }
 
 std::vector<StageEntry> superconics() {

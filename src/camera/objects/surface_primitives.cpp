@@ -167,7 +167,7 @@ camera round_window(radius = 2) {
          "u is the angle, v runs from 0 at the inner to 1 at the outer circle",
          {{.name = "inner",
            .default_value = {0.5},
-           .least = 0.0,
+           .minimum = 0.0,
            .meaning = "radius of the inner circle"},
           positive_parameter("outer", 1.0, "radius of the outer circle")},
          [](const Arguments& a) { return made<Ring>(a.number("inner"), a.number("outer")); },
@@ -186,8 +186,11 @@ camera arena {
         {kind,
          "cone",
          "a cone or a frustum round the z axis by angle u and height v; ends at its apex",
-         {{.name = "radius", .default_value = {1.0}, .least = 0.0, .meaning = "at height 0"},
-          {.name = "top", .default_value = {0.0}, .least = 0.0, .meaning = "radius at the height"},
+         {{.name = "radius", .default_value = {1.0}, .minimum = 0.0, .meaning = "at height 0"},
+          {.name = "top",
+           .default_value = {0.0},
+           .minimum = 0.0,
+           .meaning = "radius at the height"},
           positive_parameter("height", 1.0, "where its radius is `top`")},
          [](const Arguments& a) {
              return made<Cone>(a.number("radius"), a.number("top"), a.number("height"));
@@ -245,8 +248,8 @@ camera saddle {
           {.name = "half_turns",
            .type = count,
            .default_value = {1.0},
-           .least = 0.0,
-           .most = 1000.0,
+           .minimum = 0.0,
+           .maximum = 1000.0,
            .meaning = "how often it turns over in one round: with an odd number it has one side"}},
          [](const Arguments& a) {
              return made<MobiusBand>(a.number("radius"), a.count("half_turns"));

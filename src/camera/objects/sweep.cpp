@@ -31,7 +31,7 @@ PathPlace place_on(const ObjectGenerator& path, Expr parameter, Emitter& emit) {
     Emitter path_emit(graph);
     const ObjectPoint p = path.generate({free, emit(0.0)}, path_emit);
     const std::array coordinates{p.x, p.y, p.z};
-    const std::vector<Expr> slopes = expr::derive(coordinates, free);
+    const std::vector<Expr> slopes = expr::differentiate(coordinates, free);
     const std::array made{p.x, p.y, p.z, slopes[0], slopes[1], slopes[2], path_emit.valid()};
     const std::array put{expr::Substitution{free, parameter}};
     const std::vector<Expr> there = expr::substitute(graph, made, put);

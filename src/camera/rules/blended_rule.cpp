@@ -18,8 +18,8 @@ class BlendedRule : public DirectionRule {
 public:
     BlendedRule(DirectionRulePointer first, DirectionRulePointer second, Formula weight)
         : first_(std::move(first)), second_(std::move(second)), weight_(std::move(weight)) {}
-    int least_eye_dimension() const final {
-        return std::max(first_->least_eye_dimension(), second_->least_eye_dimension());
+    int min_eye_dimension() const final {
+        return std::max(first_->min_eye_dimension(), second_->min_eye_dimension());
     }
     bool needs_direction_object() const final {
         return first_->needs_direction_object() || second_->needs_direction_object();

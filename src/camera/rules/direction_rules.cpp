@@ -34,7 +34,7 @@ class TangentRule final : public DirectionRule {
 public:
     enum class Parameter : std::uint8_t { u, v };
     TangentRule(Parameter along, bool backward) : along_(along), backward_(backward) {}
-    int least_eye_dimension() const override { return along_ == Parameter::u ? 1 : 2; }
+    int min_eye_dimension() const override { return along_ == Parameter::u ? 1 : 2; }
     ObjectVector direction(const PathPoint& eye, const PathPoint*, Emitter&) const override {
         const ObjectVector tangent = along_ == Parameter::u ? eye.along_u : eye.along_v;
         return backward_ ? -tangent : tangent;

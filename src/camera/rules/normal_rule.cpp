@@ -26,8 +26,8 @@ constexpr int cells = 16;  // of the grid, in width and in height
 std::vector<SurfaceElement> elements_in_picture(const PathPoint& eye, const Emitter& emit) {
     Graph& graph = emit.graph();
     const std::array parameters{eye.parameters.u, eye.parameters.v};
-    const std::vector<Expr> by_x = expr::derive(parameters, graph.picture_x());
-    const std::vector<Expr> by_y = expr::derive(parameters, graph.picture_y());
+    const std::vector<Expr> by_x = expr::differentiate(parameters, graph.picture_x());
+    const std::vector<Expr> by_y = expr::differentiate(parameters, graph.picture_y());
     const Expr parameter_area = abs(by_x[0] * by_y[1] - by_x[1] * by_y[0]);
     const ObjectVector spanned = cross(eye.along_u, eye.along_v);
     const Expr scale = parameter_area * sqrt(dot(spanned, spanned) / dot(eye.normal, eye.normal));
@@ -85,7 +85,7 @@ class NormalRule final : public DirectionRule {
 public:
     enum class Side : std::uint8_t { front, back, outward, inward };
     explicit NormalRule(Side side) : side_(side) {}
-    int least_eye_dimension() const override { return 2; }
+    int min_eye_dimension() const override { return 2; }
     ObjectVector direction(const PathPoint& eye, const PathPoint*, Emitter& emit) const override {
         return back(eye, emit) ? -eye.normal : eye.normal;
     }

@@ -16,7 +16,7 @@ namespace {
 
 enum class FallOff : std::uint8_t { gaussian, inverse, linear, smooth };
 
-constexpr double most_strength = 0.99;
+constexpr double max_strength = 0.99;
 
 /// From 1 at the centre to 0 far off, never growing; q is the squared distance by the squared
 /// radius.
@@ -87,9 +87,9 @@ Result<std::shared_ptr<const Stage>> coins_of(const Arguments& a) {
         const std::span<const double> c = points[i];
         Coin coin{{c[0], c[1], c[2]}, a.number("strength"), a.number("radius")};
         if (points.coordinates == 5) {
-            if (c[3] < 0.0 || c[3] > most_strength) {
+            if (c[3] < 0.0 || c[3] > max_strength) {
                 return error(fmt::format("coin {} has strength {}", i + 1, c[3]), {},
-                             fmt::format("a strength is from 0 to {}", most_strength));
+                             fmt::format("a strength is from 0 to {}", max_strength));
             }
             if (c[4] <= 0.0) {
                 return error(fmt::format("coin {} has radius {}", i + 1, c[4]), {},
@@ -111,8 +111,8 @@ std::vector<StageEntry> coins() {
     const StageParameter strength{
         .name = "strength",
         .default_value = {0.5},
-        .least = 0.0,
-        .most = most_strength,
+        .minimum = 0.0,
+        .maximum = max_strength,
         .meaning =
             "which part of the way a point next to the centre goes to it; it enlarges by "
             "1/(1 - strength) there"};

@@ -79,9 +79,9 @@ public:
 private:
     /// The exponent if it is 1, 2, ..., else 0.
     [[nodiscard]] int whole_exponent() const {
-        constexpr double most = 16.0;
+        constexpr double maximum = 16.0;
         const double re = exponent_[0].constant().value_or(0.0);
-        const bool whole = 1.0 <= re && re <= most && re == std::floor(re);
+        const bool whole = 1.0 <= re && re <= maximum && re == std::floor(re);
         return whole && exponent_[1].constant() == 0.0 ? static_cast<int>(re) : 0;
     }
 
@@ -268,14 +268,14 @@ std::vector<StageEntry> complex_maps() {
          "the same again",
          {{.name = "scale",
            .default_value = {256.0},
-           .least = 1.0,
-           .above_least = true,
+           .minimum = 1.0,
+           .excludes_minimum = true,
            .meaning = "how much larger a picture is than the one within it"},
           {.name = "turns",
            .type = count,
            .default_value = {1.0},
-           .least = 0.0,
-           .most = 16.0,
+           .minimum = 0.0,
+           .maximum = 16.0,
            .constant = true,
            .meaning =
                "how many scales one way round spans; 0 is the picture within the picture, not "
@@ -289,8 +289,8 @@ std::vector<StageEntry> complex_maps() {
            .type = size,
            .unit = Unit::parameter,
            .default_value = {1.0, 1.0},
-           .least = 0.0,
-           .above_least = true,
+           .minimum = 0.0,
+           .excludes_minimum = true,
            .meaning =
                "half the width and height of the picture that repeats; its edge is the seam"},
           {.name = "shape",

@@ -28,7 +28,7 @@ struct LatticeAxis {
 };
 
 /// The most points along an axis of a Bernstein lattice.
-inline constexpr std::size_t most_bernstein_points = expr::Table::most_degree + 1;
+inline constexpr std::size_t max_bernstein_points = expr::Table::max_degree + 1;
 
 /// The number of coefficients of a lattice's table.
 [[nodiscard]] std::size_t coefficient_count(std::span<const LatticeAxis> axes, LatticeBasis basis);

@@ -21,7 +21,7 @@ using expr::Table;
 using TablePointer = std::shared_ptr<const Table>;
 
 /// A table's coefficients take 8 bytes each.
-constexpr std::size_t most_coefficients = std::size_t{1} << 20;
+constexpr std::size_t max_coefficients = std::size_t{1} << 20;
 
 /// What the points of a lattice add to a place in its box; one table a co-ordinate, whose axes are
 /// in the order ..., v, u.
@@ -34,8 +34,8 @@ struct Offsets {
                                                const Emitter& emit) const {
         std::vector<Expr> p(point.rbegin(), point.rend());
         for (std::size_t i = 0; i < p.size(); ++i) {
-            const auto [least, most] = std::minmax(axes[i].first, axes[i].last);
-            p[i] = min(max(p[i], emit(least)), emit(most));
+            const auto [minimum, maximum] = std::minmax(axes[i].first, axes[i].last);
+            p[i] = min(max(p[i], emit(minimum)), emit(maximum));
         }
         std::vector<Expr> offset;
         for (const TablePointer& table : tables) {
@@ -87,18 +87,18 @@ Diagnostics unfit(const Counts& counts, std::span<const LatticeAxis> axes, Latti
             return {error(fmt::format("the box has no extent across its {}", name), {},
                           "let from and to differ in every co-ordinate")};
         }
-        if (basis == LatticeBasis::bernstein && axes[i].points > most_bernstein_points) {
+        if (basis == LatticeBasis::bernstein && axes[i].points > max_bernstein_points) {
             return {error(
                 fmt::format("a Bernstein lattice of {} {} has too high a degree", axes[i].points,
                             name),
                 {},
-                fmt::format("give at most {}, or take basis = b_spline", most_bernstein_points))};
+                fmt::format("give at most {}, or take basis = b_spline", max_bernstein_points))};
         }
     }
-    if (coefficient_count(axes, basis) > most_coefficients) {
+    if (coefficient_count(axes, basis) > max_coefficients) {
         return {error("the lattice has too many points", {},
                       fmt::format("a lattice makes at most {} coefficients, and this one {}",
-                                  most_coefficients, coefficient_count(axes, basis)))};
+                                  max_coefficients, coefficient_count(axes, basis)))};
     }
     return {};
 }
@@ -146,8 +146,8 @@ Result<Offsets> offsets_of(const Arguments& a, const Box& from, const Box& to,
 StageParameter count_parameter(std::string_view name, std::string_view meaning) {
     return {.name = name,
             .type = ParameterType::count,
-            .least = 2.0,
-            .most = 1000.0,
+            .minimum = 2.0,
+            .maximum = 1000.0,
             .constant = true,
             .meaning = meaning};
 }
@@ -182,7 +182,7 @@ std::vector<StageParameter> parameter_grid_parameters() {
           .type = points,
           .unit = Unit::parameter,
           .coordinates = {2},
-          .points_least = 4,
+          .min_points = 4,
           .meaning = "(u, v), from the corner `from` on along u, then row by row along v"},
          count_parameter("columns", "how many points a row has")},
         pair_parameter("from", {-1.0, -1.0}, "the corner (u, v) of the box at the first point"),
@@ -194,7 +194,7 @@ std::vector<StageParameter> object_grid_parameters() {
     return with_box({{.name = "points",
                       .type = points,
                       .coordinates = {3},
-                      .points_least = 8,
+                      .min_points = 8,
                       .meaning = "(x, y, z), from the corner `from` on along x, then row by row "
                                  "along y, then layer by layer along z"},
                      count_parameter("columns", "how many points a row has, along x"),

@@ -15,7 +15,7 @@ namespace balcony::camera {
 
 namespace {
 
-constexpr std::size_t most_lines = 1000;
+constexpr std::size_t max_lines = 1000;
 
 struct Vector2 {
     double u = 0.0;
@@ -78,9 +78,9 @@ struct LineField {
 
 Result<std::shared_ptr<const Stage>> line_pairs(const Arguments& arguments) {
     const PointList& points = arguments.points("lines");
-    if (points.size() > most_lines) {
+    if (points.size() > max_lines) {
         return error(fmt::format("{} pairs of lines are too many", points.size()), {},
-                     fmt::format("give at most {}", most_lines));
+                     fmt::format("give at most {}", max_lines));
     }
     LineField field{{}, arguments.constant("a"), arguments.constant("b"), arguments.constant("p")};
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -111,20 +111,20 @@ std::vector<StageEntry> line_pair_warp() {
                       "along P' Q'"},
           {.name = "a",
            .default_value = {0.1},
-           .least = 0.0,
-           .above_least = true,
+           .minimum = 0.0,
+           .excludes_minimum = true,
            .constant = true,
            .meaning = "a distance: the smaller, the more exactly a line goes where it shall"},
           {.name = "b",
            .default_value = {2.0},
-           .least = 0.0,
-           .most = 16.0,
+           .minimum = 0.0,
+           .maximum = 16.0,
            .constant = true,
            .meaning = "how fast a line loses with distance; at 0 all count the same everywhere"},
           {.name = "p",
            .default_value = {0.5},
-           .least = 0.0,
-           .most = 4.0,
+           .minimum = 0.0,
+           .maximum = 4.0,
            .constant = true,
            .meaning = "how much more a long line counts; at 0 all count the same"},
           amount_parameter()},

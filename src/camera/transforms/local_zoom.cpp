@@ -47,13 +47,13 @@ std::vector<StageEntry> local_zoom() {
           {.name = "radius",
            .type = size,
            .unit = Unit::parameter,
-           .least = 0.0,
-           .above_least = true,
+           .minimum = 0.0,
+           .excludes_minimum = true,
            .meaning = "how far it reaches, in u and v"},
           {.name = "strength",
            .default_value = {2.0},
-           .least = 0.0,
-           .above_least = true,
+           .minimum = 0.0,
+           .excludes_minimum = true,
            .meaning = "magnification in the middle; the picture folds over below 32/81"}},
          [](const Arguments& a) {
              return made<LocalZoom>(a.pair("at"), a.pair("radius"), a.number("strength"));

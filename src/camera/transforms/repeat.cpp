@@ -12,9 +12,9 @@ namespace balcony::camera {
 
 namespace {
 
-constexpr double most_times = 64.0;
+constexpr double max_times = 64.0;
 /// How many stages repeats within repeats may come to.
-constexpr std::size_t most_applied = 4096;
+constexpr std::size_t max_applied = 4096;
 
 template <class Port, class Point>
 class Repeat final : public Port {
@@ -51,9 +51,9 @@ template <class Port, class Point>
 Result<std::shared_ptr<const Stage>> make_repeat(const Arguments& a) {
     auto repeat =
         std::make_shared<const Repeat<Port, Point>>(a.count("times"), a.stages<Port>("stages"));
-    if (const std::size_t applied = repeat->applied(); applied > most_applied) {
+    if (const std::size_t applied = repeat->applied(); applied > max_applied) {
         return error(fmt::format("repeats within repeats come to {} stages", applied), {},
-                     fmt::format("repeat so that there are at most {}", most_applied));
+                     fmt::format("repeat so that there are at most {}", max_applied));
     }
     return {std::shared_ptr<const Stage>(std::move(repeat))};
 }
@@ -61,8 +61,8 @@ Result<std::shared_ptr<const Stage>> make_repeat(const Arguments& a) {
 std::vector<StageParameter> parameters(StageKind kind) {
     return {{.name = "times",
              .type = ParameterType::count,
-             .least = 1.0,
-             .most = most_times,
+             .minimum = 1.0,
+             .maximum = max_times,
              .constant = true,
              .meaning = "how often"},
             {.name = "stages",

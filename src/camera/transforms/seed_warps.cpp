@@ -18,7 +18,7 @@ namespace balcony::camera {
 
 namespace {
 
-constexpr std::size_t most_seeds = 1000;
+constexpr std::size_t max_seeds = 1000;
 /// The squared distance from a seed, in units of the seeds' spread, below which a point counts as
 /// that far off: so that no logarithm, root or quotient sees 0.
 constexpr double least_squared_distance = 1e-30;
@@ -139,11 +139,11 @@ std::string place_of(const PointList& points, std::size_t i) {
 }
 
 Diagnostics too_many(const PointList& points) {
-    if (points.size() <= most_seeds) {
+    if (points.size() <= max_seeds) {
         return {};
     }
     return {error(fmt::format("{} seeds are too many", points.size()), {},
-                  fmt::format("give at most {}", most_seeds))};
+                  fmt::format("give at most {}", max_seeds))};
 }
 
 /// Two seeds at one place that go to different places contradict each other, and even if they do
@@ -198,13 +198,13 @@ Result<std::shared_ptr<const Stage>> inverse_distance(const Arguments& a) {
         InverseDistanceField{seeds_of(points), a.constant("power"), smoothing}, a.number("amount"));
 }
 
-StageParameter seeds_parameter(StageKind kind, std::size_t least) {
+StageParameter seeds_parameter(StageKind kind, std::size_t minimum) {
     const bool plane = kind == StageKind::parameter_transformer;
     return {.name = "seeds",
             .type = ParameterType::points,
             .unit = plane ? Unit::parameter : Unit::number,
             .coordinates = {plane ? std::size_t{4} : std::size_t{6}},
-            .points_least = least,
+            .min_points = minimum,
             .meaning = plane ? "(u, v, u', v'): the picture has at (u, v) what was at (u', v')"
                              : "(x, y, z, x', y', z'): a point and where it goes"};
 }
@@ -212,7 +212,7 @@ StageParameter seeds_parameter(StageKind kind, std::size_t least) {
 StageParameter smoothing_parameter(std::string_view meaning) {
     return {.name = "smoothing",
             .default_value = {0.0},
-            .least = 0.0,
+            .minimum = 0.0,
             .constant = true,
             .meaning = meaning};
 }
@@ -228,9 +228,9 @@ std::vector<StageParameter> inverse_distance_parameters(StageKind kind) {
     return {seeds_parameter(kind, 1),
             {.name = "power",
              .default_value = {2.0},
-             .least = 1.0,
-             .most = 8.0,
-             .above_least = true,
+             .minimum = 1.0,
+             .maximum = 8.0,
+             .excludes_minimum = true,
              .constant = true,
              .meaning = "of the distance; the higher, the more a seed rules what is next to it"},
             smoothing_parameter("0 goes through the seeds; else a radius, in units of the seeds' "

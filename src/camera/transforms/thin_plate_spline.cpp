@@ -11,7 +11,7 @@ namespace balcony::camera {
 namespace {
 
 /// A pivot as small as this part of the matrix's largest element is what rounding leaves of 0.
-constexpr double least_pivot = 1e-13;
+constexpr double min_pivot = 1e-13;
 
 /// Rows of equal length, one after another.
 class Matrix {
@@ -44,7 +44,7 @@ bool solve(Matrix& m) {
         for (std::size_t k = i + 1; k < n; ++k) {
             pivot = std::fabs(m[k][i]) > std::fabs(m[pivot][i]) ? k : pivot;
         }
-        if (!(std::fabs(m[pivot][i]) > least_pivot * largest)) {
+        if (!(std::fabs(m[pivot][i]) > min_pivot * largest)) {
             return false;
         }
         std::swap_ranges(m[i].begin(), m[i].end(), m[pivot].begin());

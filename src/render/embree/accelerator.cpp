@@ -158,8 +158,8 @@ constexpr std::size_t packet_size = packet_side * packet_side;
 // out of range for the bounds of a packet. The least that is given to it is less than the rounding
 // of the other components of a unit direction.
 float away_from_zero(float component) {
-    constexpr float least = 1e-8F;
-    return std::fabs(component) < least ? std::copysign(least, component) : component;
+    constexpr float minimum = 1e-8F;
+    return std::fabs(component) < minimum ? std::copysign(minimum, component) : component;
 }
 
 void intersect_packet(RTCScene world, std::span<const std::size_t> indices,

@@ -1,0 +1,208 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "analyse/draw/camera_geometry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "analyse/measure/ray_field.hpp"
+
+namespace balcony::analyse {
+
+namespace {
+
+camera::Camera without_arrangers(const camera::Camera& camera) {
+    camera::Camera::Parts parts = camera.parts();
+    parts.arrangers.clear();
+    return *camera::Camera::make(std::move(parts));
+}
+
+/// A ray at its place in the picture, with the length that it has by itself.
+struct Shown {
+    V3d origin, direction;
+    std::optional<double> reach;  ///< To the point of the direction object, if it goes there.
+};
+
+std::optional<double> reach_of(const Ray& ray, const V3d& origin, const V3d& direction,
+                               const std::optional<ProjectionObjectPoint>& toward) {
+    if (!toward || !ray.valid) {
+        return std::nullopt;
+    }
+    const V3d there = toward->position - origin;
+    constexpr double aligned = 1.0 - 1e-9;
+    const double distance = there.length();
+    return distance > 0.0 && there.dot(direction) > aligned * distance ? std::optional(distance)
+                                                                       : std::nullopt;
+}
+
+std::vector<Shown> shown_rays(const camera::Camera& camera, const Depiction& depiction,
+                              const CameraGeometry& geometry) {
+    std::vector<Shown> shown;
+    constexpr double picture_height = 1000.0;
+    RayProgram program(camera, picture_height * geometry.aspect, picture_height, depiction.time,
+                       RayProgram::Derivatives::without);
+    const auto along = [&](double share) {
+        const double count = std::round(static_cast<double>(depiction.rays) * share);
+        return static_cast<std::size_t>(std::max(count, 1.0));
+    };
+    const PictureGrid grid{along(std::min(1.0, geometry.aspect)),
+                           along(std::min(1.0, 1.0 / geometry.aspect))};
+    for (std::size_t i = 0; i < grid.columns * grid.rows; ++i) {
+        const V2d picture = grid.at(static_cast<double>(i % grid.columns) + 0.5,
+                                    static_cast<double>(i / grid.columns) + 0.5);
+        const Ray ray = program.at(picture * picture_height * V2d(geometry.aspect, 1.0));
+        if (ray.valid) {
+            const Axes axes = camera.parts().axes;
+            const V3d origin = z_up_from(axes, ray.origin);
+            const V3d direction = z_up_from(axes, ray.direction);
+            const auto toward = geometry.toward ? geometry.toward->at(picture) : std::nullopt;
+            shown.push_back({origin, direction, reach_of(ray, origin, direction, toward)});
+        }
+    }
+    return shown;
+}
+
+double median_reach(const std::vector<Shown>& rays) {
+    std::vector<double> all;
+    for (const Shown& ray : rays) {
+        if (ray.reach) {
+            all.push_back(*ray.reach);
+        }
+    }
+    if (all.empty()) {
+        return 0.0;
+    }
+    const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+    std::nth_element(all.begin(), middle, all.end());
+    return *middle;
+}
+
+std::vector<Arrow> arrows(const std::vector<Shown>& rays, const Depiction& depiction,
+                          double object_size) {
+    constexpr double of_object = 0.16;  // The length of an arrow that goes nowhere.
+    constexpr double beyond = 1.25;     // Through the direction object.
+    constexpr double longest = 2.5;  // Of the usual length: a few rays that go far hide the rest.
+    const double usual = median_reach(rays);
+    const double without = usual > 0.0         ? usual * beyond
+                           : object_size > 0.0 ? object_size * of_object
+                                               : 1.0;
+    std::vector<Arrow> made;
+    for (const Shown& ray : rays) {
+        const double own = ray.reach ? std::min(*ray.reach * beyond, usual * longest) : without;
+        made.push_back({ray.origin, ray.origin + depiction.length.value_or(own) * ray.direction});
+    }
+    return made;
+}
+
+}  // namespace
+
+PictureGrid PictureGrid::of_cells(double count, double aspect) {
+    const auto side = [](double cells) {
+        return static_cast<std::size_t>(std::clamp(std::round(cells), 2.0, 1000.0));
+    };
+    return {side(std::sqrt(count * aspect)), side(std::sqrt(count / aspect))};
+}
+
+V2d PictureGrid::at(double column, double row) const {
+    constexpr double inset = 0.002;
+    const auto within = [](double share) { return inset + (1.0 - 2.0 * inset) * share; };
+    return {within(column / static_cast<double>(columns)), within(row / static_cast<double>(rows))};
+}
+
+ProjectionObject* CameraGeometry::screen() const {
+    return eye->dimension() == 2                ? eye.get()
+           : toward && toward->dimension() == 2 ? toward.get()
+                                                : nullptr;
+}
+
+double CameraGeometry::extent() const { return bounds.isEmpty() ? 0.0 : bounds.size().length(); }
+
+Result<CameraGeometry> measure_geometry(const camera::Camera& camera, const Depiction& depiction) {
+    const camera::Camera bare = without_arrangers(camera);
+    const camera::Camera::Parts& parts = bare.parts();
+    CameraGeometry geometry;
+    geometry.aspect = parts.aspect;
+    geometry.eye =
+        std::make_unique<ProjectionObject>(parts.eye, parts.aspect, parts.axes, depiction.time);
+    if (parts.toward) {
+        geometry.toward = std::make_unique<ProjectionObject>(*parts.toward, parts.aspect,
+                                                             parts.axes, depiction.time);
+    }
+    geometry.bounds = geometry.eye->bounds();
+    if (geometry.bounds.isEmpty()) {
+        return error(fmt::format("camera '{}' has no point anywhere, so there is nothing to draw",
+                                 camera.name()),
+                     {}, "look at the ranges of its map, or at another --time");
+    }
+    if (geometry.toward) {
+        geometry.bounds.extendBy(geometry.toward->bounds());
+    }
+    if (depiction.rays > 0) {
+        geometry.rays = arrows(shown_rays(bare, depiction, geometry), depiction, geometry.extent());
+        for (const Arrow& ray : geometry.rays) {
+            geometry.bounds.extendBy(ray.from);
+            geometry.bounds.extendBy(ray.to);
+        }
+    }
+    return geometry;
+}
+
+namespace {
+
+// In the proportion that its first layer has in the picture.
+camera::Camera as_shown(const camera::ShownCamera& shown, const camera::Picture& picture,
+                        double time) {
+    constexpr double height = 1000.0;
+    const auto size = size_of(shown.places.front(), height * picture.parts().aspect, height, time);
+    camera::Camera::Parts parts = shown.camera.parts();
+    if (size[0] > 0.0 && size[1] > 0.0) {
+        parts.aspect = size[0] / size[1];
+    }
+    const auto made = camera::Camera::make(std::move(parts));
+    return made ? *made : shown.camera;
+}
+
+std::string title_of(const camera::ShownCamera& shown) {
+    std::string numbers;
+    for (const camera::ShownCamera::Place& place : shown.places) {
+        numbers += (numbers.empty() ? " " : ", ") + place.layer;
+    }
+    return fmt::format("layer{}{}, {}", shown.places.size() > 1 ? "s" : "", numbers,
+                       shown.camera.name());
+}
+
+}  // namespace
+
+Result<PictureGeometry> measure_geometry(const camera::Picture& picture,
+                                         const Depiction& depiction) {
+    PictureGeometry whole;
+    Diagnostics said;
+    const bool by_itself = picture.only_camera() != nullptr;
+    for (const camera::ShownCamera& shown : shown_cameras(picture)) {
+        auto geometry = by_itself
+                            ? measure_geometry(shown.camera, depiction)
+                            : measure_geometry(as_shown(shown, picture, depiction.time), depiction);
+        said.insert(said.end(), geometry.diagnostics.begin(), geometry.diagnostics.end());
+        if (!geometry) {
+            continue;
+        }
+        if (whole.cameras.empty()) {
+            whole.axes = shown.camera.parts().axes;
+        }
+        whole.bounds.extendBy(geometry->bounds);
+        whole.cameras.push_back({by_itself ? "" : title_of(shown), std::move(*geometry)});
+    }
+    if (whole.cameras.empty()) {
+        return said;
+    }
+    for (Diagnostic& diagnostic : said) {
+        diagnostic.severity = Severity::warning;
+    }
+    return {std::move(whole), std::move(said)};
+}
+
+}  // namespace balcony::analyse

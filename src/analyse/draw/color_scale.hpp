@@ -1,0 +1,44 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Colours for numbers.
+
+#include <string>
+#include <vector>
+
+#include "analyse/draw/bitmap.hpp"
+
+namespace balcony::analyse {
+
+/// From dark to bright in steps that look alike, also without colour vision; s from 0 to 1.
+[[nodiscard]] Color sequential_color(double s);
+
+/// A range of numbers that colours stand for.
+class ColorScale {
+public:
+    enum class Spacing : bool { linear, logarithmic };
+
+    /// least < most, both positive if logarithmic.
+    ColorScale(double minimum, double maximum, Spacing spacing);
+
+    /// Where a number lies on the scale, from 0 to 1; what lies outside is at the ends.
+    [[nodiscard]] double position(double value) const;
+    [[nodiscard]] Color color(double value) const { return sequential_color(position(value)); }
+    /// The inverse of position().
+    [[nodiscard]] double value(double position) const;
+
+    struct Tick {
+        double value;
+        std::string text;
+    };
+    /// Round numbers on the scale, about five.
+    [[nodiscard]] std::vector<Tick> ticks() const;
+
+private:
+    double min_;
+    double max_;
+    Spacing spacing_;
+};
+
+}  // namespace balcony::analyse

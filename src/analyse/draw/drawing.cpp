@@ -1,0 +1,232 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "balcony/drawing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "analyse/draw/camera_geometry.hpp"
+#include "analyse/draw/drawing_items.hpp"
+#include "analyse/draw/drawing_viewer.hpp"
+
+namespace balcony::analyse {
+
+namespace {
+
+// Pixels of a page as large as this one grow and shrink with the page.
+constexpr double usual_page_side = 831.0;  // sqrt(960 * 720)
+
+constexpr std::size_t min_side = 16;
+constexpr std::size_t max_side = 16384;
+
+/// The strokes of the letters x, y and z in a square from (-1, -1) to (1, 1), y down.
+const std::array<std::vector<std::vector<V2d>>, 3>& letters() {
+    static const std::array<std::vector<std::vector<V2d>>, 3> strokes{{
+        {{{-0.8, -1}, {0.8, 1}}, {{0.8, -1}, {-0.8, 1}}},
+        {{{-0.8, -1}, {0, 0.1}}, {{0.8, -1}, {0, 0.1}, {0, 1}}},
+        {{{-0.8, -1}, {0.8, -1}, {-0.8, 1}, {0.8, 1}}},
+    }};
+    return strokes;
+}
+constexpr DrawingColor letter_color{70, 70, 70};
+constexpr double letter_size = 5.5;  // Half of it.
+constexpr double letter_width = 1.8;
+constexpr double label_size = 11.0;
+
+/// Without points that nobody would miss: those near the one before, and those near the line
+/// between their neighbours.
+std::vector<V2d> thinned(const std::vector<V2d>& points) {
+    constexpr double visible = 0.1;
+    std::vector<V2d> kept;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (kept.empty()) {
+            kept.push_back(points[i]);
+            continue;
+        }
+        const V2d step = points[i] - kept.back();
+        if (step.length() < visible) {
+            continue;
+        }
+        if (i + 1 < points.size()) {
+            const V2d chord = points[i + 1] - kept.back();
+            const double length = chord.length();
+            if (length > 0.0 && std::abs(chord % step) < visible * length &&
+                chord.dot(step) > 0.0 && step.length() < length) {
+                continue;
+            }
+        }
+        kept.push_back(points[i]);
+    }
+    return kept;
+}
+
+/// The convex hull, by Andrew's monotone chain.
+std::vector<V2d> hull_of(std::vector<V2d> points) {
+    const auto turn = [](const V2d& a, const V2d& b, const V2d& c) { return (b - a) % (c - a); };
+    std::sort(points.begin(), points.end(),
+              [](const V2d& a, const V2d& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+    std::vector<V2d> hull;
+    const auto add_chain = [&](auto begin, auto end) {
+        const std::size_t base = hull.size();
+        for (auto point = begin; point != end; ++point) {
+            while (hull.size() >= base + 2 &&
+                   turn(hull[hull.size() - 2], hull.back(), *point) <= 0.0) {
+                hull.pop_back();
+            }
+            hull.push_back(*point);
+        }
+        hull.pop_back();
+    };
+    add_chain(points.begin(), points.end());
+    add_chain(points.rbegin(), points.rend());
+    return hull;
+}
+
+/// What is to be on the page: all points that are not far outside the measured bounds, as those
+/// near a pole of a formula are.
+Box2d seen(const std::vector<DrawingItem>& items, const Box3d& bounds,
+           const DrawingViewer& viewer) {
+    const V3d margin(0.1 * bounds.size().length());
+    const Box3d wide(bounds.min - margin, bounds.max + margin);
+    Box2d box;
+    for (const DrawingItem& item : items) {
+        for (const V3d& point : item.points) {
+            if (item.part == DrawingPart::axis || wide.intersects(point)) {
+                box.extendBy(viewer.project(point));
+            }
+        }
+    }
+    return box;
+}
+
+class Composer {
+public:
+    Composer(Drawing& drawing, const DrawingViewer& viewer, const Page& page, double unit)
+        : drawing_(drawing), viewer_(viewer), page_(page), unit_(unit) {}
+
+    void add(const DrawingItem& item) {
+        std::vector<V2d> points;
+        for (const V3d& point : item.points) {
+            points.push_back(page_(viewer_.project(point)));
+        }
+        points = item.hull ? hull_of(std::move(points)) : thinned(points);
+        const bool is_area = item.line_width == 0.0;
+        // A line that is but a dot from here is no dot, unless it is meant to be one.
+        const bool is_nothing =
+            is_area ? points.size() < 3 : points.size() < 2 && item.points.size() > 1;
+        if (!is_nothing) {
+            drawing_.shapes.push_back({item.part, std::move(points), item.color,
+                                       item.line_width * unit_, item.opacity, item.camera});
+        }
+    }
+
+    // From the top left, the front layer first, as they lie on one another.
+    void add_labels(const PictureGeometry& geometry) {
+        const std::size_t count = geometry.cameras.size();
+        for (std::size_t i = 0; i < count; ++i) {
+            const V2d position(label_size, label_size * (2.0 + 2.0 * static_cast<double>(i)));
+            const std::size_t camera = count - i;
+            drawing_.labels.push_back({geometry.cameras[camera - 1].title, unit_ * position,
+                                       unit_ * label_size, camera_color(camera)});
+        }
+    }
+
+    void add_letter(std::size_t axis, const DrawnAxes& axes) {
+        const V2d origin = page_(viewer_.project(axes.origin));
+        const V2d tip = page_(viewer_.project(axes.tips[axis]));
+        const V2d away = (tip - origin).length() > 1e-6 ? (tip - origin).normalized() : V2d(0, -1);
+        const V2d middle = tip + 2.0 * letter_size * unit_ * away;
+        for (const std::vector<V2d>& stroke : letters()[axis]) {
+            std::vector<V2d> points;
+            for (const V2d& point : stroke) {
+                points.push_back(middle + letter_size * unit_ * point);
+            }
+            drawing_.shapes.push_back(
+                {DrawingPart::axis, std::move(points), letter_color, letter_width * unit_, 1.0});
+        }
+    }
+
+private:
+    Drawing& drawing_;
+    const DrawingViewer& viewer_;
+    const Page& page_;
+    double unit_;
+};
+
+std::optional<Diagnostic> refusal(const DrawingView& view) {
+    if (std::min(view.width, view.height) < min_side ||
+        std::max(view.width, view.height) > max_side) {
+        return error(fmt::format("a drawing cannot have {} x {} pixels", view.width, view.height),
+                     {}, fmt::format("give each side from {} to {} pixels", min_side, max_side));
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::string_view name_of(DrawingPart part) {
+    switch (part) {
+        case DrawingPart::eye: return "eye";
+        case DrawingPart::toward: return "toward";
+        case DrawingPart::frame: return "frame";
+        case DrawingPart::ray: return "ray";
+        case DrawingPart::axis: return "axis";
+    }
+    return {};
+}
+
+Result<Drawing> draw(const camera::Picture& picture, const Depiction& depiction,
+                     const DrawingView& view) {
+    if (const auto refused = refusal(view)) {
+        return *refused;
+    }
+    const auto geometry = measure_geometry(picture, depiction);
+    if (!geometry) {
+        return geometry.diagnostics;
+    }
+    Box3d bounds = geometry->bounds;
+    if (bounds.size().length() == 0.0) {
+        bounds = Box3d(bounds.min - V3d(1.0), bounds.max + V3d(1.0));
+    }
+    const DrawingViewer viewer(view, bounds);
+    std::vector<DrawingItem> items;
+    const bool several = picture.only_camera() == nullptr;
+    for (std::size_t i = 0; i < geometry->cameras.size(); ++i) {
+        const std::vector<DrawingItem> more =
+            drawing_items(geometry->cameras[i].geometry, several ? i + 1 : 0, geometry->extent(),
+                          depiction, viewer);
+        items.insert(items.end(), more.begin(), more.end());
+    }
+    const DrawnAxes axes = drawn_axes(*geometry, viewer);
+    if (depiction.axes) {
+        const std::vector<DrawingItem> more = drawing_items(axes, viewer);
+        items.insert(items.end(), more.begin(), more.end());
+    }
+    std::stable_sort(items.begin(), items.end(), [](const DrawingItem& a, const DrawingItem& b) {
+        return a.distance > b.distance;
+    });
+
+    const double unit =
+        std::sqrt(static_cast<double>(view.width) * static_cast<double>(view.height)) /
+        usual_page_side;
+    constexpr double margin = 26.0;
+    const Page page(view, seen(items, bounds, viewer), margin * unit);
+    Drawing drawing{picture.name(), view.width, view.height, {}};
+    Composer composer(drawing, viewer, page, unit);
+    for (const DrawingItem& item : items) {
+        composer.add(item);
+    }
+    for (std::size_t axis = 0; depiction.axes && axis < axes.tips.size(); ++axis) {
+        composer.add_letter(axis, axes);
+    }
+    if (several) {
+        composer.add_labels(*geometry);
+    }
+    return {std::move(drawing), geometry.diagnostics};
+}
+
+}  // namespace balcony::analyse

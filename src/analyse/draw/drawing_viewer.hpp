@@ -1,0 +1,77 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Where a drawing's viewer stands, and what he sees on the page.
+
+#include <algorithm>
+#include <cmath>
+
+#include <Imath/ImathBox.h>
+#include <Imath/ImathVec.h>
+
+#include "balcony/drawing.hpp"
+
+namespace balcony::analyse {
+
+using Imath::Box2d;
+using Imath::Box3d;
+
+/// A mild perspective from outside, with z up.
+class DrawingViewer {
+public:
+    DrawingViewer(const DrawingView& view, const Box3d& bounds)
+        : center_(bounds.center()),
+          far_(far_in_extents * std::max(bounds.size().length(), 1e-300)) {
+        const double level = std::cos(view.elevation);
+        towards_ = {level * std::cos(view.azimuth), level * std::sin(view.azimuth),
+                    std::sin(view.elevation)};
+        right_ = {-std::sin(view.azimuth), std::cos(view.azimuth), 0.0};
+        up_ = towards_.cross(right_);
+    }
+
+    /// Along the line of sight; what is less is nearer.
+    [[nodiscard]] double distance(const V3d& point) const {
+        return far_ - (point - center_).dot(towards_);
+    }
+
+    /// On a plane through the middle of what is seen, in its units, y down.
+    [[nodiscard]] V2d project(const V3d& point) const {
+        const V3d from_center = point - center_;
+        const double nearest = 0.05 * far_;
+        const double scale = far_ / std::max(distance(point), nearest);
+        return {scale * from_center.dot(right_), -scale * from_center.dot(up_)};
+    }
+
+    [[nodiscard]] const V3d& towards() const { return towards_; }
+    [[nodiscard]] const V3d& right() const { return right_; }
+    [[nodiscard]] const V3d& up() const { return up_; }
+
+private:
+    static constexpr double far_in_extents = 2.5;
+
+    V3d center_, towards_, right_, up_;
+    double far_;
+};
+
+/// From the viewer's plane to pixels.
+class Page {
+public:
+    /// The box in the middle of the page, as large as the margin (in pixels) lets it be.
+    Page(const DrawingView& view, const Box2d& box, double margin) {
+        const V2d page(static_cast<double>(view.width), static_cast<double>(view.height));
+        const V2d size = box.size();
+        const double minimum = 1e-9 * std::max({size.x, size.y, 1e-300});
+        scale_ = std::min((page.x - 2.0 * margin) / std::max(size.x, minimum),
+                          (page.y - 2.0 * margin) / std::max(size.y, minimum));
+        shift_ = 0.5 * page - scale_ * box.center();
+    }
+
+    [[nodiscard]] V2d operator()(const V2d& point) const { return scale_ * point + shift_; }
+
+private:
+    double scale_ = 1.0;
+    V2d shift_;
+};
+
+}  // namespace balcony::analyse

@@ -1,0 +1,277 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include <fmt/format.h>
+
+#include "analyse/draw/bitmap.hpp"
+#include "analyse/draw/color_scale.hpp"
+#include "balcony/diagnose.hpp"
+
+namespace balcony::analyse {
+
+namespace {
+
+constexpr Color white{255, 255, 255};
+constexpr Color black{0, 0, 0};
+constexpr Color no_ray_color{128, 128, 128};
+constexpr Color singular_color{200, 30, 110};
+
+/// A colour and what it stands for.
+struct Swatch {
+    Color color;
+    std::string meaning;
+};
+
+/// What a map looks like: the colour of each sample, and what its legend holds.
+struct Design {
+    std::string title;
+    std::function<Color(const Sample&)> color;
+    std::optional<ColorScale> scale;
+    std::vector<Swatch> swatches;
+};
+
+// The values of what is neither without a ray nor singular, from the least to the most.
+std::vector<double> sorted_values(const Report& report, double Sample::*value) {
+    std::vector<double> values;
+    for (const Sample& sample : report.samples) {
+        if (sample.valid && !sample.singular) {
+            values.push_back(sample.*value);
+        }
+    }
+    std::sort(values.begin(), values.end());
+    return values;
+}
+
+// The few values at either end, which would take all the colours for themselves, go without.
+Design scaled(const Report& report, std::string title, double Sample::*value,
+              ColorScale::Spacing spacing) {
+    constexpr std::size_t hundredth = 100;
+    const std::vector<double> values = sorted_values(report, value);
+    double minimum = values.empty() ? 1.0 : values[values.size() / hundredth];
+    double maximum = values.empty() ? 1.0 : values[values.size() - 1 - values.size() / hundredth];
+    if (maximum - minimum <= 1e-6 * std::abs(maximum)) {
+        const double margin = maximum != 0.0 ? 0.05 * std::abs(maximum) : 1.0;
+        minimum -= margin;
+        maximum += margin;
+    }
+    const ColorScale scale(minimum, maximum, spacing);
+    return {std::move(title),
+            [scale, value](const Sample& sample) {
+                return !sample.valid     ? no_ray_color
+                       : sample.singular ? singular_color
+                                         : scale.color(sample.*value);
+            },
+            scale,
+            {{no_ray_color, "no ray"}, {singular_color, "singular"}}};
+}
+
+Design magnification(const Report& report) {
+    return scaled(report,
+                  report.distance ? fmt::format("magnification: pixels a unit at distance {:.4g}",
+                                                *report.distance)
+                                  : "magnification: pixels a degree",
+                  &Sample::magnification, ColorScale::Spacing::logarithmic);
+}
+
+Design anisotropy(const Report& report) {
+    return scaled(report, "anisotropy: the most by the least magnification of a place",
+                  &Sample::anisotropy, ColorScale::Spacing::logarithmic);
+}
+
+Design origins(const Report& report) {
+    return scaled(report, "distance of the rays' origins from their middle",
+                  &Sample::origin_distance, ColorScale::Spacing::linear);
+}
+
+Design orientation(const Report&) {
+    static constexpr Color right{49, 104, 142};
+    static constexpr Color mirrored{240, 150, 40};
+    return {"orientation",
+            [](const Sample& sample) {
+                return !sample.valid            ? no_ray_color
+                       : sample.singular        ? singular_color
+                       : sample.orientation > 0 ? right
+                                                : mirrored;
+            },
+            std::nullopt,
+            {{right, "as things are"},
+             {mirrored, "mirrored"},
+             {singular_color, "singular"},
+             {no_ray_color, "no ray"}}};
+}
+
+Design validity(const Report&) {
+    static constexpr Color valid{53, 183, 121};
+    return {"validity",
+            [](const Sample& sample) { return sample.valid ? valid : no_ray_color; },
+            std::nullopt,
+            {{valid, "ray"}, {no_ray_color, "no ray"}}};
+}
+
+Design seams(const Report&) {
+    static constexpr Color smooth{205, 215, 225};
+    static constexpr Color seam{190, 20, 20};
+    return {"seams",
+            [](const Sample& sample) {
+                return !sample.valid ? no_ray_color : sample.seam ? seam : smooth;
+            },
+            std::nullopt,
+            {{smooth, "smooth"}, {seam, "rays jump"}, {no_ray_color, "no ray"}}};
+}
+
+Design repeated(const Report& report) {
+    int maximum = 1;
+    for (const Sample& sample : report.samples) {
+        maximum = std::max(maximum, int{sample.views});
+    }
+    Design design{"how often the picture shows what is seen here", {}, std::nullopt, {}};
+    const ColorScale scale(1.0, std::max(maximum, 2), ColorScale::Spacing::linear);
+    constexpr int max_swatches = 5;
+    for (int views = 1; views <= std::min(maximum, max_swatches); ++views) {
+        design.swatches.push_back({scale.color(views), fmt::format("{}", views)});
+    }
+    if (maximum > max_swatches) {
+        design.swatches.push_back({scale.color(maximum), fmt::format("{}", maximum)});
+    }
+    design.swatches.push_back({singular_color, "singular"});
+    design.swatches.push_back({no_ray_color, "no ray"});
+    design.color = [scale](const Sample& sample) {
+        return !sample.valid       ? no_ray_color
+               : sample.views == 0 ? singular_color
+                                   : scale.color(sample.views);
+    };
+    return design;
+}
+
+Design design_of(const Report& report, MapKind kind) {
+    switch (kind) {
+        case MapKind::magnification: return magnification(report);
+        case MapKind::anisotropy: return anisotropy(report);
+        case MapKind::orientation: return orientation(report);
+        case MapKind::validity: return validity(report);
+        case MapKind::seams: return seams(report);
+        case MapKind::repeated: return repeated(report);
+        case MapKind::origins: return origins(report);
+    }
+    return {};
+}
+
+// A legend does not explain what the map does not show.
+void leave_out_unused(const Report& report, Design& design) {
+    std::erase_if(design.swatches, [&](const Swatch& swatch) {
+        return std::none_of(
+            report.samples.begin(), report.samples.end(),
+            [&](const Sample& sample) { return design.color(sample) == swatch.color; });
+    });
+}
+
+/// The legend: a title, the scale with its ticks, and swatches.
+class Legend {
+public:
+    static constexpr std::size_t text_size = 2;
+    static constexpr std::size_t margin = 8;
+    static constexpr std::size_t line = 7 * text_size + margin;
+    static constexpr std::size_t bar_height = 12;
+
+    static std::size_t height(const Design& design) {
+        return margin + line + (design.scale ? bar_height + margin + line : 0) +
+               (design.swatches.empty() ? 0 : line);
+    }
+
+    Legend(Bitmap& bitmap, std::size_t top) : bitmap_(bitmap), y_(top + margin) {}
+
+    void draw(const Design& design) {
+        bitmap_.write(margin, y_, design.title, black, text_size);
+        y_ += line;
+        if (design.scale) {
+            draw_scale(*design.scale);
+        }
+        std::size_t x = margin;
+        for (const Swatch& swatch : design.swatches) {
+            const std::size_t side = Bitmap::text_height(text_size);
+            bitmap_.fill(x, y_, side, side, swatch.color);
+            bitmap_.write(x + side + margin, y_, swatch.meaning, black, text_size);
+            x += side + 4 * margin + Bitmap::text_width(swatch.meaning, text_size);
+        }
+    }
+
+private:
+    void draw_scale(const ColorScale& scale) {
+        const std::size_t width = bitmap_.width() - 2 * margin;
+        for (std::size_t x = 0; x < width; ++x) {
+            const double s = (static_cast<double>(x) + 0.5) / static_cast<double>(width);
+            bitmap_.fill(margin + x, y_, 1, bar_height, sequential_color(s));
+        }
+        y_ += bar_height;
+        std::size_t free = 0;
+        for (const ColorScale::Tick& tick : scale.ticks()) {
+            const auto x = margin + static_cast<std::size_t>(scale.position(tick.value) *
+                                                             static_cast<double>(width - 1));
+            bitmap_.fill(x, y_, 1, margin / 2, black);
+            const std::size_t text_width = Bitmap::text_width(tick.text, text_size);
+            const std::size_t half = text_width / 2;
+            const std::size_t left =
+                std::min(x > half ? x - half : 0, bitmap_.width() - text_width);
+            if (left >= free) {
+                bitmap_.write(left, y_ + margin / 2 + 2, tick.text, black, text_size);
+                free = left + text_width + 2 * margin;
+            }
+        }
+        y_ += margin + line;
+    }
+
+    Bitmap& bitmap_;
+    std::size_t y_;
+};
+
+}  // namespace
+
+const std::vector<MapDescription>& map_kinds() {
+    static const std::vector<MapDescription> kinds = {
+        {MapKind::magnification, "magnification", "how large things appear"},
+        {MapKind::anisotropy, "anisotropy", "how much they are stretched"},
+        {MapKind::orientation, "orientation", "where the picture is mirrored, and so folds over"},
+        {MapKind::validity, "validity", "where there are rays"},
+        {MapKind::seams, "seams", "where rays jump"},
+        {MapKind::repeated, "repeated", "how often the same is seen"},
+        {MapKind::origins, "origins", "how far from their middle the rays start"},
+    };
+    return kinds;
+}
+
+std::optional<MapKind> find_map_kind(std::string_view name) {
+    for (const MapDescription& row : map_kinds()) {
+        if (row.name == name) {
+            return row.kind;
+        }
+    }
+    return std::nullopt;
+}
+
+Image false_color(const Report& report, MapKind kind) {
+    constexpr std::size_t min_width = 800;
+    constexpr std::size_t max_side = 8192;
+    Design design = design_of(report, kind);
+    leave_out_unused(report, design);
+    const SampleGrid& grid = report.grid;
+    const std::size_t wished =
+        std::max(static_cast<std::size_t>(std::lround(grid.step)),
+                 (min_width + grid.columns - 1) / std::max<std::size_t>(grid.columns, 1));
+    const std::size_t longest = std::max({grid.columns, grid.rows, std::size_t{1}});
+    const std::size_t side = std::min(wished, std::max<std::size_t>(max_side / longest, 1));
+    const std::size_t map_height = side * grid.rows;
+    Bitmap bitmap(std::max(side * grid.columns, min_width), map_height + Legend::height(design),
+                  white);
+    for (std::size_t i = 0; i < report.samples.size(); ++i) {
+        bitmap.fill(side * (i % grid.columns), side * (i / grid.columns), side, side,
+                    design.color(report.samples[i]));
+    }
+    Legend(bitmap, map_height).draw(design);
+    return bitmap.take();
+}
+
+}  // namespace balcony::analyse

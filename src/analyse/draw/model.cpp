@@ -1,0 +1,333 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "analyse/draw/camera_geometry.hpp"
+#include "analyse/draw/drawing_items.hpp"
+#include "balcony/drawing.hpp"
+
+namespace balcony::analyse {
+
+namespace {
+
+using scene::Mesh;
+using scene::V2f;
+using scene::V3f;
+
+constexpr double surface_cells = 96.0 * 54.0;
+constexpr int round_sides = 10;  // Of what stands for a circle.
+
+/// Blunt bodies of revolution, each a closed mesh of its own within one mesh.
+class Solids {
+public:
+    explicit Solids(Mesh& mesh) : mesh_(mesh) {}
+
+    /// Between two circles, either of which may be a point. The ends are closed.
+    void add_frustum(const V3d& from, const V3d& to, double from_radius, double to_radius) {
+        const V3d along = (to - from).normalized();
+        const V3d aside =
+            (std::abs(along.z) < 0.9 ? V3d(0, 0, 1) : V3d(1, 0, 0)).cross(along).normalized();
+        const V3d across = along.cross(aside);
+        const double slope = (from_radius - to_radius) / (to - from).length();
+        const auto side = [&](int corner) {
+            const double angle = 2.0 * std::numbers::pi * corner / round_sides;
+            return std::cos(angle) * aside + std::sin(angle) * across;
+        };
+        for (int i = 0; i < round_sides; ++i) {
+            const V3d a = side(i);
+            const V3d b = side(i + 1);
+            const V3d normal_a = (a + slope * along).normalized();
+            const V3d normal_b = (b + slope * along).normalized();
+            const auto near_a = add_vertex(from + from_radius * a, normal_a);
+            const auto near_b = add_vertex(from + from_radius * b, normal_b);
+            const auto far_a = add_vertex(to + to_radius * a, normal_a);
+            const auto far_b = add_vertex(to + to_radius * b, normal_b);
+            mesh_.triangles.push_back({near_a, near_b, far_b});
+            mesh_.triangles.push_back({near_a, far_b, far_a});
+            close(from, from_radius, b, a, -along);
+            close(to, to_radius, a, b, along);
+        }
+    }
+
+    /// Along a line, with balls for joints.
+    void add_tube(const Polyline& line, double radius) {
+        for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+            if ((line[i + 1] - line[i]).length() > 0.0) {
+                add_frustum(line[i], line[i + 1], radius, radius);
+            }
+            add_ball(line[i], radius);
+        }
+        if (!line.empty()) {
+            add_ball(line.back(), radius);
+        }
+    }
+
+    void add_ball(const V3d& center, double radius) {
+        constexpr int rings = round_sides / 2;
+        for (int ring = 0; ring < rings; ++ring) {
+            for (int i = 0; i < round_sides; ++i) {
+                const auto vertex = [&](int up, int round) {
+                    const double polar = std::numbers::pi * up / rings;
+                    const double angle = 2.0 * std::numbers::pi * round / round_sides;
+                    const V3d n(std::sin(polar) * std::cos(angle),
+                                std::sin(polar) * std::sin(angle), std::cos(polar));
+                    return add_vertex(center + radius * n, n);
+                };
+                const auto a = vertex(ring, i);
+                const auto b = vertex(ring + 1, i);
+                const auto c = vertex(ring + 1, i + 1);
+                const auto d = vertex(ring, i + 1);
+                if (ring + 1 < rings) {
+                    mesh_.triangles.push_back({a, b, c});
+                }
+                if (ring > 0) {
+                    mesh_.triangles.push_back({a, c, d});
+                }
+            }
+        }
+    }
+
+private:
+    void close(const V3d& center, double radius, const V3d& a, const V3d& b, const V3d& normal) {
+        if (radius > 0.0) {
+            const auto middle = add_vertex(center, normal);
+            const auto first = add_vertex(center + radius * a, normal);
+            const auto last = add_vertex(center + radius * b, normal);
+            mesh_.triangles.push_back({middle, first, last});
+        }
+    }
+
+    std::uint32_t add_vertex(const V3d& position, const V3d& normal) {
+        mesh_.positions.emplace_back(position);
+        mesh_.normals.emplace_back(normal);
+        return static_cast<std::uint32_t>(mesh_.positions.size() - 1);
+    }
+
+    Mesh& mesh_;
+};
+
+/// A surface as the picture covers it: two triangles for each cell of a grid that is whole.
+void add_surface(ProjectionObject& sheet, double aspect, Mesh& mesh) {
+    const PictureGrid grid = PictureGrid::of_cells(surface_cells, aspect);
+    const auto crossing = [&](std::size_t column, std::size_t row) {
+        return grid.at(static_cast<double>(column), static_cast<double>(row));
+    };
+    std::vector<std::optional<std::uint32_t>> vertices;
+    for (std::size_t row = 0; row <= grid.rows; ++row) {
+        for (std::size_t column = 0; column <= grid.columns; ++column) {
+            const auto point = sheet.at(crossing(column, row));
+            vertices.push_back(
+                point ? std::optional(static_cast<std::uint32_t>(mesh.positions.size()))
+                      : std::nullopt);
+            if (point) {
+                mesh.positions.emplace_back(point->position);
+                mesh.normals.emplace_back(point->normal);
+                mesh.texture_coordinates.emplace_back(point->parameters);
+            }
+        }
+    }
+    // Whether the line between neighbours is whole, to the right and downwards from each crossing.
+    const std::size_t stride = grid.columns + 1;
+    std::vector<std::array<bool, 2>> joined(vertices.size(), {false, false});
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const std::size_t column = i % stride;
+        const std::size_t row = i / stride;
+        const V2d here = crossing(column, row);
+        joined[i] = {column < grid.columns && sheet.joined(here, crossing(column + 1, row)),
+                     row < grid.rows && sheet.joined(here, crossing(column, row + 1))};
+    }
+    for (std::size_t i = 0; i + stride + 1 < vertices.size(); ++i) {
+        if (i % stride < grid.columns && joined[i][0] && joined[i][1] && joined[i + 1][1] &&
+            joined[i + stride][0]) {
+            const std::uint32_t a = *vertices[i];
+            const std::uint32_t b = *vertices[i + 1];
+            const std::uint32_t c = *vertices[i + stride + 1];
+            const std::uint32_t d = *vertices[i + stride];
+            mesh.triangles.push_back({a, d, c});
+            mesh.triangles.push_back({a, c, b});
+        }
+    }
+}
+
+/// Where the formula has no normal, as at the poles of a sphere, that of the triangles around.
+void complete_normals(Mesh& mesh) {
+    std::vector<V3f> sums(mesh.positions.size(), V3f(0.0F));
+    for (const auto& corner : mesh.triangles) {
+        const V3f& a = mesh.positions[corner[0]];
+        const V3f across = (mesh.positions[corner[1]] - a).cross(mesh.positions[corner[2]] - a);
+        for (const std::uint32_t vertex : corner) {
+            sums[vertex] += across;
+        }
+    }
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        if (mesh.normals[i].length2() == 0.0F) {
+            mesh.normals[i] = sums[i].length2() > 0.0F ? sums[i].normalized() : V3f(0, 0, 1);
+        }
+    }
+}
+
+/// In linear light.
+struct CameraColors {
+    scene::Color3f eye{0.16F, 0.42F, 0.66F};
+    scene::Color3f toward{0.10F, 0.48F, 0.34F};
+    scene::Color3f ray{0.66F, 0.11F, 0.005F};
+};
+
+/// Of one of several cameras, as in the drawing. A power of 2.2 stands for sRGB's curve.
+CameraColors colors_of(std::size_t camera) {
+    const DrawingColor drawn = camera_color(camera);
+    const auto linear = [](std::uint8_t level) {
+        return std::pow(static_cast<float>(level) / 255.0F, 2.2F);
+    };
+    const scene::Color3f own(linear(drawn[0]), linear(drawn[1]), linear(drawn[2]));
+    return {own, own, 0.5F * own};
+}
+
+class Modeller {
+public:
+    Modeller(const std::string& name, const PictureGeometry& whole)
+        : own_axes_(whole.axes), size_(whole.extent() > 0.0 ? whole.extent() : 1.0) {
+        scene_.name = name;
+        scene_.format = "camera";
+        scene_.axes = own_axes_;
+        scene_.default_light = true;
+    }
+
+    void add(const PictureGeometry::Part& camera, const CameraColors& colors,
+             const Depiction& depiction) {
+        const CameraGeometry& geometry = camera.geometry;
+        const std::string prefix = camera.title.empty() ? "" : camera.title + ": ";
+        if (depiction.eye) {
+            add(sheet_mesh(*geometry.eye, geometry.aspect), prefix + "surface", colors.eye);
+        }
+        if (depiction.toward && geometry.toward) {
+            add(sheet_mesh(*geometry.toward, geometry.aspect), prefix + "target", colors.toward,
+                0.4F);
+        }
+        if (!geometry.rays.empty()) {
+            add(ray_mesh(geometry.rays), prefix + "rays", colors.ray);
+        }
+        if (ProjectionObject* screen = geometry.screen(); screen != nullptr && depiction.frame) {
+            add(frame_mesh(*screen), prefix + "frame", {0.02F, 0.02F, 0.02F});
+        }
+    }
+
+    scene::Scene take() { return std::move(scene_); }
+
+private:
+    Mesh sheet_mesh(ProjectionObject& sheet, double aspect) const {
+        Mesh mesh;
+        if (sheet.dimension() == 2) {
+            add_surface(sheet, aspect, mesh);
+            complete_normals(mesh);
+            return mesh;
+        }
+        Solids solids(mesh);
+        constexpr double ball = 0.012;
+        constexpr double tube = 0.006;
+        const auto middle = sheet.at(V2d(0.5));
+        if (middle && sheet.dimension() == 0) {
+            solids.add_ball(middle->position, ball * size_);
+        } else if (sheet.dimension() == 1) {
+            const PictureGrid grid;
+            add_tubes(solids, sheet, grid.at(0, 0), grid.at(1, 0), tube);
+            add_tubes(solids, sheet, grid.at(1, 0), grid.at(1, 1), tube);
+        }
+        return mesh;
+    }
+
+    Mesh ray_mesh(const std::vector<Arrow>& rays) const {
+        Mesh mesh;
+        Solids solids(mesh);
+        for (const Arrow& ray : rays) {
+            const double length = (ray.to - ray.from).length();
+            if (!(length > 0.0)) {
+                continue;
+            }
+            const double head = std::min(0.035 * size_, 0.5 * length);
+            const V3d neck = ray.to - head / length * (ray.to - ray.from);
+            solids.add_frustum(ray.from, neck, 0.09 * head, 0.09 * head);
+            solids.add_frustum(neck, ray.to, 0.3 * head, 0.0);
+        }
+        return mesh;
+    }
+
+    Mesh frame_mesh(ProjectionObject& screen) const {
+        Mesh mesh;
+        Solids solids(mesh);
+        const PictureGrid grid;
+        constexpr double tube = 0.004;
+        constexpr double corner = 0.012;
+        const std::array<V2d, 4> corners{grid.at(0, 0), grid.at(1, 0), grid.at(1, 1),
+                                         grid.at(0, 1)};
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            add_tubes(solids, screen, corners[i], corners[(i + 1) % corners.size()], tube);
+        }
+        if (const auto top_left = screen.at(corners[0])) {
+            solids.add_ball(top_left->position, corner * size_);
+        }
+        return mesh;
+    }
+
+    void add_tubes(Solids& solids, ProjectionObject& sheet, const V2d& from, const V2d& to,
+                   double radius) const {
+        constexpr double tolerance = 0.001;
+        for (const Polyline& piece : sheet.trace(from, to, tolerance * size_)) {
+            solids.add_tube(piece, radius * size_);
+        }
+    }
+
+    // The geometry is z up; the scene has the camera's axes.
+    void add(Mesh mesh, const std::string& name, const scene::Color3f& color, float alpha = 1.0F) {
+        if (mesh.triangles.empty()) {
+            return;
+        }
+        if (own_axes_ == Axes::y_up) {
+            for (std::vector<V3f>* vectors : {&mesh.positions, &mesh.normals}) {
+                for (V3f& v : *vectors) {
+                    v = V3f(v.x, v.z, -v.y);
+                }
+            }
+        }
+        mesh.name = name;
+        mesh.material = scene::MaterialIndex(scene_.materials.size());
+        scene::Material material;
+        material.name = name;
+        material.base_color = color;
+        material.alpha = alpha;
+        material.alpha_mode = alpha < 1.0F ? scene::AlphaMode::blend : scene::AlphaMode::opaque;
+        material.roughness = 0.6F;
+        scene_.materials.push_back(material);
+        scene::Instance instance;
+        instance.mesh = scene::MeshIndex(scene_.meshes.size());
+        instance.object = static_cast<std::uint32_t>(scene_.objects.size());
+        scene_.instances.push_back(instance);
+        scene_.objects.push_back({name});
+        scene_.meshes.push_back(std::move(mesh));
+    }
+
+    Axes own_axes_;
+    double size_;
+    scene::Scene scene_;
+};
+
+}  // namespace
+
+Result<scene::Scene> model(const camera::Picture& picture, const Depiction& depiction) {
+    const auto geometry = measure_geometry(picture, depiction);
+    if (!geometry) {
+        return geometry.diagnostics;
+    }
+    const bool several = picture.only_camera() == nullptr;
+    Modeller modeller(picture.name(), *geometry);
+    for (std::size_t i = 0; i < geometry->cameras.size(); ++i) {
+        modeller.add(geometry->cameras[i], several ? colors_of(i + 1) : CameraColors{}, depiction);
+    }
+    return {modeller.take(), geometry.diagnostics};
+}
+
+}  // namespace balcony::analyse

@@ -1,0 +1,175 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "analyse/draw/projection_object.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace balcony::analyse {
+
+namespace {
+
+// Of the picture that the path is compiled for. Its objects do not depend on it but through its
+// proportion.
+constexpr double picture_height = 1000.0;
+
+constexpr std::size_t root_count = 9;
+
+program::Program compile(const camera::Path& path, double aspect) {
+    expr::Graph graph;
+    camera::Emitter emit(graph);
+    const camera::PicturePoint picture{
+        {graph.picture_x(), graph.picture_y()},
+        {graph.constant(picture_height * aspect), graph.constant(picture_height)}};
+    const camera::PathPoint p = path.emit(picture, emit);
+    const std::array<expr::Expr, root_count> roots = {p.point.x,      p.point.y,      p.point.z,
+                                                      p.normal.x,     p.normal.y,     p.normal.z,
+                                                      p.parameters.u, p.parameters.v, emit.valid()};
+    return program::Program(roots);
+}
+
+bool is_finite(const V3d& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+V3d unit_or_zero(const V3d& v) {
+    return is_finite(v) && v.length2() > 0.0 ? v.normalized() : V3d(0.0);
+}
+
+}  // namespace
+
+V3d z_up_from(Axes axes, const V3d& vector) {
+    return axes == Axes::z_up ? vector : V3d(vector.x, -vector.z, vector.y);
+}
+
+ProjectionObject::ProjectionObject(const camera::Path& path, double aspect, Axes axes, double time)
+    : dimension_(path.generator->dimension()),
+      axes_(axes),
+      aspect_(aspect),
+      time_(time),
+      program_(compile(path, aspect)),
+      bounds_(measure()) {}
+
+std::optional<ProjectionObjectPoint> ProjectionObject::at(const V2d& picture) {
+    std::array<double, root_count> values{};
+    std::array<double*, root_count> results{};
+    for (std::size_t root = 0; root < root_count; ++root) {
+        results[root] = &values[root];
+    }
+    const program::Tile tile{
+        picture.x * picture_height * aspect_, picture.y * picture_height, 1.0, 1, 1, time_};
+    program::run(program_, tile, scratch_, results);
+    const V3d position(values[0], values[1], values[2]);
+    if (values[8] != 1.0 || !is_finite(position)) {
+        return std::nullopt;
+    }
+    return ProjectionObjectPoint{z_up_from(axes_, position),
+                                 unit_or_zero(z_up_from(axes_, {values[3], values[4], values[5]})),
+                                 {values[6], values[7]}};
+}
+
+Box3d ProjectionObject::measure() {
+    constexpr int lines = 17;
+    Box3d box;
+    for (int i = 0; i < lines * lines; ++i) {
+        if (const auto p = at(V2d(i % lines, i / lines) / (lines - 1))) {
+            box.extendBy(p->position);
+        }
+    }
+    return box;
+}
+
+/// Follows one line by halving its parts until each is straight, or is a jump.
+class ProjectionObject::Tracer {
+public:
+    Tracer(ProjectionObject& sheet, const V2d& a, const V2d& b, double tolerance)
+        : sheet_(sheet), a_(a), b_(b), tolerance_(tolerance) {}
+
+    std::vector<Polyline> trace() {
+        // An odd number, so that what is symmetrical about the middle is not mistaken for straight.
+        constexpr int parts = 3;
+        Mark from = mark(0.0);
+        for (int i = 1; i <= parts; ++i) {
+            const Mark to = mark(static_cast<double>(i) / parts);
+            follow(from, to, 0);
+            from = to;
+        }
+        std::erase_if(pieces_, [](const Polyline& piece) { return piece.size() < 2; });
+        return std::move(pieces_);
+    }
+
+private:
+    struct Mark {
+        double where = 0.0;  ///< From 0 at a to 1 at b.
+        std::optional<V3d> point;
+    };
+
+    // Halvings after which what still jumps is a jump. A root of high degree, as superconics have
+    // them at their axes, shrinks slowly.
+    static constexpr int deepest = 40;
+    // Halvings that look for a small gap between two points or a small part between two gaps.
+    static constexpr int deepest_in_gap = 2;
+
+    Mark mark(double where) {
+        // In this form a and b themselves are met exactly.
+        const auto p = sheet_.at((1.0 - where) * a_ + where * b_);
+        return {where, p ? std::optional(p->position) : std::nullopt};
+    }
+
+    // Both ends are there, and the middle lies between them, near their chord and not at one end.
+    bool is_straight(const V3d& from, const V3d& to, const V3d& middle) const {
+        const V3d chord = to - from;
+        if (chord.length() <= tolerance_) {
+            return (middle - from).length() <= tolerance_;
+        }
+        const double share = chord.dot(middle - from) / chord.length2();
+        constexpr double margin = 0.02;
+        return share > margin && share < 1.0 - margin &&
+               (from + share * chord - middle).length() <= tolerance_;
+    }
+
+    void add(const Mark& from, const Mark& to) {
+        if (pieces_.empty() || last_ != from.where) {
+            pieces_.push_back({*from.point});
+        }
+        pieces_.back().push_back(*to.point);
+        last_ = to.where;
+    }
+
+    void follow(const Mark& from, const Mark& to, int depth) {
+        if (depth > deepest || (!from.point && !to.point && depth > deepest_in_gap)) {
+            return;
+        }
+        const Mark middle = mark(0.5 * (from.where + to.where));
+        if (from.point && to.point && middle.point &&
+            is_straight(*from.point, *to.point, *middle.point)) {
+            add(from, to);
+            return;
+        }
+        follow(from, middle, depth + 1);
+        follow(middle, to, depth + 1);
+    }
+
+    ProjectionObject& sheet_;
+    V2d a_, b_;
+    double tolerance_;
+    double last_ = -1.0;  ///< Where the last piece ends.
+    std::vector<Polyline> pieces_;
+};
+
+std::vector<Polyline> ProjectionObject::trace(const V2d& a, const V2d& b, double tolerance) {
+    return Tracer(*this, a, b, tolerance).trace();
+}
+
+bool ProjectionObject::joined(const V2d& a, const V2d& b) {
+    const double coarse = bounds_.isEmpty() ? 1.0 : 0.02 * bounds_.size().length();
+    const auto pieces = trace(a, b, coarse);
+    const auto from = at(a);
+    const auto to = at(b);
+    return pieces.size() == 1 && from && to && pieces.front().front() == from->position &&
+           pieces.front().back() == to->position;
+}
+
+}  // namespace balcony::analyse

@@ -1,0 +1,325 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "balcony/inverse.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "analyse/inverse/linear_rays.hpp"
+#include "analyse/inverse/picture_layers.hpp"
+#include "analyse/inverse/point_rays.hpp"
+#include "analyse/inverse/point_search.hpp"
+#include "analyse/inverse/ray_tree.hpp"
+
+namespace balcony::analyse {
+
+namespace {
+
+// Sightings nearer to each other than this are one, in pixels.
+constexpr double same_place = 1e-3;
+
+// A place that rounding put outside is put back; none if it is outside indeed.
+std::optional<V2d> inside(const V2d& place, const V2d& picture) {
+    constexpr double rounding = 1e-6;
+    const bool is_inside =
+        place.x >= -rounding && place.x < picture.x && place.y >= -rounding && place.y < picture.y;
+    return is_inside ? std::optional(V2d(std::max(place.x, 0.0), std::max(place.y, 0.0)))
+                     : std::nullopt;
+}
+
+// Farther away than this, in scene units, it is the direction alone that counts, and products of
+// co-ordinates come near the end of the numbers.
+constexpr double far_away = 1e60;
+
+double max_coordinate(const V3d& point) {
+    return std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
+}
+
+// By point, then from left to right.
+bool comes_before(const Sighting& a, const Sighting& b) {
+    return std::tie(a.point, a.position.x, a.position.y) <
+           std::tie(b.point, b.position.x, b.position.y);
+}
+
+// Sorts what was found and leaves out what was found before.
+void tidy(std::vector<Sighting>& found) {
+    if (!std::is_sorted(found.begin(), found.end(), comes_before)) {
+        std::sort(found.begin(), found.end(), comes_before);
+    }
+    std::size_t kept = 0;
+    for (const Sighting& sighting : found) {
+        bool known = false;
+        for (std::size_t i = kept; i-- > 0 && !known;) {
+            const V2d apart = sighting.position - found[i].position;
+            if (found[i].point != sighting.point || apart.x > same_place) {
+                break;
+            }
+            known = std::abs(apart.y) <= same_place;
+        }
+        if (!known) {
+            found[kept++] = sighting;
+        }
+    }
+    found.resize(kept);
+}
+
+// Of rays that are solved in closed form: the place, if there is a ray and it goes forward.
+void solve(const PointRays& rays, const LinearRays& linear, const V2d& picture,
+           std::span<const V3d> points, std::vector<Sighting>& found) {
+    PointRays::Batch batch(rays);
+    std::array<std::size_t, program::max_points> numbers{};
+    std::size_t count = 0;
+    const auto judge = [&] {
+        batch.run(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            const Ray ray = batch.ray(i);
+            const V3d& point = points[numbers[i]];
+            const Approach approach(ray, point);
+            if (ray.valid && meets(ray, approach, point)) {
+                found.push_back(sighting_of(numbers[i], batch.at(i), ray, approach));
+            }
+        }
+        count = 0;
+    };
+    for (std::size_t number = 0; number < points.size(); ++number) {
+        const std::optional<V2d> place = linear.place_of(points[number]);
+        if (const auto shown = place ? inside(*place, picture) : std::nullopt) {
+            batch.place(count, *shown);
+            numbers[count++] = number;
+        }
+        if (count == program::max_points) {
+            judge();
+        }
+    }
+    judge();
+}
+
+// Of any others. Points come in portions, so that what is in work at once stays small.
+void search(const PointRays& rays, const RayTree& tree, const V2d& picture,
+            std::span<const V3d> points, std::vector<Sighting>& found) {
+    constexpr std::size_t portion = 256;
+    PointSearch newton(rays);
+    std::vector<std::uint32_t> patches;
+    std::vector<SearchStart> starts;
+    for (std::size_t begin = 0; begin < points.size(); begin += portion) {
+        starts.clear();
+        const std::size_t end = std::min(begin + portion, points.size());
+        for (std::size_t number = begin; number < end; ++number) {
+            patches.clear();
+            tree.find(points[number], patches);
+            for (const std::uint32_t patch : patches) {
+                add_starts(tree.patches()[patch], number, points[number], starts);
+            }
+        }
+        newton.run(starts, found);
+    }
+    std::erase_if(found, [&](Sighting& sighting) {
+        const std::optional<V2d> place = inside(sighting.position, picture);
+        sighting.position = place.value_or(sighting.position);
+        return !place;
+    });
+}
+
+// What can be found in one camera layer.
+class LayerIndex {
+public:
+    LayerIndex(std::string name, const camera::RayExpressions& ray, const V2d& picture, double time)
+        : name_(std::move(name)), picture_(picture), rays_(ray, time) {
+        Survey seen = survey(rays_, picture);
+        linear_ = LinearRays::fit(seen);
+        if (!linear_) {
+            const double extent = seen.extent;
+            tree_.emplace(divide(rays_, std::move(seen)), extent);
+        }
+    }
+
+    [[nodiscard]] const std::string& name() const { return name_; }
+    [[nodiscard]] bool closed_form() const { return linear_.has_value(); }
+    [[nodiscard]] std::size_t patch_count() const { return tree_ ? tree_->patches().size() : 0; }
+
+    [[nodiscard]] std::vector<Sighting> locate(std::span<const V3d> points) const {
+        std::vector<Sighting> found;
+        if (linear_) {
+            solve(rays_, *linear_, picture_, points, found);
+        } else {
+            search(rays_, *tree_, picture_, points, found);
+        }
+        tidy(found);
+        return found;
+    }
+
+private:
+    std::string name_;
+    V2d picture_;
+    PointRays rays_;
+    std::optional<LinearRays> linear_;
+    std::optional<RayTree> tree_;
+};
+
+// Where layers are hidden by what is in front of them.
+class Covers {
+public:
+    Covers(const std::vector<PictureLayer>& layers, double time)
+        : program_(roots_of(layers), program::Sampling::points), time_(time) {}
+
+    void remove_hidden(std::vector<Sighting>& found) const {
+        using Values = std::array<double, program::max_points>;
+        program::Scratch scratch;
+        Values x{};
+        Values y{};
+        std::vector<Values> hidden(program_.root_count());
+        std::vector<double*> results;
+        std::transform(hidden.begin(), hidden.end(), std::back_inserter(results),
+                       [](Values& values) { return values.data(); });
+        std::size_t kept = 0;
+        for (std::size_t begin = 0; begin < found.size(); begin += program::max_points) {
+            const std::size_t count = std::min(program::max_points, found.size() - begin);
+            for (std::size_t i = 0; i < count; ++i) {
+                x[i] = found[begin + i].position.x;
+                y[i] = found[begin + i].position.y;
+            }
+            program::run(program_, {std::span(x).first(count), std::span(y).first(count), time_},
+                         scratch, results);
+            for (std::size_t i = 0; i < count; ++i) {
+                if (hidden[found[begin + i].layer][i] == 0.0) {
+                    found[kept++] = found[begin + i];
+                }
+            }
+        }
+        found.resize(kept);
+    }
+
+private:
+    static std::vector<expr::Expr> roots_of(const std::vector<PictureLayer>& layers) {
+        std::vector<expr::Expr> roots;
+        for (const PictureLayer& layer : layers) {
+            roots.push_back(layer.hidden);
+        }
+        return roots;
+    }
+
+    program::Program program_;
+    double time_;
+};
+
+}  // namespace
+
+class Locator::Index {
+public:
+    Index(const std::vector<PictureLayer>& layers, const V2d& picture, double time, Axes axes)
+        : axes_(axes) {
+        for (const PictureLayer& layer : layers) {
+            layers_.emplace_back(layer.name, turned(layer.ray, layer.axes, axes), picture, time);
+        }
+        if (std::any_of(layers.begin(), layers.end(),
+                        [](const PictureLayer& layer) { return !layer.hidden.is_constant(0.0); })) {
+            covers_.emplace(layers, time);
+        }
+    }
+
+    [[nodiscard]] Axes axes() const { return axes_; }
+    [[nodiscard]] const std::vector<LayerIndex>& layers() const { return layers_; }
+
+    // Points beyond far_away are looked for there.
+    [[nodiscard]] std::vector<Sighting> locate(std::span<const V3d> points) const {
+        const auto beyond = [](const V3d& p) { return max_coordinate(p) > far_away; };
+        if (std::none_of(points.begin(), points.end(), beyond)) {
+            return locate_near(points);
+        }
+        std::vector<V3d> nearer(points.begin(), points.end());
+        for (V3d& point : nearer) {
+            if (beyond(point)) {
+                point = point / max_coordinate(point) * far_away;
+            }
+        }
+        std::vector<Sighting> found = locate_near(nearer);
+        for (Sighting& sighting : found) {
+            if (beyond(points[sighting.point])) {
+                const double times = max_coordinate(points[sighting.point]) / far_away;
+                sighting.distance *= times;
+                sighting.miss *= times;
+            }
+        }
+        return found;
+    }
+
+private:
+    [[nodiscard]] std::vector<Sighting> locate_near(std::span<const V3d> points) const {
+        if (layers_.size() == 1 && !covers_) {
+            return layers_.front().locate(points);
+        }
+        std::vector<Sighting> all;
+        for (std::size_t number = 0; number < layers_.size(); ++number) {
+            for (Sighting& sighting : layers_[number].locate(points)) {
+                sighting.layer = number;
+                all.push_back(sighting);
+            }
+        }
+        if (covers_) {
+            covers_->remove_hidden(all);
+        }
+        std::stable_sort(all.begin(), all.end(), comes_before);
+        return all;
+    }
+
+    Axes axes_;
+    std::vector<LayerIndex> layers_;
+    std::optional<Covers> covers_;  // None where nothing can hide anything.
+};
+
+Result<Locator> Locator::make(const camera::Picture& picture, double width, double height,
+                              double time, std::optional<Axes> axes) {
+    if (!(width > 0.0 && height > 0.0 && std::isfinite(width) && std::isfinite(height))) {
+        return error(fmt::format("a picture of {} x {} pixels has no places", width, height), {},
+                     "give a positive width and height");
+    }
+    expr::Graph graph;
+    const std::vector<PictureLayer> layers = picture_layers(picture, graph, width, height);
+    const auto differs = [&](const PictureLayer& layer) { return layer.axes != layers[0].axes; };
+    if (!axes && std::any_of(layers.begin(), layers.end(), differs)) {
+        return error(fmt::format("the cameras of picture '{}' have different axes", picture.name()),
+                     {}, "say in which axes the points are: y_up or z_up");
+    }
+    return Locator(std::make_shared<const Index>(layers, V2d(width, height), time,
+                                                 axes.value_or(layers[0].axes)));
+}
+
+Axes Locator::axes() const { return index_->axes(); }
+
+std::vector<std::string> Locator::layers() const {
+    std::vector<std::string> names;
+    for (const LayerIndex& layer : index_->layers()) {
+        names.push_back(layer.name());
+    }
+    return names;
+}
+
+std::vector<Sighting> Locator::locate(const V3d& point) const {
+    return locate(std::span(&point, 1));
+}
+
+std::vector<Sighting> Locator::locate(std::span<const V3d> points) const {
+    return index_->locate(points);
+}
+
+bool Locator::closed_form() const {
+    return std::all_of(index_->layers().begin(), index_->layers().end(),
+                       [](const LayerIndex& layer) { return layer.closed_form(); });
+}
+
+std::size_t Locator::patch_count() const {
+    std::size_t count = 0;
+    for (const LayerIndex& layer : index_->layers()) {
+        count += layer.patch_count();
+    }
+    return count;
+}
+
+}  // namespace balcony::analyse

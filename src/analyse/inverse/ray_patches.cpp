@@ -1,0 +1,372 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "analyse/inverse/ray_patches.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+
+namespace balcony::analyse {
+
+namespace {
+
+constexpr double cells_along_the_longer_side = 96.0;
+// Half sizes under which cells are not divided, in pixels; smooth is said at Shape.
+constexpr double min_half_size = 1.0 / 32.0;
+constexpr double min_smooth_half_size = 1.0;
+constexpr double max_bend = 0.25;
+// Bounds the memory of the patches and of the tree over them to some 50 megabytes.
+constexpr std::size_t max_patches = 1U << 17U;
+// Where a cell is looked at, in half sizes from its middle: near the border, so that a seam cannot
+// hide between two cells, but not on it, where seams of symmetric cameras like to be.
+constexpr double outermost = 0.9;
+// The largest error of Newton's first step from the middle, as a part of the way to the border:
+// each step then brings it nearer by half at least.
+constexpr double max_error = 0.5 * outermost;
+constexpr std::size_t middle = Survey::places / 2;
+
+V2d offset_of(std::size_t place, const V2d& half) {
+    return {outermost * half.x * (static_cast<double>(place % 3) - 1.0),
+            outermost * half.y * (static_cast<double>(place / 3) - 1.0)};
+}
+
+std::vector<Ray> look_at(const PointRays& rays, const std::vector<Survey::Cell>& cells) {
+    constexpr std::size_t cells_a_batch = program::max_points / Survey::places;
+    PointRays::Batch batch(rays);
+    std::vector<Ray> seen;
+    seen.reserve(cells.size() * Survey::places);
+    for (std::size_t begin = 0; begin < cells.size(); begin += cells_a_batch) {
+        const std::size_t count = std::min(cells_a_batch, cells.size() - begin) * Survey::places;
+        for (std::size_t i = 0; i < count; ++i) {
+            const Survey::Cell& cell = cells[begin + i / Survey::places];
+            batch.place(i, cell.center + offset_of(i % Survey::places, cell.half));
+        }
+        batch.run(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            seen.push_back(batch.ray(i));
+        }
+    }
+    return seen;
+}
+
+// A rectangle of the picture, in pixels.
+struct Part {
+    V2d minimum, maximum;
+
+    [[nodiscard]] V2d size() const { return maximum - minimum; }
+    [[nodiscard]] double longer_side() const { return std::max(size().x, size().y); }
+};
+
+// A part whose cells are as small as a pixel is looked at closely enough.
+constexpr double min_part = cells_along_the_longer_side;
+
+Survey look_over(const PointRays& rays, const Part& part) {
+    const V2d whole = part.size();
+    const double size = part.longer_side() / cells_along_the_longer_side;
+    const double columns = std::ceil(whole.x / size - 1e-9);
+    const double rows = std::ceil(whole.y / size - 1e-9);
+    const V2d half(0.5 * whole.x / columns, 0.5 * whole.y / rows);
+    Survey survey;
+    for (double row = 0.0; row < rows; row += 1.0) {
+        for (double column = 0.0; column < columns; column += 1.0) {
+            survey.cells.push_back(
+                {part.minimum + half * V2d(2.0 * column + 1.0, 2.0 * row + 1.0), half});
+        }
+    }
+    survey.rays = look_at(rays, survey.cells);
+    return survey;
+}
+
+// Puts a part round what was known before and the cells with rays of a survey, with one cell more
+// on each side.
+void include_rays(const Survey& survey, std::optional<Part>& part) {
+    for (std::size_t i = 0; i < survey.rays.size(); ++i) {
+        if (!survey.rays[i].valid) {
+            continue;
+        }
+        const Survey::Cell& cell = survey.cells[i / Survey::places];
+        const V2d minimum = cell.center - 3.0 * cell.half;
+        const V2d maximum = cell.center + 3.0 * cell.half;
+        part =
+            !part
+                ? Part{minimum, maximum}
+                : Part{
+                      {std::min(part->minimum.x, minimum.x), std::min(part->minimum.y, minimum.y)},
+                      {std::max(part->maximum.x, maximum.x), std::max(part->maximum.y, maximum.y)}};
+    }
+}
+
+// The part of a picture that has rays. Where a look at the whole finds none, each sixteenth of it
+// is looked at.
+std::optional<Part> part_with_rays(const PointRays& rays, const Survey& whole, const V2d& picture) {
+    std::optional<Part> part;
+    include_rays(whole, part);
+    constexpr int pieces = 4;
+    const V2d piece = picture / double{pieces};
+    for (int i = 0; !whole.any_ray() && i < pieces * pieces; ++i) {
+        const V2d minimum = piece * V2d(i % pieces, i / pieces);
+        include_rays(look_over(rays, {minimum, minimum + piece}), part);
+    }
+    return part;
+}
+
+double extent_of_origins(const std::vector<Ray>& rays) {
+    V3d minimum(0.0);
+    V3d maximum(0.0);
+    bool first = true;
+    for (const Ray& ray : rays) {
+        for (int axis = 0; ray.valid && axis < 3; ++axis) {
+            minimum[axis] = first ? ray.origin[axis] : std::min(minimum[axis], ray.origin[axis]);
+            maximum[axis] = first ? ray.origin[axis] : std::max(maximum[axis], ray.origin[axis]);
+        }
+        first = first && !ray.valid;
+    }
+    return 0.5 * (maximum - minimum).length();
+}
+
+class Divider {
+public:
+    Divider(const PointRays& rays, double extent) : rays_(rays) {
+        // Where origins do not move, one distance is as good as another.
+        distances_ =
+            extent > 0.0 ? std::vector{0.1 * extent, extent, 100.0 * extent} : std::vector{1.0};
+    }
+
+    std::vector<RayPatch> run(Survey survey) {
+        std::vector<Survey::Cell> cells = std::move(survey.cells);
+        std::vector<Ray> rays = std::move(survey.rays);
+        while (!cells.empty()) {
+            std::vector<Survey::Cell> smaller;
+            const bool may_divide = patches_.size() + 2 * cells.size() < max_patches;
+            for (std::size_t i = 0; i < cells.size(); ++i) {
+                judge(cells[i], std::span(rays).subspan(i * Survey::places, Survey::places),
+                      may_divide ? &smaller : nullptr);
+            }
+            cells = std::move(smaller);
+            rays = look_at(rays_, cells);
+        }
+        return std::move(patches_);
+    }
+
+private:
+    using Places = std::span<const Ray>;
+
+    // Keeps a cell as a patch, drops it, or divides it along the axis on which it is less linear.
+    void judge(const Survey::Cell& cell, Places rays, std::vector<Survey::Cell>* smaller) {
+        const auto valid =
+            std::count_if(rays.begin(), rays.end(), [](const Ray& ray) { return ray.valid; });
+        if (valid == 0) {
+            return;
+        }
+        const bool all_valid = valid == Survey::places;
+        const Shape shape = all_valid ? shape_of(cell, rays) : Shape::rough;
+        const double longest = std::max(cell.half.x, cell.half.y);
+        const double minimum = shape == Shape::rough ? min_half_size : min_smooth_half_size;
+        if (shape == Shape::linear || (shape == Shape::smooth && longest <= minimum)) {
+            keep(cell, rays);
+            return;
+        }
+        if (smaller == nullptr || longest <= minimum) {
+            keep_sides(cell, rays);
+            return;
+        }
+        V2d need = cell.half;
+        if (shape == Shape::rough) {
+            need = all_valid ? changes(cell, rays) : validity_changes(rays);
+        }
+        const bool more_along_x =
+            need.x > need.y || (need.x == need.y && cell.half.x > cell.half.y);
+        const bool along_x = cell.half.x > minimum && (more_along_x || cell.half.y <= minimum);
+        const V2d half =
+            along_x ? V2d(0.5 * cell.half.x, cell.half.y) : V2d(cell.half.x, 0.5 * cell.half.y);
+        const V2d shift = along_x ? V2d(half.x, 0.0) : V2d(0.0, half.y);
+        smaller->push_back({cell.center - shift, half});
+        smaller->push_back({cell.center + shift, half});
+    }
+
+    // A step as a part of the cell's half sizes.
+    [[nodiscard]] static double relative(const V2d& step, const Survey::Cell& cell) {
+        return std::max(std::abs(step.x) / cell.half.x, std::abs(step.y) / cell.half.y);
+    }
+
+    // Newton's iteration contracts in a linear cell. In a smooth one it does not, as the rays that
+    // cross somewhere, or a pole, make a derivative vanish; but the rays bend little over the cell.
+    enum class Shape : std::uint8_t { linear, smooth, rough };
+
+    [[nodiscard]] Shape shape_of(const Survey::Cell& cell, Places rays) const {
+        Shape shape = Shape::linear;
+        for (std::size_t place = 0; place < Survey::places; ++place) {
+            for (const double distance : distances_) {
+                if (place == middle || error(cell, rays, place, distance) <= max_error) {
+                    continue;
+                }
+                shape = Shape::smooth;
+                if (!(bend(cell, rays, place, distance) <= max_bend)) {
+                    return Shape::rough;
+                }
+            }
+        }
+        return shape;
+    }
+
+    // What Newton's first step leaves, beside what the derivatives change over the cell.
+    [[nodiscard]] static double bend(const Survey::Cell& cell, Places rays, std::size_t place,
+                                     double distance) {
+        const Approach approach(rays[middle],
+                                rays[place].origin + distance * rays[place].direction);
+        const V3d left = approach.after(offset_of(place, cell.half));
+        const double size = std::max((cell.half.x * approach.by_x).length(),
+                                     (cell.half.y * approach.by_y).length());
+        return approach.distance > 0.0 ? left.length() / size : 1.0;
+    }
+
+    // The error of Newton's first step from the middle to what another place sees at a distance.
+    [[nodiscard]] static double error(const Survey::Cell& cell, Places rays, std::size_t place,
+                                      double distance) {
+        const Approach approach(rays[middle],
+                                rays[place].origin + distance * rays[place].direction);
+        const V3d left = approach.after(offset_of(place, cell.half));
+        return approach.distance > 0.0 ? relative(approach.step_to(left), cell) : 1.0;
+    }
+
+    // By how much derivatives differ between the middle and another place at a distance.
+    [[nodiscard]] static double derivative_change(const Survey::Cell& cell, Places rays,
+                                                  std::size_t place, double distance) {
+        const auto seen_from = [&](const Ray& ray) {
+            return Approach(ray, ray.origin + distance * ray.direction);
+        };
+        const Approach here = seen_from(rays[middle]);
+        const Approach there = seen_from(rays[place]);
+        return std::max(relative(here.step_to(cell.half.x * (there.by_x - here.by_x)), cell),
+                        relative(here.step_to(cell.half.y * (there.by_y - here.by_y)), cell));
+    }
+
+    // By how much rays and derivatives depart from linearity along each axis.
+    [[nodiscard]] V2d changes(const Survey::Cell& cell, Places rays) const {
+        const auto along = [&](std::size_t before, std::size_t behind) {
+            double largest = 0.0;
+            for (const std::size_t place : {before, behind}) {
+                for (const double distance : distances_) {
+                    largest = std::max({largest, error(cell, rays, place, distance),
+                                        derivative_change(cell, rays, place, distance)});
+                }
+            }
+            return largest;
+        };
+        return {along(middle - 1, middle + 1), along(middle - 3, middle + 3)};
+    }
+
+    // How often validity changes along each axis.
+    [[nodiscard]] static V2d validity_changes(Places rays) {
+        V2d changes(0.0);
+        for (std::size_t i = 0; i < Survey::places; ++i) {
+            if (i % 3 != 2 && rays[i].valid != rays[i + 1].valid) {
+                changes.x += 1.0;
+            }
+            if (i / 3 != 2 && rays[i].valid != rays[i + 3].valid) {
+                changes.y += 1.0;
+            }
+        }
+        return changes;
+    }
+
+    // How far a place's ray is from where the patch's derivatives put it: origin and direction.
+    static std::array<double, 2> departure(const RayPatch& patch, const V2d& at, const Ray& ray) {
+        const V2d by = at - patch.center;
+        const Ray& from = patch.ray;
+        const V3d origin = from.origin + by.x * from.origin_by_x + by.y * from.origin_by_y;
+        const V3d direction =
+            from.direction + by.x * from.direction_by_x + by.y * from.direction_by_y;
+        return {(ray.origin - origin).length(), (ray.direction - direction).length()};
+    }
+
+    // How far origins move over a cell along the ray, times how far directions turn.
+    static double shear(const Ray& ray, const V2d& half) {
+        const double along = std::abs(half.x * ray.origin_by_x.dot(ray.direction)) +
+                             std::abs(half.y * ray.origin_by_y.dot(ray.direction));
+        return along *
+               ((half.x * ray.direction_by_x).length() + (half.y * ray.direction_by_y).length());
+    }
+
+    // Bends grow with the square of the way from the middle.
+    void keep(const Survey::Cell& cell, Places rays) {
+        constexpr double to_the_border = 1.0 / (outermost * outermost);
+        RayPatch patch{cell.center, cell.half, rays[middle]};
+        patch.shear = shear(patch.ray, patch.half);
+        for (std::size_t place = 0; place < Survey::places; ++place) {
+            const auto [origin, direction] =
+                departure(patch, cell.center + offset_of(place, cell.half), rays[place]);
+            patch.origin_bend = std::max(patch.origin_bend, origin * to_the_border);
+            patch.direction_bend = std::max(patch.direction_bend, direction * to_the_border);
+        }
+        patches_.push_back(patch);
+    }
+
+    // For a cell that could not be divided further, across a seam perhaps: a patch around its
+    // middle, with bends as large as what the derivatives say changes over the cell, and others
+    // around places that those before do not explain.
+    void keep_sides(const Survey::Cell& cell, Places rays) {
+        const std::size_t first = patches_.size();
+        for (std::size_t i = 0; i < Survey::places; ++i) {
+            const std::size_t place = (middle + i) % Survey::places;
+            const Ray& ray = rays[place];
+            const V2d at = cell.center + offset_of(place, cell.half);
+            const auto explains = [&](const RayPatch& patch) {
+                const auto [origin, direction] = departure(patch, at, ray);
+                return origin <= patch.origin_bend && direction <= patch.direction_bend;
+            };
+            if (!ray.valid || std::any_of(patches_.begin() + static_cast<std::ptrdiff_t>(first),
+                                          patches_.end(), explains)) {
+                continue;
+            }
+            RayPatch patch{at, cell.half, ray};
+            patch.origin_bend =
+                (cell.half.x * ray.origin_by_x).length() + (cell.half.y * ray.origin_by_y).length();
+            patch.direction_bend = (cell.half.x * ray.direction_by_x).length() +
+                                   (cell.half.y * ray.direction_by_y).length();
+            patches_.push_back(patch);
+        }
+    }
+
+    const PointRays& rays_;
+    std::vector<double> distances_;
+    std::vector<RayPatch> patches_;
+};
+
+}  // namespace
+
+bool Survey::any_ray() const {
+    return std::any_of(rays.begin(), rays.end(), [](const Ray& ray) { return ray.valid; });
+}
+
+V2d Survey::place(std::size_t index) const {
+    const Cell& cell = cells[index / places];
+    return cell.center + offset_of(index % places, cell.half);
+}
+
+// An inset may be a small part of the picture, so a small part that has all rays is looked at anew.
+Survey survey(const PointRays& rays, const V2d& picture) {
+    Part part{{0.0, 0.0}, picture};
+    Survey survey = look_over(rays, part);
+    std::optional<Part> used = part_with_rays(rays, survey, picture);
+    while (used && used->longer_side() < 0.5 * part.longer_side() &&
+           part.longer_side() > min_part) {
+        part = {{std::max(used->minimum.x, 0.0), std::max(used->minimum.y, 0.0)},
+                {std::min(used->maximum.x, picture.x), std::min(used->maximum.y, picture.y)}};
+        survey = look_over(rays, part);
+        used.reset();
+        include_rays(survey, used);
+    }
+    survey.extent = extent_of_origins(survey.rays);
+    return survey;
+}
+
+std::vector<RayPatch> divide(const PointRays& rays, Survey survey) {
+    const double extent = survey.extent;
+    return Divider(rays, extent).run(std::move(survey));
+}
+
+}  // namespace balcony::analyse

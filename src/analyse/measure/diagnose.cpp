@@ -1,0 +1,138 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "balcony/diagnose.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Imath/ImathBox.h>
+
+#include "analyse/measure/findings.hpp"
+#include "analyse/measure/jacobian.hpp"
+
+namespace balcony::analyse {
+
+namespace {
+
+constexpr double pixels_per_degree = std::numbers::pi / 180.0;
+
+// The finest grid of whole steps within the bound, at most a sample a pixel.
+SampleGrid choose_grid(const DiagnoseSettings& settings) {
+    const double maximum = std::max(static_cast<double>(settings.max_samples), 1.0);
+    const double step =
+        std::max(std::ceil(std::sqrt(settings.width * settings.height / maximum) - 1e-9), 1.0);
+    return SampleGrid::over(settings.width, settings.height, step);
+}
+
+Imath::Box3d box_of_origins(const std::vector<Ray>& rays) {
+    Imath::Box3d box;
+    for (const Ray& ray : rays) {
+        if (ray.valid) {
+            box.extendBy(ray.origin);
+        }
+    }
+    return box;
+}
+
+void measure_origins(const std::vector<Ray>& rays, const DiagnoseSettings& settings,
+                     Report& report) {
+    const Imath::Box3d box = box_of_origins(rays);
+    if (!box.isEmpty()) {
+        const double size = std::max(box.min.length(), box.max.length());
+        report.origin_extent = box.size().length();
+        report.single_viewpoint = report.origin_extent <= 1e-9 * (1.0 + size);
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            report.samples[i].origin_distance =
+                rays[i].valid ? (rays[i].origin - box.center()).length() : 0.0;
+        }
+    }
+    report.distance = settings.distance;
+    if (!report.distance && !report.single_viewpoint) {
+        report.distance = 0.25 * report.origin_extent;
+    }
+}
+
+void measure(const Ray& ray, const std::optional<double>& distance, Sample& sample) {
+    sample.valid = ray.valid;
+    if (!ray.valid) {
+        return;
+    }
+    const Jacobian map = jacobian(ray, distance);
+    sample.singular = !map.regular();
+    if (!sample.singular) {
+        const double area = map.maximum * std::abs(map.minimum);
+        sample.magnification = (distance ? 1.0 : pixels_per_degree) / std::sqrt(area);
+        sample.anisotropy = map.maximum / std::abs(map.minimum);
+        sample.orientation = map.minimum > 0.0 ? 1 : -1;
+    }
+}
+
+std::optional<Statistics> statistics(const Report& report, const std::vector<Ray>& rays,
+                                     double Sample::*value) {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < report.samples.size(); ++i) {
+        if (report.samples[i].valid && !report.samples[i].singular) {
+            order.push_back(i);
+        }
+    }
+    if (order.empty()) {
+        return std::nullopt;
+    }
+    const auto less = [&](std::size_t a, std::size_t b) {
+        return report.samples[a].*value < report.samples[b].*value;
+    };
+    const auto place = [&](std::size_t i) { return Place{report.grid.at(i), rays[i].parameters}; };
+    const auto [minimum, maximum] = std::minmax_element(order.begin(), order.end(), less);
+    const std::size_t min_at = *minimum;
+    const std::size_t max_at = *maximum;
+    const auto middle = order.begin() + static_cast<std::ptrdiff_t>(order.size() / 2);
+    std::nth_element(order.begin(), middle, order.end(), less);
+    return Statistics{report.samples[min_at].*value, report.samples[*middle].*value,
+                      report.samples[max_at].*value, place(min_at), place(max_at)};
+}
+
+}  // namespace
+
+bool Report::has_defects() const {
+    return std::any_of(findings.begin(), findings.end(), [](const Finding& f) { return f.defect; });
+}
+
+Report diagnose(const camera::Camera& camera, const DiagnoseSettings& settings) {
+    using Derivatives = RayProgram::Derivatives;
+    Report report;
+    report.camera = camera.name();
+    report.grid = choose_grid(settings);
+    RayProgram differentiated(camera, settings.width, settings.height, settings.time,
+                              Derivatives::with);
+    RayProgram plain(camera, settings.width, settings.height, settings.time, Derivatives::without);
+    const std::vector<Ray> rays = differentiated.run(report.grid);
+
+    report.samples.resize(rays.size());
+    measure_origins(rays, settings, report);
+    std::size_t valid = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        measure(rays[i], report.distance, report.samples[i]);
+        valid += rays[i].valid ? 1U : 0U;
+    }
+    report.valid_share = static_cast<double>(valid) / static_cast<double>(rays.size());
+    report.magnification = statistics(report, rays, &Sample::magnification);
+    report.anisotropy = statistics(report, rays, &Sample::anisotropy);
+
+    const double unit = report.distance.value_or(0.0) > 0.0 ? *report.distance : 1.0;
+    const std::vector<Crossing> crossings = find_crossings(report.grid, rays, plain, unit);
+    for (const Crossing& crossing : crossings) {
+        report.samples[crossing.sample].seam = true;
+        report.samples[crossing.sample + (crossing.along_x ? 1 : report.grid.columns)].seam = true;
+    }
+    const Repeats repeats = find_repeats(report.grid, rays, plain, report.distance, unit);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        report.samples[i].views = repeats.views[i];
+    }
+    const Turns turns = count_turns(camera, settings.width, settings.height, settings.time);
+    report.findings = find_all({report, rays, crossings, repeats, turns, plain});
+    return report;
+}
+
+}  // namespace balcony::analyse

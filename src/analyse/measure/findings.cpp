@@ -1,0 +1,361 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "analyse/measure/findings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "analyse/measure/jacobian.hpp"
+#include "analyse/measure/regions.hpp"
+
+namespace balcony::analyse {
+
+namespace {
+
+// Less than this may come about where the picture only just grazes something.
+constexpr double negligible_share = 0.001;
+// Of so few samples neither sign nor size are sure.
+constexpr std::size_t fewest_samples = 4;
+
+// A map that goes round more often is rarely meant so. A field of view of 30 in radians does.
+constexpr double max_turns = 4.0;
+
+constexpr std::array<std::string_view, 6> kind_names = {"no_ray", "fold",     "mirrored",
+                                                        "seam",   "singular", "repeated"};
+
+std::string percent(double share) {
+    return share > 0.0 && share < 0.001 ? "less than 0.1 %"
+                                        : fmt::format("{:.3g} %", 100.0 * share);
+}
+
+std::string in_regions(std::size_t count) {
+    return count == 1 ? "in one region" : fmt::format("in {} regions", count);
+}
+
+/// Looks through the evidence, one kind after another.
+class Finder {
+public:
+    explicit Finder(const Evidence& evidence)
+        : evidence_(evidence), report_(evidence.report), grid_(evidence.report.grid) {
+        for (const Crossing& crossing : evidence.crossings) {
+            cuts_.insert(
+                {crossing.sample, crossing.sample + (crossing.along_x ? 1 : grid_.columns)});
+        }
+    }
+
+    std::vector<Finding> operator()() {
+        find_many_turns();
+        find_no_ray();
+        find_orientation();
+        find_seams();
+        find_singular();
+        find_repeated();
+        std::stable_sort(found_.begin(), found_.end(),
+                         [](const Finding& a, const Finding& b) { return a.defect && !b.defect; });
+        return std::move(found_);
+    }
+
+private:
+    [[nodiscard]] Place place(std::size_t sample) const {
+        return {grid_.at(sample), evidence_.rays[sample].parameters};
+    }
+
+    [[nodiscard]] Place place(const V2d& point) const {
+        return {point, evidence_.program.at(point).parameters};
+    }
+
+    [[nodiscard]] double share(std::size_t samples) const {
+        return static_cast<double>(samples) / static_cast<double>(grid_.size());
+    }
+
+    [[nodiscard]] std::vector<Region> regions(const SampleTest& inside) const {
+        return find_regions(grid_, inside, [this](std::size_t a, std::size_t b) {
+            return !cuts_.contains({std::min(a, b), std::max(a, b)});
+        });
+    }
+
+    [[nodiscard]] double share(const std::vector<Region>& regions) const {
+        std::size_t samples = 0;
+        for (const Region& region : regions) {
+            samples += region.samples.size();
+        }
+        return share(samples);
+    }
+
+    Finding& add(FindingKind kind, const std::vector<Region>& regions) {
+        Finding finding;
+        finding.kind = kind;
+        finding.count = regions.size();
+        finding.share = share(regions);
+        finding.place = place(regions.front().middle);
+        return found_.emplace_back(std::move(finding));
+    }
+
+    [[nodiscard]] bool goes_round_often() const {
+        return std::max(evidence_.turns.u, evidence_.turns.v) > max_turns;
+    }
+
+    void find_many_turns() {
+        const auto all = regions([this](std::size_t i) { return report_.samples[i].valid; });
+        if (!goes_round_often() || all.empty()) {
+            return;
+        }
+        const auto round = [](char name, double turns) {
+            return turns > max_turns ? fmt::format("{} goes round {:.3g} times", name, turns) : "";
+        };
+        const std::string u = round('u', evidence_.turns.u);
+        const std::string v = round('v', evidence_.turns.v);
+        Finding& finding = add(FindingKind::repeated, all);
+        finding.message = fmt::format("{}{}{}", u, u.empty() || v.empty() ? "" : " and ", v);
+        finding.remedy =
+            "a number without a unit is an angle in radians; if degrees are meant, write deg "
+            "behind "
+            "it: a whole turn is 360deg";
+    }
+
+    void find_no_ray() {
+        const auto none = regions([this](std::size_t i) { return !report_.samples[i].valid; });
+        if (none.empty()) {
+            return;
+        }
+        Finding& finding = add(FindingKind::no_ray, none);
+        finding.message = report_.valid_share == 0.0
+                              ? "no point of the picture has a ray"
+                              : fmt::format("{} of the picture has no ray, {}",
+                                            percent(finding.share), in_regions(none.size()));
+        finding.remedy =
+            "if that is not meant, let map cover only what the objects and formulas are defined "
+            "for";
+    }
+
+    [[nodiscard]] std::size_t count_orientation(int orientation) const {
+        return static_cast<std::size_t>(
+            std::count_if(report_.samples.begin(), report_.samples.end(),
+                          [=](const Sample& s) { return s.orientation == orientation; }));
+    }
+
+    // Whether things go over into their mirror image somewhere at the border of a region: at the
+    // very next sample, or at the one after if the next is singular.
+    [[nodiscard]] std::optional<std::size_t> turn_at(const Region& region) const {
+        const int own = report_.samples[region.samples.front()].orientation;
+        for (const std::size_t sample : region.samples) {
+            for (const std::size_t next : neighbours(grid_, sample)) {
+                if (cuts_.contains({std::min(sample, next), std::max(sample, next)})) {
+                    continue;
+                }
+                if (report_.samples[next].orientation == -own) {
+                    return next;
+                }
+                const std::size_t beyond = next + next - sample;
+                if (report_.samples[next].singular && beyond < grid_.size() &&
+                    report_.samples[beyond].orientation == -own) {
+                    return beyond;
+                }
+            }
+        }
+        return std::nullopt;
+    }
+
+    void find_orientation() {
+        const bool mostly_mirrored = count_orientation(-1) > count_orientation(1);
+        const int minority = mostly_mirrored ? 1 : -1;
+        std::vector<Region> folded;
+        std::vector<Region> parts;
+        std::optional<std::size_t> across;
+        for (Region& region :
+             regions([&](std::size_t i) { return report_.samples[i].orientation == minority; })) {
+            if (region.samples.size() < fewest_samples) {
+                continue;
+            }
+            const auto turn = turn_at(region);
+            across = across ? across : turn;
+            (turn ? folded : parts).push_back(std::move(region));
+        }
+        if (!folded.empty()) {
+            Finding& finding = add(FindingKind::fold, folded);
+            finding.other = place(*across);
+            finding.message = fmt::format(
+                "the picture folds over: {} of it, {}, is turned round "
+                "against what is beside it",
+                percent(finding.share), in_regions(folded.size()));
+            finding.remedy =
+                "if that is not meant, make the warp or the move there weaker or wider (a zoom "
+                "folds where its strength is below 32/81)";
+        }
+        if (!parts.empty() && !mostly_mirrored) {
+            Finding& finding = add(FindingKind::mirrored, parts);
+            finding.defect = false;
+            finding.message = fmt::format("{} of the picture, {}, is mirrored",
+                                          percent(finding.share), in_regions(parts.size()));
+            finding.remedy = "if that is not meant, exchange the ends of u or of v there";
+        }
+        if (mostly_mirrored) {
+            add_all_mirrored();
+        }
+    }
+
+    void add_all_mirrored() {
+        Finding& finding =
+            add(FindingKind::mirrored,
+                regions([this](std::size_t i) { return report_.samples[i].orientation == -1; }));
+        finding.defect = false;
+        const bool whole = count_orientation(1) == 0;
+        finding.message =
+            whole ? "the picture is mirrored"
+                  : fmt::format("most of the picture, {}, is mirrored", percent(finding.share));
+        finding.remedy = "if that is not meant, exchange the ends of u or of v in map";
+        if (report_.distance && !report_.single_viewpoint && crosses_before()) {
+            finding.message += fmt::format(" at a distance of {:.4g}, behind where its rays cross",
+                                           *report_.distance);
+            finding.remedy = "what is nearer is not mirrored; --distance says where to measure";
+        }
+    }
+
+    // Whether most rays that are mirrored where the camera is measured are not right before it.
+    [[nodiscard]] bool crosses_before() const {
+        constexpr double right_before = 1e-3;
+        std::size_t turned = 0;
+        for (std::size_t i = 0; i < grid_.size(); ++i) {
+            if (report_.samples[i].orientation == -1 &&
+                jacobian(evidence_.rays[i], right_before * *report_.distance).minimum > 0.0) {
+                ++turned;
+            }
+        }
+        return 2 * turned > count_orientation(-1);
+    }
+
+    void find_seams() {
+        constexpr std::size_t max_single = 8;
+        const std::vector<Seam> seams = join_seams(grid_, evidence_.crossings);
+        for (std::size_t i = 0; i < std::min(seams.size(), max_single); ++i) {
+            Finding& finding = add_seam(seams[i]);
+            finding.count = 1;
+            finding.length = seams[i].length;
+        }
+        if (seams.size() > max_single) {
+            Finding& finding = add_seam(seams[max_single]);
+            finding.count = seams.size() - max_single;
+            for (std::size_t i = max_single; i < seams.size(); ++i) {
+                finding.length += seams[i].length;
+            }
+            finding.message = fmt::format("rays jump along {} more lines, together {:.0f} pixels",
+                                          finding.count, finding.length);
+        }
+    }
+
+    Finding& add_seam(const Seam& seam) {
+        Finding finding;
+        finding.kind = FindingKind::seam;
+        finding.place = place(seam.crossings[seam.crossings.size() / 2].point);
+        double angle = 0.0;
+        double distance = 0.0;
+        for (const Crossing& crossing : seam.crossings) {
+            angle = std::max(angle, crossing.angle);
+            distance = std::max(distance, crossing.distance);
+        }
+        const std::string turn =
+            fmt::format("directions by up to {:.3g} deg", angle * 180.0 / std::numbers::pi);
+        const std::string shift = fmt::format("origins by up to {:.3g}", distance);
+        const bool both = angle > 1e-6 && distance > 1e-6 * report_.origin_extent;
+        finding.message = fmt::format("rays jump along a line of {:.0f} pixels, {}{}{}",
+                                      seam.length, angle > 1e-6 ? turn : "", both ? ", " : "",
+                                      both || angle <= 1e-6 ? shift : "");
+        finding.remedy =
+            "if that is not meant, look for what jumps there: if(), floor(), mod(), an angle that "
+            "wraps round";
+        return found_.emplace_back(std::move(finding));
+    }
+
+    void find_singular() {
+        const auto singular =
+            regions([this](std::size_t i) { return report_.samples[i].singular; });
+        if (singular.empty()) {
+            return;
+        }
+        Finding& finding = add(FindingKind::singular, singular);
+        finding.defect = finding.share > negligible_share;
+        finding.message = fmt::format(
+            "in {} of the picture, {}, rays do not change from pixel to pixel in some direction, "
+            "or change without bound",
+            percent(finding.share), in_regions(singular.size()));
+        finding.remedy =
+            all_in_one_plane()
+                ? "every ray lies in the plane it starts from: if that is not meant, move the eye "
+                  "out of the plane of the direction object, or that away from the eye"
+                : "if that is not meant, look for a u or v that the objects make no use of, or for "
+                  "a parametrisation that stands still there";
+    }
+
+    // Whether all rays lie in one plane although they change with both picture x and picture y.
+    [[nodiscard]] bool all_in_one_plane() const {
+        constexpr double tolerance = 1e-9;
+        const double size = 1.0 + report_.origin_extent;
+        const Ray* first = nullptr;
+        V3d normal(0.0);
+        bool by_x = false;
+        bool by_y = false;
+        const auto widen = [&](const V3d& vector) {
+            const V3d found = first->direction.cross(vector);
+            normal = found.length2() > normal.length2() ? found : normal;
+        };
+        for (const Ray& ray : evidence_.rays) {
+            if (!ray.valid) {
+                continue;
+            }
+            first = first == nullptr ? &ray : first;
+            widen(ray.direction);
+            widen((ray.origin - first->origin) / size);
+            by_x = by_x || ray.origin_by_x.length() + ray.direction_by_x.length() > tolerance;
+            by_y = by_y || ray.origin_by_y.length() + ray.direction_by_y.length() > tolerance;
+        }
+        if (!(by_x && by_y && normal.length() > tolerance)) {
+            return false;
+        }
+        normal.normalize();
+        return std::all_of(evidence_.rays.begin(), evidence_.rays.end(), [&](const Ray& ray) {
+            return !ray.valid ||
+                   (std::abs(normal.dot(ray.direction)) <= tolerance &&
+                    std::abs(normal.dot(ray.origin - first->origin)) <= tolerance * size);
+        });
+    }
+
+    void find_repeated() {
+        const auto repeated =
+            regions([this](std::size_t i) { return report_.samples[i].views > 1; });
+        if (repeated.empty() || goes_round_often()) {
+            return;
+        }
+        int maximum = 0;
+        for (const Sample& sample : report_.samples) {
+            maximum = std::max(maximum, int{sample.views});
+        }
+        Finding& finding = add(FindingKind::repeated, repeated);
+        finding.defect = finding.share > negligible_share;
+        finding.other = place(evidence_.repeats.other[repeated.front().middle]);
+        finding.message = fmt::format(
+            "{} of the picture shows what another part shows too, up to "
+            "{} times in all",
+            percent(finding.share), maximum);
+        finding.remedy = "if that is not meant, let map cover less: a whole turn is 360deg";
+    }
+
+    const Evidence& evidence_;
+    const Report& report_;
+    const SampleGrid& grid_;
+    std::set<std::pair<std::size_t, std::size_t>> cuts_;
+    std::vector<Finding> found_;
+};
+
+}  // namespace
+
+std::string_view name_of(FindingKind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
+
+std::vector<Finding> find_all(const Evidence& evidence) { return Finder(evidence)(); }
+
+}  // namespace balcony::analyse

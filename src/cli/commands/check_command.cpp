@@ -1,0 +1,411 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "balcony/lang.hpp"
+#include "balcony/png_file.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/options/camera_argument.hpp"
+#include "cli/options/check_subjects.hpp"
+#include "cli/options/option_values.hpp"
+#include "cli/options/render_options.hpp"
+#include "cli/options/scene_argument.hpp"
+#include "cli/report/check_report.hpp"
+#include "cli/report/json.hpp"
+#include "cli/report/report.hpp"
+
+namespace balcony::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CheckOptions {
+    std::vector<std::string> cameras;
+    std::vector<std::string> set;
+    std::string scene;
+    std::string size;
+    std::string layer;
+    std::string time = "0";
+    std::string distance = "auto";
+    std::vector<std::pair<std::string, std::string>> maps;
+    bool strict = false;
+    bool json = false;
+};
+
+/// A picture in false colours that is asked for.
+struct Map {
+    analyse::MapKind kind;
+    fs::path file;
+};
+
+/// The options as they are meant.
+struct CheckRequest {
+    SubjectRequest cameras;
+    std::optional<double> distance;
+    std::vector<Map> maps;
+};
+
+std::string names_of_maps() {
+    std::string names;
+    for (const analyse::MapDescription& row : analyse::map_kinds()) {
+        names += (names.empty() ? "" : ", ") + std::string(row.name);
+    }
+    return names;
+}
+
+Map read_map(const std::string& name, const std::string& file, Diagnostics& said) {
+    const auto kind = analyse::find_map_kind(name);
+    if (!kind) {
+        std::vector<std::string> known;
+        for (const analyse::MapDescription& row : analyse::map_kinds()) {
+            known.emplace_back(row.name);
+        }
+        const auto nearest = nearest_name(name, known);
+        refuse(said, "--map", name,
+               nearest ? fmt::format("did you mean '{}'?", *nearest) : "write " + names_of_maps());
+    }
+    if (ending_of(file) != ".png") {
+        said.push_back(
+            error(fmt::format("'{}' cannot be a map", file), {}, "name a file that ends in .png"));
+    }
+    return {kind.value_or(analyse::MapKind::magnification), file};
+}
+
+// Whether two names, which need not be there yet, lead to one place, as a.png and ./a.png do.
+bool lead_to_one_file(const fs::path& a, const fs::path& b) {
+    std::error_code failed;
+    const fs::path place = fs::weakly_canonical(fs::absolute(a, failed), failed);
+    return !failed && place == fs::weakly_canonical(fs::absolute(b, failed), failed);
+}
+
+CheckRequest read_request(const CheckOptions& options, Diagnostics& said) {
+    constexpr double largest = 1e12;
+    CheckRequest request;
+    request.cameras.set = options.set;
+    request.cameras.layer = options.layer;
+    request.cameras.size = read_size(options.size, said);
+    request.cameras.time =
+        read_number("--time", options.time, -largest, largest, "give a number", said);
+    if (options.distance != "auto") {
+        request.distance = read_number("--distance", options.distance, 1e-12, largest,
+                                       "give auto, or a distance above 0 in scene units", said);
+    }
+    for (const auto& [name, file] : options.maps) {
+        for (const Map& other : request.maps) {
+            if (lead_to_one_file(other.file, file)) {
+                said.push_back(error(fmt::format("two maps cannot be in one file '{}'", file), {},
+                                     "name a file for each"));
+            }
+        }
+        request.maps.push_back(read_map(name, file, said));
+        for (const std::string& camera : options.cameras) {
+            std::error_code failed;
+            if (fs::equivalent(file, camera_file(camera), failed) && !failed) {
+                said.push_back(error(fmt::format("'{}' would be overwritten", file), {},
+                                     "name another file for the map"));
+            }
+        }
+    }
+    return request;
+}
+
+std::size_t count_pictures(const std::vector<lang::Description>& all) {
+    return static_cast<std::size_t>(
+        std::count_if(all.begin(), all.end(), [](const auto& one) { return one.is_picture; }));
+}
+
+/// One run of the command: what it says to people or to programs grows as it goes.
+class Run {
+public:
+    Run(const CheckOptions& options, CheckRequest request)
+        : options_(options), request_(std::move(request)) {}
+
+    ExitCode operator()() {
+        if (!options_.scene.empty()) {
+            read_scene();
+        }
+        if (code_ == ExitCode::done) {
+            for (const std::string& camera : options_.cameras) {
+                check_file(camera);
+            }
+        }
+        if (options_.json) {
+            print_json({{"files", files_}, {"diagnostics", to_json(said_)}});
+        }
+        return code_;
+    }
+
+private:
+    // To people at once, to programs in the end.
+    void say(const Diagnostics& said) {
+        said_.insert(said_.end(), said.begin(), said.end());
+        if (!options_.json) {
+            report(said);
+        }
+        if (has_errors(said) && code_ == ExitCode::done) {
+            code_ = ExitCode::bad_input;
+        }
+    }
+
+    void tell(const std::string& text) const {
+        if (!options_.json) {
+            print_result(text);
+        }
+    }
+
+    void read_scene() {
+        Result<scene::Scene> loaded = load_scene(options_.scene);
+        say(loaded.diagnostics);
+        scene_ = std::move(loaded.value);
+        if (scene_) {
+            keep_textures(*scene_);
+        }
+    }
+
+    void keep_textures(const scene::Scene& scene) {
+        for (const Map& map : request_.maps) {
+            for (const scene::Texture& texture : scene.textures) {
+                std::error_code failed;
+                if (fs::equivalent(texture.file, map.file, failed) && !failed) {
+                    say({error(fmt::format("'{}' is part of the scene and would be overwritten",
+                                           map.file.string()),
+                               {}, "name another file for the map")});
+                    return;
+                }
+            }
+        }
+    }
+
+    void check_file(const std::string& argument) {
+        const std::string file = camera_file(argument).string();
+        const Diagnostics said = lang::check(file);
+        say(said);
+        // Of a good file it can still be wrong what was asked of it.
+        const auto subjects = has_errors(said) ? Result<std::vector<CheckSubject>>(said)
+                                               : check_subjects(argument, request_.cameras);
+        if (!has_errors(said) && !subjects) {
+            say(subjects.diagnostics);
+        }
+        const auto cameras = lang::describe(file);
+        const std::size_t pictures = cameras ? count_pictures(*cameras) : 0;
+        const std::size_t count = cameras ? cameras->size() - pictures : 0;
+        nlohmann::json entry{{"file", file},
+                             {"cameras", count},
+                             {"pictures", pictures},
+                             {"good", static_cast<bool>(subjects)},
+                             {"reports", nlohmann::json::array()}};
+        if (subjects) {
+            tell(fmt::format("{}: {}{}, no errors\n", printable(file),
+                             counted(count, "camera", "cameras"),
+                             pictures > 0 ? ", " + counted(pictures, "picture", "pictures") : ""));
+            for (const CheckSubject& subject : *subjects) {
+                check_camera(subject, entry["reports"]);
+            }
+        }
+        files_.push_back(std::move(entry));
+    }
+
+    void check_camera(const CheckSubject& subject, nlohmann::json& reports) {
+        analyse::DiagnoseSettings settings;
+        settings.width = subject.width;
+        settings.height = subject.height;
+        settings.time = request_.cameras.time;
+        settings.distance = request_.distance;
+        CameraCheck check;
+        check.by_itself = subject.by_itself;
+        check.layers = subject.layers;
+        if (scene_) {
+            const Result<render::Probe> probe = look_at(*scene_, subject);
+            if (!probe) {
+                say(probe.diagnostics);
+                return;
+            }
+            check.in_scene = in_scene(*scene_, *probe);
+            scene_distance_ = probe->median_distance;
+        }
+        check.report = analyse::diagnose(subject.camera, settings);
+        if (scene_distance_ && !settings.distance && !check.report.single_viewpoint) {
+            settings.distance = scene_distance_;
+            check.report = analyse::diagnose(subject.camera, settings);
+        }
+        finish(check, reports);
+    }
+
+    // With rays a pixel apart at most; in a very large picture further, so that it comes to an end.
+    [[nodiscard]] Result<render::Probe> look_at(const scene::Scene& scene,
+                                                const CheckSubject& subject) const {
+        constexpr double max_pixels = 16e6;
+        const double scale = std::max(1.0, std::sqrt(subject.width * subject.height / max_pixels));
+        const auto scaled = [scale](double side) {
+            return static_cast<std::size_t>(std::max(1.0, std::round(side / scale)));
+        };
+        const std::size_t width = scaled(subject.width);
+        const std::size_t height = scaled(subject.height);
+        Result<render::Probe> probe =
+            render::probe(scene, subject.camera,
+                          {.width = width, .height = height, .time = request_.cameras.time});
+        if (probe) {
+            for (render::ObjectSight& sight : probe->objects) {
+                sight.inside_at.x *= subject.width / static_cast<double>(width);
+                sight.inside_at.y *= subject.height / static_cast<double>(height);
+            }
+        }
+        return probe;
+    }
+
+    void finish(const CameraCheck& check, nlohmann::json& reports) {
+        reports.push_back(check_json(check));
+        tell(check_text(check));
+        for (const Map& map : request_.maps) {
+            write_map(check.report, map);
+        }
+        if (options_.strict && check.defect_count() > 0) {
+            say({error(fmt::format("camera '{}' has {}, and --strict allows none", check.title(),
+                                   counted(check.defect_count(), "defect", "defects")))});
+        }
+    }
+
+    void write_map(const analyse::Report& report, const Map& map) {
+        // Before a large picture is made in vain.
+        const Diagnostics refused = render::check_output(map.file);
+        if (has_errors(refused)) {
+            code_ = ExitCode::environment;
+            say(refused);
+            return;
+        }
+        const Image image = analyse::false_color(report, map.kind);
+        const Diagnostics said =
+            render::write_png(image.samples, {image.width, image.height, 3}, map.file);
+        if (has_errors(said)) {
+            code_ = ExitCode::environment;
+        }
+        say(said);
+        if (!has_errors(said)) {
+            tell(line_of_map(map));
+        }
+    }
+
+    static std::string line_of_map(const Map& map) {
+        return fmt::format("  {:<14} {}\n", "map", printable(map.file.string()));
+    }
+
+    const CheckOptions& options_;
+    CheckRequest request_;
+    std::optional<scene::Scene> scene_;
+    std::optional<double> scene_distance_;
+    ExitCode code_ = ExitCode::done;
+    Diagnostics said_;
+    nlohmann::json files_ = nlohmann::json::array();
+};
+
+// A map shows one camera. What else is wrong is found when the cameras are looked at.
+void check_one_camera(const CheckOptions& options, const SubjectRequest& request,
+                      Diagnostics& said) {
+    const std::string& first = options.cameras.front();
+    const auto subjects = check_subjects(first, request);
+    if (options.cameras.size() == 1 && (!subjects || subjects->size() == 1)) {
+        return;
+    }
+    std::vector<std::string> choice;
+    for (std::size_t i = 0; subjects && i < subjects->size(); ++i) {
+        const CheckSubject& subject = (*subjects)[i];
+        for (const CameraCheck::Layer& layer : subject.layers) {
+            choice.push_back(fmt::format("{} for {}", layer.number, subject.camera.name()));
+        }
+    }
+    const std::string file = camera_file(first).string();
+    const bool of_picture = options.cameras.size() == 1 && first != file;
+    said.push_back(error("--map shows one camera, here are several", {},
+                         of_picture
+                             ? fmt::format("choose one with --layer: {}", fmt::join(choice, ", "))
+                             : fmt::format("name it: {}:NAME", file)));
+}
+
+ExitCode check_command(const CheckOptions& options) {
+    Diagnostics said;
+    CheckRequest request = read_request(options, said);
+    if (!options.layer.empty() && options.cameras.size() > 1) {
+        said.push_back(
+            error("--layer is of one picture, here are several files", {}, "name the picture"));
+    }
+    if (!request.maps.empty() && !has_errors(said)) {
+        check_one_camera(options, request.cameras, said);
+    }
+    if (has_errors(said)) {
+        if (options.json) {
+            print_json(nlohmann::json::object({{"diagnostics", to_json(said)}}));
+        } else {
+            report(said);
+        }
+        return ExitCode::wrong_usage;
+    }
+    return Run(options, std::move(request))();
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& app, ExitCode& code) {
+    auto* command = app.add_subcommand(
+        "check", "says what is wrong with camera files, and what their pictures will be like");
+    command->group("Commands");
+    const auto options = std::make_shared<CheckOptions>();
+    command
+        ->add_option("FILE", options->cameras,
+                     "camera files or one of their cameras or pictures, FILE:NAME, or cameras of "
+                     "'balcony list cameras'")
+        ->required()
+        ->take_all();
+    add_set_option(*command, options->set);
+    command->add_option("--time", options->time, "the t of the cameras' formulas")
+        ->type_name("T")
+        ->capture_default_str();
+    command
+        ->add_option("--scene", options->scene,
+                     "a scene: says which of its objects are never seen, and which rays start "
+                     "inside one")
+        ->type_name("SCENE");
+    command
+        ->add_option("--size", options->size,
+                     "of the picture whose pixels are meant (default: about a million, in the "
+                     "camera's proportion)")
+        ->type_name("WIDTH[xHEIGHT]");
+    command
+        ->add_option("--layer", options->layer,
+                     "only this layer of the picture: 1 is at the back, 3.1 is in the picture that "
+                     "layer 3 shows")
+        ->type_name("NUMBER");
+    command
+        ->add_option("--distance", options->distance,
+                     "where magnification is measured: how far from where the rays start; auto is "
+                     "the scene's, or one that suits the camera")
+        ->type_name("UNITS")
+        ->capture_default_str();
+    command
+        ->add_option(
+            "--map", options->maps,
+            "writes a picture in false colours; may be repeated. KIND is " + names_of_maps())
+        ->type_name("KIND FILE.png")
+        ->allow_extra_args(false)
+        ->take_all();
+    command->add_flag("--strict", options->strict,
+                      "ends with exit code 1 if a camera has a defect: a fold, a seam, parts "
+                      "without a ray, ...");
+    command->add_flag("--json", options->json, "all of it, for programs");
+    command->footer(
+        "Examples:\n"
+        "  balcony check gallery.cam room.cam\n"
+        "  balcony check gallery.cam:closeup --scene gallery.glb --strict\n"
+        "  balcony check gallery.cam:poster --layer 2 --map anisotropy inset.png\n"
+        "  balcony check superelliptic --set gamma=1/2 --map magnification size.png");
+    command->callback([options, &code] { code = check_command(*options); });
+}
+
+}  // namespace balcony::cli

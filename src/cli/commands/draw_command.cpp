@@ -1,0 +1,248 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <numbers>
+#include <optional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "balcony/drawing.hpp"
+#include "balcony/output_file.hpp"
+#include "balcony/png_file.hpp"
+#include "balcony/scene.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/options/camera_argument.hpp"
+#include "cli/options/option_values.hpp"
+#include "cli/report/json.hpp"
+#include "cli/report/report.hpp"
+
+namespace balcony::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct DrawOptions {
+    std::string camera;
+    std::string output;
+    std::vector<std::string> set;
+    std::string time = "0";
+    std::string view = "-50,25";
+    std::string size = "960x720";
+    std::string rays = "9";
+    std::string length = "auto";
+    bool no_eye = false;
+    bool no_toward = false;
+    bool no_frame = false;
+    bool no_axes = false;
+    bool quiet = false;
+    bool json = false;
+};
+
+struct Outcome {
+    ExitCode code = ExitCode::done;
+    Diagnostics said;
+};
+
+constexpr double largest = 1e12;
+
+analyse::Depiction read_depiction(const DrawOptions& options, Diagnostics& said) {
+    analyse::Depiction depiction;
+    constexpr std::size_t max_rays = 100;
+    depiction.rays = read_count("--rays", options.rays, 0, max_rays, said);
+    if (options.length != "auto") {
+        depiction.length = read_number("--length", options.length, 1e-12, largest,
+                                       "give auto, or a length above 0 in scene units", said);
+    }
+    depiction.time = read_number("--time", options.time, -largest, largest, "give a number", said);
+    depiction.eye = !options.no_eye;
+    depiction.toward = !options.no_toward;
+    depiction.frame = !options.no_frame;
+    depiction.axes = !options.no_axes;
+    return depiction;
+}
+
+// Two numbers with a separator between; both or nothing.
+template <class Number>
+std::optional<std::array<Number, 2>> two_of(std::string_view text, std::string_view separators) {
+    const std::size_t cut = text.find_first_of(separators);
+    if (cut == std::string_view::npos) {
+        return std::nullopt;
+    }
+    const auto first = number_of<Number>(text.substr(0, cut));
+    const auto second = number_of<Number>(text.substr(cut + 1));
+    return first && second ? std::optional(std::array{*first, *second}) : std::nullopt;
+}
+
+analyse::DrawingView read_view(const DrawOptions& options, Diagnostics& said) {
+    analyse::DrawingView view;
+    const auto angles = two_of<double>(options.view, ",");
+    constexpr double radians = std::numbers::pi / 180.0;
+    if (angles && std::abs((*angles)[0]) <= 360.0 && std::abs((*angles)[1]) <= 90.0) {
+        view.azimuth = (*angles)[0] * radians;
+        view.elevation = (*angles)[1] * radians;
+    } else {
+        refuse(said, "--view", options.view,
+               "give two angles in degrees, azimuth from x to the left and elevation, such as "
+               "-50,25");
+    }
+    const auto size = two_of<std::size_t>(options.size, "xX");
+    constexpr std::size_t minimum = 16;
+    constexpr std::size_t maximum = 16384;
+    if (size && std::min((*size)[0], (*size)[1]) >= minimum &&
+        std::max((*size)[0], (*size)[1]) <= maximum) {
+        view.width = (*size)[0];
+        view.height = (*size)[1];
+    } else {
+        refuse(said, "--size", options.size,
+               fmt::format("write --size 960x720; a side has {} to {} pixels", minimum, maximum));
+    }
+    return view;
+}
+
+enum class Format { svg, png, glb };
+
+std::optional<Format> format_of(const fs::path& file) {
+    const std::string ending = ending_of(file);
+    return ending == ".svg"   ? std::optional(Format::svg)
+           : ending == ".png" ? std::optional(Format::png)
+           : ending == ".glb" ? std::optional(Format::glb)
+                              : std::nullopt;
+}
+
+ExitCode check_output(const fs::path& file, const fs::path& camera, Diagnostics& said) {
+    if (!format_of(file)) {
+        said.push_back(error(fmt::format("'{}' has no ending that says how to draw", file.string()),
+                             {}, "let the file's name end in .svg, .png or .glb"));
+        return ExitCode::wrong_usage;
+    }
+    std::error_code failed;
+    if (fs::equivalent(file, camera, failed) && !failed) {
+        said.push_back(
+            error(fmt::format("'{}' is the camera and would be overwritten", file.string()), {},
+                  "name another file with --output"));
+        return ExitCode::wrong_usage;
+    }
+    const Diagnostics found = OutputFile::check(file);
+    said.insert(said.end(), found.begin(), found.end());
+    return has_errors(found) ? ExitCode::environment : ExitCode::done;
+}
+
+Diagnostics write_drawing(const analyse::Drawing& drawing, Format format, const fs::path& file) {
+    if (format == Format::svg) {
+        return write_whole(file, analyse::to_svg(drawing));
+    }
+    const Image image = analyse::rasterise(drawing);
+    return render::write_png(image.samples, {image.width, image.height, 3}, file);
+}
+
+// An error of the camera in the result, of the writing in the second.
+struct Written {
+    Diagnostics camera, file;
+};
+
+Written write(const camera::Picture& picture, const analyse::Depiction& depiction,
+              const analyse::DrawingView& view, const fs::path& file) {
+    const Format format = *format_of(file);
+    if (format == Format::glb) {
+        const auto scene = analyse::model(picture, depiction);
+        if (!scene) {
+            return {scene.diagnostics, {}};
+        }
+        return {scene.diagnostics, write_whole(file, scene::to_glb(*scene))};
+    }
+    const auto drawing = analyse::draw(picture, depiction, view);
+    return {drawing.diagnostics, drawing ? write_drawing(*drawing, format, file) : Diagnostics{}};
+}
+
+Outcome make_drawing(const DrawOptions& options) {
+    Outcome outcome;
+    const auto add = [&outcome](const Diagnostics& said, ExitCode code) {
+        outcome.said.insert(outcome.said.end(), said.begin(), said.end());
+        outcome.code = has_errors(said) ? code : outcome.code;
+    };
+    Diagnostics usage;
+    const analyse::Depiction depiction = read_depiction(options, usage);
+    const analyse::DrawingView view = read_view(options, usage);
+    add(usage, ExitCode::wrong_usage);
+    if (outcome.code == ExitCode::done) {
+        outcome.code = check_output(options.output, camera_file(options.camera), outcome.said);
+    }
+    if (outcome.code != ExitCode::done) {
+        return outcome;
+    }
+    const auto picture = load_picture(options.camera, options.set);
+    add(picture.diagnostics, ExitCode::bad_input);
+    if (picture) {
+        const Written written = write(*picture, depiction, view, options.output);
+        add(written.camera, ExitCode::bad_input);
+        add(written.file, ExitCode::environment);
+    }
+    return outcome;
+}
+
+ExitCode draw(const DrawOptions& options) {
+    const Outcome outcome = make_drawing(options);
+    const bool done = outcome.code == ExitCode::done;
+    if (options.json) {
+        nlohmann::json facts{{"diagnostics", to_json(outcome.said)}, {"output", nullptr}};
+        if (done) {
+            facts["output"] = options.output;
+        }
+        print_json(facts);
+        return outcome.code;
+    }
+    report(outcome.said);
+    if (done && !options.quiet) {
+        print_result(fmt::format("{}: drawn\n", printable(options.output)));
+    }
+    return outcome.code;
+}
+
+}  // namespace
+
+void add_draw_command(CLI::App& app, ExitCode& code) {
+    auto* command =
+        app.add_subcommand("draw", "draws a camera, or those of a picture: objects and rays");
+    command->group("Commands");
+    const auto options = std::make_shared<DrawOptions>();
+    add_camera_option(*command, options->camera);
+    command
+        ->add_option("-o,--output", options->output,
+                     "a picture (.svg, .png), or a scene of the camera (.glb)")
+        ->type_name("FILE")
+        ->required();
+    add_set_option(*command, options->set);
+    const auto value = [&](const char* names, std::string& text, const char* meaning,
+                           const char* type) {
+        command->add_option(names, text, meaning)->type_name(type)->capture_default_str();
+    };
+    value("--time", options->time, "the t of the camera's formulas", "T");
+    value("--view", options->view,
+          "where the viewer stands, in degrees: round z from x, and above the horizon",
+          "AZIMUTH,ELEVATION");
+    value("--size", options->size, "of a picture, in pixels", "WIDTHxHEIGHT");
+    value("--rays", options->rays, "arrows along the longer side of the camera's picture", "COUNT");
+    value("--length", options->length, "of the arrows, in scene units", "LENGTH");
+    command->add_flag("--no-eye", options->no_eye, "without the eye object");
+    command->add_flag("--no-toward", options->no_toward, "without the direction object");
+    command->add_flag("--no-frame", options->no_frame, "without the picture's border");
+    command->add_flag("--no-axes", options->no_axes, "without the axes");
+    command->add_flag("-q,--quiet", options->quiet, "only warnings and errors");
+    command->add_flag("--json", options->json, "the file and diagnostics, for programs");
+    command->footer(
+        "Examples:\n"
+        "  balcony draw superelliptic -o superelliptic.svg\n"
+        "  balcony draw my.cam:closeup --view 120,10 --size 1600x1200 -o closeup.png\n"
+        "  balcony draw my.cam:poster -o poster.svg\n"
+        "  balcony draw my.cam --rays 20 --length 2 -o camera.glb");
+    command->callback([options, &code] { code = draw(*options); });
+}
+
+}  // namespace balcony::cli

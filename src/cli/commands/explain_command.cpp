@@ -1,0 +1,91 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands/command.hpp"
+#include "cli/options/camera_argument.hpp"
+#include "cli/options/render_options.hpp"
+#include "cli/report/explain_report.hpp"
+#include "cli/report/json.hpp"
+#include "cli/report/report.hpp"
+
+namespace balcony::cli {
+
+namespace {
+
+struct ExplainOptions {
+    std::string camera;
+    std::vector<std::string> set;
+    std::string size;
+    bool json = false;
+};
+
+// Text to standard output, or the same as JSON in the document.
+ExitCode explain(const CameraArgument& wanted, const PictureSize& size, bool as_json,
+                 nlohmann::json& document, Diagnostics& said) {
+    const auto picture = lang::load_picture(wanted.file, wanted.name, wanted.overrides);
+    said.insert(said.end(), picture.diagnostics.begin(), picture.diagnostics.end());
+    const auto explanation = lang::explain(wanted.file, wanted.name, wanted.overrides);
+    if (!picture || !explanation) {
+        return ExitCode::bad_input;
+    }
+    const auto [width, height] = size.resolve(picture->parts().aspect, picture->parts().size);
+    const std::string formulas =
+        formulas_text(*picture, static_cast<double>(width), static_cast<double>(height));
+    if (as_json) {
+        document = explanation_json(*explanation);
+        document["width"] = width;
+        document["height"] = height;
+        document["formulas"] = formulas;
+    } else {
+        print_result(fmt::format(
+            "{}\nFormulas, for a picture of {} x {} pixels; picture_x and picture_y "
+            "are the point in\n"
+            "pixels from the top left, t is time{}:\n\n{}",
+            explanation_text(*explanation), width, height,
+            explanation->is_picture ? ", a coverage how much shows there" : "", formulas));
+    }
+    return ExitCode::done;
+}
+
+ExitCode explain(const ExplainOptions& options) {
+    Diagnostics said;
+    ExitCode code = ExitCode::bad_input;
+    nlohmann::json document = nlohmann::json::object();
+    const PictureSize size = read_size(options.size, said);
+    const Result<CameraArgument> wanted = read_camera(options.camera, options.set);
+    if (has_errors(said)) {
+        code = ExitCode::wrong_usage;
+    } else if (!wanted) {
+        said = wanted.diagnostics;
+    } else {
+        code = explain(*wanted, size, options.json, document, said);
+    }
+    if (options.json) {
+        document["diagnostics"] = to_json(said);
+        print_json(document);
+    } else {
+        report(said);
+    }
+    return code;
+}
+
+}  // namespace
+
+void add_explain_command(CLI::App& app, ExitCode& code) {
+    auto* command =
+        app.add_subcommand("explain", "says in words and formulas what a camera or a picture does");
+    command->group("Commands");
+    const auto options = std::make_shared<ExplainOptions>();
+    add_camera_option(*command, options->camera);
+    add_set_option(*command, options->set);
+    command->add_option("--size", options->size, "the picture's size, which the formulas hold for")
+        ->type_name("WxH");
+    command->add_flag("--json", options->json, "for programs");
+    command->footer("Examples:\n  balcony explain superelliptic\n  balcony explain my.cam:closeup");
+    command->callback([options, &code] { code = explain(*options); });
+}
+
+}  // namespace balcony::cli

@@ -1,0 +1,110 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "balcony/scene.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/options/scene_argument.hpp"
+#include "cli/report/json.hpp"
+#include "cli/report/report.hpp"
+
+namespace balcony::cli {
+
+namespace {
+
+struct InfoOptions {
+    std::string scene;
+    bool objects = false;
+    bool json = false;
+};
+
+std::string_view axes_text(Axes axes) { return axes == Axes::y_up ? "y up" : "z up"; }
+
+nlohmann::json scene_json(const scene::Scene& scene) {
+    const auto bounds = scene.bounds();
+    nlohmann::json objects = nlohmann::json::array();
+    for (const scene::Object& object : scene.objects) {
+        objects.push_back(object.name);
+    }
+    return {
+        {"format", scene.format},
+        {"axes", axes_text(scene.axes)},
+        {"meters_per_unit", scene.meters_per_unit},
+        {"triangles", scene.triangle_count()},
+        {"meshes", scene.meshes.size()},
+        {"instances", scene.instances.size()},
+        {"materials", scene.materials.size()},
+        {"textures", scene.textures.size()},
+        {"lights", scene.lights.size()},
+        {"bounds",
+         {{bounds.min.x, bounds.min.y, bounds.min.z}, {bounds.max.x, bounds.max.y, bounds.max.z}}},
+        {"objects", objects}};
+}
+
+std::string scene_text(const scene::Scene& scene, bool objects) {
+    const auto bounds = scene.bounds();
+    const auto size = bounds.size();
+    std::string text = fmt::format("{}\n", printable(scene.name));
+    const auto line = [&text](std::string_view name, const std::string& value) {
+        text += fmt::format("  {:<10} {}\n", name, value);
+    };
+    line("format", scene.format);
+    line("axes", fmt::format("{}; a unit is {} m", axes_text(scene.axes), scene.meters_per_unit));
+    line("extent", fmt::format("{:.4g} x {:.4g} x {:.4g} units", size.x, size.y, size.z));
+    line("bounds",
+         fmt::format("({:.4g}, {:.4g}, {:.4g}) .. ({:.4g}, {:.4g}, {:.4g})", bounds.min.x,
+                     bounds.min.y, bounds.min.z, bounds.max.x, bounds.max.y, bounds.max.z));
+    line("triangles",
+         fmt::format("{} in {}, {}", count_text(static_cast<double>(scene.triangle_count())),
+                     counted(scene.objects.size(), "object", "objects"),
+                     counted(scene.meshes.size(), "mesh", "meshes")));
+    line("materials", fmt::format("{}, {}", scene.materials.size(),
+                                  counted(scene.textures.size(), "texture", "textures")));
+    line("lights",
+         fmt::format("{}{}", scene.lights.size(),
+                     scene.default_light ? "; nothing shines: lit from where the rays start" : ""));
+    if (objects) {
+        for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+            text += fmt::format("  object {:<4} {}\n", i + 1, printable(scene.objects[i].name));
+        }
+    }
+    return text;
+}
+
+ExitCode info(const InfoOptions& options) {
+    const auto scene = load_scene(options.scene);
+    if (options.json) {
+        nlohmann::json result{{"diagnostics", to_json(scene.diagnostics)}};
+        if (scene) {
+            result["scene"] = scene_json(*scene);
+        }
+        print_json(result);
+    } else {
+        report(scene.diagnostics);
+        if (scene) {
+            print_result(scene_text(*scene, options.objects));
+        }
+    }
+    return scene ? ExitCode::done : ExitCode::bad_input;
+}
+
+}  // namespace
+
+void add_info_command(CLI::App& app, ExitCode& code) {
+    auto* command = app.add_subcommand("info", "says what is in a scene file");
+    command->group("Commands");
+    const auto options = std::make_shared<InfoOptions>();
+    command
+        ->add_option("SCENE", options->scene,
+                     "a scene file (.glb, .gltf, .obj); of cameras 'list' and 'explain' say more")
+        ->required();
+    command->add_flag("--objects", options->objects,
+                      "list the objects with their ids in the object layer");
+    command->add_flag("--json", options->json, "the same with all objects, for programs");
+    command->footer("Example:\n  balcony info gallery.glb --objects");
+    command->callback([options, &code] { code = info(*options); });
+}
+
+}  // namespace balcony::cli

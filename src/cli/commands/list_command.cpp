@@ -1,0 +1,284 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "balcony/catalogue.hpp"
+#include "balcony/lang.hpp"
+#include "balcony/output_file.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/report/json.hpp"
+#include "cli/report/report.hpp"
+#include "cli/report/stage_pages.hpp"
+#include "cli/report/stage_text.hpp"
+
+namespace balcony::cli {
+
+namespace {
+
+using camera::StageEntry;
+using camera::StageParameter;
+
+struct ListOptions {
+    std::string what;
+    std::string markdown;
+    bool json = false;
+};
+
+std::string stage_text(const StageEntry& row) {
+    std::string text =
+        fmt::format("{}: {}\n    {}\n", name_of(row.kind), call_text(row), row.meaning);
+    for (const StageParameter& parameter : row.parameters) {
+        const std::string built_in = default_text(parameter);
+        text += fmt::format("    {:<10} {}{}\n               {}\n", parameter.name,
+                            type_text(parameter), built_in.empty() ? "" : ", default " + built_in,
+                            parameter.meaning);
+    }
+    return text;
+}
+
+nlohmann::json stage_json(const StageEntry& row) {
+    nlohmann::json parameters = nlohmann::json::array();
+    for (const StageParameter& parameter : row.parameters) {
+        parameters.push_back({{"name", parameter.name},
+                              {"type", type_text(parameter)},
+                              {"default", default_text(parameter)},
+                              {"meaning", parameter.meaning}});
+    }
+    return {{"kind", name_of(row.kind)},
+            {"name", row.name},
+            {"meaning", row.meaning},
+            {"parameters", parameters}};
+}
+
+// Whether a kind is meant by "object generators", "object_generator", ...
+bool names_kind(std::string what, camera::StageKind kind) {
+    std::replace(what.begin(), what.end(), '_', ' ');
+    return what == name_of(kind) || what == fmt::format("{}s", name_of(kind));
+}
+
+bool is_kind(const std::string& what) {
+    const auto rows = camera::catalogue();
+    return std::any_of(rows.begin(), rows.end(),
+                       [&](const StageEntry& row) { return names_kind(what, row.kind); });
+}
+
+// Whether a row is asked for: by 'stages', by its kind or by its own name.
+bool is_listed(const StageEntry& row, const std::string& what) {
+    return what == "stages" || row.name == what || names_kind(what, row.kind);
+}
+
+// Stages under the names of their kinds, a line each.
+std::string stages_text(const std::string& what) {
+    std::size_t longest = 0;
+    for (const StageEntry& row : camera::catalogue()) {
+        longest = std::max(longest, row.name.size());
+    }
+    std::string text;
+    std::optional<camera::StageKind> heading;
+    for (const StageEntry& row : camera::catalogue()) {
+        if (!is_listed(row, what)) {
+            continue;
+        }
+        if (heading != row.kind) {
+            text += fmt::format("{}{}s\n", heading ? "\n" : "", name_of(row.kind));
+            heading = row.kind;
+        }
+        text += fmt::format("  {:<{}} {}\n", row.name, longest, row.meaning);
+    }
+    return text;
+}
+
+ExitCode list_stages(const ListOptions& options) {
+    const bool several = options.what == "stages" || is_kind(options.what);
+    nlohmann::json all = nlohmann::json::array();
+    std::string text = several ? stages_text(options.what) : "";
+    for (const StageEntry& row : camera::catalogue()) {
+        if (is_listed(row, options.what)) {
+            all.push_back(stage_json(row));
+            text += several ? "" : stage_text(row);
+        }
+    }
+    if (options.json) {
+        print_json({{"stages", all}, {"diagnostics", nlohmann::json::array()}});
+    } else {
+        print_result(text);
+    }
+    return ExitCode::done;
+}
+
+bool is_stage(const std::string& name) {
+    const auto rows = camera::catalogue();
+    return std::any_of(rows.begin(), rows.end(),
+                       [&](const StageEntry& row) { return row.name == name; });
+}
+
+bool is_built_in_camera(const std::string& name) {
+    const auto& names = lang::built_in_cameras();
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// The cameras that a file has, or the standard ones with their files' own comments.
+Result<std::vector<lang::Description>> cameras_of(const std::string& file) {
+    if (file != "cameras") {
+        return lang::describe(file);
+    }
+    std::vector<lang::Description> all;
+    for (const std::string& name : lang::built_in_cameras()) {
+        auto described = lang::describe(name);
+        if (!described) {
+            return described;
+        }
+        all.insert(all.end(), described->begin(), described->end());
+    }
+    return all;
+}
+
+nlohmann::json camera_json(const lang::Description& described) {
+    nlohmann::json parameters = nlohmann::json::array();
+    for (const auto& parameter : described.parameters) {
+        parameters.push_back({{"name", parameter.name}, {"default", parameter.default_text}});
+    }
+    return {{"name", described.name},
+            {"kind", described.is_picture ? "picture" : "camera"},
+            {"comment", described.comment},
+            {"parameters", parameters},
+            {"layers", described.layers}};
+}
+
+std::string first_sentence(const std::string& comment) {
+    for (std::size_t i = 0; i < comment.size(); ++i) {
+        const bool at_end =
+            i + 1 == comment.size() || comment[i + 1] == ' ' || comment[i + 1] == '\n';
+        if (comment[i] == '.' && at_end) {
+            return comment.substr(0, i + 1);
+        }
+    }
+    return comment;
+}
+
+// The whole comment of one camera, the first sentence of each of several.
+std::string camera_text(const lang::Description& described, bool whole) {
+    std::vector<std::string> parameters;
+    for (const auto& parameter : described.parameters) {
+        parameters.push_back(parameter.name + " = " + parameter.default_text);
+    }
+    std::string text = fmt::format("{}{}({})\n", described.is_picture ? "picture " : "",
+                                   described.name, fmt::join(parameters, ", "));
+    std::istringstream comment(whole ? described.comment : first_sentence(described.comment));
+    std::string line;
+    while (std::getline(comment, line)) {
+        text += line.empty() ? "\n" : fmt::format("    {}\n", line);
+    }
+    if (described.is_picture) {
+        text += fmt::format("    layers: {}\n", fmt::join(described.layers, ", "));
+    }
+    return text;
+}
+
+ExitCode list_cameras(const ListOptions& options) {
+    const auto cameras = cameras_of(options.what);
+    nlohmann::json all = nlohmann::json::array();
+    std::string text;
+    if (cameras) {
+        for (const lang::Description& described : *cameras) {
+            all.push_back(camera_json(described));
+            text += camera_text(described, cameras->size() == 1);
+        }
+    }
+    if (options.json) {
+        print_json({{"cameras", all}, {"diagnostics", to_json(cameras.diagnostics)}});
+    } else {
+        report(cameras.diagnostics);
+        print_result(text);
+    }
+    return cameras ? ExitCode::done : ExitCode::bad_input;
+}
+
+ExitCode refuse(const ListOptions& options) {
+    std::vector<std::string> known = lang::built_in_cameras();
+    known.insert(known.end(), {"stages", "cameras"});
+    for (const StageEntry& row : camera::catalogue()) {
+        known.emplace_back(row.name);
+        known.push_back(fmt::format("{}s", name_of(row.kind)));
+    }
+    const auto nearest = nearest_name(options.what, known);
+    const Diagnostics said{error(
+        fmt::format("there is nothing named '{}' to list", options.what), {},
+        nearest ? fmt::format("did you mean '{}'?", *nearest)
+                : "name stages, cameras, a stage, a camera that comes along, or a .cam file")};
+    if (options.json) {
+        print_json(nlohmann::json::object({{"diagnostics", to_json(said)}}));
+    } else {
+        report(said);
+    }
+    return ExitCode::wrong_usage;
+}
+
+// Writes the pages of the documentation, each whole or not at all.
+ExitCode write_pages(const ListOptions& options) {
+    Diagnostics said;
+    for (const StagePage& page : stage_pages()) {
+        const std::filesystem::path file = std::filesystem::path(options.markdown) / page.file;
+        std::error_code failed;
+        std::filesystem::create_directories(file.parent_path(), failed);
+        if (said = write_whole(file, page.text); has_errors(said)) {
+            break;
+        }
+    }
+    if (options.json) {
+        print_json(nlohmann::json::object({{"diagnostics", to_json(said)}}));
+    } else {
+        report(said);
+    }
+    return has_errors(said) ? ExitCode::environment : ExitCode::done;
+}
+
+ExitCode list(const ListOptions& options) {
+    if (!options.markdown.empty()) {
+        return write_pages(options);
+    }
+    if (options.what == "stages" || is_kind(options.what) || is_stage(options.what)) {
+        return list_stages(options);
+    }
+    std::error_code ignored;
+    if (options.what == "cameras" || is_built_in_camera(options.what) ||
+        options.what.ends_with(".cam") || std::filesystem::is_regular_file(options.what, ignored)) {
+        return list_cameras(options);
+    }
+    return refuse(options);
+}
+
+}  // namespace
+
+void add_list_command(CLI::App& app, ExitCode& code) {
+    auto* command = app.add_subcommand("list", "lists stages and cameras");
+    command->group("Commands");
+    const auto options = std::make_shared<ListOptions>();
+    options->what = "stages";
+    command->add_option("WHAT", options->what,
+                        "'stages' (if not said), a kind of them such as 'object generators', "
+                        "'cameras', the name of "
+                        "a stage or of a camera that comes along, or a camera file (.cam)");
+    command
+        ->add_option("--markdown", options->markdown,
+                     "write all stages as pages of documentation into a folder, with the examples "
+                     "as camera files")
+        ->type_name("FOLDER");
+    command->add_flag("--json", options->json, "the same, for programs");
+    command->footer(
+        "Examples:\n"
+        "  balcony list                   all stages, a line each\n"
+        "  balcony list direction_rules   the stages of one kind\n"
+        "  balcony list superellipse      one stage with its parameters\n"
+        "  balcony list cameras           the cameras that come along\n"
+        "  balcony list gallery.cam       the cameras of a file");
+    command->callback([options, &code] { code = list(*options); });
+}
+
+}  // namespace balcony::cli

@@ -1,0 +1,345 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <limits>
+#include <span>
+#include <string_view>
+#include <tuple>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "balcony/data.hpp"
+#include "balcony/inverse.hpp"
+#include "balcony/probe.hpp"
+#include "balcony/scene.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/options/camera_argument.hpp"
+#include "cli/options/option_values.hpp"
+#include "cli/options/render_options.hpp"
+#include "cli/options/scene_argument.hpp"
+#include "cli/report/json.hpp"
+#include "cli/report/report.hpp"
+
+namespace balcony::cli {
+
+namespace {
+
+using analyse::V3d;
+
+struct LocateOptions {
+    std::string camera;
+    std::vector<std::string> points;
+    std::string file;
+    std::vector<std::string> set;
+    std::string size;
+    std::string time = "0";
+    std::string axes;
+    std::string scene;
+    bool json = false;
+};
+
+// "1,2.5,-3"
+std::optional<V3d> point_of(std::string_view text) {
+    V3d point;
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::size_t comma = text.find(',');
+        const auto number = number_of<double>(text.substr(0, comma));
+        if (!number || (comma == std::string_view::npos) != (axis == 2)) {
+            return std::nullopt;
+        }
+        point[axis] = *number;
+        text.remove_prefix(std::min(comma, text.size() - 1) + 1);
+    }
+    return point;
+}
+
+// The rows of a table file, or of standard input if its name is "-".
+void read_rows(const std::string& name, std::vector<V3d>& points, Diagnostics& said) {
+    data::File file{name, name, {}};
+    std::string input;
+    if (name == "-") {
+        // One more than a table may have, so that an endless stream ends in an error.
+        input.resize(data::max_table + 1);
+        std::cin.read(input.data(), static_cast<std::streamsize>(input.size()));
+        input.resize(static_cast<std::size_t>(std::cin.gcount()));
+        file.name = "standard input";
+        file.built_in =
+            std::span(reinterpret_cast<const std::uint8_t*>(input.data()), input.size());
+    }
+    std::error_code ignored;
+    if (name != "-" && !std::filesystem::is_regular_file(name, ignored)) {
+        const bool there = std::filesystem::exists(name, ignored);
+        said.push_back(there ? error(fmt::format("'{}' is not a file", name), {},
+                                     "name a table file, or - for standard input")
+                             : error(fmt::format("there is no file '{}'", name), {},
+                                     "check its name and its folder"));
+        return;
+    }
+    const Result<data::Table> table = data::read_table(file);
+    said.insert(said.end(), table.diagnostics.begin(), table.diagnostics.end());
+    for (std::size_t i = 0; table && i < table->rows.size(); ++i) {
+        const auto& row = table->rows[i];
+        if (row.size() != 3 || row[0].angle || row[1].angle || row[2].angle) {
+            said.push_back(error("this row is no point",
+                                 join(table->at(row.front()), table->at(row.back())),
+                                 "write three lengths a line: x,y,z"));
+            return;
+        }
+        points.emplace_back(row[0].value, row[1].value, row[2].value);
+    }
+}
+
+std::vector<V3d> read_points(const LocateOptions& options, Diagnostics& usage, Diagnostics& input) {
+    std::vector<V3d> points;
+    for (const std::string& text : options.points) {
+        if (const std::optional<V3d> point = point_of(text)) {
+            points.push_back(*point);
+        } else {
+            refuse(usage, "--point", text, "write three numbers, such as --point 1,0.5,-2");
+        }
+    }
+    if (options.points.empty() && options.file.empty()) {
+        usage.push_back(error("no point is given", {},
+                              "add --point X,Y,Z, or --points FILE with a point a line"));
+    } else if (!options.file.empty() && usage.empty()) {
+        read_rows(options.file, points, input);
+    }
+    return points;
+}
+
+std::optional<Axes> read_axes(const std::string& text, Diagnostics& said) {
+    if (!text.empty() && text != "y_up" && text != "z_up") {
+        refuse(said, "--axes", text, "write y_up or z_up");
+    }
+    return text.empty() ? std::nullopt : std::optional(text == "y_up" ? Axes::y_up : Axes::z_up);
+}
+
+// What is to be located, and where it was found.
+struct Located {
+    std::string camera;
+    std::vector<std::string> layers;  ///< Of a picture; one of a camera.
+    /// Of these layers, as text: "2", or "3.1" in the picture of layer 3.
+    std::vector<std::string> numbers;
+    std::size_t width = 0;
+    std::size_t height = 0;
+    bool closed_form = false;
+    std::vector<V3d> points;  ///< As given.
+    std::vector<analyse::Sighting> sightings;
+    /// With a scene, what hides each sighting.
+    std::optional<std::vector<std::optional<render::Obstacle>>> obstacles;
+    std::vector<scene::Object> objects;  ///< Of the scene.
+};
+
+std::vector<std::string> numbers_of_layers(const camera::Picture& picture, std::size_t count) {
+    std::vector<std::string> numbers(count);
+    for (const camera::ShownCamera& shown : shown_cameras(picture)) {
+        for (const camera::ShownCamera::Place& place : shown.places) {
+            numbers[place.index] = place.layer;
+        }
+    }
+    return numbers;
+}
+
+void add_to(Diagnostics& said, const Diagnostics& more) {
+    said.insert(said.end(), more.begin(), more.end());
+}
+
+// Whether what was found is hidden in a scene.
+void look_for_obstacles(const scene::Scene& scene, Axes axes, Located& located, Diagnostics& said) {
+    std::vector<render::SightLine> lines;
+    lines.reserve(located.sightings.size());
+    for (const analyse::Sighting& sighting : located.sightings) {
+        lines.push_back({sighting.origin, located.points[sighting.point]});
+    }
+    auto found = render::find_obstacles(scene, lines, axes);
+    add_to(said, found.diagnostics);
+    located.obstacles = std::move(found.value);
+    located.objects = scene.objects;
+}
+
+// Points are in the scene's axes if there is one and nothing else is said.
+Result<Located> find_all(const LocateOptions& options, const PictureSize& size, double time,
+                         std::optional<Axes> axes, std::vector<V3d> points) {
+    const Result<camera::Picture> picture = load_picture(options.camera, options.set);
+    Diagnostics said = picture.diagnostics;
+    std::optional<scene::Scene> scene;
+    if (!options.scene.empty()) {
+        Result<scene::Scene> loaded = load_scene(options.scene);
+        add_to(said, loaded.diagnostics);
+        scene = std::move(loaded.value);
+    }
+    if (has_errors(said)) {
+        return said;
+    }
+    if (scene && !axes) {
+        axes = scene->axes;
+    }
+    Located found;
+    found.camera = picture->name();
+    std::tie(found.width, found.height) =
+        size.resolve(picture->parts().aspect, picture->parts().size);
+    const auto locator = analyse::Locator::make(*picture, static_cast<double>(found.width),
+                                                static_cast<double>(found.height), time, axes);
+    if (!locator) {
+        add_to(said, locator.diagnostics);
+        return said;
+    }
+    found.layers = locator->layers();
+    found.numbers = numbers_of_layers(*picture, found.layers.size());
+    found.closed_form = locator->closed_form();
+    found.points = std::move(points);
+    found.sightings = locator->locate(found.points);
+    if (scene) {
+        look_for_obstacles(*scene, locator->axes(), found, said);
+        if (!found.obstacles) {
+            return said;
+        }
+    }
+    return {std::move(found), std::move(said)};
+}
+
+std::string name_of(const Located& located, const render::Obstacle& obstacle) {
+    return located.objects[obstacle.object].name;
+}
+
+std::string line_of(const Located& located, std::size_t number) {
+    const analyse::Sighting& sighting = located.sightings[number];
+    std::string line = fmt::format("\n    x {:>10.4f}   y {:>10.4f}   distance {:.6g}",
+                                   sighting.position.x, sighting.position.y, sighting.distance);
+    if (located.layers.size() > 1) {
+        line += fmt::format("   in layer {}, {}", located.numbers[sighting.layer],
+                            printable(located.layers[sighting.layer]));
+    }
+    if (located.obstacles) {
+        const auto& obstacle = (*located.obstacles)[number];
+        line += obstacle ? fmt::format("   hidden by {} at distance {:.6g}",
+                                       printable(name_of(located, *obstacle)), obstacle->distance)
+                         : "   seen";
+    }
+    return line;
+}
+
+std::string text_of(const Located& located) {
+    const std::string_view heading = located.obstacles ? " is in the picture at" : " is seen at";
+    std::string text = fmt::format("{}, {} x {} pixels\n", printable(located.camera), located.width,
+                                   located.height);
+    std::size_t next = 0;
+    for (std::size_t number = 0; number < located.points.size(); ++number) {
+        const V3d& point = located.points[number];
+        text += fmt::format("({}, {}, {})", point.x, point.y, point.z);
+        const std::size_t first = next;
+        for (; next < located.sightings.size() && located.sightings[next].point == number; ++next) {
+            text += next == first ? heading : "";
+            text += line_of(located, next);
+        }
+        text += next == first ? " is not in the picture\n" : "\n";
+    }
+    return text;
+}
+
+nlohmann::json json_of(const Located& located) {
+    nlohmann::json points = nlohmann::json::array();
+    for (const V3d& point : located.points) {
+        points.push_back(
+            {{"point", {point.x, point.y, point.z}}, {"sightings", nlohmann::json::array()}});
+    }
+    for (std::size_t number = 0; number < located.sightings.size(); ++number) {
+        const analyse::Sighting& sighting = located.sightings[number];
+        nlohmann::json entry{{"x", sighting.position.x},
+                             {"y", sighting.position.y},
+                             {"layer", sighting.layer},
+                             {"distance", sighting.distance}};
+        if (located.obstacles) {
+            const auto& obstacle = (*located.obstacles)[number];
+            entry["hidden_by"] = obstacle ? nlohmann::json{{"object", name_of(located, *obstacle)},
+                                                           {"distance", obstacle->distance}}
+                                          : nlohmann::json();
+        }
+        points[sighting.point]["sightings"].push_back(std::move(entry));
+    }
+    return {{"camera", located.camera},         {"layers", located.layers},
+            {"layer_numbers", located.numbers}, {"width", located.width},
+            {"height", located.height},         {"closed_form", located.closed_form},
+            {"points", std::move(points)}};
+}
+
+ExitCode locate(const LocateOptions& options) {
+    Diagnostics said;
+    Diagnostics input;
+    constexpr double any = std::numeric_limits<double>::max();
+    const PictureSize size = read_size(options.size, said);
+    const double time = read_number("--time", options.time, -any, any, "give a number", said);
+    const std::optional<Axes> axes = read_axes(options.axes, said);
+    std::vector<V3d> points = read_points(options, said, input);
+    ExitCode code = said.empty() ? ExitCode::bad_input : ExitCode::wrong_usage;
+    said.insert(said.end(), input.begin(), input.end());
+    nlohmann::json document = nlohmann::json::object();
+    if (said.empty()) {
+        const Result<Located> located = find_all(options, size, time, axes, std::move(points));
+        said = located.diagnostics;
+        if (located) {
+            code = ExitCode::done;
+            document = options.json ? json_of(*located) : document;
+            if (!options.json) {
+                print_result(text_of(*located));
+            }
+        }
+    }
+    if (options.json) {
+        document["diagnostics"] = to_json(said);
+        print_json(document);
+    } else {
+        report(said);
+    }
+    return code;
+}
+
+}  // namespace
+
+void add_locate_command(CLI::App& app, ExitCode& code) {
+    auto* command =
+        app.add_subcommand("locate", "says where in a picture points in space are seen");
+    command->group("Commands");
+    const auto options = std::make_shared<LocateOptions>();
+    add_camera_option(*command, options->camera);
+    command->add_option("--point", options->points, "a point in space; may be repeated")
+        ->type_name("X,Y,Z")
+        ->allow_extra_args(false)
+        ->take_all();
+    command
+        ->add_option("--points", options->file,
+                     "a table with a point in each line, - for standard input")
+        ->type_name("FILE");
+    command
+        ->add_option(
+            "--scene", options->scene,
+            "a scene: says of each place whether the point is hidden there, by which object "
+            "and how far away")
+        ->type_name("SCENE");
+    add_set_option(*command, options->set);
+    command->add_option("--size", options->size, "the picture's size, or its width alone")
+        ->type_name("WxH");
+    command->add_option("--time", options->time, "the t of the camera's formulas")
+        ->capture_default_str()
+        ->type_name("T");
+    command
+        ->add_option(
+            "--axes", options->axes,
+            "the axes of the points: y_up, as most scenes have them, or z_up; if not said, "
+            "the scene's, or without one the camera's own")
+        ->type_name("AXES");
+    command->add_flag("--json", options->json, "for programs");
+    command->footer(
+        "Examples:\n"
+        "  balcony locate panorama --point 3,2,0.5\n"
+        "  balcony locate pinhole --set fov=90deg --size 1920x1080 --axes y_up --point 1,0,-4\n"
+        "  balcony locate my.cam:closeup --scene room.glb --point 0,0.5,-1\n"
+        "  balcony locate my.cam:closeup --points corners.csv --json");
+    command->callback([options, &code] { code = locate(*options); });
+}
+
+}  // namespace balcony::cli

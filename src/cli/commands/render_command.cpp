@@ -1,0 +1,340 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "balcony/render.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/interruption.hpp"
+#include "cli/options/camera_argument.hpp"
+#include "cli/options/default_camera.hpp"
+#include "cli/options/render_options.hpp"
+#include "cli/options/scene_argument.hpp"
+#include "cli/report/json.hpp"
+#include "cli/report/progress_display.hpp"
+#include "cli/report/report.hpp"
+
+namespace balcony::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the render says of itself, to people or to programs.
+struct Outcome {
+    ExitCode code = ExitCode::done;
+    Diagnostics said;
+    nlohmann::json facts = nlohmann::json::object();
+    std::string sentence;
+};
+
+void add(Outcome& outcome, const Diagnostics& said) {
+    outcome.said.insert(outcome.said.end(), said.begin(), said.end());
+}
+
+Outcome fail(Outcome outcome, ExitCode code, const Diagnostics& said = {}) {
+    add(outcome, said);
+    outcome.code = code;
+    return outcome;
+}
+
+/// Where the picture goes: what the user says, or the scene's name here.
+fs::path output_of(const RenderOptions& options) {
+    if (options.output) {
+        return *options.output;
+    }
+    const std::string stem = fs::path(options.scene).stem().string();
+    return (stem.empty() || stem.front() == '.' ? "picture" : stem) + ".png";
+}
+
+/// Refuses an output that cannot be written, before there is anything to write.
+ExitCode check_output(const fs::path& file, Diagnostics& said) {
+    std::error_code ignored;
+    if (fs::is_directory(file, ignored)) {
+        said.push_back(
+            error(fmt::format("'{}' is a folder", file.string()), {},
+                  fmt::format("name a file in it: {}", (file / "picture.png").string())));
+        return ExitCode::wrong_usage;
+    }
+    const Diagnostics found = render::check_output(file);
+    said.insert(said.end(), found.begin(), found.end());
+    const std::string ending = ending_of(file);
+    return !has_errors(found)                     ? ExitCode::done
+           : ending != ".png" && ending != ".exr" ? ExitCode::wrong_usage
+                                                  : ExitCode::environment;
+}
+
+/// Refuses to write over what the picture is made from, be it by another name or through a link.
+Diagnostics check_inputs_kept(const RenderOptions& options, const scene::Scene& scene,
+                              const fs::path& output) {
+    std::vector<fs::path> inputs{options.scene, camera_file(options.camera)};
+    for (const scene::Texture& texture : scene.textures) {
+        inputs.push_back(texture.file);
+    }
+    for (const fs::path& input : inputs) {
+        std::error_code failed;
+        if (!input.empty() && fs::equivalent(input, output, failed) && !failed) {
+            return {error(
+                fmt::format("'{}' is part of the scene and would be overwritten", output.string()),
+                {}, "name another picture with --output")};
+        }
+    }
+    return {};
+}
+
+/// Says where a layer has no ray, if anywhere.
+void describe_gaps(Outcome& outcome, const render::Settings& settings,
+                   const render::Summary& summary) {
+    const bool single = summary.layers.size() == 1;
+    for (const render::Summary::Layer& layer : summary.layers) {
+        const std::string what =
+            fmt::format("{} '{}'", single ? "camera" : "layer", printable(layer.name));
+        if (layer.invalid_rays == 0) {
+            continue;
+        }
+        if (layer.invalid_rays == layer.camera_rays) {
+            outcome.said.push_back(
+                warning(fmt::format("{} has no ray anywhere; {}", what,
+                                    single ? "the picture is empty" : "it does not show")));
+            continue;
+        }
+        const std::string pixels =
+            single ? fmt::format(" ({} of {} pixel centres)", summary.invalid_pixels,
+                                 settings.width * settings.height)
+                   : "";
+        outcome.said.push_back(
+            warning(fmt::format("{} has no ray at {} of {} picture points{}; they are transparent",
+                                what, layer.invalid_rays, layer.camera_rays, pixels)));
+    }
+}
+
+nlohmann::json layers_json(const render::Summary& summary) {
+    nlohmann::json layers = nlohmann::json::array();
+    for (const render::Summary::Layer& layer : summary.layers) {
+        layers.push_back({{"name", layer.name},
+                          {"rays", layer.camera_rays},
+                          {"invalid_rays", layer.invalid_rays}});
+    }
+    return layers;
+}
+
+// A line for each layer of a picture that has several.
+std::string layers_text(const render::Summary& summary) {
+    std::string text;
+    for (const render::Summary::Layer& layer : summary.layers) {
+        text += fmt::format("  layer {:<20} {} rays\n", printable(layer.name),
+                            count_text(static_cast<double>(layer.camera_rays)));
+    }
+    return summary.layers.size() > 1 ? text : "";
+}
+
+void describe(Outcome& outcome, const fs::path& output, const camera::Picture& picture,
+              const render::Settings& settings, const render::Summary& summary) {
+    describe_gaps(outcome, settings, summary);
+    if (summary.repaired > 0) {
+        outcome.said.push_back(warning(
+            fmt::format("{} samples had no finite colour and count as black", summary.repaired)));
+    }
+    outcome.facts = {{"output", nullptr},
+                     {"camera", picture.name()},
+                     {"layers", layers_json(summary)},
+                     {"width", settings.width},
+                     {"height", settings.height},
+                     {"passes", summary.passes},
+                     {"rays", summary.camera_rays},
+                     {"invalid_rays", summary.invalid_rays},
+                     {"invalid_pixels", summary.invalid_pixels},
+                     {"repaired", summary.repaired},
+                     {"seconds", summary.seconds},
+                     {"compile_seconds", summary.compile_seconds},
+                     {"camera_share", summary.camera_share},
+                     {"interrupted", summary.interrupted}};
+    outcome.sentence = fmt::format(
+        "{}{}: {} x {} pixels through '{}', {}, {} rays in {}\n",
+        summary.interrupted ? "interrupted; what was done is in " : "", printable(output.string()),
+        settings.width, settings.height, picture.name(), counted(summary.passes, "pass", "passes"),
+        count_text(static_cast<double>(summary.camera_rays)), duration_text(summary.seconds));
+    outcome.sentence += layers_text(summary);
+}
+
+bool has_samples(const render::Film& film) {
+    return std::any_of(film.samples.begin(), film.samples.end(),
+                       [](std::uint32_t count) { return count > 0; });
+}
+
+/// Renders and writes. A first signal stops the rendering, not the writing.
+Outcome make_picture(Outcome outcome, const RenderOptions& options,
+                     const render::Renderer& renderer, const camera::Picture& picture,
+                     const render::Settings& settings, const fs::path& output,
+                     std::optional<double> asked_exposure) {
+    const Job job;
+    Result<render::Picture> made;
+    {
+        ProgressDisplay display(options.quiet || options.json);
+        made = renderer.render(
+            picture, settings, [&](const render::Progress& progress) { display.show(progress); },
+            job.token());
+    }
+    add(outcome, made.diagnostics);
+    if (!made) {
+        return fail(std::move(outcome), ExitCode::bad_input);
+    }
+    describe(outcome, output, picture, settings, made->summary);
+    if (!has_samples(made->film)) {
+        outcome.sentence = "interrupted before there was anything to save\n";
+        return fail(std::move(outcome), ExitCode::interrupted);
+    }
+    const double exposure = asked_exposure                ? *asked_exposure
+                            : ending_of(output) == ".png" ? render::automatic_exposure(made->film)
+                                                          : 0.0;
+    outcome.facts["exposure"] = exposure;
+    if (!asked_exposure && exposure != 0.0) {
+        outcome.sentence +=
+            fmt::format("  exposure {:+} stops, to suit the light; --exposure sets it\n", exposure);
+    }
+    const Diagnostics written = render::write(made->film, output, {.exposure = exposure});
+    if (has_errors(written)) {
+        return fail(std::move(outcome), ExitCode::environment, written);
+    }
+    outcome.facts["output"] = output.string();
+    outcome.code = made->summary.interrupted ? ExitCode::interrupted : ExitCode::done;
+    return outcome;
+}
+
+Outcome render_picture(const RenderOptions& options) {
+    Outcome outcome;
+    render::Settings settings = read_settings(options, outcome.said);
+    const std::optional<double> exposure = read_exposure(options, outcome.said);
+    const PictureSize size = read_size(options.size, outcome.said);
+    if (options.camera.empty() && !options.set.empty()) {
+        outcome.said.push_back(
+            error("--set needs a camera to set something of", {}, "add --camera FILE"));
+    }
+    if (has_errors(outcome.said)) {
+        return fail(std::move(outcome), ExitCode::wrong_usage);
+    }
+    const fs::path output = output_of(options);
+    if (const ExitCode code = check_output(output, outcome.said); code != ExitCode::done) {
+        return fail(std::move(outcome), code);
+    }
+    settings.data_layers = ending_of(output) == ".exr";
+
+    // A named camera takes no time and its mistakes should not wait for a large scene.
+    Result<camera::Picture> picture;
+    if (!options.camera.empty()) {
+        picture = load_picture(options.camera, options.set);
+        add(outcome, picture.diagnostics);
+    }
+    if (has_errors(outcome.said)) {
+        return fail(std::move(outcome), ExitCode::bad_input);
+    }
+    auto scene = load_scene(options.scene);
+    add(outcome, scene.diagnostics);
+    if (!scene) {
+        return fail(std::move(outcome), ExitCode::bad_input);
+    }
+    if (const Diagnostics said = check_inputs_kept(options, *scene, output); has_errors(said)) {
+        return fail(std::move(outcome), ExitCode::wrong_usage, said);
+    }
+    const auto shared = std::make_shared<const scene::Scene>(std::move(*scene));
+    if (options.camera.empty()) {
+        picture = default_picture(*shared);
+        add(outcome, picture.diagnostics);
+    }
+    const auto renderer = render::Renderer::make(shared);
+    add(outcome, renderer.diagnostics);
+    if (!picture || !renderer) {
+        return fail(std::move(outcome), ExitCode::bad_input);
+    }
+    std::tie(settings.width, settings.height) =
+        size.resolve(picture->parts().aspect, picture->parts().size);
+    return make_picture(std::move(outcome), options, *renderer, *picture, settings, output,
+                        exposure);
+}
+
+ExitCode render_command(const RenderOptions& options) {
+    Outcome outcome = render_picture(options);
+    if (options.json) {
+        outcome.facts["diagnostics"] = to_json(outcome.said);
+        print_json(outcome.facts);
+        return outcome.code;
+    }
+    report(outcome.said);
+    if (!options.quiet && !has_errors(outcome.said)) {
+        print_result(outcome.sentence);
+    }
+    return outcome.code;
+}
+
+void add_picture_options(CLI::App& command, RenderOptions& options) {
+    command
+        .add_option("--size", options.size,
+                    "in pixels (default: the picture's own, or about a million in its proportion)")
+        ->type_name("WIDTH[xHEIGHT]");
+    command.add_option("-s,--samples", options.samples, "rays a pixel")
+        ->type_name("COUNT")
+        ->capture_default_str();
+    command
+        .add_option("--integrator", options.integrator,
+                    "direct (lights, shadows, mirrors) or preview (lit from the eye)")
+        ->type_name("NAME")
+        ->capture_default_str();
+    command
+        .add_option(
+            "--exposure", options.exposure,
+            "brighter by so many stops (PNG); auto acts where nearly all would be black or white")
+        ->type_name("STOPS")
+        ->capture_default_str();
+    command.add_option("--ambient", options.ambient, "light from everywhere, unshadowed")
+        ->type_name("RADIANCE")
+        ->capture_default_str();
+    command
+        .add_option("--background", options.background,
+                    "transparent, black, white, a grey level or red,green,blue (linear)")
+        ->type_name("COLOUR")
+        ->capture_default_str();
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app, ExitCode& code) {
+    auto* command = app.add_subcommand("render", "renders a scene through a camera");
+    command->group("Commands");
+    const auto options = std::make_shared<RenderOptions>();
+    command->add_option("SCENE", options->scene, "a scene file (.glb, .gltf, .obj)")->required();
+    command
+        ->add_option(
+            "-c,--camera", options->camera,
+            "a camera file or its camera or picture NAME (the last if not said), or a camera of "
+            "'balcony list cameras' (default: a pinhole that sees all)")
+        ->type_name("FILE[:NAME]");
+    add_set_option(*command, options->set);
+    command->add_option("--time", options->time, "the t of the camera's formulas")
+        ->type_name("T")
+        ->capture_default_str();
+    command
+        ->add_option_function<std::string>(
+            "-o,--output", [options](const std::string& file) { options->output = file; },
+            "the picture: .png, or .exr with all layers (default: SCENE.png, in this folder)")
+        ->type_name("FILE");
+    add_picture_options(*command, *options);
+    command->add_option("-j,--threads", options->threads, "threads at work; 0 is all there are")
+        ->type_name("COUNT")
+        ->capture_default_str();
+    command->add_flag("-q,--quiet", options->quiet, "only warnings and errors");
+    command->add_flag("--json", options->json, "facts and diagnostics, for programs");
+    command->footer(
+        "Examples:\n"
+        "  balcony render room.glb -o room.png\n"
+        "  balcony render room.glb --camera superelliptic --set gamma=1/2 -o walls.png\n"
+        "  balcony render room.glb --camera my.cam:closeup --size 1920x1080 -s 64\n"
+        "\n"
+        "Ctrl-C saves what is there; a second one ends at once.");
+    command->callback([options, &code] { code = render_command(*options); });
+}
+
+}  // namespace balcony::cli

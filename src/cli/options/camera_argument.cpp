@@ -1,0 +1,84 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "cli/options/camera_argument.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace balcony::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+CameraArgument split_camera(const std::string& text) {
+    const auto colon = text.rfind(':');
+    std::error_code ignored;
+    if (colon == std::string::npos || fs::exists(text, ignored)) {
+        return {text, "", {}};
+    }
+    return {text.substr(0, colon), text.substr(colon + 1), {}};
+}
+
+}  // namespace
+
+fs::path camera_file(const std::string& camera) { return split_camera(camera).file; }
+
+Result<CameraArgument> read_camera(const std::string& camera, const std::vector<std::string>& set) {
+    CameraArgument wanted = split_camera(camera);
+    for (const std::string& text : set) {
+        const auto equals = text.find('=');
+        if (equals == std::string::npos || equals == 0) {
+            return error(fmt::format("--set {} sets nothing", text), {},
+                         "write --set name=value, such as --set gamma=1/2");
+        }
+        wanted.overrides.push_back({text.substr(0, equals), text.substr(equals + 1)});
+    }
+    if (wanted.name.empty() && camera.ends_with(':')) {
+        return error(fmt::format("'{}' names no camera after the colon", camera), {},
+                     fmt::format("write {}:NAME, or {} for its last camera", wanted.file.string(),
+                                 wanted.file.string()));
+    }
+    return wanted;
+}
+
+Result<camera::Camera> load_camera(const std::string& camera, const std::vector<std::string>& set) {
+    const Result<CameraArgument> wanted = read_camera(camera, set);
+    return wanted ? lang::load_camera(wanted->file, wanted->name, wanted->overrides)
+                  : Result<camera::Camera>(wanted.diagnostics);
+}
+
+Result<camera::Picture> load_picture(const std::string& picture,
+                                     const std::vector<std::string>& set) {
+    const Result<CameraArgument> wanted = read_camera(picture, set);
+    return wanted ? lang::load_picture(wanted->file, wanted->name, wanted->overrides)
+                  : Result<camera::Picture>(wanted.diagnostics);
+}
+
+void add_camera_option(CLI::App& command, std::string& camera) {
+    command
+        .add_option("CAMERA", camera,
+                    "a camera file or its camera or picture NAME (the last if not said), or a "
+                    "camera of 'balcony list cameras'")
+        ->type_name("FILE[:NAME]")
+        ->required();
+}
+
+void add_set_option(CLI::App& command, std::vector<std::string>& set) {
+    command.add_option("--set", set, "a parameter of the camera or picture; may be repeated")
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false)
+        ->take_all();
+}
+
+std::string ending_of(const fs::path& file) {
+    std::string ending = file.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    return ending;
+}
+
+}  // namespace balcony::cli

@@ -1,0 +1,116 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "cli/options/check_subjects.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace balcony::cli {
+
+namespace {
+
+Result<std::vector<camera::Picture>> load(const std::string& argument,
+                                          const SubjectRequest& request) {
+    const Result<CameraArgument> wanted = read_camera(argument, request.set);
+    if (!wanted) {
+        return wanted.diagnostics;
+    }
+    if (wanted->name.empty() && request.layer.empty()) {
+        return lang::load_all(wanted->file, wanted->overrides);
+    }
+    Result<camera::Picture> one = lang::load_picture(wanted->file, wanted->name, wanted->overrides);
+    return one ? Result<std::vector<camera::Picture>>({std::move(*one)}, one.diagnostics)
+               : Result<std::vector<camera::Picture>>(one.diagnostics);
+}
+
+class SubjectList {
+public:
+    explicit SubjectList(const SubjectRequest& request) : request_(request) {}
+
+    void add(const camera::Picture& picture) {
+        const auto [whole_width, whole_height] =
+            request_.size.resolve(picture.parts().aspect, picture.parts().size);
+        const auto width = static_cast<double>(whole_width);
+        const auto height = static_cast<double>(whole_height);
+        for (const camera::ShownCamera& shown : shown_cameras(picture)) {
+            CheckSubject subject{shown.camera, picture.only_camera() != nullptr};
+            for (const camera::ShownCamera::Place& place : shown.places) {
+                if (!is_wanted(place.layer)) {
+                    continue;
+                }
+                if (!subject.by_itself) {
+                    subject.layers.push_back({picture.name(), place.layer});
+                }
+                enlarge(subject, size_of(place, width, height, request_.time));
+            }
+            if (subject.width > 0.0) {
+                join(std::move(subject));
+            }
+        }
+    }
+
+    std::vector<CheckSubject> take() { return std::move(subjects_); }
+
+private:
+    [[nodiscard]] bool is_wanted(const std::string& layer) const {
+        return request_.layer.empty() || layer == request_.layer ||
+               layer.starts_with(request_.layer + ".");
+    }
+
+    // In whole pixels, at least one.
+    static void enlarge(CheckSubject& subject, const std::array<double, 2>& size) {
+        const double width = std::max(1.0, std::round(size[0]));
+        const double height = std::max(1.0, std::round(size[1]));
+        if (width * height > subject.width * subject.height) {
+            subject.width = width;
+            subject.height = height;
+        }
+    }
+
+    void join(CheckSubject subject) {
+        const auto known =
+            std::find_if(subjects_.begin(), subjects_.end(), [&subject](const CheckSubject& one) {
+                return &one.camera.parts() == &subject.camera.parts();
+            });
+        if (known == subjects_.end()) {
+            subjects_.push_back(std::move(subject));
+            return;
+        }
+        known->by_itself = known->by_itself || subject.by_itself;
+        known->layers.insert(known->layers.end(), subject.layers.begin(), subject.layers.end());
+        enlarge(*known, {subject.width, subject.height});
+    }
+
+    const SubjectRequest& request_;
+    std::vector<CheckSubject> subjects_;
+};
+
+}  // namespace
+
+Result<std::vector<CheckSubject>> check_subjects(const std::string& argument,
+                                                 const SubjectRequest& request) {
+    const auto pictures = load(argument, request);
+    if (!pictures) {
+        return pictures.diagnostics;
+    }
+    if (!request.layer.empty() && pictures->front().only_camera() != nullptr) {
+        return error(fmt::format("'{}' is a camera, which has no layers", pictures->front().name()),
+                     {}, "leave out --layer, or name a picture");
+    }
+    SubjectList list(request);
+    for (const camera::Picture& picture : *pictures) {
+        list.add(picture);
+    }
+    std::vector<CheckSubject> subjects = list.take();
+    if (!request.layer.empty() && subjects.empty()) {
+        const camera::Picture& picture = pictures->front();
+        return error(fmt::format("picture '{}' has no layer {}", picture.name(), request.layer), {},
+                     "give its number from 1 at the back: 2, or 3.1 in the picture of layer 3");
+    }
+    return {std::move(subjects), pictures.diagnostics};
+}
+
+}  // namespace balcony::cli

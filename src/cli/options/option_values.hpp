@@ -1,0 +1,68 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Reads the values of options; what cannot be read is said with the option and a way out.
+
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "balcony/base.hpp"
+
+namespace balcony::cli {
+
+/// The whole of a text as a number that is finite, or nothing.
+template <class Number>
+[[nodiscard]] std::optional<Number> number_of(std::string_view text) {
+    Number number{};
+    const char* end = text.data() + text.size();
+    const auto [read_to, failed] = std::from_chars(text.data(), end, number);
+    if (failed != std::errc() || read_to != end) {
+        return std::nullopt;
+    }
+    if constexpr (std::is_floating_point_v<Number>) {
+        if (!std::isfinite(number)) {
+            return std::nullopt;
+        }
+    }
+    return number;
+}
+
+inline void refuse(Diagnostics& said, std::string_view option, std::string_view text,
+                   std::string remedy) {
+    said.push_back(error(fmt::format("{} cannot be '{}'", option, text), {}, std::move(remedy)));
+}
+
+template <class Number>
+[[nodiscard]] Number read_number(std::string_view option, const std::string& text, Number minimum,
+                                 Number maximum, std::string remedy, Diagnostics& said) {
+    const auto number = number_of<Number>(text);
+    if (!number || *number < minimum || *number > maximum) {
+        refuse(said, option, text, std::move(remedy));
+        return Number{};
+    }
+    return *number;
+}
+
+/// A whole number; the least one if it cannot be read.
+[[nodiscard]] inline std::size_t read_count(std::string_view option, const std::string& text,
+                                            std::size_t minimum, std::size_t maximum,
+                                            Diagnostics& said) {
+    const auto count = number_of<std::size_t>(text);
+    if (!count || *count < minimum || *count > maximum) {
+        refuse(said, option, text,
+               fmt::format("give a whole number from {} to {}", minimum, maximum));
+        return minimum;
+    }
+    return *count;
+}
+
+}  // namespace balcony::cli

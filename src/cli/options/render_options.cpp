@@ -1,0 +1,128 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "cli/options/render_options.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "cli/options/option_values.hpp"
+
+namespace balcony::cli {
+
+namespace {
+
+constexpr std::size_t max_side = 1'000'000;
+
+/// One number of radiance, or three with commas between.
+std::optional<render::Color3f> color_of(std::string_view text) {
+    const std::size_t first = text.find(',');
+    if (first == std::string_view::npos) {
+        const auto level = number_of<float>(text);
+        return level ? std::optional(render::Color3f(*level)) : std::nullopt;
+    }
+    const std::size_t second = text.find(',', first + 1);
+    if (second == std::string_view::npos) {
+        return std::nullopt;
+    }
+    const auto red = number_of<float>(text.substr(0, first));
+    const auto green = number_of<float>(text.substr(first + 1, second - first - 1));
+    const auto blue = number_of<float>(text.substr(second + 1));
+    return red && green && blue ? std::optional(render::Color3f(*red, *green, *blue))
+                                : std::nullopt;
+}
+
+std::optional<render::Color3f> read_background(const std::string& text, Diagnostics& said) {
+    if (text == "transparent") {
+        return std::nullopt;
+    }
+    if (text == "black" || text == "white") {
+        return render::Color3f(text == "white" ? 1.0F : 0.0F);
+    }
+    const auto color = color_of(text);
+    if (!color || std::min({color->x, color->y, color->z}) < 0.0F) {
+        refuse(said, "--background", text,
+               "write transparent, black, white, a grey level such as 0.2, or red,green,blue");
+    }
+    return color;
+}
+
+render::Integrator read_integrator(const std::string& text, Diagnostics& said) {
+    const auto found = render::find_integrator(text);
+    if (!found) {
+        const auto nearest = nearest_name(text, {"direct", "preview"});
+        refuse(said, "--integrator", text,
+               nearest ? fmt::format("did you mean '{}'?", *nearest) : "write direct or preview");
+    }
+    return found.value_or(render::Integrator::direct);
+}
+
+}  // namespace
+
+render::Settings read_settings(const RenderOptions& options, Diagnostics& said) {
+    constexpr double any = std::numeric_limits<double>::max();
+    constexpr float brightest = std::numeric_limits<float>::max();
+    render::Settings settings;
+    settings.samples = read_count("--samples", options.samples, 1, 1'000'000, said);
+    settings.threads = read_count("--threads", options.threads, 0, 1024, said);
+    settings.time = read_number("--time", options.time, -any, any, "give a number", said);
+    settings.ambient = render::Color3f(read_number("--ambient", options.ambient, 0.0F, brightest,
+                                                   "give a number that is not below 0", said));
+    settings.integrator = read_integrator(options.integrator, said);
+    settings.background = read_background(options.background, said);
+    return settings;
+}
+
+// Far more stops than there are between the smallest and the largest float would be 0 or infinite.
+std::optional<double> read_exposure(const RenderOptions& options, Diagnostics& said) {
+    if (options.exposure == "auto") {
+        return std::nullopt;
+    }
+    constexpr double max_stops = 200.0;
+    return read_number("--exposure", options.exposure, -max_stops, max_stops,
+                       fmt::format("give auto, or stops from -{0} to {0}, such as -1.5", max_stops),
+                       said);
+}
+
+std::pair<std::size_t, std::size_t> PictureSize::resolve(
+    double aspect, std::optional<std::array<std::size_t, 2>> own) const {
+    if (!width && own) {
+        return {(*own)[0], (*own)[1]};
+    }
+    constexpr double default_pixels = 1280.0 * 720.0;
+    const auto side = [](double pixels) {
+        return static_cast<std::size_t>(
+            std::clamp(std::round(pixels), 1.0, static_cast<double>(max_side)));
+    };
+    const std::size_t wide = width.value_or(side(std::sqrt(default_pixels * aspect)));
+    return {wide, height.value_or(side(static_cast<double>(wide) / aspect))};
+}
+
+PictureSize read_size(const std::string& text, Diagnostics& said) {
+    if (text.empty()) {
+        return {};
+    }
+    const auto side = [](std::string_view digits) {
+        const auto pixels = number_of<std::size_t>(digits);
+        return pixels && *pixels >= 1 && *pixels <= max_side ? pixels : std::nullopt;
+    };
+    const std::string_view whole = text;
+    const std::size_t cross = whole.find_first_of("xX");
+    PictureSize size{side(whole.substr(0, cross)), {}};
+    if (cross != std::string_view::npos) {
+        size.height = side(whole.substr(cross + 1));
+    }
+    if (!size.width || (cross != std::string_view::npos && !size.height)) {
+        refuse(said, "--size", text,
+               fmt::format("write --size 1920x1080, or --size 1920 for the camera's proportion; "
+                           "a side has 1 to {} pixels",
+                           max_side));
+    }
+    return size;
+}
+
+}  // namespace balcony::cli

@@ -1,0 +1,249 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "cli/report/check_report.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/report/report.hpp"
+
+namespace balcony::cli {
+
+namespace {
+
+using analyse::Finding;
+using analyse::Place;
+using analyse::Report;
+using analyse::Statistics;
+
+std::string percent(double share) { return fmt::format("{:.3g} %", 100.0 * share); }
+
+std::string pixel_text(const analyse::V2d& point) {
+    return fmt::format("({:.4g}, {:.4g})", point.x, point.y);
+}
+
+std::string place_text(const Place& place) {
+    return fmt::format("{}, u = {:.4g}, v = {:.4g}", pixel_text(place.point), place.parameters.x,
+                       place.parameters.y);
+}
+
+std::string line(std::string_view name, const std::string& value) {
+    return fmt::format("  {:<14} {}\n", name, value);
+}
+
+// What a word on the left says, what to do about it, and where it is.
+std::string finding_text(std::string_view name, const std::string& message,
+                         const std::string& where, const std::string& remedy) {
+    std::string text = line(name, message);
+    if (!where.empty()) {
+        text += line("", where);
+    }
+    return remedy.empty() ? text : text + line("", "help: " + remedy);
+}
+
+std::string finding_text(const Finding& finding, bool with_remedy) {
+    std::string name(name_of(finding.kind));
+    std::replace(name.begin(), name.end(), '_', ' ');
+    std::string where;
+    if (finding.kind != analyse::FindingKind::mirrored) {
+        where = "at " + place_text(finding.place);
+        if (finding.other) {
+            where += fmt::format("; and at {}", pixel_text(finding.other->point));
+        }
+    }
+    return finding_text(name, finding.message, where, with_remedy ? finding.remedy : "");
+}
+
+std::string statistics_text(const Statistics& row, std::string_view unit) {
+    return fmt::format("{:.4g} at {}, median {:.4g}, {:.4g} at {}{}", row.minimum,
+                       pixel_text(row.min_at.point), row.median, row.maximum,
+                       pixel_text(row.max_at.point), unit);
+}
+
+std::string origins_text(const Report& report) {
+    if (report.valid_share == 0.0) {
+        return "none";
+    }
+    const std::string spread = report.single_viewpoint
+                                   ? "all in one point"
+                                   : fmt::format("spread over {:.4g} units", report.origin_extent);
+    return report.distance ? fmt::format("{}; what follows is for things {:.4g} units away", spread,
+                                         *report.distance)
+                           : spread;
+}
+
+std::string list_text(const std::vector<std::string>& names) {
+    constexpr std::size_t max_names = 10;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(names.size(), max_names); ++i) {
+        text += (i == 0 ? "" : ", ") + printable(names[i]);
+    }
+    return names.size() > max_names ? fmt::format("{} and {} more", text, names.size() - max_names)
+                                    : text;
+}
+
+std::string scene_text(const CameraCheck::InScene& found) {
+    std::string text;
+    if (!found.never_seen.empty()) {
+        text += finding_text(
+            "never seen",
+            fmt::format("{}: {}", counted(found.never_seen.size(), "object", "objects"),
+                        list_text(found.never_seen)),
+            "", "");
+    }
+    for (const CameraCheck::Start& start : found.starts_inside) {
+        text +=
+            finding_text("starts inside",
+                         fmt::format("{} of the rays start inside '{}'", percent(start.share),
+                                     printable(start.object)),
+                         start.room ? "" : "at " + pixel_text(start.point),
+                         start.room ? "well if that is the room; else move the camera"
+                                    : "move the camera, or make its eye object smaller or larger");
+    }
+    return text;
+}
+
+nlohmann::json place_json(const Place& place) {
+    return {{"x", place.point.x},
+            {"y", place.point.y},
+            {"u", place.parameters.x},
+            {"v", place.parameters.y}};
+}
+
+nlohmann::json statistics_json(const std::optional<Statistics>& row) {
+    if (!row) {
+        return nullptr;
+    }
+    nlohmann::json minimum = place_json(row->min_at);
+    nlohmann::json maximum = place_json(row->max_at);
+    minimum["value"] = row->minimum;
+    maximum["value"] = row->maximum;
+    return {{"least", minimum}, {"median", row->median}, {"most", maximum}};
+}
+
+nlohmann::json finding_json(const Finding& finding) {
+    nlohmann::json entry{{"kind", name_of(finding.kind)}, {"defect", finding.defect},
+                         {"message", finding.message},    {"remedy", finding.remedy},
+                         {"count", finding.count},        {"share", finding.share},
+                         {"length", finding.length},      {"at", place_json(finding.place)}};
+    if (finding.other) {
+        entry["other"] = place_json(*finding.other);
+    }
+    return entry;
+}
+
+nlohmann::json scene_json(const CameraCheck::InScene& found) {
+    nlohmann::json starts = nlohmann::json::array();
+    for (const CameraCheck::Start& start : found.starts_inside) {
+        starts.push_back({{"object", start.object},
+                          {"share", start.share},
+                          {"x", start.point.x},
+                          {"y", start.point.y}});
+    }
+    return {{"scene", found.scene}, {"never_seen", found.never_seen}, {"starts_inside", starts}};
+}
+
+}  // namespace
+
+std::size_t CameraCheck::defect_count() const {
+    auto count = static_cast<std::size_t>(
+        std::count_if(report.findings.begin(), report.findings.end(),
+                      [](const Finding& finding) { return finding.defect; }));
+    if (in_scene) {
+        count += static_cast<std::size_t>(
+            std::count_if(in_scene->starts_inside.begin(), in_scene->starts_inside.end(),
+                          [](const Start& start) { return !start.room; }));
+    }
+    return count;
+}
+
+std::string CameraCheck::title() const {
+    std::string text = report.camera + (by_itself && !layers.empty() ? ", and" : "");
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        text += fmt::format("{} layer {} of {}", i > 0 || !by_itself ? "," : "", layers[i].number,
+                            layers[i].picture);
+    }
+    return text;
+}
+
+CameraCheck::InScene in_scene(const scene::Scene& scene, const render::Probe& probe) {
+    CameraCheck::InScene found;
+    found.scene = scene.name;
+    for (std::size_t i = 0; i < probe.objects.size(); ++i) {
+        const render::ObjectSight& sight = probe.objects[i];
+        if (sight.has_surface && !sight.seen) {
+            found.never_seen.push_back(scene.objects[i].name);
+        }
+        if (sight.rays_from_inside > 0) {
+            const double share =
+                static_cast<double>(sight.rays_from_inside) / static_cast<double>(probe.rays);
+            found.starts_inside.push_back({scene.objects[i].name, share, sight.inside_at,
+                                           sight.rays_from_inside == probe.rays});
+        }
+    }
+    return found;
+}
+
+std::string check_text(const CameraCheck& check) {
+    const Report& report = check.report;
+    std::string text =
+        fmt::format("\ncamera {}: {:.0f} x {:.0f} pixels, {} samples\n", printable(check.title()),
+                    report.grid.picture_width, report.grid.picture_height, report.samples.size());
+    text += line("ray origins", origins_text(report));
+    if (report.magnification) {
+        text += line("magnification",
+                     statistics_text(*report.magnification,
+                                     report.distance ? "; pixels a unit" : "; pixels a degree"));
+        text += line("anisotropy", statistics_text(*report.anisotropy, ""));
+    }
+    for (std::size_t i = 0; i < report.findings.size(); ++i) {
+        // What to do is said once of several of a kind.
+        const bool last_of_kind = i + 1 == report.findings.size() ||
+                                  report.findings[i + 1].kind != report.findings[i].kind;
+        text += finding_text(report.findings[i], last_of_kind);
+    }
+    if (check.in_scene) {
+        text += scene_text(*check.in_scene);
+    }
+    if (check.defect_count() == 0) {
+        text += line("all is well", "rays everywhere, no folds, no seams, nothing twice");
+    }
+    return text;
+}
+
+nlohmann::json check_json(const CameraCheck& check) {
+    const Report& report = check.report;
+    nlohmann::json findings = nlohmann::json::array();
+    for (const Finding& finding : report.findings) {
+        findings.push_back(finding_json(finding));
+    }
+    nlohmann::json layers = nlohmann::json::array();
+    for (const CameraCheck::Layer& layer : check.layers) {
+        layers.push_back({{"picture", layer.picture}, {"layer", layer.number}});
+    }
+    nlohmann::json entry{{"camera", report.camera},
+                         {"layers", layers},
+                         {"width", report.grid.picture_width},
+                         {"height", report.grid.picture_height},
+                         {"samples", report.samples.size()},
+                         {"valid_share", report.valid_share},
+                         {"single_viewpoint", report.single_viewpoint},
+                         {"origin_extent", report.origin_extent},
+                         {"distance", nullptr},
+                         {"magnification", statistics_json(report.magnification)},
+                         {"anisotropy", statistics_json(report.anisotropy)},
+                         {"findings", findings},
+                         {"defects", check.defect_count()}};
+    if (report.distance) {
+        entry["distance"] = *report.distance;
+    }
+    if (check.in_scene) {
+        entry["in_scene"] = scene_json(*check.in_scene);
+    }
+    return entry;
+}
+
+}  // namespace balcony::cli

@@ -1,0 +1,222 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "cli/report/explain_report.hpp"
+
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace balcony::cli {
+
+namespace {
+
+using lang::Explanation;
+
+// ------------------------------------------------------------------------------------ for people
+
+std::string indented(std::size_t depth) { return std::string(4 * depth, ' '); }
+
+std::string text_of(const std::vector<Explanation::Step>& steps, std::size_t depth) {
+    std::string text;
+    for (const Explanation::Step& step : steps) {
+        const std::string indent = indented(step.depth + depth);
+        text += fmt::format("{}{:<7} {}\n", indent, step.statement, step.written);
+        for (const std::string& meaning : step.meanings) {
+            text += fmt::format("{}        - {}\n", indent, meaning);
+        }
+    }
+    return text;
+}
+
+std::string text_of(const std::vector<Explanation::Parameter>& parameters, std::size_t depth) {
+    std::string text;
+    for (const Explanation::Parameter& parameter : parameters) {
+        text += fmt::format("{}{} = {}\n", indented(depth), parameter.name, parameter.value);
+    }
+    return text;
+}
+
+// A picture with its layers and those of the pictures in it, and then the cameras.
+class PictureText {
+public:
+    explicit PictureText(const Explanation& whole) : whole_(whole), layers_(whole.shown.size()) {}
+
+    std::string operator()() {
+        std::string text = fmt::format("{}: {}\n", whole_.name, whole_.summary);
+        text += text_of(whole_.parameters, 1);
+        text += "\nIts layers, from the back to the front:\n";
+        text += layers(whole_, "", 1);
+        for (std::size_t i = 0; i < whole_.shown.size(); ++i) {
+            if (!whole_.shown[i].is_picture) {
+                text += camera(whole_.shown[i], layers_[i]);
+            }
+        }
+        return text;
+    }
+
+private:
+    std::string layers(const Explanation& picture, const std::string& path, std::size_t depth) {
+        std::string text;
+        std::size_t number = 0;
+        for (const Explanation::Layer& layer : picture.layers) {
+            const std::string place = fmt::format("{}{}", path, ++number);
+            text += fmt::format("\n{}{}  {}\n", indented(depth), place, layer.written);
+            text += text_of(layer.steps, depth + 1);
+            text += shown(layer.shows, place, depth + 1);
+        }
+        return text;
+    }
+
+    // A picture at its first place; a camera further down, with all its places.
+    std::string shown(std::size_t index, const std::string& place, std::size_t depth) {
+        const Explanation& shown = whole_.shown[index];
+        layers_[index].push_back(place);
+        if (!shown.is_picture) {
+            return "";
+        }
+        if (layers_[index].size() > 1) {
+            return fmt::format("{}the picture of layer {} again\n", indented(depth),
+                               layers_[index].front());
+        }
+        return fmt::format("{}{}\n{}{}", indented(depth), shown.summary,
+                           text_of(shown.parameters, depth + 1),
+                           layers(shown, place + ".", depth + 1));
+    }
+
+    static std::string camera(const Explanation& camera, const std::vector<std::string>& layers) {
+        return fmt::format(
+            "\n{}, layer{} {}: {}\n{}\nA point of the layer becomes a ray in these "
+            "steps:\n{}",
+            camera.name, layers.size() > 1 ? "s" : "", fmt::join(layers, ", "), camera.summary,
+            text_of(camera.parameters, 1), text_of(camera.steps, 1));
+    }
+
+    const Explanation& whole_;
+    std::vector<std::vector<std::string>> layers_;  // Where each of the shown has been met.
+};
+
+// ----------------------------------------------------------------------------------- for programs
+
+nlohmann::json json_of(const std::vector<Explanation::Step>& steps) {
+    nlohmann::json all = nlohmann::json::array();
+    for (const Explanation::Step& step : steps) {
+        all.push_back({{"statement", step.statement},
+                       {"written", step.written},
+                       {"meanings", step.meanings},
+                       {"depth", step.depth}});
+    }
+    return all;
+}
+
+nlohmann::json json_of(const std::vector<Explanation::Layer>& layers) {
+    nlohmann::json all = nlohmann::json::array();
+    for (const Explanation::Layer& layer : layers) {
+        all.push_back(
+            {{"written", layer.written}, {"steps", json_of(layer.steps)}, {"shows", layer.shows}});
+    }
+    return all;
+}
+
+// -------------------------------------------------------------------------------------- formulas
+
+/// Formulas and their names.
+class FormulaList {
+public:
+    void add(std::string name, const expr::Expr& formula) {
+        names_.push_back(std::move(name));
+        roots_.push_back(formula);
+    }
+
+    void add_ray(const std::string& prefix, const camera::RayExpressions& ray) {
+        add(prefix + "u", ray.parameters.u);
+        add(prefix + "v", ray.parameters.v);
+        add(prefix + "origin_x", ray.origin.x);
+        add(prefix + "origin_y", ray.origin.y);
+        add(prefix + "origin_z", ray.origin.z);
+        add(prefix + "direction_x", ray.direction.x);
+        add(prefix + "direction_y", ray.direction.y);
+        add(prefix + "direction_z", ray.direction.z);
+        add(prefix + "valid", ray.valid);
+    }
+
+    [[nodiscard]] std::string text() const { return expr::print(expr::simplify(roots_), names_); }
+
+private:
+    std::vector<expr::Expr> roots_;
+    std::vector<std::string> names_;
+};
+
+using Elements = std::vector<camera::PictureExpressions::Element>;
+
+/// The elements of a picture belong to its layers in their order: of each the leader lines, what it
+/// shows, and its frame.
+void add_elements(const camera::Picture& picture, const Elements& elements, const std::string& path,
+                  FormulaList& formulas) {
+    auto element = elements.begin();
+    std::size_t number = 0;
+    for (const camera::Layer& layer : picture.parts().layers) {
+        const std::string prefix = fmt::format("{}_{}", path, ++number);
+        for (std::size_t leader = 1; leader <= layer.leaders.size(); ++leader) {
+            formulas.add(fmt::format("{}_leader_{}_coverage", prefix, leader),
+                         (element++)->coverage);
+        }
+        formulas.add(prefix + "_coverage", element->coverage);
+        if (element->ray) {
+            formulas.add_ray(prefix + "_", *element->ray);
+        } else {
+            add_elements(*std::get<std::shared_ptr<const camera::Picture>>(layer.content),
+                         element->group, prefix, formulas);
+        }
+        ++element;
+        if (layer.frame) {
+            formulas.add(prefix + "_frame_coverage", (element++)->coverage);
+        }
+    }
+}
+
+}  // namespace
+
+std::string explanation_text(const Explanation& explanation) {
+    if (explanation.is_picture) {
+        return PictureText(explanation)();
+    }
+    return fmt::format("{}: {}\n{}\nA point of the picture becomes a ray in these steps:\n{}",
+                       explanation.name, explanation.summary, text_of(explanation.parameters, 1),
+                       text_of(explanation.steps, 1));
+}
+
+nlohmann::json explanation_json(const Explanation& explanation) {
+    nlohmann::json parameters = nlohmann::json::array();
+    for (const Explanation::Parameter& parameter : explanation.parameters) {
+        parameters.push_back({{"name", parameter.name}, {"value", parameter.value}});
+    }
+    nlohmann::json made{{explanation.is_picture ? "picture" : "camera", explanation.name},
+                        {"summary", explanation.summary},
+                        {"parameters", parameters}};
+    if (explanation.is_picture) {
+        made["layers"] = json_of(explanation.layers);
+    } else {
+        made["steps"] = json_of(explanation.steps);
+    }
+    for (const Explanation& shown : explanation.shown) {
+        made["shown"].push_back(explanation_json(shown));
+    }
+    return made;
+}
+
+std::string formulas_text(const camera::Picture& picture, double width, double height) {
+    expr::Graph graph;
+    FormulaList formulas;
+    const Elements elements = picture.emit(graph, width, height).elements;
+    if (picture.only_camera() != nullptr) {
+        formulas.add_ray("", *elements.front().ray);
+    } else {
+        add_elements(picture, elements, "layer", formulas);
+    }
+    return formulas.text();
+}
+
+}  // namespace balcony::cli

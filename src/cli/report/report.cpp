@@ -1,0 +1,100 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "cli/report/report.hpp"
+
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace balcony::cli {
+
+namespace {
+
+/// Why standard output did not take what was written to it first; 0 if it did.
+int output_trouble = 0;
+
+bool controls(unsigned char byte) { return byte < 0x20 || byte == 0x7f; }
+
+// Control characters, those of Unicode's second block (two bytes in UTF-8) included.
+std::string without_controls(std::string_view text, std::string_view kept) {
+    std::string safe(text);
+    for (std::size_t i = 0; i < safe.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(safe[i]);
+        const auto next = static_cast<unsigned char>(i + 1 < safe.size() ? safe[i + 1] : '\0');
+        if (controls(byte) && kept.find(safe[i]) == std::string_view::npos) {
+            safe[i] = '?';
+        } else if (byte == 0xc2 && next >= 0x80 && next < 0xa0) {
+            safe.replace(i, 2, "?");
+        }
+    }
+    return safe;
+}
+
+void write_output(std::string_view text) {
+    errno = 0;
+    if (std::fwrite(text.data(), 1, text.size(), stdout) < text.size() && output_trouble == 0) {
+        output_trouble = errno != 0 ? errno : EIO;
+    }
+}
+
+}  // namespace
+
+void report(const Diagnostics& diagnostics) { print_aside(to_text(diagnostics)); }
+
+void print_result(std::string_view text) { write_output(without_controls(text, "\n")); }
+
+void print_verbatim(std::string_view text) { write_output(text); }
+
+void print_json(const nlohmann::json& document) {
+    constexpr int indent = 2;
+    write_output(document.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace) +
+                 "\n");
+}
+
+bool finish_output() {
+    errno = 0;
+    if (std::fflush(stdout) != 0 && output_trouble == 0) {
+        output_trouble = errno != 0 ? errno : EIO;
+    }
+    return output_trouble == 0 || output_trouble == EPIPE;
+}
+
+void print_aside(std::string_view text) {
+    [[maybe_unused]] const auto written = std::fwrite(text.data(), 1, text.size(), stderr);
+    std::fflush(stderr);
+}
+
+std::string printable(std::string_view text) { return without_controls(text, ""); }
+
+std::string counted(std::size_t count, std::string_view one, std::string_view many) {
+    return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+// The limits are where the digits shown would round to the next unit.
+std::string count_text(double count) {
+    if (count < 1e4) {
+        return fmt::format("{:.0f}", count);
+    }
+    const bool thousands = count < 999.95e3;
+    const bool millions = count < 999.95e6;
+    return thousands  ? fmt::format("{:.1f} k", count / 1e3)
+           : millions ? fmt::format("{:.1f} M", count / 1e6)
+                      : fmt::format("{:.1f} G", count / 1e9);
+}
+
+std::string duration_text(double seconds) {
+    if (seconds < 59.95) {
+        return fmt::format("{:.1f} s", seconds);
+    }
+    const auto whole = static_cast<long>(std::lround(seconds));
+    if (whole < 3600) {
+        return fmt::format("{}:{:02} min", whole / 60, whole % 60);
+    }
+    return fmt::format("{}:{:02} h", whole / 3600, whole % 3600 / 60);
+}
+
+}  // namespace balcony::cli

@@ -1,0 +1,200 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "cli/report/usage.hpp"
+
+#include <algorithm>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace balcony::cli {
+
+namespace {
+
+constexpr std::size_t text_column = 28;
+constexpr std::size_t last_column = 80;
+
+// A text in lines that begin at the text column; the first begins where the cursor is.
+std::string wrapped(const std::string& text) {
+    std::string lines;
+    std::size_t column = text_column;
+    for (const std::string& word : CLI::detail::split(text, ' ')) {
+        if (column > text_column && column + 1 + word.size() > last_column) {
+            lines += "\n" + std::string(text_column, ' ');
+            column = text_column;
+        } else if (column > text_column) {
+            lines += ' ';
+            ++column;
+        }
+        lines += word;
+        column += word.size();
+    }
+    return lines;
+}
+
+// "  -o, --output FILE" and what it is for.
+std::string entry(const std::string& name, const std::string& meaning) {
+    const std::string indented = "  " + name;
+    const std::string gap = indented.size() + 2 > text_column
+                                ? "\n" + std::string(text_column, ' ')
+                                : std::string(text_column - indented.size(), ' ');
+    return indented + gap + wrapped(meaning) + "\n";
+}
+
+std::string spelling(const CLI::Option& option) {
+    std::vector<std::string> names;
+    for (const std::string& name : option.get_snames()) {
+        names.push_back("-" + name);
+    }
+    for (const std::string& name : option.get_lnames()) {
+        names.push_back("--" + name);
+    }
+    const bool is_flag = option.get_items_expected_max() == 0;
+    return fmt::format("{}{}{}", fmt::join(names, ", "), is_flag ? "" : " ",
+                       is_flag ? "" : option.get_type_name());
+}
+
+class HelpLayout final : public CLI::Formatter {
+public:
+    HelpLayout() {
+        label("Positionals", "Arguments");
+        label("OPTIONS", "options");
+        label("SUBCOMMAND", "COMMAND");
+    }
+
+    std::string make_option(const CLI::Option* option, bool is_positional) const override {
+        const std::string standard = option->get_default_str();
+        return entry(is_positional ? option->get_name(true) : spelling(*option),
+                     standard.empty()
+                         ? option->get_description()
+                         : fmt::format("{} (default: {})", option->get_description(), standard));
+    }
+
+    std::string make_usage(const CLI::App* app, std::string name) const override {
+        return "\n" + Formatter::make_usage(app, std::move(name));
+    }
+
+    std::string make_subcommand(const CLI::App* command) const override {
+        return entry(command->get_name(), command->get_description());
+    }
+};
+
+std::vector<std::string> names_of_options(const CLI::App& command) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options()) {
+        for (const std::string& name : option->get_lnames()) {
+            names.push_back("--" + name);
+        }
+    }
+    return names;
+}
+
+std::vector<std::string> names_of_commands(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands({})) {
+        names.push_back(command->get_name());
+    }
+    return names;
+}
+
+// What CLI11 says, with the cases in plainer words that users meet every day.
+std::string in_plain_words(const CLI::ParseError& problem) {
+    const std::string said = problem.what();
+    const std::string option = said.substr(0, said.find(':'));
+    if (problem.get_name() == "ArgumentMismatch" && said.find("required") != std::string::npos) {
+        return fmt::format("{} needs a value", option);
+    }
+    if (problem.get_name() == "ArgumentMismatch" || problem.get_name() == "ConversionError") {
+        return fmt::format("{} takes no value", option.substr(0, option.find(' ')));
+    }
+    return said;
+}
+
+bool has_option(const CLI::App& command, const std::string& name) {
+    return command.get_option_no_throw(name) != nullptr;
+}
+
+bool ends_in(std::string_view word, std::initializer_list<std::string_view> endings) {
+    return std::any_of(endings.begin(), endings.end(),
+                       [word](std::string_view ending) { return word.ends_with(ending); });
+}
+
+// "-camera" is read as -c with the value "amera"; the option it was, if there is one.
+std::optional<std::string> option_with_one_hyphen(const CLI::App& command) {
+    for (const CLI::Option* option : command.get_options()) {
+        for (const std::string& value : option->results()) {
+            for (const std::string& name : option->get_lnames()) {
+                if (!option->get_snames().empty() && option->get_snames().front() + value == name) {
+                    return "--" + name;
+                }
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+// The option that an argument too many is likely meant for; empty if none is.
+std::string option_for(const CLI::App& command, const std::string& word) {
+    if (const auto option = option_with_one_hyphen(command)) {
+        return fmt::format("write {} with two hyphens", *option);
+    }
+    const bool is_point = word.find(',') != std::string::npos &&
+                          word.find_first_not_of("0123456789.,-+e") == std::string::npos;
+    const char* option = ends_in(word, {".cam"})                                 ? "--camera"
+                         : ends_in(word, {".png", ".exr", ".svg"})               ? "--output"
+                         : ends_in(word, {".glb", ".gltf", ".obj"})              ? "--scene"
+                         : is_point                                              ? "--point"
+                         : word.find('=') != std::string::npos && word[0] != '=' ? "--set"
+                                                                                 : nullptr;
+    return option != nullptr && has_option(command, option)
+               ? fmt::format("did you mean {} {}?", option, word)
+               : "";
+}
+
+// The command that a file is for which stands in the place of a command.
+std::string command_for(const std::string& word) {
+    return ends_in(word, {".glb", ".gltf", ".obj"})
+               ? fmt::format("did you mean balcony render {}?", word)
+           : ends_in(word, {".cam"}) ? fmt::format("did you mean balcony check {}?", word)
+                                     : "";
+}
+
+}  // namespace
+
+std::shared_ptr<CLI::FormatterBase> help_layout() { return std::make_shared<HelpLayout>(); }
+
+Diagnostic usage_error(const CLI::App& app, const CLI::ParseError& problem) {
+    const auto chosen = app.get_subcommands();
+    const CLI::App& command = chosen.empty() ? app : *chosen.front();
+    const std::string name = chosen.empty() ? "balcony" : "balcony " + command.get_name();
+    const std::string look_up = name + " --help";
+
+    const std::vector<std::string> unknown = app.remaining(true);
+    const auto option = std::find_if(unknown.begin(), unknown.end(), [](const std::string& word) {
+        return word.size() > 1 && word.front() == '-';
+    });
+    const bool is_option = option != unknown.end();
+    if (!is_option && (unknown.empty() || problem.get_name() == "ArgumentMismatch")) {
+        return error(chosen.empty() ? "no command is given" : in_plain_words(problem), {}, look_up);
+    }
+    const std::string word = is_option ? option->substr(0, option->find('=')) : unknown.front();
+    if (!is_option && !chosen.empty()) {
+        const std::string meant = option_for(command, word);
+        return error(fmt::format("'{}' is one argument too many", word), {},
+                     meant.empty() ? look_up : meant);
+    }
+    const auto nearest =
+        nearest_name(word, is_option ? names_of_options(command) : names_of_commands(app));
+    return error(fmt::format("{} has no {} '{}'", name, is_option ? "option" : "command", word), {},
+                 nearest ? fmt::format("did you mean '{}'?", *nearest)
+                 : is_option || command_for(word).empty() ? look_up
+                                                          : command_for(word));
+}
+
+}  // namespace balcony::cli

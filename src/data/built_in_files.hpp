@@ -1,0 +1,20 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace balcony::data {
+
+/// A file of cameras/data/ as it was when the library was built.
+struct BuiltInFile {
+    std::string_view name;
+    std::span<const std::uint8_t> bytes;
+};
+
+/// All of them in the order of their names; CMake writes the definition.
+[[nodiscard]] std::span<const BuiltInFile> embedded_files();
+
+}  // namespace balcony::data

@@ -1,0 +1,299 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "lang/build/build_camera.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "lang/build/stages.hpp"
+#include "lang/build/statements.hpp"
+#include "lang/names/definition_scope.hpp"
+#include "lang/syntax/keywords.hpp"
+
+namespace balcony::lang {
+
+namespace {
+
+using camera::StageKind;
+
+class CameraBuilder {
+public:
+    CameraBuilder(const LocatedDefinition& place, Scope& scope, Session& session)
+        : tree_(place.module->tree),
+          camera_(*place.camera),
+          reporter_(session.reporter()),
+          stages_(*place.module, scope, session),
+          statements_(tree_, camera_.statements, reporter_) {}
+
+    std::optional<camera::Camera> run() {
+        const std::size_t errors_before = reporter_.error_count();
+        camera::Camera::Parts parts;
+        parts.name = std::string(camera_.name.text);
+        parts.arrangers = make_arrangers(camera_.statements, stages_);
+        aspect(parts);
+        axes(parts);
+        shared_.mapper = mapper(statements_);
+        shared_.parameter_transformers = list<camera::ParameterTransformer>(
+            statements_, StatementKind::warp, StageKind::parameter_transformer);
+        shared_.object_transformers = list<camera::ObjectTransformer>(
+            statements_, StatementKind::move, StageKind::object_transformer);
+        paths(parts);
+        look(parts);
+        // What failed in silence has been reported where it began.
+        return reporter_.error_count() == errors_before && complete(parts)
+                   ? finish(std::move(parts))
+                   : std::nullopt;
+    }
+
+private:
+    void error(Span span, std::string message, std::string remedy = {}) {
+        reporter_.error(tree_.at(span), std::move(message), std::move(remedy));
+    }
+
+    template <class Port>
+    std::vector<std::shared_ptr<const Port>> list(const Statements& statements, StatementKind kind,
+                                                  StageKind stage_kind) {
+        std::vector<std::shared_ptr<const Port>> made;
+        for (const ExpressionId call : statements.stages(kind)) {
+            made.push_back(stages_.make<Port>(stage_kind, call));
+        }
+        return made;
+    }
+
+    void aspect(camera::Camera::Parts& parts) {
+        const Statement* statement = statements_.find(StatementKind::aspect);
+        if (statement == nullptr) {
+            return;
+        }
+        if (const auto value = stages_.aspect(statement->value, "a camera")) {
+            parts.aspect = *value;
+        }
+    }
+
+    void axes(camera::Camera::Parts& parts) {
+        const Statement* statement = statements_.find(StatementKind::axes);
+        if (statement == nullptr) {
+            return;
+        }
+        const Identifier& name = statement->name;
+        if (name.text != "z_up" && name.text != "y_up") {
+            error(name.span, fmt::format("there are no axes '{}'", name.text),
+                  suggestion(name.text, {"z_up", "y_up"}, "write"));
+        }
+        parts.axes = name.text == "y_up" ? Axes::y_up : Axes::z_up;
+    }
+
+    [[nodiscard]] bool complete(const camera::Camera::Parts& parts) const {
+        const auto all = [](const auto& stages) {
+            return std::all_of(stages.begin(), stages.end(),
+                               [](const auto& stage) { return stage != nullptr; });
+        };
+        const auto whole = [&all](const camera::Path& path) {
+            return path.mapper && path.generator && all(path.parameter_transformers) &&
+                   all(path.object_transformers);
+        };
+        const bool has_toward = !statements_.lacks(StatementKind::toward);
+        return parts.look && whole(parts.eye) && all(parts.arrangers) &&
+               has_toward == parts.toward.has_value() && (!parts.toward || whole(*parts.toward));
+    }
+
+    // ------------------------------------------------------------------------------------- map
+
+    // Null without an error if there is no map statement.
+    camera::PictureMapperPointer mapper(const Statements& statements) {
+        const Statement* statement = statements.find(StatementKind::map);
+        if (statement == nullptr) {
+            return nullptr;
+        }
+        const MapRange* u = nullptr;
+        const MapRange* v = nullptr;
+        for (const MapRange& range : statement->ranges) {
+            const std::string_view name = range.coordinate.text;
+            if (name != "u" && name != "v") {
+                error(range.coordinate.span,
+                      fmt::format("the picture is mapped to u and v; '{}' is neither", name),
+                      "such as map u = -1 .. 1, v = square");
+                return nullptr;
+            }
+            const MapRange*& slot = name == "u" ? u : v;
+            if (slot != nullptr) {
+                report_duplicate(range.coordinate, tree_.at(range.coordinate.span),
+                                 tree_.at(slot->coordinate.span), reporter_);
+                return nullptr;
+            }
+            slot = &range;
+        }
+        if (u == nullptr || v == nullptr) {
+            const char* missing = u == nullptr ? "u" : "v";
+            error(statement->span, fmt::format("this map has no range for {}", missing),
+                  fmt::format("add {0} = -1 .. 1, or {0} = square for square pixels", missing));
+            return nullptr;
+        }
+        return mapper(*statement, *u, *v);
+    }
+
+    camera::PictureMapperPointer mapper(const Statement& statement, const MapRange& u,
+                                        const MapRange& v) {
+        const bool u_square = !u.first.valid();
+        const bool v_square = !v.first.valid();
+        if (u_square && v_square) {
+            error(statement.span, "u and v cannot both be square",
+                  "give one of them a range; the other follows from the picture's shape");
+            return nullptr;
+        }
+        std::vector<ExpressionId> values;
+        for (const MapRange* range : {&u, &v}) {
+            if (range->first.valid()) {
+                values.push_back(range->first);
+                values.push_back(range->last);
+            }
+        }
+        const char* name = u_square ? "square_u" : v_square ? "square_v" : "range";
+        return stages_.make_mapper(name, values, statement.span);
+    }
+
+    // ----------------------------------------------------------------------------------- paths
+
+    void paths(camera::Camera::Parts& parts) {
+        const Statement* eye = statements_.find(StatementKind::eye);
+        const Statement* toward = statements_.find(StatementKind::toward);
+        if (statements_.lacks(StatementKind::eye)) {
+            error(camera_.name.span,
+                  fmt::format("the camera '{}' has no eye object", camera_.name.text),
+                  "say where rays start, such as eye sphere(1)");
+        }
+        bool shared_map_used = false;
+        if (eye != nullptr) {
+            parts.eye = path(*eye, shared_map_used);
+        }
+        if (toward != nullptr) {
+            parts.toward = path(*toward, shared_map_used);
+        }
+        const Statement* map = statements_.find(StatementKind::map);
+        if (map != nullptr && eye != nullptr && !shared_map_used) {
+            reporter_.warning(tree_.at(map->keyword), "this map has no effect",
+                              "every path of the camera has a map of its own");
+        }
+    }
+
+    // A path's own warps come behind the camera's, its own moves before the camera's.
+    camera::Path path(const Statement& statement, bool& shared_map_used) {
+        camera::Path made = shared_;
+        if (!statement.stages.empty()) {
+            made.generator = generator(statement.stages.front());
+            shared_map_used = true;
+            require_map(statement);
+            return made;
+        }
+        const Statements own(tree_, statement.block, reporter_);
+        if (const Statement* object = own.find(StatementKind::object)) {
+            made.generator = generator(object->stages.front());
+        } else if (own.lacks(StatementKind::object)) {
+            error(statement.keyword,
+                  fmt::format("this '{}' has no object", keyword(statement.kind)),
+                  "add one to its block, such as object sphere(1)");
+        }
+        if (own.lacks(StatementKind::map)) {
+            shared_map_used = true;
+            require_map(statement);
+        } else {
+            made.mapper = mapper(own);
+        }
+        const auto warps = list<camera::ParameterTransformer>(own, StatementKind::warp,
+                                                              StageKind::parameter_transformer);
+        made.parameter_transformers.insert(made.parameter_transformers.end(), warps.begin(),
+                                           warps.end());
+        const auto moves = list<camera::ObjectTransformer>(own, StatementKind::move,
+                                                           StageKind::object_transformer);
+        made.object_transformers.insert(made.object_transformers.begin(), moves.begin(),
+                                        moves.end());
+        return made;
+    }
+
+    void require_map(const Statement& path) {
+        if (statements_.lacks(StatementKind::map) && !map_missed_) {
+            map_missed_ = true;
+            error(camera_.name.span,
+                  fmt::format("the camera '{}' has no map for its '{}'", camera_.name.text,
+                              keyword(path.kind)),
+                  "say what part of the object the picture shows, such as map u = -1 .. 1, v = "
+                  "square");
+        }
+    }
+
+    camera::ObjectGeneratorPointer generator(ExpressionId call) {
+        return stages_.make<camera::ObjectGenerator>(StageKind::object_generator, call);
+    }
+
+    // ------------------------------------------------------------------------------------ look
+
+    void look(camera::Camera::Parts& parts) {
+        const Statement* statement = statements_.find(StatementKind::look);
+        const Statement* toward = statements_.find(StatementKind::toward);
+        const Span span = statement != nullptr ? statement->span : camera_.name.span;
+        if (statement != nullptr) {
+            parts.look = stages_.make<camera::DirectionRule>(StageKind::direction_rule,
+                                                             statement->stages.front());
+        } else if (statements_.lacks(StatementKind::look) &&
+                   (toward != nullptr || statements_.lacks(StatementKind::toward))) {
+            parts.look = stages_.make_default_rule(toward != nullptr ? "relative" : "normal", span);
+        }
+        if (!parts.look) {
+            return;
+        }
+        if (parts.look->needs_direction_object() && statements_.lacks(StatementKind::toward)) {
+            error(span, "this direction rule needs a direction object",
+                  "add one with toward, such as toward sphere(10)");
+        }
+        const int minimum = parts.look->min_eye_dimension();
+        if (parts.eye.generator && parts.eye.generator->dimension() < minimum) {
+            error(span,
+                  fmt::format("this direction rule needs a {}, but the eye object is a {}",
+                              minimum == 2 ? "surface" : "curve or a surface",
+                              parts.eye.generator->dimension() == 0 ? "point" : "curve"),
+                  "add a direction object with toward, or take another eye object");
+        }
+    }
+
+    std::optional<camera::Camera> finish(camera::Camera::Parts parts) {
+        Result<camera::Camera> made = camera::Camera::make(std::move(parts));
+        for (Diagnostic& diagnostic : made.diagnostics) {
+            if (!diagnostic.span.source) {
+                diagnostic.span = tree_.at(camera_.name.span);
+            }
+            reporter_.add(std::move(diagnostic));
+        }
+        return made.value;
+    }
+
+    const SyntaxTree& tree_;
+    const DefinitionSyntax& camera_;
+    Reporter& reporter_;
+    StageBuilder stages_;
+    Statements statements_;
+    camera::Path shared_;  // What stands at camera level.
+    bool map_missed_ = false;
+};
+
+}  // namespace
+
+std::optional<camera::Camera> build_camera(const LocatedDefinition& place,
+                                           const GivenParameters& given, Session& session,
+                                           bool warn_of_unused) {
+    const std::size_t errors_before = session.reporter().error_count();
+    DefinitionScope scope(place, given, session);
+    std::optional<camera::Camera> made = CameraBuilder(place, scope.names(), session).run();
+    if (session.reporter().error_count() > errors_before) {
+        return std::nullopt;
+    }
+    if (warn_of_unused && session.reporter().error_count() == 0) {
+        scope.warn_of_unused();
+    }
+    return made ? std::optional(std::get<camera::Camera>(
+                      session.share(place, scope.values(), std::move(*made))))
+                : std::nullopt;
+}
+
+}  // namespace balcony::lang

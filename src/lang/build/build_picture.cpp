@@ -1,0 +1,337 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Pictures: layers that name cameras and other pictures.
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "lang/build/build_camera.hpp"
+#include "lang/build/resolved_layer.hpp"
+#include "lang/build/statements.hpp"
+#include "lang/syntax/keywords.hpp"
+
+namespace balcony::lang {
+
+namespace {
+
+using camera::ParameterType;
+using camera::StageEntry;
+
+// Rows for what layers are told as numbers, to be checked as the arguments of stages are.
+const StageEntry& layer_row() {
+    static const StageEntry row{
+        .kind = camera::StageKind::clip_shape,
+        .name = "layer",
+        .meaning = "",
+        .parameters = {{.name = "soft",
+                        .minimum = 0.0,
+                        .maximum = 1.0,
+                        .meaning = "width of the clip's soft edge"},
+                       {.name = "alpha", .minimum = 0.0, .maximum = 1.0, .meaning = "opacity"}},
+        .make = nullptr};
+    return row;
+}
+
+const StageEntry& frame_row() {
+    static const StageEntry row{.kind = camera::StageKind::clip_shape,
+                                .name = "frame",
+                                .meaning = "",
+                                .parameters = {{.name = "width",
+                                                .default_value = {0.004},
+                                                .minimum = 0.0,
+                                                .maximum = 1.0,
+                                                .meaning = "as a fraction of the picture's height"},
+                                               {.name = "color",
+                                                .type = ParameterType::triple,
+                                                .default_value = {1.0, 1.0, 1.0},
+                                                .minimum = 0.0,
+                                                .meaning = "red, green and blue in linear light"}},
+                                .make = nullptr};
+    return row;
+}
+
+const StageEntry& leader_row() {
+    static const StageEntry row{
+        .kind = camera::StageKind::clip_shape,
+        .name = "leader",
+        .meaning = "",
+        .parameters = {{.name = "from", .type = ParameterType::pair, .meaning = "top left corner"},
+                       {.name = "to",
+                        .type = ParameterType::pair,
+                        .meaning = "bottom right corner"}},
+        .make = nullptr};
+    return row;
+}
+
+// Where a picture stands among those that are being made.
+struct Nesting {
+    std::vector<LocatedDefinition> chain;  // The pictures that this one is in, itself the last.
+    std::set<const DefinitionSyntax*> failures;  // Pictures with errors, which are made once only.
+};
+
+class PictureBuilder {
+public:
+    PictureBuilder(const LocatedDefinition& place, Scope& scope, Session& session, Nesting& nesting)
+        : place_(place),
+          tree_(place.module->tree),
+          picture_(*place.camera),
+          scope_(scope),
+          session_(session),
+          reporter_(session.reporter()),
+          stages_(*place.module, scope, session),
+          nesting_(nesting) {}
+
+    std::optional<camera::Picture> run() {
+        const std::size_t errors_before = reporter_.error_count();
+        const Statements statements(tree_, picture_.statements, reporter_);
+        camera::Picture::Parts parts;
+        parts.name = std::string(picture_.name.text);
+        size(parts);
+        if (const Statement* aspect = statements.find(StatementKind::aspect)) {
+            this->aspect(*aspect, parts);
+        }
+        if (statements.lacks(StatementKind::layer)) {
+            error(picture_.name.span,
+                  fmt::format("the picture '{}' has no layers", picture_.name.text),
+                  "name what it shows, such as layer panorama");
+        }
+        for (const Statement& statement : picture_.statements) {
+            if (reporter_.full()) {
+                break;
+            }
+            if (statement.kind == StatementKind::layer && !statement.broken) {
+                layer(statement, parts);
+            }
+        }
+        // A layer that failed in silence has been reported where it is used first.
+        return complete_ && reporter_.error_count() == errors_before ? finish(std::move(parts))
+                                                                     : std::nullopt;
+    }
+
+private:
+    using Content = decltype(camera::Layer::content);
+    using NestedPicture = std::shared_ptr<const camera::Picture>;
+
+    void error(Span span, std::string message, std::string remedy = {}) {
+        reporter_.error(tree_.at(span), std::move(message), std::move(remedy));
+    }
+
+    // -------------------------------------------------------------------------- the whole picture
+
+    void size(camera::Picture::Parts& parts) {
+        std::array<std::size_t, 2> pixels{};
+        constexpr double maximum = 1048576.0;
+        for (std::size_t i = 0; i < picture_.size.size(); ++i) {
+            const ExpressionId id = picture_.size[i];
+            const auto value =
+                stages_.constant(id, i == 0 ? "the width of a picture" : "the height of a picture");
+            if (!value) {
+                return;
+            }
+            if (!(*value >= 1.0 && *value <= maximum && std::floor(*value) == *value)) {
+                error(tree_[id].span,
+                      fmt::format("a picture has a whole number of pixels, but this is {:.6g}",
+                                  *value),
+                      "write width and height in pixels, such as 1920 x 1080");
+                return;
+            }
+            pixels[i] = static_cast<std::size_t>(*value);
+        }
+        if (picture_.size.size() == 2) {
+            parts.size = pixels;
+        }
+    }
+
+    void aspect(const Statement& statement, camera::Picture::Parts& parts) {
+        if (!picture_.size.empty()) {
+            error(statement.span, "this picture has a size and an aspect",
+                  "leave out the aspect, which follows from the size");
+        } else if (const auto value = stages_.aspect(statement.value, "a picture")) {
+            parts.aspect = *value;
+        }
+    }
+
+    std::optional<camera::Picture> finish(camera::Picture::Parts parts) {
+        Result<camera::Picture> made = camera::Picture::make(std::move(parts));
+        for (Diagnostic& diagnostic : made.diagnostics) {
+            if (!diagnostic.span.source) {
+                diagnostic.span = tree_.at(picture_.name.span);
+            }
+            reporter_.add(std::move(diagnostic));
+        }
+        return made.value;
+    }
+
+    // ------------------------------------------------------------------------------------ a layer
+
+    void layer(const Statement& statement, camera::Picture::Parts& parts) {
+        const Expression& call = tree_[statement.stages.front()];
+        const Statements own(tree_, statement.block, reporter_);
+        std::optional<Content> content = this->content(call);
+        const auto arrangers = make_arrangers(statement.block, stages_);
+        const Statement* clip = own.find(StatementKind::clip);
+        const auto shape = clip != nullptr
+                               ? stages_.make<camera::ClipShape>(camera::StageKind::clip_shape,
+                                                                 clip->stages.front())
+                               : nullptr;
+        const bool good = std::find(arrangers.begin(), arrangers.end(), nullptr) == arrangers.end();
+        // All of it is read, to find all that is wrong.
+        camera::Layer made{std::string(call.name.text), content.value_or(NestedPicture())};
+        made.arrangers = arrangers;
+        made.clip = shape;
+        made.softness = number(own, StatementKind::soft, 0.0);
+        made.alpha = number(own, StatementKind::alpha, 1.0);
+        blend(own, made);
+        strokes(statement, own, made);
+        if (content && good && (clip == nullptr || shape)) {
+            parts.layers.push_back(std::move(made));
+        } else {
+            complete_ = false;
+        }
+    }
+
+    camera::Scalar number(const Statements& own, StatementKind kind, double otherwise) {
+        const Statement* statement = own.find(kind);
+        const StageEntry& row = layer_row();
+        const auto given = statement != nullptr
+                               ? stages_.argument(row, keyword(kind), statement->value)
+                               : std::nullopt;
+        return given ? given->number(keyword(kind)) : camera::Scalar(otherwise);
+    }
+
+    void blend(const Statements& own, camera::Layer& made) {
+        const Statement* statement = own.find(StatementKind::blend);
+        if (statement == nullptr) {
+            return;
+        }
+        const auto mode = camera::find_blend_mode(statement->name.text);
+        if (!mode) {
+            error(statement->name.span,
+                  fmt::format("there is no blend mode '{}'", statement->name.text),
+                  suggestion(statement->name.text, camera::blend_mode_names(), "there are"));
+        }
+        made.blend = mode.value_or(camera::BlendMode::normal);
+    }
+
+    // Leader lines are drawn as the frame is.
+    void strokes(const Statement& statement, const Statements& own, camera::Layer& made) {
+        camera::Stroke stroke;
+        if (const Statement* frame = own.find(StatementKind::frame)) {
+            if (const auto given = stages_.arguments(frame_row(), tree_[frame->stages.front()])) {
+                stroke = {given->number("width"), given->triple("color")};
+            }
+            made.frame = stroke;
+        }
+        for (const Statement& one : statement.block) {
+            if (one.kind != StatementKind::leader || one.broken) {
+                continue;
+            }
+            const MapRange& region = one.ranges.front();
+            if (const auto given =
+                    stages_.arguments(leader_row(), std::array{region.first, region.last})) {
+                made.leaders.push_back({given->pair("from"), given->pair("to"), stroke});
+            }
+        }
+    }
+
+    // ---------------------------------------------------------------------- what a layer shows
+
+    std::optional<Content> content(const Expression& call) {
+        const auto shown = resolve_layer(place_, call, scope_, session_);
+        if (!shown) {
+            return std::nullopt;
+        }
+        const auto& [place, given] = *shown;
+        std::optional<Content> made;
+        if (!place.camera->is_picture) {
+            if (auto camera = build_camera(place, given, session_, false)) {
+                made.emplace(std::move(*camera));
+            }
+        } else if (!in_a_circle(place, call) && !too_deep(call)) {
+            if (auto picture = nested(place, given)) {
+                made.emplace(std::move(picture));
+            }
+        }
+        return made;
+    }
+
+    // Null if there is an error.
+    NestedPicture nested(const LocatedDefinition& place, const GivenParameters& given) {
+        if (nesting_.failures.contains(place.camera)) {
+            return nullptr;
+        }
+        DefinitionScope scope(place, given, session_);
+        nesting_.chain.push_back(place);
+        auto picture = PictureBuilder(place, scope.names(), session_, nesting_).run();
+        nesting_.chain.pop_back();
+        if (!picture) {
+            nesting_.failures.insert(place.camera);
+            return nullptr;
+        }
+        return std::get<NestedPicture>(session_.share(
+            place, scope.values(), std::make_shared<const camera::Picture>(std::move(*picture))));
+    }
+
+    bool in_a_circle(const LocatedDefinition& place, const Expression& call) {
+        const auto first = std::find_if(
+            nesting_.chain.begin(), nesting_.chain.end(),
+            [&place](const LocatedDefinition& one) { return one.camera == place.camera; });
+        if (first == nesting_.chain.end()) {
+            return false;
+        }
+        std::string names;
+        for (auto one = first; one != nesting_.chain.end(); ++one) {
+            names += fmt::format("{} -> ", one->camera->name.text);
+        }
+        error(call.name.span,
+              fmt::format("the picture '{0}' shows itself: {1}{0}", place.camera->name.text, names),
+              "let one of its layers show something else");
+        return true;
+    }
+
+    bool too_deep(const Expression& call) {
+        if (nesting_.chain.size() < camera::max_nested_pictures) {
+            return false;
+        }
+        error(call.name.span,
+              fmt::format("pictures nest more than {} deep", camera::max_nested_pictures));
+        return true;
+    }
+
+    const LocatedDefinition place_;
+    const SyntaxTree& tree_;
+    const DefinitionSyntax& picture_;
+    Scope& scope_;
+    Session& session_;
+    Reporter& reporter_;
+    StageBuilder stages_;
+    Nesting& nesting_;
+    bool complete_ = true;
+};
+
+}  // namespace
+
+std::optional<camera::Picture> build_picture(const LocatedDefinition& place,
+                                             const GivenParameters& given, Session& session) {
+    if (!place.camera->is_picture) {
+        std::optional<camera::Camera> camera = build_camera(place, given, session, true);
+        return camera ? std::optional<camera::Picture>(std::move(*camera)) : std::nullopt;
+    }
+    const std::size_t errors_before = session.reporter().error_count();
+    DefinitionScope scope(place, given, session);
+    Nesting nesting{{place}, {}};
+    auto made = PictureBuilder(place, scope.names(), session, nesting).run();
+    if (session.reporter().error_count() > errors_before) {
+        return std::nullopt;
+    }
+    if (session.reporter().error_count() == 0) {
+        scope.warn_of_unused();
+    }
+    return made;
+}
+
+}  // namespace balcony::lang

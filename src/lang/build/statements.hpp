@@ -1,0 +1,36 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "lang/build/stages.hpp"
+#include "lang/reporter.hpp"
+#include "lang/syntax/syntax.hpp"
+
+namespace balcony::lang {
+
+/// The statements of one block, by kind.
+class Statements {
+public:
+    /// Reports what stands twice and must not.
+    Statements(const SyntaxTree& tree, const std::vector<Statement>& all, Reporter& reporter);
+
+    /// The first of a kind, unless it is broken; null if there is none.
+    [[nodiscard]] const Statement* find(StatementKind kind) const;
+    /// Whether one is missing, not merely broken or unrecognisable.
+    [[nodiscard]] bool lacks(StatementKind kind) const;
+    /// The stages of all statements of a kind in sequence.
+    [[nodiscard]] std::vector<ExpressionId> stages(StatementKind kind) const;
+
+private:
+    const std::vector<Statement>& all_;
+    std::map<StatementKind, const Statement*> first_;
+};
+
+/// The arrangers of all place and arrange statements in sequence; null where one has an error.
+[[nodiscard]] std::vector<camera::PictureArrangerPointer> make_arrangers(
+    const std::vector<Statement>& statements, StageBuilder& stages);
+
+}  // namespace balcony::lang

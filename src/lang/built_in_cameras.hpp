@@ -1,0 +1,21 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace balcony::lang {
+
+/// A file of cameras/ as it was when the library was built.
+struct BuiltInCamera {
+    std::string_view name;  ///< Without .cam.
+    std::string_view text;
+};
+
+/// All of them in the order of their names; CMake writes the definition.
+[[nodiscard]] std::span<const BuiltInCamera> built_in_camera_files();
+/// One by its name, with or without .cam; null if there is none.
+[[nodiscard]] const BuiltInCamera* find_built_in_camera(std::string_view name);
+
+}  // namespace balcony::lang

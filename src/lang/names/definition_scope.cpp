@@ -1,0 +1,196 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "lang/names/definition_scope.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "lang/names/evaluate.hpp"
+
+namespace balcony::lang {
+
+std::string_view word_for(const DefinitionSyntax& camera) {
+    return camera.is_picture ? "picture" : "camera";
+}
+
+DefinitionScope::DefinitionScope(const LocatedDefinition& place, const GivenParameters& given,
+                                 Session& session)
+    : place_(place),
+      tree_(place.module->tree),
+      session_(session),
+      scope_(place.module->scope.get()),
+      values_(given.values) {
+    read_overrides(given.overrides);
+    check_names(given.values);
+    std::vector<const Statement*> lets;
+    for (const Statement& statement : place.camera->statements) {
+        if (statement.kind == StatementKind::let) {
+            lets.push_back(&statement);
+            scope_.announce(statement.name.text,
+                            "it is a let in the camera's body; a default may use only the "
+                            "parameters before it and lets outside of cameras");
+        }
+    }
+    define_parameters();
+    define_lets(tree_, lets, scope_, *session.graph(), session.reporter());
+}
+
+void DefinitionScope::read_overrides(const std::vector<Override>& overrides) {
+    const std::vector<std::string> known = parameter_names();
+    for (const Override& given : overrides) {
+        const auto source = std::make_shared<const SourceText>(
+            "--set", fmt::format("{}={}", given.name, given.expression));
+        if (std::find(known.begin(), known.end(), given.name) == known.end()) {
+            session_.reporter().error(
+                {source, 0, given.name.size()},
+                fmt::format("the {} '{}' has no parameter '{}'", word_for(*place_.camera),
+                            place_.camera->name.text, given.name),
+                known.empty() ? "it has no parameters"
+                              : suggestion(given.name, known, "its parameters are"));
+            continue;
+        }
+        const std::size_t errors_before = session_.reporter().error_count();
+        const SyntaxTree& tree = session_.keep(parse_override(source, session_.reporter()));
+        const bool good = session_.reporter().error_count() == errors_before;
+        const std::string_view name = tree.source->text().substr(0, given.name.size());
+        given_.push_back({name, good ? &tree : nullptr});
+    }
+}
+
+std::vector<std::string> DefinitionScope::parameter_names() const {
+    std::vector<std::string> names;
+    for (const DefinitionParameter& parameter : place_.camera->parameters) {
+        names.emplace_back(parameter.name.text);
+    }
+    return names;
+}
+
+void DefinitionScope::check_names(const std::vector<ParameterValue>& values) {
+    const std::vector<std::string> known = parameter_names();
+    for (const ParameterValue& value : values) {
+        if (std::find(known.begin(), known.end(), value.name.text) == known.end()) {
+            session_.reporter().error(
+                value.name_place,
+                fmt::format("the {} '{}' has no parameter '{}'", word_for(*place_.camera),
+                            place_.camera->name.text, value.name.text),
+                known.empty() ? "it has no parameters"
+                              : suggestion(value.name.text, known, "its parameters are"));
+        }
+    }
+}
+
+void DefinitionScope::define_parameters() {
+    for (const DefinitionParameter& parameter : place_.camera->parameters) {
+        scope_.announce(parameter.name.text,
+                        "a default may use only the parameters before it and lets outside of "
+                        "cameras");
+    }
+    for (const DefinitionParameter& parameter : place_.camera->parameters) {
+        define_parameter(parameter);
+    }
+}
+
+void DefinitionScope::define_parameter(const DefinitionParameter& parameter) {
+    const std::string_view name = parameter.name.text;
+    Value value;
+    if (parameter.default_value.valid()) {
+        value = evaluate_any(tree_, parameter.default_value, scope_, *session_.graph(),
+                             session_.reporter());
+    }
+    // The last one given counts, as is usual for options.
+    const auto given = std::find_if(given_.rbegin(), given_.rend(),
+                                    [name](const Given& one) { return one.name == name; });
+    if (given != given_.rend()) {
+        value = overridden(*given, value, name);
+    }
+    const auto passed =
+        std::find_if(values_.begin(), values_.end(),
+                     [name](const ParameterValue& one) { return one.name.text == name; });
+    if (passed != values_.end()) {
+        value = checked(passed->value, passed->value_place, value, name);
+    }
+    const SourceSpan place = tree_.at(parameter.name.span);
+    if (!scope_.define(name, {value, place, "parameter", false})) {
+        report_duplicate(parameter.name, place, scope_.find_here(name)->place, session_.reporter());
+    }
+}
+
+Value DefinitionScope::overridden(const Given& given, const Value& default_value,
+                                  std::string_view name) {
+    if (given.tree == nullptr) {
+        return {};
+    }
+    const ExpressionId id(given.tree->expressions.size() - 1);
+    const Value value =
+        evaluate_any(*given.tree, id, scope_, *session_.graph(), session_.reporter());
+    return checked(value, given.tree->at((*given.tree)[id].span), default_value, name);
+}
+
+// A value whose form and unit are those of the default; a failed one if it is not, which is
+// reported. Lists may have any length and any units, of which the stage judges that takes them.
+Value DefinitionScope::checked(const Value& value, const SourceSpan& span,
+                               const Value& default_value, std::string_view name) {
+    if (value.failed() || default_value.failed()) {
+        return value;
+    }
+    if (form_of(value) != form_of(default_value)) {
+        session_.reporter().error(
+            span,
+            fmt::format("'{}' is {}, but this is {}", name, form_of(default_value), form_of(value)),
+            "write it in the form of the parameter's default");
+        return {};
+    }
+    if (value.form == Value::Form::tuple) {
+        for (std::size_t i = 0; i < value.elements->size(); ++i) {
+            const Element& element = (*value.elements)[i];
+            if (checked(element.value, element.place, (*default_value.elements)[i].value, name)
+                    .failed()) {
+                return {};
+            }
+        }
+        return value;
+    }
+    if (default_value.is_angle() && value.is_plain_number()) {
+        session_.reporter().error(span,
+                                  fmt::format("'{}' is an angle, but this is a plain number", name),
+                                  "attach deg or rad: 30deg, 0.5rad");
+        return {};
+    }
+    if (default_value.is_plain_number() && value.is_angle()) {
+        session_.reporter().error(span,
+                                  fmt::format("'{}' is a plain number, but this is an angle", name),
+                                  "leave out deg or rad");
+        return {};
+    }
+    return value;
+}
+
+std::vector<Value> DefinitionScope::values() {
+    std::vector<Value> all;
+    for (const DefinitionParameter& parameter : place_.camera->parameters) {
+        all.push_back(scope_.find_here(parameter.name.text)->value);
+    }
+    return all;
+}
+
+void DefinitionScope::warn_of_unused() {
+    const auto warn = [this](const Identifier& name, std::string_view what) {
+        const Definition* definition = scope_.find_here(name.text);
+        if (definition != nullptr && !definition->used) {
+            session_.reporter().warning(tree_.at(name.span),
+                                        fmt::format("the {} '{}' is not used", what, name.text));
+        }
+    };
+    for (const DefinitionParameter& parameter : place_.camera->parameters) {
+        warn(parameter.name, "parameter");
+    }
+    for (const Statement& statement : place_.camera->statements) {
+        if (statement.kind == StatementKind::let) {
+            warn(statement.name, "let");
+        }
+    }
+}
+
+}  // namespace balcony::lang

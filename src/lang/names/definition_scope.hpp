@@ -1,0 +1,65 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "balcony/lang.hpp"
+#include "lang/names/session.hpp"
+
+namespace balcony::lang {
+
+/// "camera" or "picture".
+[[nodiscard]] std::string_view word_for(const DefinitionSyntax& camera);
+
+/// A value that a picture gives to a parameter of one of its layers.
+struct ParameterValue {
+    Identifier name;
+    SourceSpan name_place;
+    Value value;  ///< Of the session's graph.
+    SourceSpan value_place;
+};
+
+/// Values for parameters: texts from outside the file, or values from a picture.
+struct GivenParameters {
+    std::vector<Override> overrides;
+    std::vector<ParameterValue> values;
+};
+
+/// The names of one camera or picture: its parameters, with values given or their defaults, and
+/// lets.
+class DefinitionScope {
+public:
+    DefinitionScope(const LocatedDefinition& place, const GivenParameters& given, Session& session);
+
+    [[nodiscard]] Scope& names() { return scope_; }
+    /// Of its parameters, in their order.
+    [[nodiscard]] std::vector<Value> values();
+    /// For one without errors: names that nothing uses.
+    void warn_of_unused();
+
+private:
+    struct Given {
+        std::string_view name;
+        const SyntaxTree* tree;
+    };
+
+    void read_overrides(const std::vector<Override>& overrides);
+    void define_parameters();
+    void define_parameter(const DefinitionParameter& parameter);
+    void check_names(const std::vector<ParameterValue>& values);
+    [[nodiscard]] Value overridden(const Given& given, const Value& default_value,
+                                   std::string_view name);
+    [[nodiscard]] Value checked(const Value& value, const SourceSpan& span,
+                                const Value& default_value, std::string_view name);
+    [[nodiscard]] std::vector<std::string> parameter_names() const;
+
+    const LocatedDefinition place_;
+    const SyntaxTree& tree_;
+    Session& session_;
+    Scope scope_;
+    std::vector<Given> given_;
+    const std::vector<ParameterValue> values_;
+};
+
+}  // namespace balcony::lang

@@ -1,0 +1,323 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "lang/names/evaluate.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "balcony/catalogue.hpp"
+
+namespace balcony::lang {
+
+namespace {
+
+constexpr double radians_per_degree = std::numbers::pi / 180.0;
+
+// Walks the nodes of one expression in their order, operands first, so that deep ones need no
+// stack.
+class Evaluator {
+public:
+    Evaluator(const SyntaxTree& tree, Scope& scope, expr::Graph& graph, Reporter& reporter)
+        : tree_(tree), scope_(scope), graph_(graph), reporter_(reporter) {}
+
+    Value run(ExpressionId id) {
+        first_ = tree_[id].first.value();
+        const std::size_t last = id.value();
+        for (std::size_t i = first_; i <= last; ++i) {
+            if (!belongs_to_an_expression(tree_.expressions[i])) {
+                return {};
+            }
+        }
+        for (std::size_t i = first_; i <= last; ++i) {
+            values_.push_back(value_of(tree_.expressions[i]));
+        }
+        Value result = values_.back();
+        if (result.problem) {
+            reporter_.add(*result.problem);
+            return {};
+        }
+        return result;
+    }
+
+private:
+    void error(Span span, std::string message, std::string remedy = {}) {
+        reporter_.error(tree_.at(span), std::move(message), std::move(remedy));
+    }
+
+    // Catches stages, tuples and formulas in the place of a number before their parts give rise to
+    // errors of their own.
+    bool belongs_to_an_expression(const Expression& node) {
+        switch (node.kind) {
+            case ExpressionKind::tuple:
+                error(node.span,
+                      fmt::format("expected one number, but these are {} in parentheses",
+                                  node.arguments.size()),
+                      "write one of them, or join them by operators");
+                return false;
+            case ExpressionKind::list:
+                error(node.span, "expected a number, but this is a list",
+                      "brackets hold points, and the results of a formula; "
+                      "write ( ) round parts of an expression");
+                return false;
+            case ExpressionKind::text:
+                error(node.span, "expected a number, but this is a file's name",
+                      "write the number itself; tables are for arguments that are points");
+                return false;
+            case ExpressionKind::formula:
+                error(node.span, "expected a number, but this is a formula of its own",
+                      "write its expression here");
+                return false;
+            case ExpressionKind::call: return is_function_call(node);
+            default: return true;
+        }
+    }
+
+    bool is_function_call(const Expression& node) {
+        const Function* function = find_function(node.name.text);
+        if (function == nullptr) {
+            unknown_function(node.name);
+            return false;
+        }
+        for (const Argument& argument : node.arguments) {
+            if (argument.name) {
+                error(argument.name->span,
+                      fmt::format("the function '{}' has no arguments with names", node.name.text),
+                      fmt::format("leave out '{} ='", argument.name->text));
+                return false;
+            }
+        }
+        if (node.arguments.size() != function->arity) {
+            error(node.span,
+                  fmt::format("'{}' takes {} argument{}, but is given {}", node.name.text,
+                              function->arity, function->arity == 1 ? "" : "s",
+                              node.arguments.size()),
+                  fmt::format("it is written {}", call_of(*function)));
+            return false;
+        }
+        return true;
+    }
+
+    void unknown_function(const Identifier& name) {
+        for (const camera::StageEntry& row : camera::catalogue()) {
+            if (row.name == name.text) {
+                error(name.span,
+                      fmt::format("expected a number, but '{}' is a stage ({})", name.text,
+                                  camera::name_of(row.kind)),
+                      fmt::format("write a number; 'balcony list {}' shows how it is used",
+                                  name.text));
+                return;
+            }
+        }
+        if (scope_.find(name.text) != nullptr) {
+            error(name.span, fmt::format("'{}' is a number and cannot be called", name.text),
+                  fmt::format("for a product write {} * ( ... )", name.text));
+            return;
+        }
+        error(name.span, fmt::format("there is no function '{}'", name.text),
+              suggestion(name.text, function_names(), "the functions are"));
+    }
+
+    Value value_of(const Expression& node) {
+        switch (node.kind) {
+            case ExpressionKind::number: return number(node);
+            case ExpressionKind::name: return named(node);
+            case ExpressionKind::operation:
+                return applied(node, *find_operator(node.name.text, node.arguments.size()));
+            default: return applied(node, *find_function(node.name.text));
+        }
+    }
+
+    Value number(const Expression& node) {
+        const double factor = node.unit == NumberUnit::degrees ? radians_per_degree : 1.0;
+        return {graph_.constant(node.value * factor),
+                node.unit == NumberUnit::none ? Dimension::number : Dimension::angle, nullptr};
+    }
+
+    Value named(const Expression& node) {
+        if (Definition* definition = scope_.find(node.name.text)) {
+            definition->used = true;
+            if (definition->value.elements) {
+                error(node.span,
+                      fmt::format("expected one number, but '{}' is {}", node.name.text,
+                                  form_of(definition->value)),
+                      "tuples and lists are given whole to stages; numbers of them need names of "
+                      "their own");
+                return {};
+            }
+            return definition->value;
+        }
+        if (const auto why = scope_.announced(node.name.text); !why.empty()) {
+            error(node.span, fmt::format("'{}' cannot be used here", node.name.text),
+                  std::string(why));
+            return {};
+        }
+        if (find_function(node.name.text) != nullptr) {
+            error(node.span, fmt::format("'{}' is a function", node.name.text),
+                  fmt::format("give it its arguments: {}( ... )", node.name.text));
+            return {};
+        }
+        if (node.name.text == "deg" || node.name.text == "rad") {
+            error(node.span, fmt::format("the unit '{}' stands alone", node.name.text),
+                  fmt::format("attach it to a number, such as 30{0}; an expression takes a factor, "
+                              "such as x*1{0}",
+                              node.name.text));
+            return {};
+        }
+        if (scope_.incomplete()) {
+            return {};
+        }
+        error(node.span, fmt::format("there is nothing named '{}' here", node.name.text),
+              suggestion(node.name.text, scope_.names(), "known here are"));
+        return {};
+    }
+
+    Value applied(const Expression& node, const Function& function) {
+        std::vector<Value> operands;
+        std::vector<expr::Expr> arguments;
+        Value result;
+        for (const Argument& argument : node.arguments) {
+            operands.push_back(values_[argument.value.value() - first_]);
+            if (operands.back().failed()) {
+                return {};
+            }
+            arguments.push_back(operands.back().expr);
+        }
+        const DimensionResult dimension = dimension_of(function, operands);
+        if (!dimension.error.empty()) {
+            error(node.span, dimension.error, dimension.remedy);
+            return {};
+        }
+        result.dimension = dimension.dimension;
+        result.problem = inherited_problem(function, operands);
+        if (!result.problem && function.op == expr::Op::divide && operands[1].is_zero()) {
+            const Span divisor = tree_[node.arguments[1].value].span;
+            result.problem =
+                problem(divisor, "division by 0",
+                        "change the divisor, or keep clear of 0 with if(condition, a, b)");
+        }
+        result.expr = function.apply(arguments, function.op);
+        if (!result.problem && result.is_constant() && !std::isfinite(result.constant())) {
+            result.problem = problem(
+                node.span,
+                fmt::format("{} {}", with_values(node, operands),
+                            std::isnan(result.constant()) ? "has no real value" : "is not finite"),
+                "change the numbers, or keep clear of it with max, min or if(condition, a, b)");
+        }
+        return result;
+    }
+
+    // atan2(a, b)
+    static std::string call_of(const Function& function) {
+        constexpr std::array<std::string_view, 4> letters = {"", "a", "a, b", "a, b, c"};
+        return fmt::format("{}({})", function.name,
+                           letters[std::min(function.arity, letters.size() - 1)]);
+    }
+
+    // sqrt(-1), 0 ^ -1
+    static std::string with_values(const Expression& node, std::span<const Value> operands) {
+        std::string text;
+        const bool call = node.kind == ExpressionKind::call;
+        const std::string join = call ? ", " : fmt::format(" {} ", node.name.text);
+        for (const Value& operand : operands) {
+            text += fmt::format("{}{:.6g}", text.empty() ? "" : join, operand.constant());
+        }
+        return call ? fmt::format("{}({})", node.name.text, text) : text;
+    }
+
+    std::shared_ptr<const Diagnostic> problem(Span span, std::string message,
+                                              std::string remedy) const {
+        return std::make_shared<const Diagnostic>(
+            balcony::error(std::move(message), tree_.at(span), std::move(remedy)));
+    }
+
+    // A constant condition makes the branch that is not taken irrelevant.
+    static std::shared_ptr<const Diagnostic> inherited_problem(const Function& function,
+                                                               std::span<const Value> operands) {
+        const bool decided =
+            function.op == expr::Op::select && operands[0].is_constant() && !operands[0].problem;
+        if (decided) {
+            return operands[operands[0].constant() != 0.0 ? 1 : 2].problem;
+        }
+        for (const Value& operand : operands) {
+            if (operand.problem) {
+                return operand.problem;
+            }
+        }
+        return nullptr;
+    }
+
+    const SyntaxTree& tree_;
+    Scope& scope_;
+    expr::Graph& graph_;
+    Reporter& reporter_;
+    std::size_t first_ = 0;
+    std::vector<Value> values_;
+};
+
+// A tuple's numbers; a list's numbers and tuples, which may be named.
+Value evaluate_elements(const SyntaxTree& tree, const Expression& compound, Scope& scope,
+                        expr::Graph& graph, Reporter& reporter) {
+    const bool is_list = compound.kind == ExpressionKind::list;
+    auto elements = std::make_shared<std::vector<Element>>();
+    elements->reserve(compound.arguments.size());
+    for (const Argument& argument : compound.arguments) {
+        const SourceSpan place = tree.at(tree[argument.value].span);
+        const bool list_in_list = is_list && tree[argument.value].kind == ExpressionKind::list;
+        Value value = list_in_list ? Value()
+                      : is_list    ? evaluate_any(tree, argument.value, scope, graph, reporter)
+                                   : evaluate(tree, argument.value, scope, graph, reporter);
+        if (list_in_list || value.form == Value::Form::list) {
+            reporter.error(place, "a list has numbers or points, but this is a list",
+                           "a point stands in parentheses, (1, 2); points of several rows stand in "
+                           "one list, row after row");
+            return {};
+        }
+        if (!value.failed()) {
+            elements->push_back({std::move(value), place});
+        }
+        if (reporter.full()) {
+            return {};
+        }
+    }
+    Value made;
+    if (elements->size() == compound.arguments.size()) {
+        made.form = is_list ? Value::Form::list : Value::Form::tuple;
+        made.elements = std::move(elements);
+    }
+    return made;
+}
+
+}  // namespace
+
+Value evaluate(const SyntaxTree& tree, ExpressionId id, Scope& scope, expr::Graph& graph,
+               Reporter& reporter) {
+    return Evaluator(tree, scope, graph, reporter).run(id);
+}
+
+std::optional<Value> evaluate_compound(const SyntaxTree& tree, ExpressionId id, Scope& scope,
+                                       expr::Graph& graph, Reporter& reporter) {
+    const Expression& node = tree[id];
+    if (node.kind == ExpressionKind::tuple || node.kind == ExpressionKind::list) {
+        return evaluate_elements(tree, node, scope, graph, reporter);
+    }
+    Definition* definition =
+        node.kind == ExpressionKind::name ? scope.find(node.name.text) : nullptr;
+    if (definition == nullptr || definition->value.expr.valid()) {
+        return std::nullopt;
+    }
+    definition->used = true;
+    return definition->value;
+}
+
+Value evaluate_any(const SyntaxTree& tree, ExpressionId id, Scope& scope, expr::Graph& graph,
+                   Reporter& reporter) {
+    const std::optional<Value> compound = evaluate_compound(tree, id, scope, graph, reporter);
+    return compound ? *compound : evaluate(tree, id, scope, graph, reporter);
+}
+
+}  // namespace balcony::lang

@@ -1,0 +1,70 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "lang/names/value.hpp"
+#include "lang/reporter.hpp"
+#include "lang/syntax/syntax.hpp"
+
+namespace balcony::lang {
+
+/// A name that has a value.
+struct Definition {
+    Value value;
+    SourceSpan place;
+    std::string_view what;  ///< "parameter", "let", ...
+    bool used = false;
+};
+
+/// The names that are visible at some place; what is not found is looked for further out.
+class Scope {
+public:
+    explicit Scope(Scope* outer = nullptr) : outer_(outer) {}
+    Scope(const Scope&) = delete;
+    Scope& operator=(const Scope&) = delete;
+
+    /// False, with nothing changed, if this scope has the name.
+    bool define(std::string_view name, Definition definition);
+    [[nodiscard]] Definition* find(std::string_view name);
+    [[nodiscard]] Definition* find_here(std::string_view name);
+    /// Says why a name that is defined further on cannot be used yet.
+    void announce(std::string_view name, std::string_view why_not_yet);
+    /// What was said of such a name; empty for others.
+    [[nodiscard]] std::string_view announced(std::string_view name) const;
+    /// Says that names are missing for a reason that is reported, so that their uses are no errors.
+    void mark_incomplete() { incomplete_ = true; }
+    [[nodiscard]] bool incomplete() const {
+        return incomplete_ || (outer_ != nullptr && outer_->incomplete());
+    }
+    /// Defines what another scope itself defines; tells of names that mean something else here.
+    void copy_from(const Scope& other,
+                   const std::function<void(std::string_view name, const Definition& here,
+                                            const Definition& there)>& on_conflict);
+    /// All visible names.
+    [[nodiscard]] std::vector<std::string> names() const;
+
+private:
+    Scope* outer_;
+    std::unordered_map<std::string_view, Definition> definitions_;
+    std::unordered_map<std::string_view, std::string_view> announced_;
+    bool incomplete_ = false;
+};
+
+/// The scope of what is defined everywhere: pi and t.
+[[nodiscard]] std::unique_ptr<Scope> constants(expr::Graph& graph);
+
+/// Reports that a name is defined twice, pointing at both.
+void report_duplicate(const Identifier& name, SourceSpan place, const SourceSpan& earlier,
+                      Reporter& reporter);
+
+/// Evaluates the lets of one scope in an order in which each finds what it uses, and defines them;
+/// lets that go in a circle are reported.
+void define_lets(const SyntaxTree& tree, const std::vector<const Statement*>& lets, Scope& scope,
+                 expr::Graph& graph, Reporter& reporter);
+
+}  // namespace balcony::lang

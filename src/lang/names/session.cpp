@@ -1,0 +1,259 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "lang/names/session.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "lang/built_in_cameras.hpp"
+#include "lang/syntax/read_source.hpp"
+
+namespace balcony::lang {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t deepest_imports = 64;
+
+std::vector<std::string> built_in_names(std::string_view suffix) {
+    std::vector<std::string> names;
+    for (const BuiltInCamera& camera : built_in_camera_files()) {
+        names.push_back(std::string(camera.name) + std::string(suffix));
+    }
+    return names;
+}
+
+std::string standard_key(std::string_view name) { return fmt::format("standard/{}.cam", name); }
+
+}  // namespace
+
+const BuiltInCamera* find_built_in_camera(std::string_view name) {
+    if (name.ends_with(".cam")) {
+        name.remove_suffix(4);
+    }
+    for (const BuiltInCamera& camera : built_in_camera_files()) {
+        if (camera.name == name) {
+            return &camera;
+        }
+    }
+    return nullptr;
+}
+
+Session::Session() : graph_(std::make_shared<expr::Graph>()), constants_(constants(*graph_)) {}
+
+const SyntaxTree& Session::keep(SyntaxTree tree) {
+    overrides_.push_back(std::make_unique<SyntaxTree>(std::move(tree)));
+    return *overrides_.back();
+}
+
+// Of a tuple or a list its length and then its elements; a mark tells it from a number.
+void Session::add_to_key(const Value& value, ParameterKey& key) {
+    if (!value.elements) {
+        key.emplace_back(value.expr.id().value(), value.dimension);
+        return;
+    }
+    key.emplace_back(value.elements->size(), value.form);
+    for (const Element& element : *value.elements) {
+        add_to_key(element.value, key);
+    }
+}
+
+Session::Shown Session::share(const LocatedDefinition& place, const std::vector<Value>& parameters,
+                              Shown made) {
+    ParameterKey key;
+    for (const Value& value : parameters) {
+        add_to_key(value, key);
+    }
+    return shared_.emplace(std::pair(place.camera, std::move(key)), std::move(made)).first->second;
+}
+
+Module* Session::load(const fs::path& file) {
+    const std::string name = file.string();
+    std::error_code failure;
+    const BuiltInCamera* built_in = find_built_in_camera(name);
+    if (built_in != nullptr && !fs::is_regular_file(file, failure)) {
+        return open_built_in(built_in->name);
+    }
+    if (!fs::exists(file, failure)) {
+        reporter_.error(
+            {}, fmt::format("there is no file '{}' and no built-in camera of that name", name),
+            suggestion(name, built_in_names(""), "the built-in cameras are"));
+        return nullptr;
+    }
+    return open_file(file, name, {});
+}
+
+Module* Session::load(std::shared_ptr<const SourceText> source, const fs::path& folder) {
+    return resolve(std::move(source), folder, false, "");
+}
+
+Module* Session::load_built_in(std::string_view name) {
+    const BuiltInCamera* camera = find_built_in_camera(name);
+    return camera != nullptr ? open_built_in(camera->name) : nullptr;
+}
+
+bool Session::known(const std::string& key, const SourceSpan& asked, Module*& found) {
+    const auto circle = std::find_if(opened_.begin(), opened_.end(),
+                                     [&key](const Opened& open) { return open.key == key; });
+    if (circle != opened_.end()) {
+        std::string chain;
+        for (auto open = circle; open != opened_.end(); ++open) {
+            chain += fmt::format("{} -> ", open->module->tree.source->name());
+        }
+        const std::string& name = circle->module->tree.source->name();
+        reporter_.error(asked, fmt::format("'{}' imports itself: {}{}", name, chain, name),
+                        "move what both files need into a third one");
+        found = nullptr;
+        return true;
+    }
+    const auto module = modules_.find(key);
+    found = module == modules_.end() ? nullptr : module->second.get();
+    return found != nullptr;
+}
+
+Module* Session::open_file(const fs::path& file, const std::string& name, const SourceSpan& asked) {
+    std::error_code failure;
+    const fs::path canonical = fs::weakly_canonical(file, failure);
+    const std::string key = failure ? name : canonical.string();
+    Module* module = nullptr;
+    if (known(key, asked, module)) {
+        return module;
+    }
+    Result<std::shared_ptr<const SourceText>> source = read_source(file, name, asked);
+    reporter_.add(source.diagnostics);
+    return source ? resolve(*source, file.parent_path(), false, key) : nullptr;
+}
+
+Module* Session::open_built_in(std::string_view name) {
+    const std::string key = standard_key(name);
+    Module* module = nullptr;
+    if (known(key, {}, module)) {
+        return module;
+    }
+    const BuiltInCamera* camera = find_built_in_camera(name);
+    return resolve(std::make_shared<const SourceText>(key, std::string(camera->text)), {}, true,
+                   key);
+}
+
+Module* Session::resolve(std::shared_ptr<const SourceText> source, fs::path folder, bool built_in,
+                         const std::string& key) {
+    std::unique_ptr<Module>& slot = modules_[key];
+    slot = std::make_unique<Module>();
+    Module& module = *slot;
+    module.tree = parse(std::move(source), reporter_);
+    module.folder = std::move(folder);
+    module.built_in = built_in;
+    module.scope = std::make_unique<Scope>(constants_.get());
+
+    opened_.push_back({&module, key});
+    std::vector<const Statement*> lets;
+    for (const Item& item : module.tree.items) {
+        if (const auto* import_item = std::get_if<Import>(&item)) {
+            import(module, *import_item);
+        } else if (const auto* let = std::get_if<Statement>(&item)) {
+            lets.push_back(let);
+        }
+    }
+    opened_.pop_back();
+    define_lets(module.tree, lets, *module.scope, *graph_, reporter_);
+    check_duplicate_definitions(module);
+    return &module;
+}
+
+void Session::import(Module& module, const Import& import) {
+    const SourceSpan place = module.tree.at(import.file.span);
+    if (import.broken) {
+        module.scope->mark_incomplete();
+        return;
+    }
+    if (opened_.size() >= deepest_imports) {
+        reporter_.error(place,
+                        fmt::format("imports nest more than {} files deep", deepest_imports));
+        module.scope->mark_incomplete();
+        return;
+    }
+    Module* imported = find_import(module, import);
+    if (imported == nullptr || imported->scope->incomplete()) {
+        module.scope->mark_incomplete();
+    }
+    if (imported == nullptr ||
+        std::find(module.imports.begin(), module.imports.end(), imported) != module.imports.end()) {
+        return;
+    }
+    module.imports.push_back(imported);
+    module.scope->copy_from(*imported->scope, [&](std::string_view name, const Definition& here,
+                                                  const Definition& there) {
+        Diagnostic diagnostic =
+            error(fmt::format("this import brings '{}', which another one has brought", name),
+                  place, "rename one of the two");
+        diagnostic.notes.push_back({here.place, "it is defined here first"});
+        diagnostic.notes.push_back({there.place, "and here again"});
+        reporter_.add(std::move(diagnostic));
+    });
+}
+
+Module* Session::find_import(const Module& module, const Import& import) {
+    const SourceSpan place = module.tree.at(import.file.span);
+    const fs::path file = module.folder / fs::path(std::string(import.file.text));
+    std::error_code failure;
+    if (!module.built_in && !import.file.text.empty() && fs::exists(file, failure)) {
+        return open_file(file, file.lexically_normal().string(), place);
+    }
+    if (const BuiltInCamera* built_in = find_built_in_camera(import.file.text)) {
+        return open_built_in(built_in->name);
+    }
+    const std::string name(import.file.text);
+    const std::string folder = module.folder.empty() ? "." : module.folder.string();
+    const auto nearest = nearest_name(name, built_in_names(".cam"));
+    reporter_.error(place,
+                    fmt::format("there is no file '{}' beside this one and no built-in camera of "
+                                "that name",
+                                name),
+                    nearest ? fmt::format("did you mean '{}'?", *nearest)
+                            : fmt::format("it is looked for in the folder '{}'", folder));
+    return nullptr;
+}
+
+void Session::check_duplicate_definitions(const Module& module) {
+    std::map<std::string_view, const DefinitionSyntax*> cameras;
+    for (const LocatedDefinition& place : own_definitions(module)) {
+        const Identifier& name = place.camera->name;
+        const auto [earlier, is_new] = cameras.emplace(name.text, place.camera);
+        if (!is_new && !name.text.empty()) {
+            report_duplicate(name, module.tree.at(name.span),
+                             module.tree.at(earlier->second->name.span), reporter_);
+        }
+    }
+}
+
+std::vector<LocatedDefinition> own_definitions(const Module& module) {
+    std::vector<LocatedDefinition> cameras;
+    for (const Item& item : module.tree.items) {
+        if (const auto* camera = std::get_if<DefinitionSyntax>(&item)) {
+            cameras.push_back({&module, camera});
+        }
+    }
+    return cameras;
+}
+
+std::vector<LocatedDefinition> visible_definitions(const Module& module) {
+    std::vector<LocatedDefinition> cameras;
+    std::vector<const Module*> modules = {&module};
+    std::set<const Module*> seen = {&module};
+    for (std::size_t i = 0; i < modules.size(); ++i) {
+        const std::vector<LocatedDefinition> own = own_definitions(*modules[i]);
+        cameras.insert(cameras.end(), own.begin(), own.end());
+        for (const Module* imported : modules[i]->imports) {
+            if (seen.insert(imported).second) {
+                modules.push_back(imported);
+            }
+        }
+    }
+    return cameras;
+}
+
+}  // namespace balcony::lang

@@ -1,0 +1,190 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "lang/names/value.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+namespace balcony::lang {
+
+namespace {
+
+using expr::Expr;
+using expr::Op;
+using Operands = std::span<const Expr>;
+
+Expr as_operation(Operands a, Op op) { return a[0].graph().apply(op, a); }
+
+// What the graph spells in another way.
+constexpr std::array<Function, 4> added_operators = {{
+    {"^", 2, as_operation, Op::power},
+    {">", 2, [](Operands a, Op) { return a[1] < a[0]; }, Op::less},
+    {">=", 2, [](Operands a, Op) { return a[1] <= a[0]; }, Op::less_equal},
+    {"!=", 2, [](Operands a, Op) { return !expr::equal(a[0], a[1]); }, Op::equal},
+}};
+
+constexpr std::array<Function, 2> added_functions = {{
+    {"if", 3, as_operation, Op::select},
+    {"spow", 2, [](Operands a, Op) { return expr::signed_power(a[0], a[1]); }, Op::power},
+}};
+
+// The graph's operations that are written between operands, or those that are written as calls.
+std::vector<Function> from_operations(bool infix) {
+    std::vector<Function> rows;
+    for (const expr::Operation& row : expr::operations()) {
+        if (row.arity > 0 && row.scalar != nullptr && row.infix.empty() != infix) {
+            rows.push_back({infix ? row.infix : row.name, static_cast<std::size_t>(row.arity),
+                            as_operation, row.op});
+        }
+    }
+    return rows;
+}
+
+const std::vector<Function>& functions() {
+    static const std::vector<Function> rows = [] {
+        std::vector<Function> made = from_operations(false);
+        made.insert(made.end(), added_functions.begin(), added_functions.end());
+        return made;
+    }();
+    return rows;
+}
+
+const std::vector<Function>& operators() {
+    static const std::vector<Function> rows = [] {
+        std::vector<Function> made = from_operations(true);
+        made.insert(made.end(), added_operators.begin(), added_operators.end());
+        return made;
+    }();
+    return rows;
+}
+
+// ---------------------------------------------------------------------------------- dimensions
+
+constexpr const char* as_a_number = "divide an angle by 1rad or 1deg for a plain number";
+
+DimensionResult mismatch(std::string error, std::string remedy = as_a_number) {
+    return {Dimension::number, std::move(error), std::move(remedy)};
+}
+
+// The common unit of operands that must agree; a zero and a formula's parameter agree with all.
+DimensionResult common(const Function& function, std::span<const Value> operands) {
+    const bool angle =
+        std::any_of(operands.begin(), operands.end(), [](const Value& v) { return v.is_angle(); });
+    const bool number = std::any_of(operands.begin(), operands.end(),
+                                    [](const Value& v) { return v.is_plain_number(); });
+    if (angle && number) {
+        const bool call = std::all_of(function.name.begin(), function.name.end(),
+                                      [](char c) { return c >= 'a' && c <= 'z'; });
+        return mismatch(
+            fmt::format("'{}' {} an angle and a plain number", function.name,
+                        call ? "is given" : "stands between"),
+            "write the number as an angle (30deg, 0.5rad), or divide the angle by 1rad");
+    }
+    if (angle) {
+        return {Dimension::angle, {}, {}};
+    }
+    const bool either = std::any_of(operands.begin(), operands.end(), [](const Value& v) {
+        return v.dimension == Dimension::either;
+    });
+    return {either ? Dimension::either : Dimension::number, {}, {}};
+}
+
+DimensionResult product(const Value& a, const Value& b) {
+    if (a.is_angle() && b.is_angle()) {
+        return mismatch("the product of two angles has no use here");
+    }
+    if (a.is_angle() || b.is_angle()) {
+        return {Dimension::angle, {}, {}};
+    }
+    const bool either = a.dimension == Dimension::either || b.dimension == Dimension::either;
+    return {either ? Dimension::either : Dimension::number, {}, {}};
+}
+
+DimensionResult quotient(const Value& a, const Value& b) {
+    if (b.is_angle()) {
+        return a.is_plain_number() ? mismatch("a plain number is divided by an angle")
+                                   : DimensionResult{};
+    }
+    return {a.dimension, {}, {}};
+}
+
+DimensionResult plain(const Function& function, std::span<const Value> operands, Dimension made) {
+    const bool angle =
+        std::any_of(operands.begin(), operands.end(), [](const Value& v) { return v.is_angle(); });
+    if (angle) {
+        return mismatch(
+            fmt::format("'{}' takes plain numbers, and this is an angle", function.name));
+    }
+    return {made, {}, {}};
+}
+
+}  // namespace
+
+DimensionResult dimension_of(const Function& function, std::span<const Value> operands) {
+    switch (function.op) {
+        case Op::negate:
+        case Op::absolute: return {operands[0].dimension, {}, {}};
+        case Op::add:
+        case Op::subtract:
+        case Op::modulo:
+        case Op::minimum:
+        case Op::maximum: return common(function, operands);
+        case Op::multiply: return product(operands[0], operands[1]);
+        case Op::divide: return quotient(operands[0], operands[1]);
+        case Op::select: return common(function, operands.subspan(1));
+        case Op::less:
+        case Op::less_equal:
+        case Op::equal:
+            return {Dimension::number, common(function, operands).error,
+                    common(function, operands).remedy};
+        case Op::sign:
+        case Op::is_finite:
+        case Op::sine:
+        case Op::cosine:
+        case Op::tangent: return {};
+        case Op::arctangent2: {
+            DimensionResult result = common(function, operands);
+            result.dimension = Dimension::angle;
+            return result;
+        }
+        case Op::arcsine:
+        case Op::arccosine:
+        case Op::arctangent: return plain(function, operands, Dimension::angle);
+        default: return plain(function, operands, Dimension::number);
+    }
+}
+
+std::string form_of(const Value& value) {
+    switch (value.form) {
+        case Value::Form::tuple:
+            return fmt::format("{} numbers in parentheses", value.elements->size());
+        case Value::Form::list: return "a list";
+        default: return "a number";
+    }
+}
+
+const Function* find_function(std::string_view name) {
+    const auto row = std::find_if(functions().begin(), functions().end(),
+                                  [name](const Function& f) { return f.name == name; });
+    return row == functions().end() ? nullptr : &*row;
+}
+
+const Function* find_operator(std::string_view symbol, std::size_t arity) {
+    const auto row = std::find_if(
+        operators().begin(), operators().end(),
+        [symbol, arity](const Function& f) { return f.name == symbol && f.arity == arity; });
+    return row == operators().end() ? nullptr : &*row;
+}
+
+std::vector<std::string> function_names() {
+    std::vector<std::string> names;
+    for (const Function& function : functions()) {
+        names.emplace_back(function.name);
+    }
+    return names;
+}
+
+}  // namespace balcony::lang

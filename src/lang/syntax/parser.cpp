@@ -1,0 +1,251 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "lang/syntax/parser.hpp"
+
+#include <fmt/format.h>
+
+#include "lang/syntax/expression_parser.hpp"
+#include "lang/syntax/keywords.hpp"
+#include "lang/syntax/statement_parser.hpp"
+#include "lang/syntax/token_stream.hpp"
+
+namespace balcony::lang {
+
+namespace {
+
+class Parser {
+public:
+    Parser(SyntaxTree& tree, Reporter& reporter)
+        : tree_(tree),
+          tokens_(tree.source, read_tokens(tree, reporter), reporter),
+          expressions_(tokens_, tree.expressions),
+          statements_(tokens_, expressions_, reporter),
+          reporter_(reporter) {}
+
+    void file() {
+        while (!tokens_.at_end() && !reporter_.full()) {
+            const Token& token = tokens_.peek();
+            if (token.is_name("import")) {
+                import();
+            } else if (token.is_name("let")) {
+                tree_.items.emplace_back(statements_.statement(Block::camera));
+            } else if (token.is_name("camera") || token.is_name("picture")) {
+                camera();
+            } else {
+                stray_item();
+            }
+        }
+    }
+
+    bool override_value() {
+        if (tokens_.peek().kind != TokenKind::name) {
+            tokens_.expected("the name of a parameter", "--set takes name=value");
+            return false;
+        }
+        tokens_.next();
+        if (!tokens_.expect("=", "after the parameter's name", "--set takes name=value") ||
+            !expressions_.expression()) {
+            return false;
+        }
+        if (!tokens_.at_end()) {
+            tokens_.expected("the end of the value",
+                             "join its parts by operators; another parameter takes another --set");
+            return false;
+        }
+        return true;
+    }
+
+private:
+    static Tokens read_tokens(SyntaxTree& tree, Reporter& reporter) {
+        Tokens read = tokenize(tree.source, reporter);
+        tree.comments = std::move(read.comments);
+        return read;
+    }
+
+    // ------------------------------------------------------------------------- the file itself
+
+    void stray_item() {
+        const Token& token = tokens_.peek();
+        const bool opens_statement =
+            find_keyword(token, false) != nullptr || find_keyword(token, true) != nullptr;
+        const bool camera_follows = looks_like_camera();
+        if (opens_statement) {
+            tokens_.error(token.span,
+                          fmt::format("'{}' stands outside of any camera or picture", token.text),
+                          "put it between the braces of camera name { ... }");
+        } else if (token.kind == TokenKind::name) {
+            tokens_.expected(
+                "'import', 'let', 'camera' or 'picture'",
+                suggestion(token.text, {"import", "let", "camera", "picture"}, "write"));
+        } else {
+            tokens_.expected("'import', 'let', 'camera' or 'picture'",
+                             "a camera is written camera name { ... }");
+        }
+        if (camera_follows) {
+            camera();
+            return;
+        }
+        // One message for all that follows up to the next item.
+        int braces = 0;
+        do {
+            braces += tokens_.peek().is("{") ? 1 : tokens_.peek().is("}") ? -1 : 0;
+            tokens_.next();
+        } while (!tokens_.at_end() && !(is_file_keyword(tokens_.peek()) || looks_like_camera() ||
+                                        (braces <= 0 && tokens_.peek().is_name("let"))));
+    }
+
+    // word name { or word name (, with a word that should be camera.
+    [[nodiscard]] bool looks_like_camera() const {
+        return tokens_.peek().kind == TokenKind::name && tokens_.peek(1).kind == TokenKind::name &&
+               (tokens_.peek(2).is("{") || tokens_.peek(2).is("(")) &&
+               find_keyword(tokens_.peek(), false) == nullptr;
+    }
+
+    void import() {
+        const Span begin = tokens_.next().span;
+        const Token& token = tokens_.peek();
+        if (token.kind != TokenKind::text) {
+            tokens_.expected("a file name in quotation marks after 'import'",
+                             "such as import \"lengths.cam\"");
+            skip_to_item();
+            tree_.items.emplace_back(Import{begin, {}, true});
+            return;
+        }
+        tokens_.next();
+        tree_.items.emplace_back(
+            Import{{begin.begin, token.span.end}, {token.text, token.span}, false});
+    }
+
+    void skip_to_item() {
+        while (!tokens_.at_end() && !is_file_keyword(tokens_.peek()) &&
+               !tokens_.peek().is_name("let")) {
+            tokens_.next();
+        }
+    }
+
+    // ---------------------------------------------------------------------------------- camera
+
+    void camera() {
+        DefinitionSyntax camera;
+        camera.is_picture = tokens_.peek().is_name("picture");
+        const std::string_view what = camera.is_picture ? "picture" : "camera";
+        camera.span = tokens_.next().span;
+        camera.name = {"", camera.span};
+        statements_.enter(camera.is_picture);
+        if (const auto name = statements_.new_name(fmt::format("a name for the {}", what))) {
+            camera.name = *name;
+        }
+        if (tokens_.peek().is("(")) {
+            parameters(camera);
+        }
+        if (camera.is_picture && tokens_.peek().kind == TokenKind::number) {
+            size(camera);
+        }
+        if (!tokens_.peek().is("{")) {
+            tokens_.expected(fmt::format("'{{' to begin the {}", what),
+                             fmt::format("it is written {} name {{ ... }}; names are made of "
+                                         "letters, digits and _",
+                                         what));
+            while (!tokens_.at_end() && !tokens_.peek().is("{") &&
+                   !is_file_keyword(tokens_.peek())) {
+                tokens_.next();
+            }
+        }
+        if (tokens_.peek().is("{")) {
+            camera.statements =
+                statements_.block(camera.is_picture ? Block::picture : Block::camera);
+        }
+        camera.span.end = tokens_.previous().span.end;
+        statements_.enter(false);
+        tree_.items.emplace_back(std::move(camera));
+    }
+
+    // 1920 x 1080
+    void size(DefinitionSyntax& picture) {
+        const auto width = expressions_.expression();
+        if (!width) {
+            return;
+        }
+        if (!tokens_.peek().is_name("x")) {
+            tokens_.expected("'x' and the height of the picture", "such as 1920 x 1080");
+            return;
+        }
+        tokens_.next();
+        if (const auto height = expressions_.expression()) {
+            picture.size = {*width, *height};
+        }
+    }
+
+    void parameters(DefinitionSyntax& camera) {
+        const Span opening = tokens_.next().span;
+        if (tokens_.accept(")")) {
+            return;
+        }
+        do {
+            const auto name = statements_.new_name(fmt::format(
+                "a name for the {}'s parameter", camera.is_picture ? "picture" : "camera"));
+            if (!name) {
+                skip_parameters(camera);
+                return;
+            }
+            camera.parameters.push_back({*name, ExpressionId()});
+            if (!tokens_.peek().is("=")) {
+                tokens_.expected(fmt::format("'=' and a default value for '{}'", name->text),
+                                 "every parameter has a default, so that a camera works by itself");
+                skip_parameters(camera);
+                return;
+            }
+            tokens_.next();
+            const auto value = expressions_.expression();
+            if (!value) {
+                skip_parameters(camera);
+                return;
+            }
+            camera.parameters.back().default_value = *value;
+        } while (tokens_.accept(","));
+        if (!tokens_.expect_closing(")", opening)) {
+            skip_parameters(camera);
+        }
+    }
+
+    // Goes to the camera's opening brace. Parameters on the way are taken note of, so that their
+    // uses are no errors.
+    void skip_parameters(DefinitionSyntax& camera) {
+        int depth = 0;
+        while (!tokens_.at_end() && !tokens_.peek().is("{") && !is_file_keyword(tokens_.peek()) &&
+               statements_.keyword_at(tokens_.peek()) == nullptr) {
+            const Token& token = tokens_.next();
+            depth += token.is("(") ? 1 : token.is(")") ? -1 : 0;
+            if (depth == 0 && token.kind == TokenKind::name && tokens_.peek().is("=")) {
+                camera.parameters.push_back({{token.text, token.span}, ExpressionId()});
+            }
+        }
+    }
+
+    SyntaxTree& tree_;
+    TokenStream tokens_;
+    ExpressionParser expressions_;
+    StatementParser statements_;
+    Reporter& reporter_;
+};
+
+}  // namespace
+
+SyntaxTree parse(std::shared_ptr<const SourceText> source, Reporter& reporter) {
+    SyntaxTree tree;
+    tree.source = std::move(source);
+    Parser(tree, reporter).file();
+    return tree;
+}
+
+SyntaxTree parse_override(std::shared_ptr<const SourceText> source, Reporter& reporter) {
+    SyntaxTree tree;
+    tree.source = std::move(source);
+    if (!Parser(tree, reporter).override_value()) {
+        tree.expressions.clear();
+    }
+    return tree;
+}
+
+}  // namespace balcony::lang

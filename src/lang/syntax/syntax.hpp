@@ -1,0 +1,140 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The syntax tree of a camera file: what is written, in the order of the file, with nothing
+// resolved. Comments are kept beside it with their places, so that a file can be printed again.
+
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "balcony/base.hpp"
+#include "lang/syntax/token.hpp"
+
+namespace balcony::lang {
+
+/// A name where it is written.
+struct Identifier {
+    std::string_view text;
+    Span span;
+};
+
+using ExpressionId = StrongIndex<struct ExpressionTag>;
+
+enum class ExpressionKind : std::uint8_t {
+    number,
+    name,
+    operation,  ///< Unary or binary; `text` is the operator.
+    call,       ///< name(arguments): a function or a stage.
+    tuple,      ///< (a, b) or (a, b, c).
+    list,       ///< [a, b, ...], with expressions or tuples; may be empty.
+    text,       ///< "seeds.csv"; `name` is what the quotes hold and the place of the quotes.
+    formula,    ///< name(parameters) = [results].
+};
+
+struct Argument {
+    std::optional<Identifier> name;
+    ExpressionId value;
+};
+
+/// One node. Operands stand before the node in the file's list, so that the nodes [first, id] are
+/// the whole expression in the order of evaluation, and a walk needs no recursion.
+struct Expression {
+    ExpressionKind kind = ExpressionKind::number;
+    Span span;
+    ExpressionId first;
+    Identifier name;     ///< The name or operator, where it is written.
+    double value = 0.0;  ///< Of a number, its unit aside.
+    NumberUnit unit = NumberUnit::none;
+    std::vector<Argument> arguments;  ///< Operands, arguments, elements, results.
+    bool words = false;  ///< A call whose arguments are words behind its name: normal outward.
+    std::vector<Identifier> parameters;  ///< Of a formula.
+};
+
+enum class StatementKind : std::uint8_t {
+    let,
+    aspect,
+    axes,
+    map,
+    eye,
+    toward,
+    object,
+    warp,
+    move,
+    look,
+    place,
+    arrange,
+    layer,
+    clip,
+    soft,
+    alpha,
+    blend,
+    frame,
+    leader,
+    unknown,
+};
+
+/// u = first .. last, or u = square; without a name that of place and leader, from corner to
+/// corner.
+struct MapRange {
+    Identifier coordinate;
+    Span span;
+    ExpressionId first, last;  ///< Both invalid for square.
+};
+
+struct Statement {
+    StatementKind kind = StatementKind::unknown;
+    Span keyword;
+    Span span;
+    bool broken = false;           ///< It had a syntax error, which is reported.
+    Identifier name;               ///< Of a let, and the word after axes and blend.
+    ExpressionId value;            ///< Of let, aspect, soft and alpha.
+    std::vector<MapRange> ranges;  ///< Of map; of place and leader one.
+    /// Of eye, toward, object, look, clip, layer and frame one; of warp, move and arrange more.
+    std::vector<ExpressionId> stages;
+    std::vector<Statement> block;  ///< Of eye { ... }, toward { ... } and layer NAME { ... }.
+};
+
+struct Import {
+    Span span;
+    Identifier file;      ///< What the quotes hold, and the place of the quotes.
+    bool broken = false;  ///< It had a syntax error, which is reported.
+};
+
+struct DefinitionParameter {
+    Identifier name;
+    ExpressionId default_value;  ///< Invalid if it had a syntax error.
+};
+
+/// A camera or a picture.
+struct DefinitionSyntax {
+    bool is_picture = false;
+    Identifier name;
+    Span span;
+    std::vector<DefinitionParameter> parameters;
+    std::vector<ExpressionId> size;  ///< Of a picture, width and height if they are said.
+    std::vector<Statement> statements;
+};
+
+/// A file-level let is a Statement.
+using Item = std::variant<Import, Statement, DefinitionSyntax>;
+
+struct SyntaxTree {
+    std::shared_ptr<const SourceText> source;
+    std::vector<Expression> expressions;
+    std::vector<Item> items;
+    std::vector<Span> comments;
+
+    [[nodiscard]] const Expression& operator[](ExpressionId id) const {
+        return expressions[id.value()];
+    }
+    [[nodiscard]] SourceSpan at(Span span) const { return {source, span.begin, span.end}; }
+    [[nodiscard]] std::string_view text(Span span) const {
+        return source->text().substr(span.begin, span.end - span.begin);
+    }
+};
+
+}  // namespace balcony::lang

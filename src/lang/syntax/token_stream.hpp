@@ -1,0 +1,76 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "lang/reporter.hpp"
+#include "lang/syntax/lexer.hpp"
+
+namespace balcony::lang {
+
+/// What parsers read from, with the messages that all of them give.
+class TokenStream {
+public:
+    TokenStream(std::shared_ptr<const SourceText> source, Tokens read, Reporter& reporter)
+        : source_(std::move(source)),
+          tokens_(std::move(read.tokens)),
+          cut_short_(read.cut_short),
+          reporter_(&reporter) {}
+
+    [[nodiscard]] const Token& peek(std::size_t ahead = 0) const {
+        return tokens_[std::min(at_ + ahead, tokens_.size() - 1)];
+    }
+    [[nodiscard]] const Token& previous() const { return tokens_[at_ == 0 ? 0 : at_ - 1]; }
+    /// Whether the next token is, or hides, something that the lexer has reported.
+    [[nodiscard]] bool at_reported() const {
+        return peek().kind == TokenKind::stray || (cut_short_ && at_end());
+    }
+    /// Whether a line break stands before the next token.
+    [[nodiscard]] bool at_new_line() const {
+        const std::size_t begin = previous().span.end;
+        return source_->text().substr(begin, peek().span.begin - begin).find('\n') !=
+               std::string_view::npos;
+    }
+    [[nodiscard]] bool at_end() const { return peek().kind == TokenKind::end; }
+    const Token& next() {
+        const Token& token = peek();
+        at_ += at_ + 1 < tokens_.size() ? 1 : 0;
+        return token;
+    }
+    /// Steps over a symbol if it is the next token.
+    bool accept(std::string_view symbol) {
+        const bool found = peek().is(symbol);
+        if (found) {
+            next();
+        }
+        return found;
+    }
+
+    void error(Span span, std::string message, std::string remedy = {}) const;
+    /// Says what should stand here instead of the next token; silent where the lexer has
+    /// reported something.
+    void expected(std::string_view what, std::string remedy = {}) const;
+    /// Steps over a symbol or says that it is missing.
+    bool expect(std::string_view symbol, std::string_view where, std::string remedy);
+    /// Steps over a closing bracket or says that it is missing, pointing at the opening one.
+    bool expect_closing(std::string_view symbol, Span opening);
+
+    [[nodiscard]] SourceSpan at(Span span) const { return {source_, span.begin, span.end}; }
+    [[nodiscard]] std::string found() const;
+
+private:
+    [[nodiscard]] bool at_unit() const { return peek().is_name("deg") || peek().is_name("rad"); }
+    [[nodiscard]] std::string closing_remedy(std::string_view symbol) const;
+
+    std::shared_ptr<const SourceText> source_;
+    std::vector<Token> tokens_;
+    bool cut_short_;
+    Reporter* reporter_;
+    std::size_t at_ = 0;
+};
+
+}  // namespace balcony::lang

@@ -1,0 +1,319 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// A camera or a picture in words: its statements in the order in which a picture point goes through
+// them, with what the catalogue says of each stage.
+
+#include "lang/tools/explain.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "balcony/catalogue.hpp"
+#include "lang/build/resolved_layer.hpp"
+#include "lang/syntax/keywords.hpp"
+
+namespace balcony::lang {
+
+namespace {
+
+using camera::ParameterType;
+using camera::StageKind;
+
+// What is written, with single spaces and without comments.
+std::string one_line(const SyntaxTree& tree, Span span) {
+    std::string line;
+    for (std::size_t i = span.begin; i < span.end; ++i) {
+        const auto comment = std::find_if(tree.comments.begin(), tree.comments.end(),
+                                          [i](const Span& one) { return one.begin == i; });
+        if (comment != tree.comments.end()) {
+            i = comment->end - 1;
+            continue;
+        }
+        const char c = tree.source->text()[i];
+        const bool blank = c == ' ' || c == '\t' || c == '\n' || c == '\r';
+        if (!blank) {
+            line += c;
+        } else if (!line.empty() && line.back() != ' ') {
+            line += ' ';
+        }
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    return line;
+}
+
+// ------------------------------------------------------------------------ what a statement means
+
+using Meanings = std::vector<std::string>;
+
+std::string meaning(const camera::StageEntry& row) {
+    return fmt::format("{}: {}", row.name, row.meaning);
+}
+
+// The parameter of a stage that takes this argument as a stage; null if it is something else, as a
+// choice and a number are that have the name of a stage.
+const camera::StageParameter* stage_parameter(const camera::StageEntry& row,
+                                              const Argument& argument) {
+    const auto found = std::find_if(
+        row.parameters.begin(), row.parameters.end(), [&](const camera::StageParameter& one) {
+            const bool takes_stages = one.type == ParameterType::curve ||
+                                      one.type == ParameterType::stage ||
+                                      one.type == ParameterType::stages;
+            return takes_stages && (!argument.name || argument.name->text == one.name);
+        });
+    return found != row.parameters.end() ? &*found : nullptr;
+}
+
+// What the catalogue says of a call and of the stages inside it, each once.
+void add_stages(const SyntaxTree& tree, ExpressionId call, StageKind kind, Meanings& said) {
+    const Expression& node = tree[call];
+    const bool may_be_stage = node.kind == ExpressionKind::call ||
+                              node.kind == ExpressionKind::name ||
+                              node.kind == ExpressionKind::formula;
+    const camera::StageEntry* row =
+        may_be_stage ? camera::find_stage(kind, node.name.text) : nullptr;
+    if (row == nullptr) {
+        return;
+    }
+    if (std::find(said.begin(), said.end(), meaning(*row)) == said.end()) {
+        said.push_back(meaning(*row));
+    }
+    if (node.kind == ExpressionKind::formula) {
+        return;
+    }
+    for (const Argument& argument : node.arguments) {
+        if (const camera::StageParameter* parameter = stage_parameter(*row, argument)) {
+            add_stages(tree, argument.value, parameter->stage_kind, said);
+        }
+    }
+}
+
+template <StageKind kind>
+Meanings of_stages(const SyntaxTree& tree, const Statement& statement) {
+    Meanings said;
+    for (const ExpressionId call : statement.stages) {
+        add_stages(tree, call, kind, said);
+    }
+    return said;
+}
+
+Meanings of_place(const SyntaxTree&, const Statement&) {
+    return {meaning(*camera::find_stage(StageKind::picture_arranger, "place"))};
+}
+
+Meanings of_map(const SyntaxTree&, const Statement& statement) {
+    Meanings said;
+    for (const MapRange& range : statement.ranges) {
+        const bool u = range.coordinate.text == "u";
+        said.push_back(
+            range.first.valid()
+                ? fmt::format("{} goes from the {} edge of the picture to the {}",
+                              range.coordinate.text, u ? "left" : "bottom", u ? "right" : "top")
+                : fmt::format("{} is 0 in the middle, with square pixels", range.coordinate.text));
+    }
+    return said;
+}
+
+Meanings of_blend(const SyntaxTree&, const Statement& statement) {
+    const std::string_view name = statement.name.text;
+    const auto mode = camera::find_blend_mode(name).value_or(camera::BlendMode::normal);
+    return {fmt::format("{}: {}", name, meaning_of(mode))};
+}
+
+Meanings of_keyword(const SyntaxTree&, const Statement& statement) {
+    return {std::string(meaning_of(statement.kind))};
+}
+
+// The statements that say what happens to a point or a layer. What is of one phase happens as it is
+// written.
+struct PipelineRow {
+    StatementKind statement;
+    int phase;
+    Meanings (*meanings)(const SyntaxTree&, const Statement&);
+};
+constexpr std::array pipeline = {
+    PipelineRow{StatementKind::place, 0, of_place},
+    PipelineRow{StatementKind::arrange, 0, of_stages<StageKind::picture_arranger>},
+    PipelineRow{StatementKind::map, 1, of_map},
+    PipelineRow{StatementKind::warp, 2, of_stages<StageKind::parameter_transformer>},
+    PipelineRow{StatementKind::object, 3, of_stages<StageKind::object_generator>},
+    PipelineRow{StatementKind::eye, 4, of_stages<StageKind::object_generator>},
+    PipelineRow{StatementKind::toward, 5, of_stages<StageKind::object_generator>},
+    PipelineRow{StatementKind::move, 6, of_stages<StageKind::object_transformer>},
+    PipelineRow{StatementKind::look, 7, of_stages<StageKind::direction_rule>},
+    PipelineRow{StatementKind::clip, 8, of_stages<StageKind::clip_shape>},
+    PipelineRow{StatementKind::soft, 9, of_keyword},
+    PipelineRow{StatementKind::alpha, 10, of_keyword},
+    PipelineRow{StatementKind::blend, 11, of_blend},
+    PipelineRow{StatementKind::frame, 12, of_keyword},
+    PipelineRow{StatementKind::leader, 13, of_keyword},
+};
+
+void add_steps(const SyntaxTree& tree, const std::vector<Statement>& statements, std::size_t depth,
+               std::vector<Explanation::Step>& made) {
+    std::vector<std::pair<const PipelineRow*, const Statement*>> ordered;
+    for (const Statement& statement : statements) {
+        const auto* row = std::find_if(
+            pipeline.begin(), pipeline.end(),
+            [&statement](const PipelineRow& one) { return one.statement == statement.kind; });
+        if (row != pipeline.end()) {
+            ordered.emplace_back(row, &statement);
+        }
+    }
+    std::stable_sort(ordered.begin(), ordered.end(),
+                     [](const auto& a, const auto& b) { return a.first->phase < b.first->phase; });
+    for (const auto& [row, statement] : ordered) {
+        Explanation::Step step;
+        step.depth = depth;
+        step.statement = std::string(keyword(statement->kind));
+        if (statement->block.empty()) {
+            step.written = one_line(tree, {statement->keyword.end, statement->span.end});
+        }
+        step.meanings = row->meanings(tree, *statement);
+        made.push_back(std::move(step));
+        add_steps(tree, statement->block, depth + 1, made);
+    }
+}
+
+// --------------------------------------------------------------------------------- the whole
+
+std::string value_text(const Value& value) {
+    if (value.elements) {
+        std::vector<std::string> texts;
+        for (const Element& element : *value.elements) {
+            texts.push_back(value_text(element.value));
+        }
+        const bool list = value.form == Value::Form::list;
+        return fmt::format("{}{}{}", list ? "[" : "(", fmt::join(texts, ", "), list ? "]" : ")");
+    }
+    if (!value.is_constant()) {
+        return "changes with time";
+    }
+    return value.is_angle() ? fmt::format("{:.6g}deg", value.constant() * 180.0 / std::numbers::pi)
+                            : fmt::format("{:.6g}", value.constant());
+}
+
+// Where rays start and where they go, in one sentence.
+std::string summary_of(const camera::Camera& camera) {
+    const auto place = [](int dimension) {
+        return dimension == 0 ? "at a point" : dimension == 1 ? "on a curve" : "on a surface";
+    };
+    const camera::Camera::Parts& parts = camera.parts();
+    std::string text = fmt::format("Rays start {}", place(parts.eye.generator->dimension()));
+    if (parts.toward) {
+        const int dimension = parts.toward->generator->dimension();
+        text += fmt::format("; a {} helps to give their directions", dimension == 0   ? "point"
+                                                                     : dimension == 1 ? "curve"
+                                                                                      : "surface");
+    } else {
+        text += "; the same object gives their directions";
+    }
+    return text + ".";
+}
+
+std::string summary_of(const camera::Picture& picture) {
+    const camera::Picture::Parts& parts = picture.parts();
+    const std::string layers =
+        fmt::format("{} layer{}", parts.layers.size(), parts.layers.size() == 1 ? "" : "s");
+    return parts.size ? fmt::format("A picture of {} x {} pixels in {}.", (*parts.size)[0],
+                                    (*parts.size)[1], layers)
+                      : fmt::format("A picture in {}, {:.4g} times as wide as high.", layers,
+                                    parts.aspect);
+}
+
+class Explainer {
+public:
+    explicit Explainer(Session& session) : session_(session) {}
+
+    Explanation camera(const LocatedDefinition& place, const camera::Camera& camera,
+                       const GivenParameters& given) {
+        DefinitionScope scope(place, given, session_);
+        Explanation made = heading(place, scope, summary_of(camera));
+        add_steps(place.module->tree, place.camera->statements, 0, made.steps);
+        const bool has_look =
+            std::any_of(made.steps.begin(), made.steps.end(),
+                        [](const Explanation::Step& step) { return step.statement == "look"; });
+        if (!has_look) {
+            const std::string_view rule = camera.parts().toward ? "relative" : "normal";
+            const auto* row = camera::find_stage(StageKind::direction_rule, rule);
+            made.steps.push_back({"look", std::string(rule), {meaning(*row)}, 0});
+        }
+        return made;
+    }
+
+    Explanation picture(const LocatedDefinition& place, const camera::Picture& picture,
+                        const GivenParameters& given) {
+        DefinitionScope scope(place, given, session_);
+        Explanation made = heading(place, scope, summary_of(picture));
+        const SyntaxTree& tree = place.module->tree;
+        for (const Statement& statement : place.camera->statements) {
+            if (statement.kind != StatementKind::layer) {
+                continue;
+            }
+            const Expression& call = tree[statement.stages.front()];
+            Explanation::Layer layer{one_line(tree, call.span), {}, 0};
+            add_steps(tree, statement.block, 0, layer.steps);
+            if (const auto content = resolve_layer(place, call, scope.names(), session_)) {
+                layer.shows = show(*content, picture.parts().layers[made.layers.size()]);
+            }
+            made.layers.push_back(std::move(layer));
+        }
+        return made;
+    }
+
+    std::vector<Explanation> take_shown() { return std::move(shown_); }
+
+private:
+    static Explanation heading(const LocatedDefinition& place, DefinitionScope& scope,
+                               std::string summary) {
+        Explanation made;
+        made.name = std::string(place.camera->name.text);
+        made.is_picture = place.camera->is_picture;
+        made.summary = std::move(summary);
+        const std::vector<Value> values = scope.values();
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            made.parameters.push_back(
+                {std::string(place.camera->parameters[i].name.text), value_text(values[i])});
+        }
+        return made;
+    }
+
+    // The number of what a layer shows, explained when it is first met.
+    std::size_t show(const ResolvedLayer& content, const camera::Layer& layer) {
+        const auto* nested = std::get_if<std::shared_ptr<const camera::Picture>>(&layer.content);
+        const auto* single = std::get_if<camera::Camera>(&layer.content);
+        const void* identity = nested != nullptr ? static_cast<const void*>(nested->get())
+                                                 : static_cast<const void*>(&single->parts());
+        if (const auto known = numbers_.find(identity); known != numbers_.end()) {
+            return known->second;
+        }
+        Explanation made = nested != nullptr ? picture(content.place, **nested, content.given)
+                                             : camera(content.place, *single, content.given);
+        numbers_.emplace(identity, shown_.size());
+        shown_.push_back(std::move(made));
+        return shown_.size() - 1;
+    }
+
+    Session& session_;
+    std::map<const void*, std::size_t> numbers_;
+    std::vector<Explanation> shown_;
+};
+
+}  // namespace
+
+Explanation explain(const LocatedDefinition& place, const camera::Picture& picture,
+                    const GivenParameters& given, Session& session) {
+    Explainer explainer(session);
+    if (const camera::Camera* camera = picture.only_camera()) {
+        return explainer.camera(place, *camera, given);
+    }
+    Explanation made = explainer.picture(place, picture, given);
+    made.shown = explainer.take_shown();
+    return made;
+}
+
+}  // namespace balcony::lang

@@ -1,0 +1,68 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "balcony/png_file.hpp"
+#include "balcony/render.hpp"
+
+namespace balcony::render {
+
+namespace {
+
+constexpr std::size_t channels = 4;
+
+// IEC 61966-2-1; what is no number is black.
+float srgb_from_linear(float value) {
+    if (!(value > 0.0F)) {
+        return 0.0F;
+    }
+    const float c = std::min(value, 1.0F);
+    return c <= 0.0031308F ? 12.92F * c : 1.055F * std::pow(c, 1.0F / 2.4F) - 0.055F;
+}
+
+template <class Sample>
+Sample quantised(float value) {
+    constexpr auto maximum = static_cast<float>(std::numeric_limits<Sample>::max());
+    return static_cast<Sample>(std::clamp(value, 0.0F, 1.0F) * maximum + 0.5F);
+}
+
+template <class Sample>
+std::vector<Sample> to_samples(const Film& film, float gain) {
+    std::vector<Sample> samples;
+    samples.reserve(film.width * film.height * channels);
+    for (std::size_t y = 0; y < film.height; ++y) {
+        for (std::size_t x = 0; x < film.width; ++x) {
+            const Color4f mean = film.pixel(x, y);
+            const bool visible = mean.a > 0.0F;
+            const float scale = visible ? gain / mean.a : 0.0F;
+            for (const float c : {mean.r, mean.g, mean.b}) {
+                samples.push_back(quantised<Sample>(srgb_from_linear(c * scale)));
+            }
+            samples.push_back(quantised<Sample>(visible ? mean.a : 0.0F));
+        }
+    }
+    return samples;
+}
+
+}  // namespace
+
+Diagnostics write_png(const Film& film, const std::filesystem::path& file,
+                      const PngOptions& options) {
+    if ((options.bits != 8 && options.bits != 16) || !std::isfinite(options.exposure)) {
+        return {error(fmt::format("a PNG file cannot have {} bits a channel and an exposure of {}",
+                                  options.bits, options.exposure),
+                      {}, "give 8 or 16 bits and a finite exposure")};
+    }
+    const auto gain = static_cast<float>(std::exp2(options.exposure));
+    const PngSize size{film.width, film.height, channels};
+    return options.bits == 8 ? write_png(to_samples<std::uint8_t>(film, gain), size, file)
+                             : write_png(to_samples<std::uint16_t>(film, gain), size, file);
+}
+
+}  // namespace balcony::render

@@ -1,0 +1,106 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "balcony/probe.hpp"
+#include "render/embree/accelerator.hpp"
+#include "render/job/camera_rays.hpp"
+#include "render/shading/material.hpp"
+#include "render/shading/surface.hpp"
+#include "render/textures/texture_library.hpp"
+
+namespace balcony::render {
+
+namespace {
+
+using Imath::V3d;
+
+V3d in_axes(const V3d& v, Axes from, Axes to) {
+    const auto [x, y, z] = turned(std::array{v.x, v.y, v.z}, from, to);
+    return {x, y, z};
+}
+
+/// Looks along lines, one after another; belongs to one thread.
+class SightTracer {
+public:
+    SightTracer(const scene::Scene& scene, const embree::Accelerator& accelerator,
+                const TextureLibrary& textures)
+        : accelerator_(accelerator),
+          surfaces_(scene),
+          textures_(textures),
+          cache_(textures.thread_cache()) {}
+
+    [[nodiscard]] std::optional<Obstacle> operator()(const V3d& from, const V3d& to) const {
+        const V3d way = to - from;
+        const double size = std::max({std::abs(way.x), std::abs(way.y), std::abs(way.z)});
+        const V3d scaled = way / size;  // Squares of what is very long would overflow.
+        // No way leads nowhere or to what is no number; the renderer traces no ray from so far.
+        if (!(scaled.length() > 0.0) || !fits_float(from)) {
+            return std::nullopt;
+        }
+        const V3d direction = scaled.normalized();
+        const double length = size * scaled.length();
+        embree::Ray ray{V3f(from), V3f(direction)};
+        for (std::size_t crossings = 0;; ++crossings) {
+            const embree::Hit hit = accelerator_.intersect(ray);
+            if (!hit.any()) {
+                return std::nullopt;
+            }
+            const Surface surface = surfaces_.find(hit, ray.direction);
+            const double distance = (V3d(surface.position) - from).dot(direction);
+            if (distance >= nearly_all * length) {
+                return std::nullopt;
+            }
+            if (crossings == max_crossings || (!holds(surface, to) && is_opaque(surface))) {
+                return Obstacle{surface.object, std::max(distance, 0.0)};
+            }
+            ray.origin = surface.start(ray.direction);
+        }
+    }
+
+private:
+    // Whether a point lies in the plane of the triangle. Of a line that ends there flatly the hit
+    // may come far from the end, but rounding does not take it off the plane.
+    static bool holds(const Surface& surface, const V3d& point) {
+        const double height = (point - V3d(surface.position)).dot(V3d(surface.geometric_normal));
+        return std::abs(height) <= surface.offset;
+    }
+
+    [[nodiscard]] bool is_opaque(const Surface& surface) const {
+        const TextureFootprint place{surface.texture_point, V2f(0.0F), V2f(0.0F)};
+        return look_up_opacity(*surface.material, textures_, place, cache_) >= 1.0F;
+    }
+
+    const embree::Accelerator& accelerator_;
+    SurfaceFinder surfaces_;
+    const TextureLibrary& textures_;
+    TextureLibrary::ThreadCache cache_;
+};
+
+}  // namespace
+
+Result<std::vector<std::optional<Obstacle>>> find_obstacles(const scene::Scene& scene,
+                                                            std::span<const SightLine> lines,
+                                                            Axes axes) {
+    const Result<embree::Accelerator> accelerator = embree::Accelerator::build(scene);
+    if (!accelerator) {
+        return accelerator.diagnostics;
+    }
+    Diagnostics warnings;
+    const TextureLibrary textures(scene, warnings);
+    const SightTracer look(scene, *accelerator, textures);
+    std::vector<std::optional<Obstacle>> found;
+    found.reserve(lines.size());
+    for (const SightLine& line : lines) {
+        found.push_back(
+            look(in_axes(line.from, axes, scene.axes), in_axes(line.to, axes, scene.axes)));
+    }
+    const Diagnostics failures = textures.failures();
+    warnings.insert(warnings.end(), failures.begin(), failures.end());
+    return {std::move(found), std::move(warnings)};
+}
+
+}  // namespace balcony::render

@@ -1,0 +1,239 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "balcony/probe.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "render/embree/accelerator.hpp"
+#include "render/job/camera_rays.hpp"
+#include "render/probe/closed_surface.hpp"
+
+namespace balcony::render {
+
+namespace {
+
+using embree::Hit;
+using Imath::V3f;
+
+/// The rays of a part of the picture.
+struct RayTile {
+    RayGrid rays;
+    std::size_t width = 0;
+    std::size_t height = 0;
+    Imath::V2d corner;
+    double step = 1.0;
+
+    [[nodiscard]] std::size_t size() const { return width * height; }
+    [[nodiscard]] Imath::V2d at(std::size_t i) const {
+        return corner +
+               step * Imath::V2d(static_cast<double>(i % width), static_cast<double>(i / width));
+    }
+};
+
+class Prober {
+public:
+    Prober(const scene::Scene& scene, const embree::Accelerator& accelerator,
+           const camera::Camera& camera, const ProbeSettings& settings)
+        : scene_(scene),
+          accelerator_(accelerator),
+          program_(compile_camera(camera, scene.axes, settings.width, settings.height)),
+          settings_(settings) {
+        probe_.objects.resize(scene.objects.size());
+        for (const scene::Instance& instance : scene.instances) {
+            if (!scene.meshes[instance.mesh.value()].triangles.empty()) {
+                probe_.objects[instance.object].has_surface = true;
+            }
+        }
+    }
+
+    Probe run() {
+        for_each_tile(settings_.step, [this](const RayTile& tile) {
+            look(tile, true);
+            look_round(tile);
+        });
+        if (settings_.step > 1) {
+            for_each_tile(1, [this](const RayTile& tile) {
+                if (misses_something()) {
+                    look(tile, false);
+                }
+            });
+        }
+        if (!distances_.empty()) {
+            const auto middle =
+                distances_.begin() + static_cast<std::ptrdiff_t>(distances_.size() / 2);
+            std::nth_element(distances_.begin(), middle, distances_.end());
+            probe_.median_distance = *middle;
+        }
+        return std::move(probe_);
+    }
+
+private:
+    template <class Visit>
+    void for_each_tile(std::size_t step, const Visit& visit) {
+        const std::size_t columns = (settings_.width + step - 1) / step;
+        const std::size_t rows = (settings_.height + step - 1) / step;
+        const double middle = 0.5 * static_cast<double>(step);
+        RayTile tile;
+        tile.step = static_cast<double>(step);
+        for (std::size_t top = 0; top < rows; top += program::max_tile_height) {
+            for (std::size_t left = 0; left < columns; left += program::max_tile_width) {
+                tile.width = std::min(program::max_tile_width, columns - left);
+                tile.height = std::min(program::max_tile_height, rows - top);
+                tile.corner = {middle + tile.step * static_cast<double>(left),
+                               middle + tile.step * static_cast<double>(top)};
+                tile.rays.resize(tile.size(), false);
+                program::run(program_,
+                             {tile.corner.x, tile.corner.y, tile.step, tile.width, tile.height,
+                              settings_.time},
+                             scratch_, tile.rays.roots(program_.root_count()));
+                visit(tile);
+            }
+        }
+    }
+
+    [[nodiscard]] bool misses_something() const {
+        return std::any_of(
+            probe_.objects.begin(), probe_.objects.end(),
+            [](const ObjectSight& sight) { return sight.has_surface && !sight.seen; });
+    }
+
+    static embree::Ray ray_of(const RayTile& tile, std::size_t i) {
+        return {V3f(tile.rays.origin(i)), V3f(tile.rays.direction(i))};
+    }
+
+    // Marks what the rays of a tile meet.
+    void look(const RayTile& tile, bool measure) {
+        std::vector<embree::Ray> rays(tile.size());
+        std::vector<std::uint8_t> active(tile.size());
+        std::vector<Hit> hits(tile.size());
+        for (std::size_t i = 0; i < tile.size(); ++i) {
+            active[i] = tile.rays.traceable(i) ? 1 : 0;
+            rays[i] = active[i] != 0 ? ray_of(tile, i) : embree::Ray{};
+        }
+        accelerator_.intersect_grid(tile.width, rays, active, hits);
+        for (std::size_t i = 0; i < tile.size(); ++i) {
+            probe_.rays += measure && active[i] != 0 ? 1U : 0U;
+            if (active[i] == 0 || !hits[i].any()) {
+                continue;
+            }
+            if (measure) {
+                distances_.push_back((place_of(hits[i]) - rays[i].origin).length());
+            }
+            follow(rays[i], hits[i]);
+        }
+    }
+
+    void follow(embree::Ray ray, Hit hit) {
+        constexpr int max_layers = 64;
+        for (int layer = 0; layer < max_layers && hit.any(); ++layer) {
+            const scene::Instance& instance = scene_.instances[hit.instance];
+            probe_.objects[instance.object].seen = true;
+            if (material_of(instance).alpha_mode == scene::AlphaMode::opaque) {
+                return;
+            }
+            ray.origin = beyond(ray, hit);
+            hit = accelerator_.intersect(ray);
+        }
+    }
+
+    // Past the surface by more than rounding.
+    [[nodiscard]] V3f beyond(const embree::Ray& ray, const Hit& hit) const {
+        constexpr float share = 1e-5F;
+        const V3f place = place_of(hit);
+        const float size = std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z),
+                                     (place - ray.origin).length()});
+        return place + share * size * ray.direction;
+    }
+
+    [[nodiscard]] const scene::Material& material_of(const scene::Instance& instance) const {
+        return scene_.materials[scene_.meshes[instance.mesh.value()].material.value()];
+    }
+
+    [[nodiscard]] std::array<V3d, 3> corners_of(const Hit& hit) const {
+        const scene::Instance& instance = scene_.instances[hit.instance];
+        const scene::Mesh& mesh = scene_.meshes[instance.mesh.value()];
+        std::array<V3d, 3> corners;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            corners[i] =
+                V3d(mesh.positions[mesh.triangles[hit.triangle][i]]) * instance.world_from_mesh;
+        }
+        return corners;
+    }
+
+    [[nodiscard]] V3f place_of(const Hit& hit) const {
+        const std::array<V3d, 3> p = corners_of(hit);
+        return V3f(p[0] + double{hit.u} * (p[1] - p[0]) + double{hit.v} * (p[2] - p[0]));
+    }
+
+    // For the rays of a tile, whether they start inside something. Whoever looks out from an inside
+    // sees the back of the surface round him, or something that is in there with him; so both ways
+    // along the ray are looked at.
+    void look_round(const RayTile& tile) {
+        std::optional<V3f> last_origin;
+        std::optional<std::uint32_t> last_object;
+        for (std::size_t i = 0; i < tile.size(); ++i) {
+            if (!tile.rays.traceable(i)) {
+                continue;
+            }
+            embree::Ray ray = ray_of(tile, i);
+            // Rays that leave one point are not asked for each by itself.
+            if (last_origin != ray.origin) {
+                last_origin = ray.origin;
+                last_object = object_round(ray);
+                if (!last_object) {
+                    ray.direction = -ray.direction;
+                    last_object = object_round(ray);
+                }
+            }
+            if (last_object) {
+                ObjectSight& sight = probe_.objects[*last_object];
+                if (sight.rays_from_inside++ == 0) {
+                    sight.inside_at = tile.at(i);
+                }
+            }
+        }
+    }
+
+    [[nodiscard]] std::optional<std::uint32_t> object_round(const embree::Ray& ray) {
+        const Hit hit = accelerator_.intersect(ray);
+        if (!hit.any()) {
+            return std::nullopt;
+        }
+        const std::array<V3d, 3> p = corners_of(hit);
+        const scene::Instance& instance = scene_.instances[hit.instance];
+        const double facing = (p[1] - p[0]).cross(p[2] - p[0]).dot(V3d(ray.direction)) *
+                              (instance.world_from_mesh.determinant() < 0.0 ? -1.0 : 1.0);
+        if (facing <= 0.0) {
+            return std::nullopt;
+        }
+        const auto [known, is_new] = encloses_.try_emplace(instance.object, false);
+        if (is_new) {
+            known->second = encloses_volume(scene_, instance.object);
+        }
+        return known->second ? std::optional(instance.object) : std::nullopt;
+    }
+
+    const scene::Scene& scene_;
+    const embree::Accelerator& accelerator_;
+    program::Program program_;
+    program::Scratch scratch_;
+    ProbeSettings settings_;
+    Probe probe_;
+    std::vector<double> distances_;
+    std::map<std::uint32_t, bool> encloses_;
+};
+
+}  // namespace
+
+Result<Probe> probe(const scene::Scene& scene, const camera::Camera& camera,
+                    const ProbeSettings& settings) {
+    const Result<embree::Accelerator> accelerator = embree::Accelerator::build(scene);
+    if (!accelerator) {
+        return accelerator.diagnostics;
+    }
+    return Prober(scene, *accelerator, camera, settings).run();
+}
+
+}  // namespace balcony::render

@@ -1,0 +1,143 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "render/shading/surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace balcony::render {
+
+namespace {
+
+float max_coordinate(const V3f& p) {
+    return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+}
+
+// A shading normal that the viewer sees from below is bent until it is just above the horizon.
+V3f bent_towards(const V3f& normal, const V3f& to_viewer) {
+    constexpr float min_cosine = 1e-3F;
+    const float cosine = normal.dot(to_viewer);
+    return cosine >= min_cosine ? normal
+                                : (normal + (min_cosine - cosine) * to_viewer).normalized();
+}
+
+// Imath's own product divides by the last co-ordinate, which is 1 here.
+V3f placed(const V3f& p, const Imath::M44f& m) {
+    return {p.x * m[0][0] + p.y * m[1][0] + p.z * m[2][0] + m[3][0],
+            p.x * m[0][1] + p.y * m[1][1] + p.z * m[2][1] + m[3][1],
+            p.x * m[0][2] + p.y * m[1][2] + p.z * m[2][2] + m[3][2]};
+}
+
+bool is_finite(const V2f& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
+
+}  // namespace
+
+V3f Surface::start(const V3f& direction) const {
+    return position +
+           (direction.dot(geometric_normal) >= 0.0F ? offset : -offset) * geometric_normal;
+}
+
+PositionDifferentials Surface::transfer(const Ray& ray) const {
+    const float along_normal = ray.direction.dot(geometric_normal);
+    const float length = (position - ray.origin).dot(ray.direction);
+    const auto on_plane = [&](const V3f& origin, const V3f& direction) {
+        const V3f moved = origin + length * direction;
+        return moved - moved.dot(geometric_normal) / along_normal * ray.direction;
+    };
+    const RayDifferentials& d = ray.differentials;
+    return {on_plane(d.origin_x, d.direction_x), on_plane(d.origin_y, d.direction_y)};
+}
+
+TextureFootprint Surface::texture_footprint(const PositionDifferentials& moved) const {
+    const V3f across = edge_1.cross(edge_2);
+    const float square = across.length2();
+    const auto in_texture = [&](const V3f& along) {
+        const float u = along.cross(edge_2).dot(across) / square;
+        const float v = edge_1.cross(along).dot(across) / square;
+        const V2f slope = u * texture_edge_1 + v * texture_edge_2;
+        // A footprint of many images looks like one of some images, and keeps to safe numbers.
+        constexpr float widest = 64.0F;
+        const float width = std::max(std::abs(slope.x), std::abs(slope.y));
+        return !is_finite(slope) ? V2f(0.0F, 0.0F)
+                                 : slope * (width > widest ? widest / width : 1.0F);
+    };
+    return {texture_point, in_texture(moved.along_x), in_texture(moved.along_y)};
+}
+
+SurfaceFinder::SurfaceFinder(const scene::Scene& scene) : scene_(&scene) {
+    placements_.reserve(scene.instances.size());
+    for (const scene::Instance& instance : scene.instances) {
+        const scene::M44d& m = instance.world_from_mesh;
+        const Imath::M33d linear(m[0][0], m[0][1], m[0][2], m[1][0], m[1][1], m[1][2], m[2][0],
+                                 m[2][1], m[2][2]);
+        placements_.push_back({Imath::M44f(m), Imath::M33f(linear.inverse().transposed())});
+    }
+}
+
+const scene::Mesh& SurfaceFinder::mesh(const embree::Hit& hit) const {
+    return scene_->meshes[scene_->instances[hit.instance].mesh.value()];
+}
+
+const scene::Material& SurfaceFinder::material(const embree::Hit& hit) const {
+    return scene_->materials[mesh(hit).material.value()];
+}
+
+V2f SurfaceFinder::texture_point(const embree::Hit& hit) const {
+    const scene::Mesh& m = mesh(hit);
+    if (m.texture_coordinates.empty()) {
+        return {0.0F, 0.0F};
+    }
+    const auto& triangle = m.triangles[hit.triangle];
+    return (1.0F - hit.u - hit.v) * m.texture_coordinates[triangle[0]] +
+           hit.u * m.texture_coordinates[triangle[1]] + hit.v * m.texture_coordinates[triangle[2]];
+}
+
+Surface SurfaceFinder::find(const embree::Hit& hit, const V3f& direction) const {
+    const scene::Mesh& m = mesh(hit);
+    const Placement& placement = placements_[hit.instance];
+    const auto& triangle = m.triangles[hit.triangle];
+    const V3f p0 = placed(m.positions[triangle[0]], placement.world_from_mesh);
+    const V3f p1 = placed(m.positions[triangle[1]], placement.world_from_mesh);
+    const V3f p2 = placed(m.positions[triangle[2]], placement.world_from_mesh);
+
+    Surface surface;
+    surface.edge_1 = p1 - p0;
+    surface.edge_2 = p2 - p0;
+    surface.position = p0 + hit.u * surface.edge_1 + hit.v * surface.edge_2;
+    // Eight roundings of the largest number that takes part in finding the point or in meeting the
+    // triangle from it.
+    surface.offset = 8.0F * std::numeric_limits<float>::epsilon() *
+                     std::max({max_coordinate(p0), max_coordinate(p1), max_coordinate(p2),
+                               max_coordinate(surface.edge_1), max_coordinate(surface.edge_2)});
+
+    surface.geometric_normal = surface.edge_1.cross(surface.edge_2).normalized();
+    if (surface.geometric_normal.dot(direction) > 0.0F) {
+        surface.geometric_normal = -surface.geometric_normal;
+    }
+    surface.normal = surface.geometric_normal;
+    if (!m.normals.empty()) {
+        const V3f normal = ((1.0F - hit.u - hit.v) * m.normals[triangle[0]] +
+                            hit.u * m.normals[triangle[1]] + hit.v * m.normals[triangle[2]]) *
+                           placement.normal_from_mesh;
+        if (const V3f unit = normal.normalized(); unit.length2() > 0.0F) {
+            surface.normal =
+                bent_towards(unit.dot(surface.geometric_normal) < 0.0F ? -unit : unit, -direction);
+        }
+    }
+    if (!m.texture_coordinates.empty()) {
+        const V2f t0 = m.texture_coordinates[triangle[0]];
+        surface.texture_edge_1 = m.texture_coordinates[triangle[1]] - t0;
+        surface.texture_edge_2 = m.texture_coordinates[triangle[2]] - t0;
+        surface.texture_point =
+            t0 + hit.u * surface.texture_edge_1 + hit.v * surface.texture_edge_2;
+    } else {
+        surface.texture_point = surface.texture_edge_1 = surface.texture_edge_2 = V2f(0.0F);
+    }
+    surface.material = &scene_->materials[m.material.value()];
+    surface.object = scene_->instances[hit.instance].object;
+    return surface;
+}
+
+}  // namespace balcony::render

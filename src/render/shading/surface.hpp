@@ -1,0 +1,88 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// What a ray meets: the surface at a hit, and the ray's footprint on it.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <Imath/ImathMatrix.h>
+#include <Imath/ImathVec.h>
+
+#include "balcony/scene.hpp"
+#include "render/embree/accelerator.hpp"
+#include "render/textures/texture_library.hpp"
+
+namespace balcony::render {
+
+using Imath::V2f;
+using Imath::V3f;
+
+/// How a ray changes from a pixel to the next on the right (x) and below (y): the ray differentials
+/// of Igehy, "Tracing Ray Differentials" (1999).
+struct RayDifferentials {
+    V3f origin_x{0.0F}, origin_y{0.0F};
+    V3f direction_x{0.0F}, direction_y{0.0F};
+};
+
+/// A ray with unit direction.
+struct Ray {
+    V3f origin;
+    V3f direction;
+    RayDifferentials differentials{};
+};
+
+/// How a point of a surface moves from a pixel to the next.
+struct PositionDifferentials {
+    V3f along_x{0.0F}, along_y{0.0F};
+};
+
+/// Transparent surfaces one behind the other that a ray passes; the next one is taken as opaque.
+inline constexpr std::size_t max_crossings = 64;
+
+/// A ray to a point ends just before it, by more than its length is rounded.
+inline constexpr float nearly_all = 1.0F - 1e-5F;
+
+struct Surface {
+    V3f position;
+    V3f geometric_normal;  ///< Unit, towards the side the ray comes from.
+    V3f normal;            ///< Unit, for shading, on the same side and seen from the ray.
+    V3f edge_1, edge_2;    ///< Of the triangle, from its first vertex.
+    V2f texture_point;
+    V2f texture_edge_1, texture_edge_2;
+    float offset = 0.0F;  ///< A distance from the surface that rounding cannot bridge.
+    const scene::Material* material = nullptr;
+    std::uint32_t object = 0;
+
+    /// Where a ray that leaves in a direction starts, safe from meeting this surface again.
+    [[nodiscard]] V3f start(const V3f& direction) const;
+    /// Where the neighbouring pixels' rays meet the plane of the triangle, as differences.
+    [[nodiscard]] PositionDifferentials transfer(const Ray& ray) const;
+    [[nodiscard]] TextureFootprint texture_footprint(const PositionDifferentials& position) const;
+};
+
+/// Makes surfaces of hits.
+class SurfaceFinder {
+public:
+    explicit SurfaceFinder(const scene::Scene& scene);
+
+    [[nodiscard]] Surface find(const embree::Hit& hit, const V3f& direction) const;
+    /// The texture co-ordinates of a hit alone.
+    [[nodiscard]] V2f texture_point(const embree::Hit& hit) const;
+    [[nodiscard]] const scene::Material& material(const embree::Hit& hit) const;
+
+private:
+    struct Placement {
+        Imath::M44f world_from_mesh;
+        Imath::M33f normal_from_mesh;
+    };
+
+    [[nodiscard]] const scene::Mesh& mesh(const embree::Hit& hit) const;
+
+    const scene::Scene* scene_;
+    std::vector<Placement> placements_;  // By instance.
+};
+
+}  // namespace balcony::render

@@ -1,0 +1,124 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "render/textures/texture_library.hpp"
+
+#include <cmath>
+
+#include <OpenImageIO/imagecache.h>
+#include <fmt/format.h>
+
+namespace balcony::render {
+
+namespace {
+
+constexpr int channels = 4;
+
+OIIO::TextureOpt::Wrap to_wrap(scene::Wrap wrap) {
+    switch (wrap) {
+        case scene::Wrap::repeat: return OIIO::TextureOpt::WrapPeriodic;
+        case scene::Wrap::clamp: return OIIO::TextureOpt::WrapClamp;
+        case scene::Wrap::mirror: return OIIO::TextureOpt::WrapMirror;
+    }
+    return OIIO::TextureOpt::WrapPeriodic;
+}
+
+Diagnostic unreadable(const scene::Texture& texture, const std::string& reason) {
+    return warning(fmt::format("texture '{}' cannot be read{}{}", texture.name,
+                               reason.empty() ? "" : ": ", reason),
+                   {}, "its material is rendered with its factors alone");
+}
+
+}  // namespace
+
+TextureLibrary::TextureLibrary(const scene::Scene& scene, Diagnostics& warnings)
+    : entries_(scene.textures.size()), system_(OIIO::TextureSystem::create(false)) {
+    system_->attribute("max_memory_MB", texture_cache_megabytes);
+    system_->attribute("max_open_files", texture_images_decoded);
+    system_->attribute("autotile", 64);
+    system_->attribute("automip", 1);
+    system_->attribute("accept_untiled", 1);
+    system_->attribute("accept_unmipped", 1);
+    const auto use = [&](scene::TextureIndex index, TextureEncoding encoding) {
+        if (index.valid()) {
+            open(scene.textures[index.value()], encoding, index.value(), warnings);
+        }
+    };
+    for (const scene::Material& material : scene.materials) {
+        use(material.base_color_texture, TextureEncoding::srgb);
+        use(material.emission_texture, TextureEncoding::srgb);
+        use(material.metallic_roughness_texture, TextureEncoding::linear);
+    }
+}
+
+void TextureLibrary::open(const scene::Texture& texture, TextureEncoding encoding,
+                          std::size_t index, Diagnostics& warnings) {
+    Entry& entry = entries_[index][static_cast<std::size_t>(encoding)];
+    if (entry.source.texture != nullptr) {
+        return;
+    }
+    entry.source = {&texture, encoding};
+    entry.wrap_u = to_wrap(texture.wrap_u);
+    entry.wrap_v = to_wrap(texture.wrap_v);
+
+    // The cache knows its images by name.
+    const OIIO::ustring name(fmt::format("{}:{}", index, static_cast<int>(encoding)));
+    OIIO::ImageSpec config;
+    void* const source = &entry.source;
+    config.attribute("balcony:source", OIIO::TypeDesc::PTR, &source);
+    system_->imagecache()->add_file(name, make_texture_input, &config);
+    OIIO::TextureSystem::TextureHandle* handle = system_->get_texture_handle(name);
+    int found = 0;
+    if (handle == nullptr ||
+        !system_->get_texture_info(handle, nullptr, 0, OIIO::ustring("channels"),
+                                   OIIO::TypeDesc::INT, &found)) {
+        warnings.push_back(unreadable(texture, system_->geterror()));
+        return;
+    }
+    entry.handle = handle;
+}
+
+Imath::Color4f TextureLibrary::look_up(scene::TextureIndex texture, TextureEncoding encoding,
+                                       const TextureFootprint& footprint, ThreadCache cache) const {
+    Imath::Color4f color(1.0F, 1.0F, 1.0F, 1.0F);
+    if (!texture.valid()) {
+        return color;
+    }
+    const Entry& entry = entries_[texture.value()][static_cast<std::size_t>(encoding)];
+    if (entry.handle == nullptr) {
+        return color;
+    }
+    // Beyond this a float does not tell the texels of an image apart.
+    constexpr float farthest = 1e6F;
+    if (!(std::abs(footprint.at.x) < farthest && std::abs(footprint.at.y) < farthest)) {
+        return color;
+    }
+    OIIO::TextureOpt options;
+    options.swrap = entry.wrap_u;
+    options.twrap = entry.wrap_v;
+    options.mipmode = OIIO::TextureOpt::MipModeAniso;
+    options.interpmode = OIIO::TextureOpt::InterpBilinear;
+    options.anisotropic = 16;
+    if (!system_->texture(entry.handle, cache, options, footprint.at.x, footprint.at.y,
+                          footprint.along_x.x, footprint.along_x.y, footprint.along_y.x,
+                          footprint.along_y.y, channels, &color.r)) {
+        static_cast<void>(system_->geterror());
+        entry.failed.store(true, std::memory_order_relaxed);
+        return {1.0F, 1.0F, 1.0F, 1.0F};
+    }
+    return color;
+}
+
+Diagnostics TextureLibrary::failures() const {
+    Diagnostics warnings;
+    for (const std::array<Entry, 2>& pair : entries_) {
+        for (const Entry& entry : pair) {
+            if (entry.failed && !entry.reported.exchange(true)) {
+                warnings.push_back(unreadable(*entry.source.texture, ""));
+            }
+        }
+    }
+    return warnings;
+}
+
+}  // namespace balcony::render
