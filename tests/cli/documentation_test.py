@@ -1,6 +1,6 @@
 # Balcony: rendering through extended cameras.
 # SPDX-License-Identifier: Apache-2.0
-"""Every command line that the documentation shows is run: the README, docs/ and the help."""
+"""Runs every command line that the README, docs/ and the help show."""
 
 import re
 import shlex
@@ -12,7 +12,7 @@ STARTS = ("balcony ", "build/release/balcony ")
 
 
 def command_lines(text):
-    """Those lines of a text that start the command, without what a comment adds."""
+    """The lines of a text that start the command, without their comments."""
     for line in text.splitlines():
         line = line.strip().removeprefix("$ ")
         if line.startswith(STARTS):
@@ -25,7 +25,11 @@ class Documentation(support.CommandTest):
         super().setUp()
         for name in ("gallery", "scene"):
             (self.folder / f"{name}.glb").write_bytes(support.glb_bytes())
-        # The last camera stays the one that is meant where none is named.
+        (self.folder / "out" / "scenes").mkdir(parents=True)
+        (self.folder / "out" / "scenes" / "build_gallery.glb").write_bytes(support.glb_bytes())
+        for name in ("docs", "plates"):
+            (self.folder / name).symlink_to(support.REPOSITORY / name)
+        # FILE without a NAME means the last camera, so the picture comes first.
         poster = "picture poster { layer above layer closeup { place (0, 0) .. (1/2, 1/2) } }\n"
         for name in ("gallery", "room", "my"):
             (self.folder / f"{name}.cam").write_text(poster + support.CAMERAS)
@@ -34,7 +38,7 @@ class Documentation(support.CommandTest):
     def run_all(self, lines):
         for words in lines:
             with self.subTest(line=" ".join(words)):
-                # Last of its kind counts, so a picture as large as the page wants is made small.
+                # The last option of a kind counts, so these make the page's picture small.
                 small = ("--size", "24x16", "--samples", "1") if words[0] == "render" else ()
                 self.run_command(*words, *small)
 
