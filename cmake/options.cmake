@@ -2,6 +2,8 @@
 # and the SIMD runner compute the same products and sums.
 option(BALCONY_WERROR "Treat warnings as errors" OFF)
 option(BALCONY_BENCH "Build the benchmarks" ON)
+option(BALCONY_PCH "Precompile headers from outside" ON)
+option(BALCONY_CCACHE "Compile by way of ccache where it is installed" ON)
 option(BALCONY_FUZZ "Build the fuzzers, by clang++ and with -fsanitize=fuzzer-no-link" OFF)
 set(BALCONY_SANITIZE "" CACHE STRING "Sanitizers, as -fsanitize takes them (address,undefined or thread)")
 
@@ -15,4 +17,12 @@ endif()
 if(BALCONY_SANITIZE)
     target_compile_options(balcony_options INTERFACE -fsanitize=${BALCONY_SANITIZE} -fno-omit-frame-pointer)
     target_link_options(balcony_options INTERFACE -fsanitize=${BALCONY_SANITIZE})
+endif()
+
+# ccache takes a precompiled header for what its text is, if told that this is enough.
+find_program(BALCONY_CCACHE_PROGRAM ccache)
+mark_as_advanced(BALCONY_CCACHE_PROGRAM)
+if(BALCONY_CCACHE AND BALCONY_CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env
+        CCACHE_SLOPPINESS=pch_defines,time_macros "${BALCONY_CCACHE_PROGRAM}")
 endif()

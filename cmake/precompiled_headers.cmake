@@ -1,0 +1,48 @@
+# Headers from outside that most files include are read once, and not again for every file. A file
+# still includes what it uses: without them (BALCONY_PCH=OFF) everything compiles the same.
+
+# balcony_precompiled_headers(NAME HEADERS header... [LINKS library...] [POSITION_INDEPENDENT])
+#
+# Names a set of headers, which come from the libraries in LINKS. Targets that use a set are compiled
+# with its flags: POSITION_INDEPENDENT as all layers are, or not, as programs are.
+function(balcony_precompiled_headers name)
+    cmake_parse_arguments(set "POSITION_INDEPENDENT" "" "HEADERS;LINKS" ${ARGN})
+    if(BALCONY_PCH)
+        set(source "${CMAKE_CURRENT_BINARY_DIR}/${name}_headers.cpp")
+        file(CONFIGURE OUTPUT "${source}" CONTENT "")
+        add_library(${name}_headers OBJECT "${source}")
+        target_link_libraries(${name}_headers PRIVATE balcony_options ${set_LINKS})
+        target_precompile_headers(${name}_headers PRIVATE ${set_HEADERS})
+        if(set_POSITION_INDEPENDENT)
+            set_target_properties(${name}_headers PROPERTIES POSITION_INDEPENDENT_CODE ON)
+        endif()
+    endif()
+endfunction()
+
+# balcony_use_precompiled_headers(TARGET NAME): the target takes the headers of that set.
+function(balcony_use_precompiled_headers target name)
+    if(BALCONY_PCH)
+        target_precompile_headers(${target} REUSE_FROM ${name}_headers)
+        # Defined here as there, or the compiler turns the set down.
+        target_compile_definitions(${target} PRIVATE
+            $<TARGET_PROPERTY:${name}_headers,COMPILE_DEFINITIONS>)
+    endif()
+endfunction()
+
+set(standard_headers <algorithm> <array> <charconv> <cmath> <cstddef> <cstdint> <filesystem>
+    <functional> <limits> <map> <memory> <numbers> <optional> <set> <span> <string> <string_view>
+    <utility> <variant> <vector>)
+set(layer_headers ${standard_headers} <fmt/format.h> <Imath/ImathBox.h> <Imath/ImathColor.h>
+    <Imath/ImathMatrix.h> <Imath/ImathVec.h>)
+
+balcony_precompiled_headers(layer POSITION_INDEPENDENT
+    HEADERS ${layer_headers}
+    LINKS fmt::fmt Imath::Imath)
+balcony_precompiled_headers(program
+    HEADERS ${layer_headers} <CLI/CLI.hpp> <nlohmann/json.hpp>
+    LINKS fmt::fmt Imath::Imath CLI11::CLI11 nlohmann_json::nlohmann_json)
+if(BUILD_TESTING)
+    balcony_precompiled_headers(test
+        HEADERS ${layer_headers} <fstream> <random> <gtest/gtest.h>
+        LINKS fmt::fmt Imath::Imath GTest::gtest)
+endif()
