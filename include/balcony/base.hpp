@@ -67,6 +67,14 @@ private:
     std::vector<std::size_t> line_begins_;
 };
 
+enum class LineFeeds : bool { replace, keep };
+
+/// A text that a terminal shows as it is, whoever wrote it: what would act on the terminal, reorder
+/// or hide text becomes '?' (control codes, marks of direction, separators of lines, characters
+/// without width, bytes that are no UTF-8), and a tab becomes a space.
+[[nodiscard]] std::string printable(std::string_view text,
+                                    LineFeeds line_feeds = LineFeeds::replace);
+
 /// The bytes [begin, end) of a source; without a source it points nowhere.
 struct SourceSpan {
     std::shared_ptr<const SourceText> source;
@@ -107,7 +115,7 @@ using Diagnostics = std::vector<Diagnostic>;
 ///          |                 ^~~~~~~~~~~
 ///       help: did you mean 'superellipse'?
 ///
-/// Safe for a terminal whatever the source holds: bytes that would control it become '?'.
+/// Safe for a terminal whatever the source and the messages hold, as printable() makes it.
 [[nodiscard]] std::string to_text(const Diagnostic& diagnostic);
 [[nodiscard]] std::string to_text(const Diagnostics& diagnostics);
 

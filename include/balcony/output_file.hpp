@@ -19,7 +19,8 @@ public:
     /// Why a file could not be written there, if it is plain already.
     [[nodiscard]] static Diagnostics check(const std::filesystem::path& file);
 
-    /// Opens the file beside; good() says whether that worked.
+    /// Opens a new file beside, of a name that no other writer has, in whichever process, container
+    /// or machine; good() of the stream says whether that worked.
     explicit OutputFile(const std::filesystem::path& file);
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;

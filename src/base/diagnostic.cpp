@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 
@@ -15,59 +14,6 @@ namespace {
 constexpr std::size_t excerpt_columns = 100;
 
 bool continues_code_point(char byte) { return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U; }
-
-struct CodePoint {
-    std::size_t length = 0;  // In bytes; 0 if the bytes are no UTF-8.
-    char32_t value = 0;
-};
-
-CodePoint decode(std::string_view bytes) {
-    const auto lead = static_cast<unsigned char>(bytes.front());
-    if (lead < 0x80) {
-        return {1, lead};
-    }
-    const std::size_t length = lead >> 5 == 6 ? 2 : lead >> 4 == 14 ? 3 : lead >> 3 == 30 ? 4 : 0;
-    if (length == 0 || length > bytes.size()) {
-        return {};
-    }
-    char32_t value = lead & (0x7fU >> length);
-    for (const char byte : bytes.substr(1, length - 1)) {
-        if (!continues_code_point(byte)) {
-            return {};
-        }
-        value = value << 6 | (static_cast<unsigned char>(byte) & 0x3fU);
-    }
-    constexpr std::array<char32_t, 5> minimum = {0, 0, 0x80, 0x800, 0x10000};
-    const bool surrogate = value >= 0xd800 && value < 0xe000;
-    return value < minimum[length] || surrogate || value > 0x10ffff ? CodePoint{}
-                                                                    : CodePoint{length, value};
-}
-
-// Control codes move the cursor, clear the screen or worse; the direction marks of Unicode reorder
-// what is shown.
-bool controls_the_terminal(char32_t code) {
-    return code < 0x20 || (code >= 0x7f && code < 0xa0) || (code >= 0x200e && code <= 0x200f) ||
-           (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
-}
-
-// Text as it can safely be shown on a terminal: tabs become single spaces, so that an underline
-// stays below its text, and whatever is no text becomes '?'.
-std::string printable(std::string_view bytes) {
-    std::string shown;
-    while (!bytes.empty()) {
-        const CodePoint code = decode(bytes);
-        const std::size_t length = std::max<std::size_t>(code.length, 1);
-        if (code.length > 0 && (code.value == '\t' || code.value == '\n')) {
-            shown += code.value == '\t' ? ' ' : '\n';
-        } else if (code.length == 0 || controls_the_terminal(code.value)) {
-            shown += '?';
-        } else {
-            shown += bytes.substr(0, length);
-        }
-        bytes.remove_prefix(length);
-    }
-    return shown;
-}
 
 std::size_t columns(std::string_view text) {
     return static_cast<std::size_t>(

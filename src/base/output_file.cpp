@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <system_error>
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -16,12 +17,33 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A name that no other writer has, in this process or another.
-fs::path beside(const fs::path& file) {
-    static std::atomic<unsigned> number = 0;
-    fs::path name = file;
-    name += fmt::format(".{}-{}.partial", ::getpid(), number++);
-    return name;
+// Process numbers are no help: processes in two containers that share a folder may have the same.
+std::uint64_t random_number() {
+    static std::atomic<std::uint64_t> last = 0;
+    std::uint64_t number = 0;
+    // Without a source of randomness each name is tried in turn.
+    return ::getentropy(&number, sizeof number) == 0 ? number : ++last;
+}
+
+// Makes a file that was not there before, so that no other writer has it, in this process, another
+// or on another machine. An empty name if it cannot be made, with the reason in errno.
+fs::path make_beside(const fs::path& file) {
+    constexpr int max_attempts = 1000;
+    constexpr mode_t what_the_user_allows = 0666;
+    for (int attempt = 0; attempt < max_attempts; ++attempt) {
+        fs::path name = file;
+        name += fmt::format(".{:016x}.partial", random_number());
+        const int made =
+            ::open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, what_the_user_allows);
+        if (made >= 0) {
+            ::close(made);
+            return name;
+        }
+        if (errno != EEXIST) {
+            break;
+        }
+    }
+    return {};
 }
 
 // A link is followed, so that what it points to is replaced and not the link.
@@ -61,9 +83,13 @@ Diagnostics OutputFile::check(const fs::path& file) {
     return {};
 }
 
-OutputFile::OutputFile(const fs::path& file) : file_(resolved(file)), beside_(beside(file_)) {
-    errno = 0;
-    stream_.open(beside_, std::ios::binary | std::ios::trunc);
+OutputFile::OutputFile(const fs::path& file) : file_(resolved(file)), beside_(make_beside(file_)) {
+    if (beside_.empty()) {
+        stream_.setstate(std::ios::failbit);
+    } else {
+        errno = 0;
+        stream_.open(beside_, std::ios::binary | std::ios::trunc);
+    }
     reason_ = errno;
 }
 
@@ -98,6 +124,7 @@ Diagnostics OutputFile::commit() {
         reason_ = failed.value();
         return {failure()};
     }
+    beside_.clear();
     return {};
 }
 

@@ -27,8 +27,11 @@ bool require_cameras(const Module& module, Reporter& reporter) {
     for (const LocatedDefinition& place : visible_definitions(module)) {
         imported.emplace_back(place.camera->name.text);
     }
+    // Where one would be written: behind the last that is there.
+    const std::size_t end = blank ? 0 : source.text().find_last_not_of(" \t\r\n") + 1;
     reporter.error(
-        {}, fmt::format("'{}' {}", source.name(), blank ? "is empty" : "has no camera of its own"),
+        module.tree.at({end, end}),
+        fmt::format("'{}' {}", source.name(), blank ? "is empty" : "has no camera of its own"),
         imported.empty() ? "a camera is written camera name { ... }"
                          : fmt::format("name one that it imports: {}", one_of(imported)));
     return false;

@@ -111,14 +111,6 @@ class Info(support.CommandTest):
         self.refused("info", ".", code=1, says="'.' is a directory")
         self.refused("info", "", code=1, says="''")
 
-    def test_names_that_would_control_a_terminal(self):
-        name = "\x1b]0;title\x07"
-        (self.folder / "sly.gltf").write_text(support.gltf_text_with_light(name))
-        out, _ = self.run_command("info", "sly.gltf", "--objects")
-        self.assertNotIn("\x1b", out)
-        self.assertIn("?]0;title?", out)
-        self.assertEqual(self.json_of("info", "sly.gltf")["scene"]["objects"], [name])
-
 
 if __name__ == "__main__":
     support.main()

@@ -90,7 +90,7 @@ ExitCode format(const FmtOptions& options) {
         }
         if (!options.json) {
             report(outcome.said);
-            print_verbatim(outcome.text.value_or(""));
+            print_file(outcome.text.value_or(""));
             if (outcome.changed && outcome.written && !piped && !options.check) {
                 print_result(fmt::format("{}: laid out\n", printable(file)));
             }

@@ -45,7 +45,7 @@ ProgressDisplay::ProgressDisplay(bool quiet) : quiet_(quiet), terminal_(is_termi
 
 ProgressDisplay::~ProgressDisplay() {
     if (bar_shown_) {
-        print_aside("\r\033[K");
+        show_status("");
     }
 }
 
@@ -79,7 +79,7 @@ void ProgressDisplay::show_bar(double done, const std::string& state) {
     if (line.size() > room) {
         line = state.substr(0, room);
     }
-    print_aside(fmt::format("\r{}\033[K", line));
+    show_status(line);
 }
 
 void ProgressDisplay::show_line(double done, double seconds, const std::string& state) {

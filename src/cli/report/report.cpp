@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include <fmt/format.h>
+#include <unistd.h>
 #include <nlohmann/json.hpp>
 
 namespace balcony::cli {
@@ -17,23 +18,6 @@ namespace {
 /// Why standard output did not take what was written to it first; 0 if it did.
 int output_trouble = 0;
 
-bool controls(unsigned char byte) { return byte < 0x20 || byte == 0x7f; }
-
-// Control characters, those of Unicode's second block (two bytes in UTF-8) included.
-std::string without_controls(std::string_view text, std::string_view kept) {
-    std::string safe(text);
-    for (std::size_t i = 0; i < safe.size(); ++i) {
-        const auto byte = static_cast<unsigned char>(safe[i]);
-        const auto next = static_cast<unsigned char>(i + 1 < safe.size() ? safe[i + 1] : '\0');
-        if (controls(byte) && kept.find(safe[i]) == std::string_view::npos) {
-            safe[i] = '?';
-        } else if (byte == 0xc2 && next >= 0x80 && next < 0xa0) {
-            safe.replace(i, 2, "?");
-        }
-    }
-    return safe;
-}
-
 void write_output(std::string_view text) {
     errno = 0;
     if (std::fwrite(text.data(), 1, text.size(), stdout) < text.size() && output_trouble == 0) {
@@ -41,17 +25,29 @@ void write_output(std::string_view text) {
     }
 }
 
+void write_aside(std::string_view text) {
+    [[maybe_unused]] const auto written = std::fwrite(text.data(), 1, text.size(), stderr);
+    std::fflush(stderr);
+}
+
 }  // namespace
 
 void report(const Diagnostics& diagnostics) { print_aside(to_text(diagnostics)); }
 
-void print_result(std::string_view text) { write_output(without_controls(text, "\n")); }
+void print_result(std::string_view text) { write_output(printable(text, LineFeeds::keep)); }
 
-void print_verbatim(std::string_view text) { write_output(text); }
+void print_file(std::string_view text) {
+    if (isatty(STDOUT_FILENO) != 0) {
+        print_result(text);
+    } else {
+        write_output(text);
+    }
+}
 
 void print_json(const nlohmann::json& document) {
     constexpr int indent = 2;
-    write_output(document.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace) +
+    constexpr bool ascii_only = true;
+    write_output(document.dump(indent, ' ', ascii_only, nlohmann::json::error_handler_t::replace) +
                  "\n");
 }
 
@@ -63,12 +59,9 @@ bool finish_output() {
     return output_trouble == 0 || output_trouble == EPIPE;
 }
 
-void print_aside(std::string_view text) {
-    [[maybe_unused]] const auto written = std::fwrite(text.data(), 1, text.size(), stderr);
-    std::fflush(stderr);
-}
+void print_aside(std::string_view text) { write_aside(printable(text, LineFeeds::keep)); }
 
-std::string printable(std::string_view text) { return without_controls(text, ""); }
+void show_status(std::string_view text) { write_aside("\r" + printable(text) + "\033[K"); }
 
 std::string counted(std::size_t count, std::string_view one, std::string_view many) {
     return fmt::format("{} {}", count, count == 1 ? one : many);

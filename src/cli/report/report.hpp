@@ -12,16 +12,19 @@
 
 namespace balcony::cli {
 
+// Whatever is written to a terminal passes through printable(), but for the cursor's movements of
+// show_status().
+
 /// Writes diagnostics to standard error.
 void report(const Diagnostics& diagnostics);
 
-/// Writes a result to standard output. Bytes that would control a terminal become '?'.
+/// Writes a result to standard output.
 void print_result(std::string_view text);
 
-/// Writes a text to standard output as it is, for what is to become a file.
-void print_verbatim(std::string_view text);
+/// Writes the text of a file to standard output: as it is, unless that is a terminal.
+void print_file(std::string_view text);
 
-/// Writes a JSON document to standard output; what is not UTF-8 is replaced.
+/// Writes a JSON document to standard output in ASCII; what is not UTF-8 is replaced.
 void print_json(const nlohmann::json& document);
 
 /// Sends on what was written to standard output. False if it did not all arrive, unless whoever
@@ -31,8 +34,8 @@ void print_json(const nlohmann::json& document);
 /// Writes to standard error what is gone if nobody can read it.
 void print_aside(std::string_view text);
 
-/// A text in one line that is safe for a terminal: control characters become '?'.
-[[nodiscard]] std::string printable(std::string_view text);
+/// Writes a text over the line of the terminal in which the cursor is; an empty one clears it.
+void show_status(std::string_view text);
 
 /// "1 mesh", "3 meshes".
 [[nodiscard]] std::string counted(std::size_t count, std::string_view one, std::string_view many);
