@@ -61,8 +61,8 @@ struct Table {
 /// a first line without numbers is a header. Numbers may have deg or rad attached.
 [[nodiscard]] Result<Table> read_table(const File& file);
 
-/// Reads an image in any format of OpenImageIO. Grey is the luma of the colours as they are stored,
-/// by Rec. 709, times alpha.
+/// Reads an image in any format that ImageFile opens. Grey is the luma of the colours as they are
+/// stored, by Rec. 709, times alpha.
 [[nodiscard]] Result<std::shared_ptr<const camera::GreyImage>> read_grey_image(const File& file);
 
 /// Reads all meshes of a scene file (.obj, .glb, .gltf) as one, in world positions with z up. u and

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
+#include <span>
+#include <vector>
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
+#include "balcony/image_file.hpp"
 #include "data/files.hpp"
 
 namespace balcony::data {
@@ -14,59 +15,45 @@ namespace balcony::data {
 namespace {
 
 using camera::GreyImage;
+using scene::ImageFile;
 
-Diagnostic no_image(const File& file, const std::string& reason) {
-    // Some readers say the same again on the next line.
-    return error(
-        fmt::format("'{}' cannot be read as an image: {}", file.name,
-                    reason.empty() ? "its format is unknown" : reason.substr(0, reason.find('\n'))),
-        {}, "images are read from PNG, JPEG, TIFF, EXR and other usual formats");
+Diagnostic no_image(const File& file, const Diagnostic& reason) {
+    return error(fmt::format("'{}' cannot be read as an image: {}", file.name, reason.message), {},
+                 reason.remedy);
 }
 
-/// How the channels of an image become grey.
-struct Channels {
-    explicit Channels(const OIIO::ImageSpec& spec)
-        : count(static_cast<std::size_t>(std::clamp(spec.nchannels, 0, 4))),
-          is_color(count >= 3),
-          // What is stored multiplied by its alpha needs no more of it.
-          alpha(spec.get_int_attribute("oiio:UnassociatedAlpha") != 0 ? spec.alpha_channel : -1) {}
+/// Rec. 709 luma, or the first channel, times an alpha that it is not multiplied with. Written so
+/// that a NaN becomes 0.
+float grey(std::span<const float> pixel, const std::optional<std::size_t>& alpha) {
+    const float luma =
+        pixel.size() >= 3 ? 0.2126F * pixel[0] + 0.7152F * pixel[1] + 0.0722F * pixel[2] : pixel[0];
+    const float value = alpha ? luma * pixel[*alpha] : luma;
+    return value > 0.0F ? std::min(value, 1.0F) : 0.0F;
+}
 
-    /// Written so that a NaN becomes 0.
-    [[nodiscard]] float grey(const float* pixel) const {
-        const float luma =
-            is_color ? 0.2126F * pixel[0] + 0.7152F * pixel[1] + 0.0722F * pixel[2] : pixel[0];
-        const float value =
-            alpha >= 0 && static_cast<std::size_t>(alpha) < count ? luma * pixel[alpha] : luma;
-        return value > 0.0F ? std::min(value, 1.0F) : 0.0F;
-    }
-
-    std::size_t count;
-    bool is_color;
-    int alpha;
-};
-
-Result<std::shared_ptr<const GreyImage>> read_pixels(OIIO::ImageInput& input, const File& file) {
-    const OIIO::ImageSpec& spec = input.spec();
-    const auto width = static_cast<std::size_t>(std::max(spec.width, 0));
-    const auto height = static_cast<std::size_t>(std::max(spec.height, 0));
-    const Channels channels(spec);
-    if (width == 0 || height == 0 || channels.count == 0 || spec.depth > 1) {
-        return no_image(file, "it has no pixels in a plane");
-    }
+Result<std::shared_ptr<const GreyImage>> read_pixels(ImageFile& input, const File& file) {
+    const std::size_t width = input.width();
+    const std::size_t height = input.height();
     if (width > max_pixels / height) {
         return error(
             fmt::format("'{}' has {} x {} pixels, more than 16 million", file.name, width, height),
             {}, "scale it down: a mask needs no more pixels than the picture");
     }
-    std::vector<float> values(width * height * channels.count);
-    if (!input.read_image(0, 0, 0, static_cast<int>(channels.count), OIIO::TypeDesc::FLOAT,
-                          values.data())) {
-        return no_image(file, input.geterror());
-    }
+    const std::size_t channels = input.channels();
+    const auto alpha = input.unassociated_alpha();
+    constexpr std::size_t rows_at_once = 64;
+    std::vector<float> values;
     GreyImage image{width, height, {}};
     image.values.reserve(width * height);
-    for (std::size_t i = 0; i < values.size(); i += channels.count) {
-        image.values.push_back(channels.grey(&values[i]));
+    for (std::size_t row = 0; row < height; row += rows_at_once) {
+        const std::size_t end = std::min(row + rows_at_once, height);
+        values.resize((end - row) * width * channels);
+        if (const auto failure = input.read_rows(row, end, values)) {
+            return no_image(file, *failure);
+        }
+        for (std::size_t i = 0; i < values.size(); i += channels) {
+            image.values.push_back(grey(std::span(values).subspan(i, channels), alpha));
+        }
     }
     return std::make_shared<const GreyImage>(std::move(image));
 }
@@ -74,26 +61,9 @@ Result<std::shared_ptr<const GreyImage>> read_pixels(OIIO::ImageInput& input, co
 }  // namespace
 
 Result<std::shared_ptr<const GreyImage>> read_grey_image(const File& file) {
-    std::unique_ptr<OIIO::Filesystem::IOMemReader> memory;  // Outlives the input that reads it.
-    const std::string path = file.path.string();
-    // For a file that is not on the disk its name's ending says the format.
-    const std::string ending = file.path.extension().string();
-    const auto input = OIIO::ImageInput::create(
-        file.built_in ? ending.substr(std::min<std::size_t>(1, ending.size())) : path);
-    if (!input) {
-        (void)OIIO::geterror();  // Says no more, in words for those who build the library.
-        return no_image(file, "");
-    }
-    if (file.built_in) {
-        memory = std::make_unique<OIIO::Filesystem::IOMemReader>(file.built_in->data(),
-                                                                 file.built_in->size());
-        input->set_ioproxy(memory.get());
-    }
-    OIIO::ImageSpec config;
-    config.attribute("oiio:UnassociatedAlpha", 1);
-    OIIO::ImageSpec found;
-    return input->open(path, found, config) ? read_pixels(*input, file)
-                                            : no_image(file, input->geterror());
+    Result<ImageFile> input =
+        file.built_in ? ImageFile::open(file.path, *file.built_in) : ImageFile::open(file.path);
+    return input ? read_pixels(*input, file) : no_image(file, input.diagnostics.front());
 }
 
 }  // namespace balcony::data

@@ -231,17 +231,18 @@ TEST_F(Data, WhatIsNoImageIsAnError) {
         first_message(text.diagnostics).starts_with("'text.png' cannot be read as an image: "))
         << first_message(text.diagnostics);
     EXPECT_EQ(first_message(read_grey_image(write("unknown.xyz", "")).diagnostics),
-              "'unknown.xyz' cannot be read as an image: its format is unknown");
-    const auto cut = read_grey_image(write("cut.png", "\x89PNG\r\n\x1a\n"));
-    EXPECT_EQ(first_message(cut.diagnostics).find('\n'), std::string::npos);
+              "'unknown.xyz' cannot be read as an image: it is of no format that is read");
+    EXPECT_EQ(first_message(read_grey_image(write("cut.png", "\x89PNG\r\n\x1a\n")).diagnostics),
+              "'cut.png' cannot be read as an image: it is cut off");
 }
 
 TEST_F(Data, AnImageTooLargeIsRefusedByItsHeader) {
-    // A portable grey map says its size in text; its pixels are not there.
-    const auto large = read_grey_image(write("large.pgm", "P5 16384 1025 255\n"));
+    // The Radiance format has its size in text; the pixels are not there.
+    const auto large = read_grey_image(
+        write("large.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1025 +X 16384\n"));
     ASSERT_FALSE(large);
     EXPECT_EQ(first_message(large.diagnostics),
-              "'large.pgm' has 16384 x 1025 pixels, more than 16 million");
+              "'large.hdr' has 16384 x 1025 pixels, more than 16 million");
 }
 
 // ------------------------------------------------------------------------------------- meshes

@@ -4,7 +4,10 @@
 // Textures: which way up, how filtered, what happens without.
 
 #include <cmath>
+#include <filesystem>
+#include <numeric>
 
+#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
 #include "support.hpp"
@@ -166,12 +169,16 @@ TEST(Texture, WithoutItsTextureAMaterialHasItsFactors) {
 
 // The header is whole, the pixels are not.
 TEST(Texture, PixelsThatCannotBeReadAreAWarningOnce) {
-    std::vector<std::uint8_t> png = encode_png(256, 256, 3, [](int x, int y) {
-        return Pixel{static_cast<std::uint8_t>(x * 7 ^ y * 13), static_cast<std::uint8_t>(x * y),
-                     static_cast<std::uint8_t>(x + 3 * y)};
-    });
-    png.resize(png.size() / 2);
-    const scene::Scene scene = textured_wall(png);
+    constexpr int side = 256;
+    const std::string file = ::testing::TempDir() + "balcony_cut_texture.exr";
+    const auto output = OIIO::ImageOutput::create(file);
+    ASSERT_TRUE(output->open(file, OIIO::ImageSpec(side, side, 3, OIIO::TypeDesc::HALF)));
+    std::vector<float> values(std::size_t{3} * side * side);
+    std::iota(values.begin(), values.end(), 0.0F);
+    ASSERT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, values.data()) && output->close());
+    std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
+    scene::Scene scene = textured_wall({});
+    scene.textures[0].file = file;
     const Result<Renderer> renderer = Renderer::make(std::make_shared<scene::Scene>(scene));
     ASSERT_TRUE(renderer);
     EXPECT_TRUE(renderer.diagnostics.empty());
@@ -179,8 +186,9 @@ TEST(Texture, PixelsThatCannotBeReadAreAWarningOnce) {
     const Settings asked = settings(256, 256, Integrator::preview);
     const Result<Picture> first = renderer->render(camera, asked);
     ASSERT_TRUE(first);
-    EXPECT_EQ(first.diagnostics.size(), 1U);
+    ASSERT_EQ(first.diagnostics.size(), 1U);
     EXPECT_FALSE(has_errors(first.diagnostics));
+    EXPECT_NE(first.diagnostics[0].message.find("cannot be read: "), std::string::npos);
     EXPECT_TRUE(renderer->render(camera, asked).diagnostics.empty());
 }
 

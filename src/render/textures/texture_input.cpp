@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
-#include <string_view>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <Imath/half.h>
-#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include "balcony/image_file.hpp"
 #include "render/textures/texture_library.hpp"
 
 namespace balcony::render {
@@ -25,15 +25,35 @@ float linear_from_srgb(float value) {
     return value <= 0.04045F ? value / 12.92F : std::pow((value + 0.055F) / 1.055F, 2.4F);
 }
 
-// Embedded images have no file name to tell their format by; glTF allows these two.
-const char* format_by_content(const std::vector<std::uint8_t>& bytes) {
-    constexpr std::array<std::uint8_t, 4> png = {0x89, 'P', 'N', 'G'};
-    return bytes.size() >= png.size() && std::equal(png.begin(), png.end(), bytes.begin()) ? "png"
-                                                                                           : "jpeg";
+// Most images have 8 bits a channel, which is 256 values to be decoded.
+class SrgbDecoder {
+public:
+    SrgbDecoder() {
+        for (std::size_t i = 0; i < byte_values.size(); ++i) {
+            byte_values[i] = linear_from_srgb(as_float(i));
+        }
+    }
+
+    float operator()(float value) const {
+        const float scaled = value * 255.0F + 0.5F;
+        const auto nearest =
+            scaled > 0.0F && scaled < 256.0F ? static_cast<std::size_t>(scaled) : 0;
+        return as_float(nearest) == value ? byte_values[nearest] : linear_from_srgb(value);
+    }
+
+private:
+    static float as_float(std::size_t byte) { return static_cast<float>(byte) * (1.0F / 255.0F); }
+
+    std::array<float, 256> byte_values{};
+};
+
+Result<scene::ImageFile> open_image(const scene::Texture& texture) {
+    return texture.file.empty() ? scene::ImageFile::open(texture.name, texture.bytes)
+                                : scene::ImageFile::open(texture.file);
 }
 
-// Decodes the whole image when its first row is asked for and lets go of it when each row has been
-// given: the formats in use can only be read from top to bottom, the cache reads in any order.
+// Gives the rows of an image as they are asked for, and lets go of it behind the last: what a
+// decoder holds of it is there only while the image is read from top to bottom.
 class TextureInput final : public OIIO::ImageInput {
 public:
     const char* format_name() const override { return "balcony texture"; }
@@ -50,102 +70,77 @@ public:
             return false;
         }
         source_ = static_cast<const TextureSource*>(*static_cast<void* const*>(attribute->data()));
-        const Encoded encoded = open_encoded();
-        if (!encoded.input) {
+        if (!open_source()) {
             return false;
         }
-        const OIIO::ImageSpec& found = encoded.input->spec();
-        m_spec = OIIO::ImageSpec(found.width, found.height, static_cast<int>(channels),
-                                 OIIO::TypeDesc::HALF);
+        m_spec =
+            OIIO::ImageSpec(static_cast<int>(image_->width()), static_cast<int>(image_->height()),
+                            static_cast<int>(channels), OIIO::TypeDesc::HALF);
         spec = m_spec;
         return true;
     }
 
     bool close() override {
-        texels_.clear();
+        image_.reset();
         return true;
     }
 
-    bool read_native_scanline(int subimage, int miplevel, int y, int, void* data) override {
-        if (subimage != 0 || miplevel != 0 || (texels_.empty() && !decode())) {
+    bool read_native_scanline(int subimage, int miplevel, int y, int z, void* data) override {
+        return read_native_scanlines(subimage, miplevel, y, y + 1, z, data);
+    }
+
+    bool read_native_scanlines(int subimage, int miplevel, int begin, int end, int,
+                               void* data) override {
+        end = std::min(end, m_spec.height);
+        if (subimage != 0 || miplevel != 0 || begin >= end || (!image_ && !open_source())) {
             return false;
         }
-        const std::size_t row = row_size();
-        std::copy_n(texels_.begin() + static_cast<std::ptrdiff_t>(row) * y, row,
-                    static_cast<Imath::half*>(data));
-        if (--rows_to_give_ == 0) {
-            texels_ = {};
+        std::vector<float> values(static_cast<std::size_t>(end - begin) * image_->width() *
+                                  image_->channels());
+        if (const auto failure = image_->read_rows(static_cast<std::size_t>(begin),
+                                                   static_cast<std::size_t>(end), values)) {
+            return failed(*failure);
+        }
+        decode(values, image_->channels(), static_cast<Imath::half*>(data));
+        if (end == m_spec.height) {
+            image_.reset();
         }
         return true;
     }
 
 private:
-    struct Encoded {
-        std::unique_ptr<OIIO::Filesystem::IOProxy> memory;  // Outlives the input that reads it.
-        std::unique_ptr<OIIO::ImageInput> input;            // Null if it cannot be read.
-    };
-
-    Encoded open_encoded() {
-        Encoded encoded;
-        const scene::Texture& texture = *source_->texture;
-        const bool embedded = texture.file.empty();
-        const std::string name = embedded ? "embedded image" : texture.file.string();
-        encoded.input =
-            OIIO::ImageInput::create(embedded ? format_by_content(texture.bytes) : name);
-        if (!encoded.input) {
-            errorfmt("{}", OIIO::geterror());
-            return {};
+    bool open_source() {
+        Result<scene::ImageFile> opened = open_image(*source_->texture);
+        if (!opened) {
+            return failed(opened.diagnostics.front());
         }
-        if (embedded) {
-            encoded.memory = std::make_unique<OIIO::Filesystem::IOMemReader>(texture.bytes.data(),
-                                                                             texture.bytes.size());
-            encoded.input->set_ioproxy(encoded.memory.get());
-        }
-        OIIO::ImageSpec config;
-        config.attribute("oiio:UnassociatedAlpha", 1);
-        OIIO::ImageSpec found;
-        if (!encoded.input->open(name, found, config) || found.depth != 1) {
-            errorfmt("{}", found.depth != 1 ? "it is a volume" : encoded.input->geterror());
-            return {};
-        }
-        return encoded;
-    }
-
-    [[nodiscard]] std::size_t row_size() const {
-        return static_cast<std::size_t>(m_spec.width) * channels;
-    }
-
-    // Reads the image as four linear channels.
-    bool decode() {
-        const Encoded encoded = open_encoded();
-        if (!encoded.input) {
-            return false;
-        }
-        const auto count = static_cast<std::size_t>(encoded.input->spec().nchannels);
-        const std::size_t rows = static_cast<std::size_t>(m_spec.height);
-        std::vector<float> values(static_cast<std::size_t>(m_spec.width) * rows * count);
-        if (!encoded.input->read_image(0, 0, 0, static_cast<int>(count), OIIO::TypeDesc::FLOAT,
-                                       values.data())) {
-            errorfmt("{}", encoded.input->geterror());
-            return false;
-        }
-        texels_.reserve(row_size() * rows);
-        for (std::size_t i = 0; i < values.size(); i += count) {
-            for (std::size_t c = 0; c < 3; ++c) {
-                const float value = values[i + (count < 3 ? 0 : c)];
-                texels_.emplace_back(
-                    source_->encoding == TextureEncoding::srgb ? linear_from_srgb(value) : value);
-            }
-            texels_.emplace_back(count == 2 || count >= 4 ? values[i + (count == 2 ? 1 : 3)]
-                                                          : 1.0F);
-        }
-        rows_to_give_ = rows;
+        image_ = std::move(opened.value);
         return true;
     }
 
+    bool failed(const Diagnostic& reason) {
+        if (!source_->failure) {
+            source_->failure = reason;
+        }
+        errorfmt("{}", reason.message);
+        return false;
+    }
+
+    // Four linear channels of each pixel.
+    void decode(const std::vector<float>& values, std::size_t count, Imath::half* texel) const {
+        static const SrgbDecoder linear;
+        const bool is_srgb = source_->encoding == TextureEncoding::srgb;
+        for (std::size_t i = 0; i < values.size(); i += count) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                const float value = values[i + (count < 3 ? 0 : c)];
+                *texel++ = is_srgb ? linear(value) : value;
+            }
+            *texel++ = count == 2 || count == 4 ? values[i + count - 1] : 1.0F;
+        }
+    }
+
     const TextureSource* source_ = nullptr;
-    std::vector<Imath::half> texels_;  // Empty unless rows of it have yet to be given.
-    std::size_t rows_to_give_ = 0;
+    std::optional<scene::ImageFile> image_;  // While rows of it are read.
 };
 
 }  // namespace

@@ -13,6 +13,7 @@ namespace balcony::render {
 namespace {
 
 constexpr int channels = 4;
+constexpr int tile_side = 64;
 
 OIIO::TextureOpt::Wrap to_wrap(scene::Wrap wrap) {
     switch (wrap) {
@@ -23,10 +24,32 @@ OIIO::TextureOpt::Wrap to_wrap(scene::Wrap wrap) {
     return OIIO::TextureOpt::WrapPeriodic;
 }
 
-Diagnostic unreadable(const scene::Texture& texture, const std::string& reason) {
-    return warning(fmt::format("texture '{}' cannot be read{}{}", texture.name,
-                               reason.empty() ? "" : ": ", reason),
-                   {}, "its material is rendered with its factors alone");
+// Reads an image into the cache from top to bottom, once, before tiles of it are asked for in any
+// order: most formats can only be decoded from the top. False if a part cannot be read.
+bool read_through(OIIO::ImageCache& cache, OIIO::ustring name) {
+    OIIO::ImageCache::ImageHandle* const image = cache.get_image_handle(name);
+    OIIO::ImageSpec spec;
+    if (!cache.get_imagespec(image, nullptr, spec)) {
+        return false;
+    }
+    // One tile brings all of its row.
+    for (int y = 0; y < spec.height; y += tile_side) {
+        OIIO::ImageCache::Tile* const tile = cache.get_tile(image, nullptr, 0, 0, 0, y, 0);
+        if (tile == nullptr) {
+            return false;
+        }
+        cache.release_tile(tile);
+    }
+    return true;
+}
+
+Diagnostic unreadable(const TextureSource& source) {
+    const Diagnostic reason = source.failure.value_or(Diagnostic{});
+    return warning(
+        fmt::format("texture '{}' cannot be read{}{}", source.texture->name,
+                    reason.message.empty() ? "" : ": ", reason.message),
+        {},
+        reason.remedy.empty() ? "its material is rendered with its factors alone" : reason.remedy);
 }
 
 }  // namespace
@@ -34,8 +57,8 @@ Diagnostic unreadable(const scene::Texture& texture, const std::string& reason) 
 TextureLibrary::TextureLibrary(const scene::Scene& scene, Diagnostics& warnings)
     : entries_(scene.textures.size()), system_(OIIO::TextureSystem::create(false)) {
     system_->attribute("max_memory_MB", texture_cache_megabytes);
-    system_->attribute("max_open_files", texture_images_decoded);
-    system_->attribute("autotile", 64);
+    system_->attribute("max_open_files", max_open_images);
+    system_->attribute("autotile", tile_side);
     system_->attribute("automip", 1);
     system_->attribute("accept_untiled", 1);
     system_->attribute("accept_unmipped", 1);
@@ -57,7 +80,8 @@ void TextureLibrary::open(const scene::Texture& texture, TextureEncoding encodin
     if (entry.source.texture != nullptr) {
         return;
     }
-    entry.source = {&texture, encoding};
+    entry.source.texture = &texture;
+    entry.source.encoding = encoding;
     entry.wrap_u = to_wrap(texture.wrap_u);
     entry.wrap_v = to_wrap(texture.wrap_v);
 
@@ -72,10 +96,12 @@ void TextureLibrary::open(const scene::Texture& texture, TextureEncoding encodin
     if (handle == nullptr ||
         !system_->get_texture_info(handle, nullptr, 0, OIIO::ustring("channels"),
                                    OIIO::TypeDesc::INT, &found)) {
-        warnings.push_back(unreadable(texture, system_->geterror()));
+        static_cast<void>(system_->geterror());
+        warnings.push_back(unreadable(entry.source));
         return;
     }
     entry.handle = handle;
+    entry.name = name;
 }
 
 Imath::Color4f TextureLibrary::look_up(scene::TextureIndex texture, TextureEncoding encoding,
@@ -86,6 +112,15 @@ Imath::Color4f TextureLibrary::look_up(scene::TextureIndex texture, TextureEncod
     }
     const Entry& entry = entries_[texture.value()][static_cast<std::size_t>(encoding)];
     if (entry.handle == nullptr) {
+        return color;
+    }
+    std::call_once(entry.read, [&] {
+        if (!read_through(*system_->imagecache(), entry.name)) {
+            static_cast<void>(system_->imagecache()->geterror());
+            entry.failed.store(true, std::memory_order_release);
+        }
+    });
+    if (entry.failed.load(std::memory_order_relaxed)) {
         return color;
     }
     // Beyond this a float does not tell the texels of an image apart.
@@ -103,7 +138,7 @@ Imath::Color4f TextureLibrary::look_up(scene::TextureIndex texture, TextureEncod
                           footprint.along_x.x, footprint.along_x.y, footprint.along_y.x,
                           footprint.along_y.y, channels, &color.r)) {
         static_cast<void>(system_->geterror());
-        entry.failed.store(true, std::memory_order_relaxed);
+        entry.failed.store(true, std::memory_order_release);
         return {1.0F, 1.0F, 1.0F, 1.0F};
     }
     return color;
@@ -113,8 +148,8 @@ Diagnostics TextureLibrary::failures() const {
     Diagnostics warnings;
     for (const std::array<Entry, 2>& pair : entries_) {
         for (const Entry& entry : pair) {
-            if (entry.failed && !entry.reported.exchange(true)) {
-                warnings.push_back(unreadable(*entry.source.texture, ""));
+            if (entry.failed.load(std::memory_order_acquire) && !entry.reported.exchange(true)) {
+                warnings.push_back(unreadable(entry.source));
             }
         }
     }

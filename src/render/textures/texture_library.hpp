@@ -8,6 +8,8 @@
 #include <atomic>
 #include <cstddef>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <vector>
 
 #include <Imath/ImathColor.h>
@@ -19,17 +21,19 @@
 
 namespace balcony::render {
 
-/// What the pixels of all textures may take of memory, but for those images that are just being
-/// read; what does not fit is read again when needed.
+/// What the pixels of all textures may take of memory; what does not fit is read again when needed.
+/// A decoder adds a row of tiles for each image that is being read, or the whole of an image whose
+/// format does not come row by row (WebP, TGA, interlaced PNG, progressive JPEG).
 inline constexpr float texture_cache_megabytes = 1024.0F;
-inline constexpr int texture_images_decoded = 8;
+inline constexpr int max_open_images = 8;
 
 enum class TextureEncoding : std::uint8_t { linear, srgb };
 
-/// What a texture's pixels come from, as the cache's reader is told.
+/// What a texture's pixels come from, as the cache's reader is told, and what that met.
 struct TextureSource {
     const scene::Texture* texture = nullptr;
     TextureEncoding encoding = TextureEncoding::linear;
+    mutable std::optional<Diagnostic> failure;  ///< The first; set by the reader, one at a time.
 };
 
 /// Reads a TextureSource as four linear channels (grey is spread, missing alpha is 1). Its open()
@@ -68,8 +72,10 @@ private:
     struct Entry {
         TextureSource source;
         OIIO::TextureSystem::TextureHandle* handle = nullptr;  // Null if not used or unreadable.
+        OIIO::ustring name;                                    // As the cache knows it.
         OIIO::TextureOpt::Wrap wrap_u = OIIO::TextureOpt::WrapPeriodic;
         OIIO::TextureOpt::Wrap wrap_v = OIIO::TextureOpt::WrapPeriodic;
+        mutable std::once_flag read;  // The whole image has been asked for once.
         mutable std::atomic<bool> failed = false;
         mutable std::atomic<bool> reported = false;
     };

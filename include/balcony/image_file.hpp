@@ -1,0 +1,61 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Image files: the one door through which images from outside come in, whether they are textures
+// or masks, on the disk or embedded.
+//
+// Only PNG, JPEG, WebP, TIFF, OpenEXR, Radiance HDR, TGA and BMP are opened. The first bytes tell
+// the format (TGA has no signature: its ending does, with a header that makes sense), and that
+// format's reader alone sees the file. What a header declares is checked against the limits below
+// and against the size of the file before any memory is reserved for pixels.
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "balcony/base.hpp"
+
+namespace balcony::scene {
+
+inline constexpr std::size_t max_image_pixels = 100'000'000;
+inline constexpr std::size_t max_image_values = 4 * max_image_pixels;  ///< Pixels times channels.
+inline constexpr std::size_t max_tile_row_pixels = 16'777'216;         ///< Of a tiled image.
+
+/// An image that is open for reading, row by row from the top. Reading rows in their order decodes
+/// each once; going back begins again at the top where the format knows no other way.
+class ImageFile {
+public:
+    /// Opens a file. The message of an error is a reason that completes a sentence about the image:
+    /// "it has 30000 x 30000 pixels, more than 100 million".
+    [[nodiscard]] static Result<ImageFile> open(const std::filesystem::path& file);
+    /// The same for the bytes of a file, which must outlive the result; the ending of `name` counts
+    /// for TGA alone.
+    [[nodiscard]] static Result<ImageFile> open(const std::filesystem::path& name,
+                                                std::span<const std::uint8_t> bytes);
+    ImageFile(ImageFile&&) noexcept;
+    ImageFile& operator=(ImageFile&&) noexcept;
+    ~ImageFile();
+
+    [[nodiscard]] std::size_t width() const;
+    [[nodiscard]] std::size_t height() const;
+    /// How many channels are read: those of the file, but the first four at most.
+    [[nodiscard]] std::size_t channels() const;
+    /// The channel of an alpha that the colours are not multiplied with.
+    [[nodiscard]] std::optional<std::size_t> unassociated_alpha() const;
+
+    /// Reads the rows [begin, end): channels() values a pixel, integers scaled to 0 .. 1. Nothing
+    /// if that succeeds, else the reason, as for open().
+    [[nodiscard]] std::optional<Diagnostic> read_rows(std::size_t begin, std::size_t end,
+                                                      std::span<float> values);
+
+private:
+    struct State;
+    explicit ImageFile(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace balcony::scene

@@ -1,0 +1,243 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "balcony/image_file.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <utility>
+#include <vector>
+
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+#include "scene/images/image_format.hpp"
+
+namespace balcony::scene {
+
+namespace fs = std::filesystem;
+
+using OIIO::Filesystem::IOProxy;
+
+namespace {
+
+Diagnostic unknown_format() {
+    return error("it is of no format that is read", {},
+                 "images are read from PNG, JPEG, WebP, TIFF, OpenEXR, HDR, TGA and BMP files");
+}
+
+// Some readers repeat themselves on the next line, or have nothing to report.
+Diagnostic reported_by(OIIO::ImageInput& input) {
+    const std::string reason = input.geterror();
+    return error(reason.empty() ? "its content is broken" : reason.substr(0, reason.find('\n')));
+}
+
+std::optional<Diagnostic> check_size(std::size_t width, std::size_t height) {
+    if (width == 0 || height == 0) {
+        return error("it has no pixels");
+    }
+    if (width > max_image_pixels / height) {
+        return error(fmt::format("it has {} x {} pixels, more than {} million", width, height,
+                                 max_image_pixels / 1'000'000),
+                     {}, "scale it down");
+    }
+    return std::nullopt;
+}
+
+// What the header declares, before the reader reserves memory for it.
+std::optional<Diagnostic> check_header(const ImageFormat& format, IOProxy& bytes) {
+    if (format.is_whole != nullptr && !format.is_whole(bytes)) {
+        return error("it is cut off", {}, "copy or export it again");
+    }
+    if (format.declared_size == nullptr) {
+        return std::nullopt;
+    }
+    const std::optional<DeclaredSize> size = format.declared_size(bytes);
+    if (!size) {
+        return error("its header is broken");
+    }
+    if (auto failure = check_size(size->width, size->height)) {
+        return failure;
+    }
+    if (format.max_pixels_per_byte > 0 &&
+        size->width * size->height / format.max_pixels_per_byte > bytes.size()) {
+        return error(fmt::format("it declares {} x {} pixels, more than its {} bytes can hold",
+                                 size->width, size->height, bytes.size()),
+                     {}, "copy or export it again");
+    }
+    return std::nullopt;
+}
+
+// What the reader makes of the header.
+std::optional<Diagnostic> check_spec(const OIIO::ImageSpec& spec) {
+    if (spec.depth > 1) {
+        return error("it is a volume");
+    }
+    if (spec.deep) {
+        return error("its pixels hold several samples each");
+    }
+    const auto size = [](int value) { return static_cast<std::size_t>(std::max(value, 0)); };
+    if (auto failure = check_size(size(spec.width), size(spec.height))) {
+        return failure;
+    }
+    if (spec.nchannels <= 0) {
+        return error("it has no channels");
+    }
+    if (size(spec.nchannels) > max_image_values / (size(spec.width) * size(spec.height))) {
+        return error(fmt::format("it has {} channels, more than are read of {} x {} pixels",
+                                 spec.nchannels, spec.width, spec.height),
+                     {}, "keep its colour and alpha alone");
+    }
+    const std::size_t columns = std::max(size(spec.width), size(spec.tile_width));
+    if (spec.tile_width < 0 || spec.tile_height < 0 ||
+        size(spec.tile_height) > max_tile_row_pixels / columns) {
+        return error(fmt::format("its tiles of {} x {} pixels are too large", spec.tile_width,
+                                 spec.tile_height),
+                     {}, "export it with tiles of 64 x 64 pixels, or without");
+    }
+    return std::nullopt;
+}
+
+// The boundary to readers that throw at what they do not expect.
+template <class Action>
+std::optional<Diagnostic> guarded(const Action& action) {
+    try {
+        return action();
+    } catch (const std::bad_alloc&) {
+        return error("it needs more memory than there is");
+    } catch (const std::exception&) {
+        return error("its content is broken");
+    }
+}
+
+}  // namespace
+
+struct ImageFile::State {
+    std::unique_ptr<IOProxy> bytes;  // Outlives the input that reads it.
+    const ImageFormat* format = nullptr;
+    std::unique_ptr<OIIO::ImageInput> input;
+    OIIO::ImageSpec spec;
+    int next_row = 0;  // Behind the last that was read.
+
+    [[nodiscard]] static Result<ImageFile> open(std::unique_ptr<IOProxy> bytes,
+                                                const fs::path& name);
+
+    [[nodiscard]] int channels() const { return std::min(spec.nchannels, 4); }
+
+    [[nodiscard]] std::optional<Diagnostic> open_input() {
+        next_row = 0;
+        input = OIIO::ImageInput::create(format->reader);
+        if (!input) {
+            (void)OIIO::geterror();  // Says no more, in words for those who build the library.
+            return unknown_format();
+        }
+        bytes->seek(0);
+        input->set_ioproxy(bytes.get());
+        OIIO::ImageSpec config;
+        config.attribute("oiio:UnassociatedAlpha", 1);
+        return input->open("image", spec, config) ? std::nullopt
+                                                  : std::optional(reported_by(*input));
+    }
+
+    // Reads the rows of tiles that hold the rows [begin, end), and copies those.
+    [[nodiscard]] bool read_tiles(int begin, int end, std::span<float> values) const {
+        const int top = begin - begin % spec.tile_height;
+        const int tile_rows = (end - top + spec.tile_height - 1) / spec.tile_height;
+        const int bottom = std::min(top + tile_rows * spec.tile_height, spec.height);
+        const auto row =
+            static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(channels());
+        std::vector<float> tiles(row * static_cast<std::size_t>(bottom - top));
+        if (!input->read_tiles(0, 0, spec.x, spec.x + spec.width, spec.y + top, spec.y + bottom,
+                               spec.z, spec.z + 1, 0, channels(), OIIO::TypeDesc::FLOAT,
+                               tiles.data())) {
+            return false;
+        }
+        std::copy_n(tiles.begin() + static_cast<std::ptrdiff_t>(row) * (begin - top),
+                    row * static_cast<std::size_t>(end - begin), values.begin());
+        return true;
+    }
+
+    [[nodiscard]] bool read_scanlines(int begin, int end, std::span<float> values) const {
+        return input->read_scanlines(0, 0, spec.y + begin, spec.y + end, spec.z, 0, channels(),
+                                     OIIO::TypeDesc::FLOAT, values.data());
+    }
+
+    [[nodiscard]] std::optional<Diagnostic> read(int begin, int end, std::span<float> values) {
+        const bool tiled = spec.tile_width > 0;
+        // Readers that go back by themselves look for a file on the disk.
+        if (begin < next_row && !tiled) {
+            if (auto failure = open_input()) {
+                return failure;
+            }
+        }
+        next_row = end;
+        const bool done =
+            tiled ? read_tiles(begin, end, values) : read_scanlines(begin, end, values);
+        return done ? std::nullopt : std::optional(reported_by(*input));
+    }
+};
+
+Result<ImageFile> ImageFile::State::open(std::unique_ptr<IOProxy> bytes, const fs::path& name) {
+    auto state = std::make_unique<State>();
+    state->bytes = std::move(bytes);
+    state->format = image_format(*state->bytes, name);
+    if (state->format == nullptr) {
+        return unknown_format();
+    }
+    auto failure = guarded([&] {
+        auto found = check_header(*state->format, *state->bytes);
+        found = found ? found : state->open_input();
+        return found ? found : check_spec(state->spec);
+    });
+    if (failure) {
+        return *std::move(failure);
+    }
+    return ImageFile(std::move(state));
+}
+
+Result<ImageFile> ImageFile::open(const fs::path& file) {
+    std::error_code code;
+    if (!fs::is_regular_file(file, code)) {
+        return error("there is no such file");
+    }
+    auto bytes = std::make_unique<OIIO::Filesystem::IOFile>(file.string(), IOProxy::Read);
+    if (!bytes->opened()) {
+        return error("it cannot be opened", {}, "check that you may read it");
+    }
+    return State::open(std::move(bytes), file);
+}
+
+Result<ImageFile> ImageFile::open(const fs::path& name, std::span<const std::uint8_t> bytes) {
+    return State::open(std::make_unique<OIIO::Filesystem::IOMemReader>(bytes.data(), bytes.size()),
+                       name);
+}
+
+ImageFile::ImageFile(std::unique_ptr<State> state) : state_(std::move(state)) {}
+ImageFile::ImageFile(ImageFile&&) noexcept = default;
+ImageFile& ImageFile::operator=(ImageFile&&) noexcept = default;
+ImageFile::~ImageFile() = default;
+
+std::size_t ImageFile::width() const { return static_cast<std::size_t>(state_->spec.width); }
+
+std::size_t ImageFile::height() const { return static_cast<std::size_t>(state_->spec.height); }
+
+std::size_t ImageFile::channels() const { return static_cast<std::size_t>(state_->channels()); }
+
+std::optional<std::size_t> ImageFile::unassociated_alpha() const {
+    const OIIO::ImageSpec& spec = state_->spec;
+    const bool apart = spec.get_int_attribute("oiio:UnassociatedAlpha") != 0;
+    return apart && spec.alpha_channel >= 0 && spec.alpha_channel < state_->channels()
+               ? std::optional(static_cast<std::size_t>(spec.alpha_channel))
+               : std::nullopt;
+}
+
+std::optional<Diagnostic> ImageFile::read_rows(std::size_t begin, std::size_t end,
+                                               std::span<float> values) {
+    assert(begin <= end && end <= height() &&
+           values.size() == (end - begin) * width() * channels());
+    return guarded(
+        [&] { return state_->read(static_cast<int>(begin), static_cast<int>(end), values); });
+}
+
+}  // namespace balcony::scene

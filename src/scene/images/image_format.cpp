@@ -1,0 +1,173 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "scene/images/image_format.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdint>
+#include <string_view>
+
+namespace balcony::scene {
+
+namespace {
+
+using OIIO::Filesystem::IOProxy;
+using Size = std::optional<DeclaredSize>;
+
+// `count` bytes at an offset, or fewer at the end of the file.
+std::string bytes_at(IOProxy& file, std::size_t offset, std::size_t count) {
+    std::string bytes(count, '\0');
+    bytes.resize(file.pread(bytes.data(), count, static_cast<std::int64_t>(offset)));
+    return bytes;
+}
+
+// An unsigned number of so many bytes; 0 past the end.
+std::size_t big_endian(std::string_view bytes, std::size_t offset, std::size_t count) {
+    std::size_t number = 0;
+    for (std::size_t i = 0; i < count && offset + count <= bytes.size(); ++i) {
+        number = number << 8U | static_cast<unsigned char>(bytes[offset + i]);
+    }
+    return number;
+}
+
+std::size_t little_endian(std::string_view bytes, std::size_t offset, std::size_t count) {
+    std::size_t number = 0;
+    for (std::size_t i = count; i > 0 && offset + count <= bytes.size(); --i) {
+        number = number << 8U | static_cast<unsigned char>(bytes[offset + i - 1]);
+    }
+    return number;
+}
+
+template <const auto&... signatures>
+bool begins_with(const std::string& start, const std::string&) {
+    return (start.starts_with(std::string_view(signatures.data(), signatures.size())) || ...);
+}
+
+constexpr std::array png_signature{'\x89', 'P', 'N', 'G', '\r', '\n', '\x1a', '\n'};
+constexpr std::array jpeg_signature{'\xff', '\xd8', '\xff'};
+constexpr std::array tiff_little{'I', 'I', '*', '\0'};
+constexpr std::array tiff_big{'M', 'M', '\0', '*'};
+constexpr std::array big_tiff_little{'I', 'I', '+', '\0'};
+constexpr std::array big_tiff_big{'M', 'M', '\0', '+'};
+constexpr std::array exr_signature{'\x76', '\x2f', '\x31', '\x01'};
+constexpr std::array hdr_signature{'#', '?'};
+constexpr std::array bmp_signature{'B', 'M'};
+
+bool is_webp(const std::string& start, const std::string&) {
+    return start.starts_with("RIFF") && start.compare(8, 4, "WEBP") == 0;
+}
+
+// TGA has no signature, but few headers make sense: a kind of image, with or without a colour map,
+// and a depth that exists.
+bool is_tga(const std::string& start, const std::string& ending) {
+    if (ending != ".tga" || start.size() < 18) {
+        return false;
+    }
+    const std::size_t kind = little_endian(start, 2, 1);
+    const std::size_t depth = little_endian(start, 16, 1);
+    const bool mapped = little_endian(start, 1, 1) == 1;
+    const bool is_kind = (kind & ~std::size_t{8}) >= 1 && (kind & ~std::size_t{8}) <= 3;
+    return little_endian(start, 1, 1) <= 1 && is_kind && mapped == ((kind & 7U) == 1) &&
+           (depth == 8 || depth == 15 || depth == 16 || depth == 24 || depth == 32);
+}
+
+Size png_size(IOProxy& file) {
+    const std::string header = bytes_at(file, 0, 24);
+    return header.compare(12, 4, "IHDR") == 0
+               ? Size({big_endian(header, 16, 4), big_endian(header, 20, 4)})
+               : std::nullopt;
+}
+
+// Chunk after chunk up to the last.
+bool png_is_whole(IOProxy& file) {
+    constexpr std::size_t around_data = 12;  // Length, kind and checksum.
+    for (std::size_t at = png_signature.size(); at + around_data <= file.size();) {
+        const std::string head = bytes_at(file, at, 8);
+        at += around_data + big_endian(head, 0, 4);
+        if (head.compare(4, 4, "IEND") == 0) {
+            return at <= file.size();
+        }
+    }
+    return false;
+}
+
+// Marker after marker up to the one that begins a frame.
+Size jpeg_size(IOProxy& file) {
+    for (std::size_t at = 2; at + 4 <= file.size();) {
+        const std::string segment = bytes_at(file, at, 9);
+        const std::size_t marker = big_endian(segment, 1, 1);
+        if (segment[0] != '\xff') {
+            return std::nullopt;
+        }
+        const bool is_frame =
+            marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
+        if (is_frame) {
+            return DeclaredSize{big_endian(segment, 7, 2), big_endian(segment, 5, 2)};
+        }
+        // A marker may be preceded by any number of fill bytes.
+        at += marker == 0xff ? 1 : 2 + std::max<std::size_t>(big_endian(segment, 2, 2), 2);
+    }
+    return std::nullopt;
+}
+
+Size webp_size(IOProxy& file) {
+    const std::string header = bytes_at(file, 0, 30);
+    if (header.compare(12, 4, "VP8X") == 0) {
+        return DeclaredSize{little_endian(header, 24, 3) + 1, little_endian(header, 27, 3) + 1};
+    }
+    if (header.compare(12, 4, "VP8L") == 0) {
+        const std::size_t bits = little_endian(header, 21, 4);
+        return DeclaredSize{(bits & 0x3fffU) + 1, (bits >> 14U & 0x3fffU) + 1};
+    }
+    return DeclaredSize{little_endian(header, 26, 2) & 0x3fffU,
+                        little_endian(header, 28, 2) & 0x3fffU};
+}
+
+Size tga_size(IOProxy& file) {
+    const std::string header = bytes_at(file, 0, 18);
+    return DeclaredSize{little_endian(header, 12, 2), little_endian(header, 14, 2)};
+}
+
+// A negative height means that the rows run from the top.
+Size bmp_size(IOProxy& file) {
+    const std::string header = bytes_at(file, 0, 26);
+    constexpr std::size_t old_header = 12;
+    if (little_endian(header, 14, 4) == old_header) {
+        return DeclaredSize{little_endian(header, 18, 2), little_endian(header, 20, 2)};
+    }
+    const auto height = static_cast<std::int32_t>(little_endian(header, 22, 4));
+    return DeclaredSize{little_endian(header, 18, 4),
+                        static_cast<std::size_t>(std::abs(std::int64_t{height}))};
+}
+
+// Deflate packs 1032 bytes into one, each of 8 pixels; a block of 64 pixels of a JPEG takes at
+// least one bit; a packet of a TGA file holds 128 pixels in two bytes. The others know runs without
+// end, or kinds of compression that do.
+constexpr std::array<ImageFormat, 8> formats{{
+    {"png", 1032UL * 8, begins_with<png_signature>, png_size, png_is_whole},
+    {"jpeg", 64UL * 8, begins_with<jpeg_signature>, jpeg_size, nullptr},
+    {"webp", 0, is_webp, webp_size, nullptr},
+    {"tiff", 0, begins_with<tiff_little, tiff_big, big_tiff_little, big_tiff_big>, nullptr,
+     nullptr},
+    {"openexr", 0, begins_with<exr_signature>, nullptr, nullptr},
+    {"hdr", 0, begins_with<hdr_signature>, nullptr, nullptr},
+    {"bmp", 0, begins_with<bmp_signature>, bmp_size, nullptr},
+    {"targa", 128 / 2, is_tga, tga_size, nullptr},
+}};
+
+}  // namespace
+
+const ImageFormat* image_format(IOProxy& bytes, const std::filesystem::path& name) {
+    const std::string start = bytes_at(bytes, 0, 18);
+    std::string ending = name.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char byte) { return static_cast<char>(std::tolower(byte)); });
+    const auto* found =
+        std::find_if(formats.begin(), formats.end(),
+                     [&](const ImageFormat& format) { return format.matches(start, ending); });
+    return found == formats.end() ? nullptr : found;
+}
+
+}  // namespace balcony::scene

@@ -1,0 +1,251 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Image files: which are opened, what is checked before pixels are read, and that rows are rows.
+
+#include "balcony/image_file.hpp"
+
+#include <fstream>
+#include <iterator>
+#include <random>
+
+#include <OpenImageIO/imageio.h>
+
+#include "scene_files.hpp"
+
+namespace balcony::scene::testing {
+
+namespace {
+
+class Images : public SceneFiles {
+protected:
+    static constexpr int width = 37;
+    static constexpr int height = 29;
+
+    // Three channels of pixels that all differ, in a format by the name's ending.
+    [[nodiscard]] std::filesystem::path image(const std::string& name, int tile_side = 0) const {
+        std::vector<float> values;
+        for (int i = 0; i < width * height; ++i) {
+            values.insert(values.end(), {static_cast<float>(i % 256) / 255.0F,
+                                         static_cast<float>(i / 256) / 255.0F, 0.5F});
+        }
+        const std::filesystem::path file = directory / name;
+        const auto output = OIIO::ImageOutput::create(file.string());
+        OIIO::ImageSpec spec(width, height, 3, OIIO::TypeDesc::UINT8);
+        spec.tile_width = tile_side;
+        spec.tile_height = tile_side;
+        EXPECT_TRUE(output->open(file.string(), spec)) << output->geterror();
+        EXPECT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, values.data()));
+        EXPECT_TRUE(output->close());
+        return file;
+    }
+
+    [[nodiscard]] static std::vector<std::uint8_t> bytes_of(const std::filesystem::path& file) {
+        std::ifstream stream(file, std::ios::binary);
+        return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    }
+};
+
+constexpr const char* endings[] = {"png", "jpg", "webp", "tif", "exr", "hdr", "tga", "bmp"};
+
+std::vector<float> rows_of(ImageFile& file, std::size_t begin, std::size_t end) {
+    std::vector<float> values((end - begin) * file.width() * file.channels());
+    const auto failure = file.read_rows(begin, end, values);
+    EXPECT_FALSE(failure) << failure->message;
+    return values;
+}
+
+std::string reason(const Result<ImageFile>& opened) {
+    return opened ? "opened" : opened.diagnostics.front().message;
+}
+
+std::string reason(std::string_view name, std::string_view bytes) {
+    return reason(ImageFile::open(
+        name, std::span(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size())));
+}
+
+std::string big_endian(std::size_t number, unsigned bytes) {
+    std::string text;
+    for (unsigned shift = 8 * bytes; shift > 0; shift -= 8) {
+        text += static_cast<char>(number >> (shift - 8) & 0xffU);
+    }
+    return text;
+}
+
+std::string little_endian(std::size_t number, unsigned bytes) {
+    const std::string text = big_endian(number, bytes);
+    return {text.rbegin(), text.rend()};
+}
+
+std::string png(std::size_t width, std::size_t height) {
+    return "\x89PNG\r\n\x1a\n" + big_endian(13, 4) + "IHDR" + big_endian(width, 4) +
+           big_endian(height, 4) + std::string("\x08\x02\0\0\0crc.", 9) + std::string(4, '\0') +
+           "IENDcrc.";
+}
+
+// An application's segment, then the frame.
+std::string jpeg(std::size_t width, std::size_t height) {
+    return "\xff\xd8\xff\xe0" + big_endian(4, 2) + "ab\xff\xc0" + big_endian(11, 2) + "\x08" +
+           big_endian(height, 2) + big_endian(width, 2) + std::string("\x01\x01\x11\0", 4);
+}
+
+std::string bmp(std::size_t width, std::size_t height) {
+    return "BM" + std::string(12, '\0') + little_endian(40, 4) + little_endian(width, 4) +
+           little_endian(height, 4) + little_endian(1, 2) + little_endian(24, 2) +
+           std::string(24, '\0');
+}
+
+std::string webp(std::size_t width, std::size_t height) {
+    return "RIFF" + little_endian(22, 4) + "WEBPVP8X" + little_endian(10, 4) +
+           std::string(4, '\0') + little_endian(width - 1, 3) + little_endian(height - 1, 3);
+}
+
+std::string tga(std::size_t width, std::size_t height) {
+    return std::string("\0\0\x02\0\0\0\0\0\0\0\0\0", 12) + little_endian(width, 2) +
+           little_endian(height, 2) + std::string("\x18\0", 2);
+}
+
+}  // namespace
+
+TEST_F(Images, TheFirstBytesTellTheFormat) {
+    for (const std::string ending : endings) {
+        const std::filesystem::path file = image("image." + ending);
+        const std::vector<std::uint8_t> bytes = bytes_of(file);
+        // By the bytes alone; TGA needs its ending.
+        const char* name = ending == "tga" ? "other.TGA" : "other.gif";
+        for (Result<ImageFile>& opened :
+             std::array{ImageFile::open(file), ImageFile::open(name, bytes)}) {
+            ASSERT_TRUE(opened) << ending << ": " << reason(opened);
+            EXPECT_EQ(opened->width(), static_cast<std::size_t>(width)) << ending;
+            EXPECT_EQ(opened->height(), static_cast<std::size_t>(height)) << ending;
+            EXPECT_EQ(opened->channels(), 3U) << ending;
+            const std::vector<float> values = rows_of(*opened, 0, height);
+            // Formats with a loss spread a colour to its neighbours.
+            constexpr float loss = 0.1F;
+            EXPECT_NEAR(values[3 * 20], 20.0F / 255.0F, loss) << ending;
+            EXPECT_NEAR(values[3 * 20 + 2], 0.5F, loss) << ending;
+        }
+    }
+}
+
+TEST_F(Images, RowsComeInAnyOrder) {
+    for (const std::string ending : endings) {
+        auto opened = ImageFile::open(image("image." + ending));
+        ASSERT_TRUE(opened) << ending;
+        const std::vector<float> all = rows_of(*opened, 0, height);
+        for (const std::size_t begin : {20U, 3U, 11U, 0U}) {
+            const std::vector<float> part = rows_of(*opened, begin, begin + 5);
+            EXPECT_TRUE(std::equal(part.begin(), part.end(),
+                                   all.begin() + static_cast<std::ptrdiff_t>(begin) * width * 3))
+                << ending << " " << begin;
+        }
+    }
+}
+
+TEST_F(Images, TiledImagesAreReadByRows) {
+    auto plain = ImageFile::open(image("plain.tif"));
+    auto tiled = ImageFile::open(image("tiled.tif", 16));
+    ASSERT_TRUE(plain && tiled);
+    for (const auto& [begin, end] : {std::pair{0U, 29U}, {5U, 7U}, {15U, 17U}, {28U, 29U}}) {
+        EXPECT_EQ(rows_of(*plain, begin, end), rows_of(*tiled, begin, end)) << begin;
+    }
+}
+
+TEST_F(Images, NoOtherFormatIsOpened) {
+    const std::string unknown = "it is of no format that is read";
+    for (const auto& [name, bytes] : std::initializer_list<std::pair<const char*, std::string>>{
+             {"a.null?RES=0x0&CHANNELS=3", ""},
+             {"image.pgm", "P5 4 4 255\n0123456789abcdef"},
+             {"image.gif", "GIF89a\x04\0\x04\0\0\0\0"},
+             {"image.tga", std::string(18, '\0')},
+             {"image.tga", "no header of an image"},
+             {"image.png", ""},
+             {"image.png", "no image at all"}}) {
+        EXPECT_EQ(reason(name, bytes), unknown) << name;
+        EXPECT_EQ(reason(ImageFile::open(write(name, bytes))), unknown) << name;
+    }
+    EXPECT_EQ(reason(ImageFile::open(directory)), "there is no such file");
+}
+
+TEST_F(Images, TooLargeAHeaderIsRefused) {
+    const std::pair<const char*, std::string> headers[] = {{"a.png", png(20000, 5001)},
+                                                           {"a.jpg", jpeg(20000, 5001)},
+                                                           {"a.webp", webp(20000, 5001)},
+                                                           {"a.bmp", bmp(20000, 5001)},
+                                                           {"a.tga", tga(20000, 5001)}};
+    for (const auto& [name, bytes] : headers) {
+        EXPECT_EQ(reason(name, bytes), "it has 20000 x 5001 pixels, more than 100 million");
+    }
+    EXPECT_EQ(reason("a.png", png(0, 5001)), "it has no pixels");
+    EXPECT_EQ(reason("a.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 20000 +X 5001\n"),
+              "it has 5001 x 20000 pixels, more than 100 million");
+}
+
+TEST_F(Images, MorePixelsThanItsBytesCanHoldAreRefused) {
+    EXPECT_EQ(reason("a.png", png(5000, 5000)),
+              "it declares 5000 x 5000 pixels, more than its 45 bytes can hold");
+    EXPECT_EQ(reason("a.jpg", jpeg(5000, 5000)),
+              "it declares 5000 x 5000 pixels, more than its 21 bytes can hold");
+    EXPECT_EQ(reason("a.tga", tga(5000, 5000)),
+              "it declares 5000 x 5000 pixels, more than its 18 bytes can hold");
+}
+
+TEST_F(Images, ACutPngIsRecognised) {
+    const std::vector<std::uint8_t> whole = bytes_of(image("image.png"));
+    for (std::size_t size = 8; size < whole.size(); ++size) {
+        EXPECT_EQ(reason(ImageFile::open("cut.png", std::span(whole).first(size))),
+                  "it is cut off");
+    }
+}
+
+TEST_F(Images, TilesBeyondReasonAreRefused) {
+    // The width of a tile is one tag of the directory, which is where the number 16 stands twice.
+    std::vector<std::uint8_t> bytes = bytes_of(image("tiled.tif", 16));
+    const auto set_tag = [&](unsigned tag, std::uint32_t value) {
+        for (std::size_t i = 0; i + 12 <= bytes.size(); ++i) {
+            if (bytes[i] == (tag & 0xffU) && bytes[i + 1] == tag >> 8U && bytes[i + 3] == 0 &&
+                (bytes[i + 2] == 3 || bytes[i + 2] == 4) && bytes[i + 4] == 1) {
+                bytes[i + 2] = 4;
+                for (unsigned k = 0; k < 4; ++k) {
+                    bytes[i + 8 + k] = static_cast<std::uint8_t>(value >> (8 * k));
+                }
+            }
+        }
+    };
+    constexpr unsigned tile_width = 322;
+    constexpr unsigned tile_length = 323;
+    set_tag(tile_width, 1U << 20U);
+    set_tag(tile_length, 1U << 20U);
+    EXPECT_EQ(reason(ImageFile::open("tiled.tif", bytes)),
+              "its tiles of 1048576 x 1048576 pixels are too large");
+}
+
+// Whatever the bytes are, an image is opened and read or there is a reason why not.
+TEST_F(Images, ChangedBytesDoNoHarm) {
+    std::mt19937 random(7);
+    for (const std::string ending : endings) {
+        const std::vector<std::uint8_t> whole = bytes_of(image("image." + ending));
+        std::size_t opened_count = 0;
+        for (int i = 0; i < 200; ++i) {
+            std::vector<std::uint8_t> bytes = whole;
+            // Half of the changes go to the header.
+            const std::size_t reach =
+                i % 2 == 0 ? std::min<std::size_t>(64, bytes.size()) : bytes.size();
+            for (auto changes = 1 + random() % 4; changes > 0; --changes) {
+                bytes[random() % reach] = static_cast<std::uint8_t>(random() % 256);
+            }
+            auto opened = ImageFile::open("image." + ending, bytes);
+            if (!opened) {
+                EXPECT_TRUE(has_errors(opened.diagnostics));
+                continue;
+            }
+            ++opened_count;
+            const std::size_t rows = std::min<std::size_t>(opened->height(), 64);
+            std::vector<float> values(rows * opened->width() * opened->channels());
+            (void)opened->read_rows(0, rows, values);
+        }
+        EXPECT_GT(opened_count, 20U) << ending << ": the changes leave too little to try";
+    }
+}
+
+}  // namespace balcony::scene::testing
