@@ -17,11 +17,13 @@
 // b < a, else a (max alike); comparisons with NaN are false; sign(0) is 0; mod(a, b) is
 // a - b*floor(a/b).
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -35,9 +37,7 @@ namespace balcony::expr {
 enum class Op : std::uint8_t {
     // leaves
     constant,
-    picture_x,
-    picture_y,
-    time,
+    input,
     variable,
     // arithmetic
     negate,
@@ -118,33 +118,81 @@ struct Operation {
 [[nodiscard]] const Operation& operation(Op op);
 
 using NodeId = StrongIndex<struct NodeTag>;
+using InputId = StrongIndex<struct InputTag>;
 using TableId = StrongIndex<struct TableTag>;
 using NativeId = StrongIndex<struct NativeTag>;
 
-/// What a node's value can change with: a set of these bits.
-namespace depends {
-inline constexpr std::uint8_t on_time = 1;
-inline constexpr std::uint8_t on_x = 2;
-inline constexpr std::uint8_t on_y = 4;
-inline constexpr std::uint8_t on_variable = 8;
-}  // namespace depends
+/// The inputs that every graph has: the point of the picture in pixels, x from the left and y from
+/// the top, and time. Further ones are numbered from 3 on in the order in which they are named.
+namespace inputs {
+inline constexpr InputId x{0};
+inline constexpr InputId y{1};
+inline constexpr InputId t{2};
+}  // namespace inputs
+
+/// What a value can change with: a set of inputs, and perhaps a free variable. Inputs numbered 62
+/// and above are not told apart: a set that holds one of them holds them all.
+class Dependence {
+public:
+    constexpr Dependence() = default;
+    [[nodiscard]] static constexpr Dependence on(InputId input) {
+        return Dependence(std::uint64_t{1} << std::min(input.value(), last_input));
+    }
+    [[nodiscard]] static constexpr Dependence on_variable() {
+        return Dependence(std::uint64_t{1} << variable);
+    }
+
+    [[nodiscard]] constexpr Dependence operator|(Dependence other) const {
+        return Dependence(set_ | other.set_);
+    }
+    [[nodiscard]] constexpr bool intersects(Dependence other) const {
+        return (set_ & other.set_) != 0;
+    }
+    [[nodiscard]] constexpr bool empty() const { return set_ == 0; }
+    constexpr bool operator==(const Dependence&) const = default;
+
+private:
+    static constexpr std::uint32_t last_input = 62;
+    static constexpr std::uint32_t variable = 63;
+
+    constexpr explicit Dependence(std::uint64_t set) : set_(set) {}
+    std::uint64_t set_ = 0;
+};
 
 /// How often a value must be computed to fill a grid of picture points: once, once a column, once
-/// a row, or at every point. What depends on a variable counts as pixel.
+/// a row, or at every point.
 enum class Rate : std::uint8_t { uniform, column, row, pixel };
 
-[[nodiscard]] constexpr Rate rate_of(std::uint8_t dependencies) {
-    const bool x = (dependencies & (depends::on_x | depends::on_variable)) != 0;
-    const bool y = (dependencies & (depends::on_y | depends::on_variable)) != 0;
-    return x ? (y ? Rate::pixel : Rate::column) : (y ? Rate::row : Rate::uniform);
-}
+/// The rates of a graph's inputs, as whoever compiles declares them: x changes by column and y by
+/// row; any other input is uniform unless declared. What depends on a variable counts as pixel.
+class Rates {
+public:
+    constexpr void declare(InputId input, Rate rate) {
+        const Dependence on_input = Dependence::on(input);
+        if (rate == Rate::column || rate == Rate::pixel) {
+            by_column_ = by_column_ | on_input;
+        }
+        if (rate == Rate::row || rate == Rate::pixel) {
+            by_row_ = by_row_ | on_input;
+        }
+    }
+    /// The rate of what depends on these.
+    [[nodiscard]] constexpr Rate operator()(Dependence dependence) const {
+        const bool x = dependence.intersects(by_column_);
+        const bool y = dependence.intersects(by_row_);
+        return x ? (y ? Rate::pixel : Rate::column) : (y ? Rate::row : Rate::uniform);
+    }
+
+private:
+    Dependence by_column_ = Dependence::on(inputs::x) | Dependence::on_variable();
+    Dependence by_row_ = Dependence::on(inputs::y) | Dependence::on_variable();
+};
 
 struct Node {
     double value = 0.0;                 ///< Of a constant.
     std::array<NodeId, 3> arguments{};  ///< The first arity(op) are valid.
-    std::uint32_t detail = 0;           ///< The number of a variable, a TableId, a NativeId.
+    std::uint32_t detail = 0;           ///< An InputId, the number of a variable, a TableId, ...
     Op op = Op::constant;
-    std::uint8_t depends = 0;
 
     bool operator==(const Node&) const;
 };
@@ -196,6 +244,16 @@ public:
     [[nodiscard]] virtual std::shared_ptr<const Native> derivative(std::size_t argument) const = 0;
 };
 
+/// Thrown by whatever adds a node to a graph that has max_nodes: the only exception of this layer.
+/// A function of a layer above that builds graphs catches it and returns a Diagnostic.
+class GraphTooLarge : public std::length_error {
+public:
+    GraphTooLarge();
+};
+
+inline constexpr std::size_t max_nodes = std::size_t{1} << 22U;
+
+/// Functions that add nodes may throw GraphTooLarge; what is in the graph stays valid.
 class Graph {
 public:
     Graph() = default;
@@ -203,9 +261,12 @@ public:
     Graph& operator=(const Graph&) = delete;
 
     [[nodiscard]] Expr constant(double value);
-    [[nodiscard]] Expr picture_x();
-    [[nodiscard]] Expr picture_y();
-    [[nodiscard]] Expr time();
+    /// The input of a name, which need not be known before. Who evaluates or compiles gives it a
+    /// value by that name.
+    [[nodiscard]] Expr input(std::string_view name);
+    [[nodiscard]] Expr picture_x();  ///< The input "x".
+    [[nodiscard]] Expr picture_y();  ///< The input "y".
+    [[nodiscard]] Expr time();       ///< The input "t".
     /// A free variable, to be replaced by substitute(). Two of one number are the same.
     [[nodiscard]] Expr variable(std::uint32_t number);
     /// A variable that nobody has used yet.
@@ -226,6 +287,9 @@ public:
 
     [[nodiscard]] std::size_t size() const { return nodes_.size(); }
     [[nodiscard]] const Node& operator[](NodeId id) const { return nodes_[id.value()]; }
+    [[nodiscard]] Dependence dependence(NodeId id) const { return dependences_[id.value()]; }
+    /// The names of the inputs by their numbers, beginning with "x", "y" and "t".
+    [[nodiscard]] std::span<const std::string> input_names() const { return inputs_; }
     [[nodiscard]] const std::shared_ptr<const Table>& table(TableId id) const {
         return tables_[id.value()];
     }
@@ -237,14 +301,18 @@ public:
 
 private:
     /// The one node that equals this one, made if there is none.
-    [[nodiscard]] Expr intern(Node node);
+    [[nodiscard]] Expr intern(const Node& node);
+    [[nodiscard]] Dependence dependence_of(const Node& node) const;
+    [[nodiscard]] Expr input(InputId id);
 
     struct Hash {
         std::size_t operator()(const Node& node) const;
     };
 
     std::vector<Node> nodes_;
+    std::vector<Dependence> dependences_;  ///< By node.
     std::unordered_map<Node, NodeId, Hash> known_;
+    std::vector<std::string> inputs_{"x", "y", "t"};
     std::vector<std::shared_ptr<const Table>> tables_;
     std::vector<std::array<std::shared_ptr<const Table>, Table::max_axes>> derivative_tables_;
     std::vector<std::shared_ptr<const Native>> natives_;
@@ -263,7 +331,8 @@ public:
     [[nodiscard]] Op op() const { return node().op; }
     [[nodiscard]] Expr argument(std::size_t i) const { return {*graph_, node().arguments[i]}; }
     [[nodiscard]] bool valid() const { return graph_ != nullptr; }
-    [[nodiscard]] Rate rate() const { return rate_of(node().depends); }
+    [[nodiscard]] Dependence dependence() const { return graph_->dependence(id_); }
+    [[nodiscard]] Rate rate(const Rates& rates = {}) const { return rates(dependence()); }
     [[nodiscard]] bool is_constant() const { return op() == Op::constant; }
     [[nodiscard]] bool is_constant(double value) const {
         return is_constant() && node().value == value;
@@ -334,8 +403,8 @@ Expr atanh(Expr a);
 /// sign(x) |x|^p, the paper's x^[p].
 Expr signed_power(Expr x, Expr p);
 
-/// d expression / d leaf, exactly, by the derivative rules of the operations. The leaf is
-/// picture x, picture y, time or a variable.
+/// d expression / d leaf, exactly, by the derivative rules of the operations. The leaf is an input
+/// or a variable.
 [[nodiscard]] std::vector<Expr> differentiate(std::span<const Expr> expressions, Expr leaf);
 [[nodiscard]] Expr differentiate(Expr expression, Expr leaf);
 
@@ -347,27 +416,35 @@ struct Substitution {
 
 /// The expressions with leaves replaced. They may come from another graph than the replacements,
 /// which is how a formula is brought into a camera's graph: the result is in `target`, and leaves
-/// that are not replaced stay themselves.
+/// that are not replaced stay themselves, inputs by their names.
 [[nodiscard]] std::vector<Expr> substitute(Graph& target, std::span<const Expr> expressions,
                                            std::span<const Substitution> substitutions);
 
 /// Rewrites for speed: collects sums of scaled terms (affine chains become one), orders products
-/// so that what depends on the column alone and on the row alone stays together, and takes common
-/// factors out. Values change by rounding only. Idempotent; chains of many thousands of factors
-/// excepted, whose regrouping stops after a bounded number of passes.
-[[nodiscard]] std::vector<Expr> simplify(std::span<const Expr> expressions);
+/// so that what changes by column alone and by row alone stays together, and takes common factors
+/// out. Values change by rounding only. Idempotent; chains of many thousands of factors excepted,
+/// whose regrouping stops after a bounded number of passes.
+[[nodiscard]] std::vector<Expr> simplify(std::span<const Expr> expressions,
+                                         const Rates& rates = {});
 
 /// The nodes below the given ones, themselves included, arguments first.
 [[nodiscard]] std::vector<NodeId> reachable(const Graph& graph, std::span<const Expr> expressions);
 
-/// Evaluates one point by the scalar definitions, for tests and single points. Variables hold the
-/// values of variable 0, 1, ...
+struct InputValue {
+    std::string_view name;
+    double value;
+};
+
+/// Values of the leaves. A leaf without a value is not a number.
 struct Point {
     double x = 0.0;
     double y = 0.0;
     double time = 0.0;
-    std::span<const double> variables{};
+    std::span<const double> variables{};   ///< Of variable 0, 1, ...
+    std::span<const InputValue> inputs{};  ///< Of inputs other than x, y and t, in any order.
 };
+
+/// Evaluates one point by the scalar definitions, for tests and single points.
 [[nodiscard]] std::vector<double> evaluate(std::span<const Expr> expressions, const Point& point);
 
 /// The expressions as formulas for people, one a line; shared parts are named first.

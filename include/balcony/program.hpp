@@ -5,10 +5,13 @@
 // Program: expressions compiled to a tape that runs over many picture points at a time.
 //
 // A Program is immutable and may be shared by threads; a Scratch belongs to one thread; the caller
-// owns the results. Compiled for grids it runs over tiles, and each node has a rate: uniform ones
-// run once a tile, those of x alone once a column, those of y alone once a row, the rest once a
-// point. Compiled for points it runs over lists of points that lie anywhere, and all that depends
-// on x or y runs once a point.
+// owns the results. Compiled for grids it runs over tiles, and each node has a rate, which follows
+// from the rates of the inputs that it depends on: uniform nodes run once a tile, others once a
+// column, once a row or once a point. Compiled for points it runs over lists of points that lie
+// anywhere, and all that is not uniform runs once a point.
+//
+// Inputs are x, y and time, which a Tile and Points always have, and any number of further ones,
+// which an Interface declares.
 
 #include <algorithm>
 #include <cstddef>
@@ -16,12 +19,18 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "balcony/expr.hpp"
 
 namespace balcony::program {
+
+/// The values of the further inputs, in the order in which the Interface declares them: each has
+/// one value if it is uniform; over a tile, one for each column or row or, row by row, one for each
+/// point; over points, one for each point. They need to live while the program runs.
+using InputValues = std::span<const std::span<const double>>;
 
 /// A grid of picture points: point (i, j) is (x + i*step, y + j*step), i < width, j < height. What
 /// lies beyond the limits is moved onto them.
@@ -39,6 +48,7 @@ struct Tile {
     };
     Limits x_limits{};
     Limits y_limits{};
+    InputValues inputs{};
 
     [[nodiscard]] double column(std::size_t i) const { return within(x, i, x_limits); }
     [[nodiscard]] double row(std::size_t j) const { return within(y, j, y_limits); }
@@ -58,6 +68,7 @@ struct Points {
     std::span<const double> x;
     std::span<const double> y;
     double time = 0.0;
+    InputValues inputs{};
 };
 
 inline constexpr std::size_t max_points = 64;
@@ -67,15 +78,35 @@ enum class Sampling : std::uint8_t { grid, points };
 
 using expr::Rate;
 
+/// A further input of a program: the name that formulas know it by, and how often it changes. Over
+/// points, what is not uniform changes from point to point.
+struct Input {
+    std::string name;
+    Rate rate = Rate::uniform;
+};
+
+/// What a program is given to run with.
+struct Interface {
+    Sampling sampling = Sampling::grid;
+    std::vector<Input> inputs{};  ///< Beside x, y and t. Those that no root depends on are ignored.
+};
+
 struct Tape;  // src/program/tape.hpp
 
 class Program {
 public:
-    /// Compiles the roots, which must be in one graph and have no free variables; they are
-    /// simplified first.
+    /// Compiles the roots, which must be in one graph; they are simplified first. Fails if a root
+    /// depends on an input that is not declared or on a free variable, if an input is declared
+    /// twice or has the name x, y or t, and if simplification makes the graph too large.
+    [[nodiscard]] static Result<Program> make(std::span<const expr::Expr> roots,
+                                              const Interface& interface = {});
+    /// The same for roots that depend on x, y and t alone, which is asserted; throws
+    /// expr::GraphTooLarge.
     explicit Program(std::span<const expr::Expr> roots, Sampling sampling = Sampling::grid);
 
     [[nodiscard]] Sampling sampling() const;
+    /// The declared further inputs.
+    [[nodiscard]] std::span<const Input> inputs() const;
     [[nodiscard]] std::size_t root_count() const;
     /// Uniform or pixel in a program for points.
     [[nodiscard]] Rate rate(std::size_t root) const;
@@ -84,6 +115,8 @@ public:
     [[nodiscard]] const Tape& tape() const { return *tape_; }
 
 private:
+    explicit Program(std::shared_ptr<const Tape> tape);
+
     std::shared_ptr<const Tape> tape_;
 };
 

@@ -62,7 +62,7 @@ Result<CurveSampler> CurveSampler::make(const ObjectGenerator& curve, Derivative
     made.places_.resize(graph.size());
     for (std::size_t i = 0; i < made.nodes_.size(); ++i) {
         made.places_[made.nodes_[i].value()] = i;
-        if (graph[made.nodes_[i]].op == expr::Op::time) {
+        if (graph[made.nodes_[i]].op == expr::Op::input) {
             return error("a curve whose course is tabulated cannot change with time", {},
                          "take t out of the curve; what stands outside of it may use t");
         }

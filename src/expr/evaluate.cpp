@@ -1,22 +1,36 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
+
 #include "balcony/expr.hpp"
 
 namespace balcony::expr {
 
 namespace {
 
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
+
+double input_value(const Graph& graph, InputId id, const Point& point) {
+    switch (id.value()) {
+        case inputs::x.value(): return point.x;
+        case inputs::y.value(): return point.y;
+        case inputs::t.value(): return point.time;
+        default: break;
+    }
+    const std::string& name = graph.input_names()[id.value()];
+    const auto given = std::find_if(point.inputs.begin(), point.inputs.end(),
+                                    [&](const InputValue& input) { return input.name == name; });
+    return given == point.inputs.end() ? no_value : given->value;
+}
+
 double evaluate_node(const Graph& graph, const Node& node, const Point& point,
                      const double* arguments) {
     switch (node.op) {
         case Op::constant: return node.value;
-        case Op::picture_x: return point.x;
-        case Op::picture_y: return point.y;
-        case Op::time: return point.time;
+        case Op::input: return input_value(graph, InputId(node.detail), point);
         case Op::variable:
-            assert(node.detail < point.variables.size());
-            return point.variables[node.detail];
+            return node.detail < point.variables.size() ? point.variables[node.detail] : no_value;
         default: break;
     }
     if (is_lookup(node.op)) {

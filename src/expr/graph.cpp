@@ -3,26 +3,14 @@
 
 #include <algorithm>
 #include <bit>
-#include <stdexcept>
 
 #include "balcony/expr.hpp"
 #include "expr/local_rules.hpp"
 
 namespace balcony::expr {
 
-namespace {
-
-std::uint8_t leaf_dependency(Op op) {
-    switch (op) {
-        case Op::picture_x: return depends::on_x;
-        case Op::picture_y: return depends::on_y;
-        case Op::time: return depends::on_time;
-        case Op::variable: return depends::on_variable;
-        default: return 0;
-    }
-}
-
-}  // namespace
+GraphTooLarge::GraphTooLarge()
+    : std::length_error("an expression graph of more than 4 million nodes") {}
 
 // Constants are the same if their bits are, so that 0 and -0 stay apart and a NaN equals itself.
 bool Node::operator==(const Node& other) const {
@@ -44,22 +32,32 @@ std::size_t Graph::Hash::operator()(const Node& node) const {
     return hash;
 }
 
-Expr Graph::intern(Node node) {
-    node.depends = leaf_dependency(node.op);
-    for (const NodeId argument : node.arguments) {
-        if (argument.valid()) {
-            node.depends |= nodes_[argument.value()].depends;
-        }
-    }
-    constexpr std::size_t max_nodes = std::size_t{1} << 22U;
+Expr Graph::intern(const Node& node) {
     if (nodes_.size() >= max_nodes) {
-        throw std::length_error("an expression graph of more than 4 million nodes");
+        throw GraphTooLarge();
     }
     const auto [known, is_new] = known_.try_emplace(node, NodeId(nodes_.size()));
     if (is_new) {
         nodes_.push_back(node);
+        dependences_.push_back(dependence_of(node));
     }
     return {*this, known->second};
+}
+
+Dependence Graph::dependence_of(const Node& node) const {
+    if (node.op == Op::input) {
+        return Dependence::on(InputId(node.detail));
+    }
+    if (node.op == Op::variable) {
+        return Dependence::on_variable();
+    }
+    Dependence all;
+    for (const NodeId argument : node.arguments) {
+        if (argument.valid()) {
+            all = all | dependence(argument);
+        }
+    }
+    return all;
 }
 
 Expr Graph::constant(double value) {
@@ -68,23 +66,25 @@ Expr Graph::constant(double value) {
     return intern(node);
 }
 
-Expr Graph::picture_x() {
+Expr Graph::input(InputId id) {
     Node node;
-    node.op = Op::picture_x;
+    node.op = Op::input;
+    node.detail = id.value();
     return intern(node);
 }
 
-Expr Graph::picture_y() {
-    Node node;
-    node.op = Op::picture_y;
-    return intern(node);
+Expr Graph::input(std::string_view name) {
+    const auto known = std::find(inputs_.begin(), inputs_.end(), name);
+    const InputId id(static_cast<std::size_t>(known - inputs_.begin()));
+    if (known == inputs_.end()) {
+        inputs_.emplace_back(name);
+    }
+    return input(id);
 }
 
-Expr Graph::time() {
-    Node node;
-    node.op = Op::time;
-    return intern(node);
-}
+Expr Graph::picture_x() { return input(inputs::x); }
+Expr Graph::picture_y() { return input(inputs::y); }
+Expr Graph::time() { return input(inputs::t); }
 
 Expr Graph::variable(std::uint32_t number) {
     variables_ = std::max(variables_, number + 1);
@@ -176,9 +176,7 @@ std::shared_ptr<const Table> Graph::derivative_table(TableId id, std::size_t axi
 Expr Graph::remake(const Graph& source, const Node& node, std::span<const Expr> arguments) {
     switch (node.op) {
         case Op::constant: return constant(node.value);
-        case Op::picture_x: return picture_x();
-        case Op::picture_y: return picture_y();
-        case Op::time: return time();
+        case Op::input: return input(source.inputs_[node.detail]);
         case Op::variable: return variable(node.detail);
         default: break;
     }

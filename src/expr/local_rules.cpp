@@ -115,7 +115,7 @@ Expr multiply_rules(Graph& graph, Expr a, Expr b) {
         }
     }
     // A sign goes to the outside unless it is changed less often where it is.
-    const Rate rate = rate_of(static_cast<std::uint8_t>(a.node().depends | b.node().depends));
+    const Rate rate = Rates()(a.dependence() | b.dependence());
     if (a.op() == Op::negate && a.rate() == rate) {
         return -(a.argument(0) * b);
     }

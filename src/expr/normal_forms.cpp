@@ -12,8 +12,8 @@ namespace balcony::expr {
 
 namespace {
 
-bool comes_before(Expr a, Expr b) {
-    return a.rate() != b.rate() ? a.rate() < b.rate() : a.id() < b.id();
+bool comes_before(Rate rate_a, Expr a, Rate rate_b, Expr b) {
+    return rate_a != rate_b ? rate_a < rate_b : a.id() < b.id();
 }
 
 Expr power_by_squaring(Expr base, unsigned times) {
@@ -35,36 +35,36 @@ struct SeparatedTerm {
     Expr row;
 };
 
-std::optional<SeparatedTerm> separate(Expr term) {
+std::optional<SeparatedTerm> separate(Expr term, const Rates& rates) {
     if (term.op() != Op::multiply) {
         return std::nullopt;
     }
     const Expr a = term.argument(0);
     const Expr b = term.argument(1);
-    if (a.rate() == Rate::column && b.rate() == Rate::row) {
+    if (a.rate(rates) == Rate::column && b.rate(rates) == Rate::row) {
         return SeparatedTerm{a, b};
     }
-    if (a.rate() == Rate::row && b.rate() == Rate::column) {
+    if (a.rate(rates) == Rate::row && b.rate(rates) == Rate::column) {
         return SeparatedTerm{b, a};
     }
     return std::nullopt;
 }
 
-Expr scale(double coefficient, Expr value);
+Expr scale(double coefficient, Expr value, const Rates& rates);
 
 // coefficient * value with the coefficient in a factor that is computed less often, if there is
 // one among the factors or, that many levels down, among their factors.
-Expr scaled_within(double coefficient, Expr value, int levels) {
+Expr scaled_within(double coefficient, Expr value, const Rates& rates, int levels) {
     if (value.op() != Op::multiply || levels == 0) {
         return {};
     }
     for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
-        if (value.argument(i).rate() < value.rate()) {
-            return scale(coefficient, value.argument(i)) * value.argument(1 - i);
+        if (value.argument(i).rate(rates) < value.rate(rates)) {
+            return scale(coefficient, value.argument(i), rates) * value.argument(1 - i);
         }
     }
     for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
-        const Expr inner = scaled_within(coefficient, value.argument(i), levels - 1);
+        const Expr inner = scaled_within(coefficient, value.argument(i), rates, levels - 1);
         if (inner.valid()) {
             return inner * value.argument(1 - i);
         }
@@ -72,9 +72,10 @@ Expr scaled_within(double coefficient, Expr value, int levels) {
     return {};
 }
 
-Expr scale(double coefficient, Expr value) {
+Expr scale(double coefficient, Expr value, const Rates& rates) {
     constexpr int levels = 2;
-    const Expr within = coefficient != 1.0 ? scaled_within(coefficient, value, levels) : Expr{};
+    const Expr within =
+        coefficient != 1.0 ? scaled_within(coefficient, value, rates, levels) : Expr{};
     return within.valid() ? within : coefficient * value;
 }
 
@@ -83,15 +84,15 @@ constexpr std::size_t rate_count = static_cast<std::size_t>(Rate::pixel) + 1;
 // A running sum that writes a - b where it can.
 class Sum {
 public:
-    explicit Sum(Graph& graph) : graph_(&graph) {}
+    Sum(Graph& graph, const Rates& rates) : graph_(&graph), rates_(&rates) {}
 
     void add(double coefficient, Expr value) {
         if (!total_.valid()) {
-            total_ = scale(coefficient, value);
+            total_ = scale(coefficient, value, *rates_);
         } else if (coefficient < 0.0) {
-            total_ = total_ - scale(-coefficient, value);
+            total_ = total_ - scale(-coefficient, value, *rates_);
         } else {
-            total_ = total_ + scale(coefficient, value);
+            total_ = total_ + scale(coefficient, value, *rates_);
         }
     }
     void add_constant(double constant) { total_ = value() + constant; }
@@ -104,12 +105,13 @@ public:
 
 private:
     Graph* graph_;
+    const Rates* rates_;
     Expr total_;
 };
 
 }  // namespace
 
-ProductForm::ProductForm(Expr factor) {
+ProductForm::ProductForm(Expr factor, const Rates& rates) {
     if (factor.op() == Op::negate) {
         coefficient_ = -1.0;
         factor = factor.argument(0);
@@ -126,7 +128,7 @@ ProductForm::ProductForm(Expr factor) {
     if (factor.is_constant()) {
         coefficient_ *= factor.node().value;
     } else {
-        factors_.push_back({factor, 1});
+        factors_.push_back({factor, factor.rate(rates), 1});
     }
 }
 
@@ -134,10 +136,11 @@ ProductForm ProductForm::product(const ProductForm& a, const ProductForm& b) {
     ProductForm result = a;
     result.coefficient_ *= b.coefficient_;
     for (const Factor& factor : b.factors_) {
-        const auto place = std::lower_bound(result.factors_.begin(), result.factors_.end(), factor,
-                                            [](const Factor& left, const Factor& right) {
-                                                return comes_before(left.base, right.base);
-                                            });
+        const auto place =
+            std::lower_bound(result.factors_.begin(), result.factors_.end(), factor,
+                             [](const Factor& left, const Factor& right) {
+                                 return comes_before(left.rate, left.base, right.rate, right.base);
+                             });
         if (place != result.factors_.end() && place->base.same(factor.base)) {
             place->times += factor.times;
         } else {
@@ -160,9 +163,9 @@ std::size_t ProductForm::pixel_cost() const {
     bool column = false;
     bool row = false;
     for (const Factor& factor : factors_) {
-        column = column || factor.base.rate() == Rate::column;
-        row = row || factor.base.rate() == Rate::row;
-        pixel_factors += factor.base.rate() == Rate::pixel ? factor.times : 0;
+        column = column || factor.rate == Rate::column;
+        row = row || factor.rate == Rate::row;
+        pixel_factors += factor.rate == Rate::pixel ? factor.times : 0;
     }
     const std::size_t operands = pixel_factors + (column ? 1 : 0) + (row ? 1 : 0);
     return operands > 0 && (pixel_factors > 0 || (column && row)) ? operands - 1 : 0;
@@ -171,7 +174,7 @@ std::size_t ProductForm::pixel_cost() const {
 Expr ProductForm::part(Graph& graph, Rate rate) const {
     Expr product;
     for (const Factor& factor : factors_) {
-        if (factor.base.rate() == rate) {
+        if (factor.rate == rate) {
             const Expr power = power_by_squaring(factor.base, factor.times);
             product = product.valid() ? product * power : power;
         }
@@ -190,11 +193,11 @@ Expr ProductForm::build_factors(Graph& graph) const {
     return (uniform * row) * pixel;
 }
 
-LinearForm::LinearForm(Expr term) {
+LinearForm::LinearForm(Expr term, const Rates& rates) {
     if (term.is_constant()) {
         constant_ = term.node().value;
     } else {
-        terms_.push_back({term, 1.0});
+        terms_.push_back({term, term.rate(rates), 1.0});
     }
 }
 
@@ -204,11 +207,12 @@ LinearForm LinearForm::sum(const LinearForm& a, double factor, const LinearForm&
     for (const Term& term : b.terms_) {
         const auto place = std::lower_bound(result.terms_.begin(), result.terms_.end(), term,
                                             [](const Term& left, const Term& right) {
-                                                return comes_before(left.value, right.value);
+                                                return comes_before(left.rate, left.value,
+                                                                    right.rate, right.value);
                                             });
         const double coefficient = factor * term.coefficient;
         if (place == result.terms_.end() || !place->value.same(term.value)) {
-            result.terms_.insert(place, {term.value, coefficient});
+            result.terms_.insert(place, {term.value, term.rate, coefficient});
         } else {
             place->coefficient += coefficient;
             if (place->coefficient == 0.0) {
@@ -228,51 +232,54 @@ LinearForm LinearForm::scaled(double factor) const { return sum(LinearForm(), fa
 
 // Terms c*C*R with one R are summed as (c*C + ...)*R, which leaves one product a point for any
 // number of them; likewise for one C.
-std::vector<LinearForm::Term> LinearForm::factored_terms(Graph& graph, bool by_row) const {
+std::vector<LinearForm::Term> LinearForm::factored_terms(Graph& graph, const Rates& rates,
+                                                         bool by_row) const {
     std::vector<Term> rest = terms_;
     std::vector<Term> factored;
     for (std::size_t i = 0; i < rest.size();) {
-        const auto first = separate(rest[i].value);
+        const auto first = separate(rest[i].value, rates);
         const Expr common = !first ? Expr{} : by_row ? first->row : first->column;
         const auto shares = [&](const Term& term) {
-            const auto parts = separate(term.value);
+            const auto parts = separate(term.value, rates);
             return parts && common.same(by_row ? parts->row : parts->column);
         };
         if (!first || std::count_if(rest.begin(), rest.end(), shares) < 2) {
             ++i;
             continue;
         }
-        Sum inner(graph);
+        Sum inner(graph, rates);
         for (const Term& term : rest) {
             if (shares(term)) {
-                const auto parts = separate(term.value);
+                const auto parts = separate(term.value, rates);
                 inner.add(term.coefficient, by_row ? parts->column : parts->row);
             }
         }
         std::erase_if(rest, shares);
-        factored.push_back({inner.value() * common, 1.0});
+        const Expr product = inner.value() * common;
+        factored.push_back({product, product.rate(rates), 1.0});
     }
     rest.insert(rest.end(), factored.begin(), factored.end());
     return rest;
 }
 
-Expr LinearForm::build(Graph& graph) const {
+Expr LinearForm::build(Graph& graph, const Rates& rates) const {
     LinearForm factored;
-    factored.terms_ = factored_terms(graph, true);
-    factored.terms_ = factored.factored_terms(graph, false);
+    factored.terms_ = factored_terms(graph, rates, true);
+    factored.terms_ = factored.factored_terms(graph, rates, false);
     // One sum for each rate, the constant with the slowest, where it costs least; then these.
-    std::array<Sum, rate_count> sums{Sum(graph), Sum(graph), Sum(graph), Sum(graph)};
+    const Sum none(graph, rates);
+    std::array<Sum, rate_count> sums{none, none, none, none};
     std::size_t slowest = rate_count;
-    for (const auto& [value, coefficient] : factored.terms_) {
-        const auto rate = static_cast<std::size_t>(value.rate());
-        sums[rate].add(coefficient, value);
+    for (const Term& term : factored.terms_) {
+        const auto rate = static_cast<std::size_t>(term.rate);
+        sums[rate].add(term.coefficient, term.value);
         slowest = std::min(slowest, rate);
     }
     if (slowest == rate_count) {
         return graph.constant(constant_);
     }
     sums[slowest].add_constant(constant_);
-    Sum total(graph);
+    Sum total = none;
     for (const Sum& sum : sums) {
         total.join(sum);
     }

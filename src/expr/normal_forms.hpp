@@ -13,7 +13,7 @@ namespace balcony::expr {
 class ProductForm {
 public:
     /// The product of one factor.
-    explicit ProductForm(Expr factor);
+    ProductForm(Expr factor, const Rates& rates);
 
     [[nodiscard]] static ProductForm product(const ProductForm& a, const ProductForm& b);
     [[nodiscard]] std::size_t factor_count() const;
@@ -27,6 +27,7 @@ public:
 private:
     struct Factor {
         Expr base;
+        Rate rate;
         unsigned times;
     };
     [[nodiscard]] Expr part(Graph& graph, Rate rate) const;
@@ -40,7 +41,7 @@ class LinearForm {
 public:
     LinearForm() = default;
     /// The expression itself as the only term, or as the constant if it is one.
-    explicit LinearForm(Expr term);
+    LinearForm(Expr term, const Rates& rates);
 
     /// a + factor * b.
     [[nodiscard]] static LinearForm sum(const LinearForm& a, double factor, const LinearForm& b);
@@ -50,14 +51,16 @@ public:
     [[nodiscard]] bool has_normal_coefficients() const;
 
     /// The sum, with common row and column factors of its terms taken out.
-    [[nodiscard]] Expr build(Graph& graph) const;
+    [[nodiscard]] Expr build(Graph& graph, const Rates& rates) const;
 
 private:
     struct Term {
         Expr value;
+        Rate rate;
         double coefficient;
     };
-    [[nodiscard]] std::vector<Term> factored_terms(Graph& graph, bool by_row) const;
+    [[nodiscard]] std::vector<Term> factored_terms(Graph& graph, const Rates& rates,
+                                                   bool by_row) const;
 
     std::vector<Term> terms_;  ///< By index; each value once; no coefficient is 0.
     double constant_ = 0.0;

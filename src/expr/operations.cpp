@@ -50,11 +50,8 @@ Expr derivative_of_native(Expr f, Arguments a, Arguments da) {
 
 const std::array<Operation, operation_count> table{{
     {Op::constant, "constant", "", 0, false, false, exact, nullptr, nullptr, "a number"},
-    {Op::picture_x, "picture_x", "", 0, false, false, exact, nullptr, nullptr,
-     "picture column in pixels, from the left"},
-    {Op::picture_y, "picture_y", "", 0, false, false, exact, nullptr, nullptr,
-     "picture row in pixels, from the top"},
-    {Op::time, "t", "", 0, false, false, exact, nullptr, nullptr, "time"},
+    {Op::input, "input", "", 0, false, false, exact, nullptr, nullptr,
+     "a number from outside, such as the column of the picture or time"},
     {Op::variable, "variable", "", 0, false, false, exact, nullptr, nullptr,
      "a parameter of a formula"},
 

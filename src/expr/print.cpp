@@ -46,7 +46,7 @@ std::string enclosed(const Text& operand, bool enclose) {
     return enclose ? "(" + operand.text + ")" : operand.text;
 }
 
-Text print_node(const Node& node, std::span<const Text> arguments) {
+Text print_node(const Graph& graph, const Node& node, std::span<const Text> arguments) {
     const Operation& row = operation(node.op);
     if (node.op == Op::constant) {
         return {fmt::format("{}", node.value),
@@ -55,8 +55,8 @@ Text print_node(const Node& node, std::span<const Text> arguments) {
     if (node.op == Op::variable) {
         return {fmt::format("v{}", node.detail)};
     }
-    if (row.arity == 0) {
-        return {std::string(row.name)};
+    if (node.op == Op::input) {
+        return {graph.input_names()[node.detail]};
     }
     if (!row.infix.empty() && row.arity == 1) {
         return {
@@ -114,7 +114,7 @@ std::string print(std::span<const Expr> expressions, std::span<const std::string
         for (std::size_t i = 0; i < arity; ++i) {
             arguments[i] = texts[node.arguments[i].value()];
         }
-        Text text = print_node(node, std::span(arguments).first(arity));
+        Text text = print_node(graph, node, std::span(arguments).first(arity));
         if (arity > 0 && (uses[id.value()] > 1 || text.text.size() > longest)) {
             const std::string name = fmt::format("s{}", ++named);
             result += fmt::format("{} = {}\n", name, text.text);

@@ -18,8 +18,9 @@ constexpr std::size_t max_product = 8;
 /// One walk over the graph that rewrites every node on rewritten arguments.
 class Pass {
 public:
-    Pass(Graph& graph, std::span<const Expr> roots)
+    Pass(Graph& graph, const Rates& rates, std::span<const Expr> roots)
         : graph_(graph),
+          rates_(rates),
           nodes_(reachable(graph, roots)),
           made_(graph.size()),
           uses_(graph.size(), 0),
@@ -86,7 +87,7 @@ private:
     }
 
     Expr keep_linear(NodeId id, LinearForm form) {
-        const Expr built = form.build(graph_);
+        const Expr built = form.build(graph_, rates_);
         if (form.term_count() <= max_sum) {
             linear_[id.value()] = std::move(form);
         }
@@ -104,8 +105,8 @@ private:
         if (uses_[of.value()] == 1 || form.term_count() <= 1) {
             return keep_linear(id, std::move(form));
         }
-        LinearForm kept = LinearForm(made(of)).scaled(factor);
-        const Expr built = kept.build(graph_);
+        LinearForm kept = LinearForm(made(of), rates_).scaled(factor);
+        const Expr built = kept.build(graph_, rates_);
         linear_[id.value()] = std::move(form);
         built_from_[id.value()] = std::move(kept);
         return built;
@@ -119,7 +120,8 @@ private:
                 return rewrite_multiple(id, other, made(constant).node().value);
             }
         }
-        const ProductForm kept = ProductForm::product(ProductForm(made(a)), ProductForm(made(b)));
+        const ProductForm kept =
+            ProductForm::product(ProductForm(made(a), rates_), ProductForm(made(b), rates_));
         if (!std::isnormal(kept.coefficient())) {
             return made(a) * made(b);
         }
@@ -131,7 +133,7 @@ private:
     }
 
     Expr keep_product(NodeId id, ProductForm form) {
-        LinearForm term = LinearForm(form.build_factors(graph_)).scaled(form.coefficient());
+        LinearForm term = LinearForm(form.build_factors(graph_), rates_).scaled(form.coefficient());
         product_[id.value()] = std::move(form);
         return keep_linear(id, std::move(term));
     }
@@ -140,11 +142,11 @@ private:
     Expr rewrite_quotient(NodeId id, const Node& node) {
         const Expr numerator = made(node.arguments[0]);
         const Expr divisor = made(node.arguments[1]);
-        if (numerator.rate() != Rate::pixel || divisor.rate() == Rate::pixel) {
+        if (numerator.rate(rates_) != Rate::pixel || divisor.rate(rates_) == Rate::pixel) {
             return numerator / divisor;
         }
         ProductForm form =
-            ProductForm::product(product(node.arguments[0]), ProductForm(1.0 / divisor));
+            ProductForm::product(product(node.arguments[0]), ProductForm(1.0 / divisor, rates_));
         return std::isnormal(form.coefficient()) ? keep_product(id, std::move(form))
                                                  : numerator / divisor;
     }
@@ -153,7 +155,7 @@ private:
 
     LinearForm linear(NodeId id) const {
         const auto& form = linear_[id.value()];
-        return form ? *form : LinearForm(made(id));
+        return form ? *form : LinearForm(made(id), rates_);
     }
 
     LinearForm linear_or_term(NodeId id) const {
@@ -162,7 +164,7 @@ private:
             return *form;
         }
         if (uses_[id.value()] > 1) {
-            return LinearForm(made(id));
+            return LinearForm(made(id), rates_);
         }
         const auto& built_from = built_from_[id.value()];
         return built_from ? *built_from : linear(id);
@@ -170,10 +172,11 @@ private:
 
     ProductForm product(NodeId id) const {
         const auto& form = product_[id.value()];
-        return form ? *form : ProductForm(made(id));
+        return form ? *form : ProductForm(made(id), rates_);
     }
 
     Graph& graph_;
+    Rates rates_;
     std::vector<NodeId> nodes_;
     std::vector<Expr> made_;
     std::vector<std::uint32_t> uses_;
@@ -193,7 +196,7 @@ bool same_nodes(std::span<const Expr> a, std::span<const Expr> b) {
 
 }  // namespace
 
-std::vector<Expr> simplify(std::span<const Expr> expressions) {
+std::vector<Expr> simplify(std::span<const Expr> expressions, const Rates& rates) {
     std::vector<Expr> result(expressions.begin(), expressions.end());
     if (expressions.empty()) {
         return result;
@@ -201,7 +204,7 @@ std::vector<Expr> simplify(std::span<const Expr> expressions) {
     // A rewriting can open the way for another; a few passes reach the end.
     constexpr int max_passes = 8;
     for (int pass = 0; pass < max_passes; ++pass) {
-        std::vector<Expr> next = Pass(expressions.front().graph(), result).run(result);
+        std::vector<Expr> next = Pass(expressions.front().graph(), rates, result).run(result);
         if (same_nodes(next, result)) {
             break;
         }

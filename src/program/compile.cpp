@@ -16,12 +16,6 @@ using expr::Node;
 using expr::NodeId;
 using expr::Op;
 
-Rate rate_of(const Node& node, Sampling sampling) {
-    assert((node.depends & expr::depends::on_variable) == 0 && "a program has no free variables");
-    const Rate rate = expr::rate_of(node.depends);
-    return sampling == Sampling::points && rate != Rate::uniform ? Rate::pixel : rate;
-}
-
 std::size_t index(Rate rate) { return static_cast<std::size_t>(rate); }
 
 // Doubles that one register of a rate takes.
@@ -29,9 +23,7 @@ constexpr std::array<std::uint32_t, 4> register_doubles{register_alignment, max_
                                                         max_tile_height, max_tile_width};
 static_assert(max_points <= max_tile_width && max_points <= max_tile_height);
 
-bool is_coordinate(Op op) { return op == Op::picture_x || op == Op::picture_y || op == Op::time; }
-
-bool is_leaf(Op op) { return op == Op::constant || is_coordinate(op); }
+bool is_leaf(Op op) { return op == Op::constant || op == Op::input; }
 
 // The nodes below the roots in depth-first order, arguments first, so that a value is used soon
 // after it is made and few registers are alive at a time.
@@ -86,15 +78,16 @@ private:
 
 class Compiler {
 public:
-    Compiler(std::span<const Expr> roots, Sampling sampling)
+    Compiler(std::span<const Expr> roots, const Interface& interface)
         : graph_(roots.front().graph()),
           roots_(roots),
-          sampling_(sampling),
+          rates_(rates_of(graph_, interface)),
           order_(schedule(graph_, roots)),
-          values_(graph_.size()) {}
+          values_(graph_.size()) {
+        tape_->interface = interface;
+    }
 
     std::shared_ptr<const Tape> run() {
-        tape_->sampling = sampling_;
         find_last_uses();
         assign_registers();
         place_registers();
@@ -116,6 +109,12 @@ private:
 
     Value& value(NodeId id) { return values_[id.value()]; }
 
+    Rate rate_of(NodeId id) const {
+        const Rate rate = rates_(graph_.dependence(id));
+        const bool for_points = tape_->interface.sampling == Sampling::points;
+        return for_points && rate != Rate::uniform ? Rate::pixel : rate;
+    }
+
     template <class Function>
     void for_arguments(NodeId id, Function function) {
         for (const NodeId argument : graph_[id].arguments) {
@@ -131,7 +130,7 @@ private:
         for (std::size_t step = 0; step < order_.size(); ++step) {
             const NodeId id = order_[step];
             Value& made = value(id);
-            made.rate = rate_of(graph_[id], sampling_);
+            made.rate = rate_of(id);
             made.last_use = is_leaf(graph_[id].op) ? never : step;
             for_arguments(id, [&](NodeId argument) {
                 Value& read = value(argument);
@@ -152,12 +151,12 @@ private:
     }
 
     // Every kernel reads a point of its arguments before it writes that point of its result, so a
-    // result may take the register of an argument that dies with it. Constants are filled in before
+    // result may take the register of an argument that dies with it. Leaves are filled in before
     // the first instruction runs, so theirs are taken before any is given back.
     void assign_registers() {
         for (const NodeId id : order_) {
-            if (graph_[id].op == Op::constant) {
-                value(id).number = pools_[index(Rate::uniform)].take();
+            if (is_leaf(graph_[id].op)) {
+                value(id).number = pools_[index(value(id).rate)].take();
             }
         }
         for (std::size_t step = 0; step < order_.size(); ++step) {
@@ -186,20 +185,10 @@ private:
             base_[index(rate)] = at;
             at += pools_[index(rate)].count() * register_doubles[index(rate)];
         }
-        // The coordinates are filled in whether or not the program reads them.
-        tape_->time = at;
-        tape_->picture_x = tape_->time + register_doubles[index(Rate::uniform)];
-        tape_->picture_y = tape_->picture_x + register_doubles[index(Rate::column)];
-        tape_->register_doubles = tape_->picture_y + register_doubles[index(Rate::row)];
+        tape_->register_doubles = at;
     }
 
     std::uint32_t offset(NodeId id) {
-        switch (graph_[id].op) {
-            case Op::time: return tape_->time;
-            case Op::picture_x: return tape_->picture_x;
-            case Op::picture_y: return tape_->picture_y;
-            default: break;
-        }
         const Value& of = value(id);
         return base_[index(of.rate)] + of.number * register_doubles[index(of.rate)];
     }
@@ -224,7 +213,10 @@ private:
             const Node& node = graph_[id];
             if (node.op == Op::constant) {
                 tape_->constants.push_back({offset(id), node.value});
-            } else if (!is_leaf(node.op)) {
+            } else if (node.op == Op::input) {
+                tape_->inputs.push_back(
+                    {source(expr::InputId(node.detail)), value(id).rate, offset(id)});
+            } else {
                 tape_->sections[index(value(id).rate)].push_back(instruction(id));
             }
             if (value(id).replica != 0) {
@@ -235,6 +227,18 @@ private:
             tape_->roots.push_back(
                 {value(root.id()).rate, offset(root.id()), made_in_place(root.id())});
         }
+    }
+
+    std::uint32_t source(expr::InputId id) const {
+        if (id.value() < Tape::Input::first_declared) {
+            return id.value();
+        }
+        const std::vector<Input>& declared = tape_->interface.inputs;
+        const auto found = std::find_if(declared.begin(), declared.end(), [&](const Input& input) {
+            return input.name == graph_.input_names()[id.value()];
+        });
+        assert(found != declared.end());
+        return Tape::Input::first_declared + static_cast<std::uint32_t>(found - declared.begin());
     }
 
     // A pixel value that is one root and serves nothing else needs no register.
@@ -318,7 +322,7 @@ private:
 
     const Graph& graph_;
     std::span<const Expr> roots_;
-    Sampling sampling_;
+    expr::Rates rates_;
     std::vector<NodeId> order_;
     std::vector<Value> values_;  ///< Indexed by NodeId.
     std::array<RegisterPool, 4> pools_;
@@ -331,16 +335,29 @@ private:
 
 }  // namespace
 
-std::shared_ptr<const Tape> compile(std::span<const Expr> roots, Sampling sampling) {
+expr::Rates rates_of(const Graph& graph, const Interface& interface) {
+    expr::Rates rates;
+    const std::span<const std::string> names = graph.input_names();
+    for (std::size_t i = Tape::Input::first_declared; i < names.size(); ++i) {
+        for (const Input& input : interface.inputs) {
+            if (input.name == names[i]) {
+                rates.declare(expr::InputId(i), input.rate);
+            }
+        }
+    }
+    return rates;
+}
+
+std::shared_ptr<const Tape> compile(std::span<const Expr> roots, const Interface& interface) {
     if (roots.empty()) {
         const auto tape = std::make_shared<Tape>();
-        tape->sampling = sampling;
+        tape->interface = interface;
         return tape;
     }
     assert(std::all_of(roots.begin(), roots.end(), [&](const Expr& root) {
         return root.valid() && &root.graph() == &roots.front().graph();
     }));
-    return Compiler(roots, sampling).run();
+    return Compiler(roots, interface).run();
 }
 
 }  // namespace balcony::program

@@ -217,9 +217,7 @@ Kernel BALCONY_KERNEL(expr::Op op) {
     using expr::Op;
     switch (op) {
         case Op::constant:
-        case Op::picture_x:
-        case Op::picture_y:
-        case Op::time:
+        case Op::input:
         case Op::variable: return nullptr;
 
         case Op::negate: return unary<[](V a) { return lanes::Neg(a); }>;

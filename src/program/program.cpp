@@ -3,22 +3,126 @@
 
 #include "balcony/program.hpp"
 
+#include <algorithm>
 #include <new>
+#include <optional>
+#include <set>
 
 #include "program/tape.hpp"
 
 namespace balcony::program {
 
-Program::Program(std::span<const expr::Expr> roots, Sampling sampling)
-    : tape_(compile(expr::simplify(roots), sampling)) {}
+namespace {
 
-Sampling Program::sampling() const { return tape_->sampling; }
+using expr::Expr;
+using expr::Graph;
+
+std::optional<Diagnostic> wrong_declaration(const Interface& interface) {
+    std::set<std::string_view> names{"x", "y", "t"};
+    for (const Input& input : interface.inputs) {
+        if (!names.insert(input.name).second) {
+            return error("the input '" + input.name + "' is declared twice", {},
+                         "x, y and t are always there; give every further input its own name");
+        }
+    }
+    return std::nullopt;
+}
+
+// A leaf that no value is declared for.
+std::optional<Diagnostic> unknown_leaf(std::span<const Expr> roots, const Interface& interface) {
+    std::set<std::string_view> known{"x", "y", "t"};
+    for (const Input& input : interface.inputs) {
+        known.insert(input.name);
+    }
+    const Graph& graph = roots.front().graph();
+    for (const expr::NodeId id : expr::reachable(graph, roots)) {
+        const expr::Node& node = graph[id];
+        if (node.op == expr::Op::variable) {
+            return error("a formula with a free variable cannot be compiled", {},
+                         "put a value in the place of the variable");
+        }
+        if (node.op == expr::Op::input && !known.contains(graph.input_names()[node.detail])) {
+            return error("a formula depends on the input '" + graph.input_names()[node.detail] +
+                             "', which is not declared",
+                         {}, "declare the input with its rate where the formula is compiled");
+        }
+    }
+    return std::nullopt;
+}
+
+std::shared_ptr<const Tape> simplified_tape(std::span<const Expr> roots,
+                                            const Interface& interface) {
+    if (roots.empty()) {
+        return compile(roots, interface);
+    }
+    return compile(expr::simplify(roots, rates_of(roots.front().graph(), interface)), interface);
+}
+
+}  // namespace
+
+Program::Program(std::shared_ptr<const Tape> tape) : tape_(std::move(tape)) {}
+
+Program::Program(std::span<const Expr> roots, Sampling sampling)
+    : Program(simplified_tape(roots, {sampling, {}})) {
+    assert(roots.empty() || !unknown_leaf(roots, {}));
+}
+
+Result<Program> Program::make(std::span<const Expr> roots, const Interface& interface) {
+    if (std::optional<Diagnostic> wrong = wrong_declaration(interface)) {
+        return *std::move(wrong);
+    }
+    if (roots.empty()) {
+        return Program(compile(roots, interface));
+    }
+    if (std::optional<Diagnostic> unknown = unknown_leaf(roots, interface)) {
+        return *std::move(unknown);
+    }
+    try {
+        return Program(simplified_tape(roots, interface));
+    } catch (const expr::GraphTooLarge&) {
+        return error("the formulas grow to more than 4 million operations when they are compiled",
+                     {}, "use fewer or simpler stages");
+    }
+}
+
+Sampling Program::sampling() const { return tape_->interface.sampling; }
+
+std::span<const Input> Program::inputs() const { return tape_->interface.inputs; }
 
 std::size_t Program::root_count() const { return tape_->roots.size(); }
 
 Rate Program::rate(std::size_t root) const { return tape_->roots[root].rate; }
 
 std::size_t Program::instruction_count(Rate rate) const { return tape_->section(rate).size(); }
+
+namespace {
+
+// Values of the inputs as many as count(rate) says.
+template <class Count>
+bool fits(std::span<const Input> declared, InputValues given, const Count& count) {
+    return std::equal(declared.begin(), declared.end(), given.begin(), given.end(),
+                      [&](const Input& input, std::span<const double> values) {
+                          return values.size() == count(input.rate);
+                      });
+}
+
+}  // namespace
+
+bool fits(const Program& program, const Tile& tile) {
+    return program.sampling() == Sampling::grid && tile.width <= max_tile_width &&
+           tile.height <= max_tile_height && fits(program.inputs(), tile.inputs, [&](Rate rate) {
+               const bool columns = rate == Rate::column || rate == Rate::pixel;
+               const bool rows = rate == Rate::row || rate == Rate::pixel;
+               return (columns ? tile.width : 1) * (rows ? tile.height : 1);
+           });
+}
+
+bool fits(const Program& program, const Points& points) {
+    return program.sampling() == Sampling::points && points.x.size() == points.y.size() &&
+           points.x.size() <= max_points && fits(program.inputs(), points.inputs, [&](Rate rate) {
+               return rate == Rate::uniform ? 1 : points.x.size();
+           });
+}
 
 namespace {
 

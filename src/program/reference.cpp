@@ -28,10 +28,11 @@ void run_section(const Tape& tape, Rate rate, std::vector<double>& registers) {
     }
 }
 
-void run_point(const Tape& tape, double x, double y, double time, std::vector<double>& registers) {
-    registers[tape.picture_x] = x;
-    registers[tape.picture_y] = y;
-    registers[tape.time] = time;
+// One point, with the values of its inputs by their sources.
+void run_point(const Tape& tape, std::span<const double> inputs, std::vector<double>& registers) {
+    for (const Tape::Input& input : tape.inputs) {
+        registers[input.offset] = inputs[input.source];
+    }
     for (const Tape::Constant& constant : tape.constants) {
         registers[constant.offset] = constant.value;
     }
@@ -48,8 +49,7 @@ void run_point(const Tape& tape, double x, double y, double time, std::vector<do
 
 void run_reference(const Program& program, const Tile& tile, std::span<double* const> results) {
     const Tape& tape = program.tape();
-    assert(tape.sampling == Sampling::grid);
-    assert(tile.width <= max_tile_width && tile.height <= max_tile_height);
+    assert(fits(program, tile));
     assert(results.size() == tape.roots.size());
     if (results.empty()) {
         return;
@@ -57,7 +57,15 @@ void run_reference(const Program& program, const Tile& tile, std::span<double* c
     std::vector<double> registers(tape.register_doubles);
     for (std::size_t j = 0; j < tile.height; ++j) {
         for (std::size_t i = 0; i < tile.width; ++i) {
-            run_point(tape, tile.column(i), tile.row(j), tile.time, registers);
+            std::vector<double> inputs{tile.column(i), tile.row(j), tile.time};
+            for (std::size_t k = 0; k < tile.inputs.size(); ++k) {
+                const Rate rate = program.inputs()[k].rate;
+                inputs.push_back(tile.inputs[k][rate == Rate::uniform  ? 0
+                                                : rate == Rate::column ? i
+                                                : rate == Rate::row    ? j
+                                                                       : j * tile.width + i]);
+            }
+            run_point(tape, inputs, registers);
             for (std::size_t r = 0; r < results.size(); ++r) {
                 results[r][j * tile.width + i] = registers[tape.roots[r].offset];
             }
@@ -67,12 +75,16 @@ void run_reference(const Program& program, const Tile& tile, std::span<double* c
 
 void run_reference(const Program& program, const Points& points, std::span<double* const> results) {
     const Tape& tape = program.tape();
-    assert(tape.sampling == Sampling::points);
-    assert(points.x.size() == points.y.size() && points.x.size() <= max_points);
+    assert(fits(program, points));
     assert(results.size() == tape.roots.size());
     std::vector<double> registers(tape.register_doubles);
     for (std::size_t i = 0; i < points.x.size(); ++i) {
-        run_point(tape, points.x[i], points.y[i], points.time, registers);
+        std::vector<double> inputs{points.x[i], points.y[i], points.time};
+        for (std::size_t k = 0; k < points.inputs.size(); ++k) {
+            const bool uniform = program.inputs()[k].rate == Rate::uniform;
+            inputs.push_back(points.inputs[k][uniform ? 0 : i]);
+        }
+        run_point(tape, inputs, registers);
         for (std::size_t r = 0; r < results.size(); ++r) {
             results[r][i] = registers[tape.roots[r].offset];
         }

@@ -69,22 +69,45 @@ public:
     }
 
     void operator()(const Tile& tile) {
-        for (std::size_t i = 0; i < padded(tile.width); ++i) {
-            registers_[tape_.picture_x + i] = tile.column(i);
+        for (const Tape::Input& input : tape_.inputs) {
+            double* to = registers_ + input.offset;
+            switch (input.source) {
+                case Tape::Input::x:
+                    for (std::size_t i = 0; i < padded(tile.width); ++i) {
+                        to[i] = tile.column(i);
+                    }
+                    break;
+                case Tape::Input::y:
+                    for (std::size_t j = 0; j < padded(tile.height); ++j) {
+                        to[j] = tile.row(j);
+                    }
+                    break;
+                case Tape::Input::time: replicate(input.offset, tile.time); break;
+                default: fill_declared(input, tile.inputs);
+            }
         }
-        for (std::size_t j = 0; j < padded(tile.height); ++j) {
-            registers_[tape_.picture_y + j] = tile.row(j);
-        }
-        run_rows(tile.width, tile.height, tile.time);
+        run_rows(tile.width, tile.height);
     }
 
     void operator()(const Points& points) {
-        fill_padded(tape_.picture_x, points.x);
-        fill_padded(tape_.picture_y, points.y);
-        run_rows(points.x.size(), 1, points.time);
+        for (const Tape::Input& input : tape_.inputs) {
+            switch (input.source) {
+                case Tape::Input::x: fill_padded(input.offset, points.x); break;
+                case Tape::Input::y: fill_padded(input.offset, points.y); break;
+                case Tape::Input::time: replicate(input.offset, points.time); break;
+                default: fill_declared(input, points.inputs);
+            }
+        }
+        run_rows(points.x.size(), 1);
     }
 
 private:
+    // What a row of points reads anew for each row.
+    struct PixelInput {
+        std::uint32_t offset;
+        std::span<const double> values;
+    };
+
     void replicate(std::uint32_t offset, double value) {
         std::fill_n(registers_ + offset, register_alignment, value);
     }
@@ -95,13 +118,22 @@ private:
         std::fill_n(end, padded(values.size()) - values.size(), values.back());
     }
 
-    void run_rows(std::size_t width, std::size_t height, double time) {
+    void fill_declared(const Tape::Input& input, InputValues all) {
+        const std::span<const double> values = all[input.source - Tape::Input::first_declared];
+        switch (input.rate) {
+            case Rate::uniform: replicate(input.offset, values.front()); break;
+            case Rate::column:
+            case Rate::row: fill_padded(input.offset, values); break;
+            case Rate::pixel: pixel_inputs_.push_back({input.offset, values}); break;
+        }
+    }
+
+    void run_rows(std::size_t width, std::size_t height) {
         width_ = width;
         in_place_ = padded(width) == width;
         for (const Tape::Constant& constant : tape_.constants) {
             replicate(constant.offset, constant.value);
         }
-        replicate(tape_.time, time);
         run_section(Rate::uniform, register_alignment);
         run_section(Rate::column, padded(width));
         run_section(Rate::row, padded(height));
@@ -121,6 +153,9 @@ private:
     }
 
     void run_row(std::size_t j) {
+        for (const PixelInput& input : pixel_inputs_) {
+            fill_padded(input.offset, input.values.subspan(j * width_, width_));
+        }
         for (const Tape::Replication& replication : tape_.replications) {
             replicate(replication.replicated, registers_[replication.row_value + j]);
         }
@@ -152,6 +187,7 @@ private:
     const Tape& tape_;
     const Kernels& kernels_;
     double* registers_;
+    std::vector<PixelInput> pixel_inputs_;
     std::span<double* const> results_;
     std::size_t width_ = 0;
     bool in_place_ = false;  ///< Rows are whole vectors, so that pixel roots need no copy.
@@ -164,9 +200,8 @@ std::span<const InstructionSet> instruction_sets() { return runners().sets; }
 void run_on(std::size_t set, const Program& program, const Tile& tile, Scratch& scratch,
             std::span<double* const> results) {
     assert(set < runners().kernels.size());
-    assert(program.sampling() == Sampling::grid);
-    assert(tile.width <= max_tile_width && tile.height <= max_tile_height);
-    if (!results.empty()) {
+    assert(fits(program, tile));
+    if (!results.empty() && tile.width > 0 && tile.height > 0) {
         TapeRun(program.tape(), runners().kernels[set], scratch, results)(tile);
     }
 }
@@ -174,8 +209,7 @@ void run_on(std::size_t set, const Program& program, const Tile& tile, Scratch& 
 void run_on(std::size_t set, const Program& program, const Points& points, Scratch& scratch,
             std::span<double* const> results) {
     assert(set < runners().kernels.size());
-    assert(program.sampling() == Sampling::points);
-    assert(points.x.size() == points.y.size() && points.x.size() <= max_points);
+    assert(fits(program, points));
     if (!results.empty() && !points.x.empty()) {
         TapeRun(program.tape(), runners().kernels[set], scratch, results)(points);
     }

@@ -26,20 +26,26 @@ struct Tape {
         std::uint32_t row_value;
         std::uint32_t replicated;
     };
+    /// A register that the runner fills in.
+    struct Input {
+        /// Which input: one that every graph has, or a declared one by its place in the interface.
+        enum Source : std::uint32_t { x, y, time, first_declared };
+        std::uint32_t source;
+        Rate rate;
+        std::uint32_t offset;
+    };
     struct Root {
         Rate rate;
         std::uint32_t offset;
         bool made_in_place;  ///< Its instruction can write to the caller's array.
     };
 
-    Sampling sampling = Sampling::grid;
+    Interface interface;
     std::array<std::vector<Instruction>, 4> sections;  ///< Indexed by Rate, in running order.
     std::vector<Constant> constants;
+    std::vector<Input> inputs;  ///< Those that the program reads.
     std::vector<Replication> replications;
     std::vector<Root> roots;
-    std::uint32_t time = 0;
-    std::uint32_t picture_x = 0;
-    std::uint32_t picture_y = 0;
     std::size_t register_doubles = 0;
 
     std::vector<std::shared_ptr<const expr::Table>> tables;
@@ -52,8 +58,16 @@ struct Tape {
     }
 };
 
-/// Compiles roots as they stand, without simplifying them.
+/// Compiles roots as they stand, without simplifying them. They have no free variable, and the
+/// interface declares every input that they depend on.
 [[nodiscard]] std::shared_ptr<const Tape> compile(std::span<const expr::Expr> roots,
-                                                  Sampling sampling);
+                                                  const Interface& interface);
+
+/// Whether a program can run over it: for what it is compiled, of what size, with which inputs.
+[[nodiscard]] bool fits(const Program& program, const Tile& tile);
+[[nodiscard]] bool fits(const Program& program, const Points& points);
+
+/// The rates of a graph's inputs by the interface.
+[[nodiscard]] expr::Rates rates_of(const expr::Graph& graph, const Interface& interface);
 
 }  // namespace balcony::program

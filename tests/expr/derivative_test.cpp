@@ -50,15 +50,20 @@ struct Comparison {
     int tried = 0;
 };
 
-// Kinks, jumps and the ends of domains show in the error of the difference; they are left out.
+// Kinks, jumps and the ends of domains show in the error of the difference; they are left out, and
+// so are formulas with a part that is not finite, as the graph's algebra may assume none.
 void compare(Expr expression, double at, Comparison& count) {
     Graph& graph = expression.graph();
     const Expr derivative = differentiate(expression, graph.picture_x());
     const auto value = [](Expr e, double x) {
-        return evaluate(std::span(&e, 1), {x, 0.5, 0.25, {}})[0];
+        return evaluate(std::span(&e, 1), {x, 0.5, 0.25, {}, further_input_values})[0];
     };
     const Slope wanted = numerical_slope([&](double x) { return value(expression, x); }, at);
     ++count.tried;
+    const Bounded bounded = evaluate_bounded(expression, {at, 0.5, 0.25, {}, further_input_values});
+    if (!std::isfinite(bounded.error)) {
+        return;
+    }
     const double scale = 1.0 + std::fabs(wanted.value);
     if (!(wanted.error < 1e-8 * scale)) {
         return;

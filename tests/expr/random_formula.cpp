@@ -21,13 +21,13 @@ std::size_t arity_of(Op op) {
     return std::min(static_cast<std::size_t>(operation(op).arity), max_arguments);
 }
 
-double leaf_value(Op op, double constant, const Point& point) {
-    switch (op) {
-        case Op::picture_x: return point.x;
-        case Op::picture_y: return point.y;
-        case Op::time: return point.time;
-        default: return constant;
+double input_value(std::string_view name, const Point& point) {
+    if (name == "x" || name == "y") {
+        return name == "x" ? point.x : point.y;
     }
+    const auto given = std::find_if(point.inputs.begin(), point.inputs.end(),
+                                    [name](const InputValue& input) { return input.name == name; });
+    return name == "t" ? point.time : given->value;
 }
 
 Bounded apply_bounded(Op op, std::span<const Bounded> arguments) {
@@ -35,11 +35,12 @@ Bounded apply_bounded(Op op, std::span<const Bounded> arguments) {
     std::array<double, 3> values{};
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         values[i] = arguments[i].value;
-        if (!std::isfinite(arguments[i].error)) {
-            return {row.scalar(values.data()), infinity};
-        }
     }
     const double value = row.scalar(values.data());
+    if (std::any_of(arguments.begin(), arguments.end(),
+                    [](const Bounded& argument) { return !std::isfinite(argument.error); })) {
+        return {value, infinity};
+    }
     double error =
         (row.max_ulp + 1.0) * rounding * std::fabs(value) + std::numeric_limits<double>::min();
     for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -70,14 +71,15 @@ Formula random_formula(std::mt19937_64& random, std::size_t operations_wanted) {
     };
     Formula formula;
     auto& steps = formula.steps;
-    for (const Op leaf : {Op::picture_x, Op::picture_y, Op::time}) {
-        steps.push_back({leaf, {}, 0.0});
+    constexpr std::size_t two = 0;
+    for (const double value : {2.0, 0.0, 1.0, -1.0, 0.5, -3.0, 0.125, 1.75, 0.1}) {
+        steps.push_back({Op::constant, {}, value, {}});
     }
-    for (const double value : {0.0, 1.0, -1.0, 2.0, 0.5, -3.0, 0.125, 1.75, 0.1}) {
-        steps.push_back({Op::constant, {}, value});
+    for (const std::string_view name : formula_inputs) {
+        steps.push_back({Op::input, {}, 0.0, name});
     }
     const auto push = [&](Op op, std::array<std::size_t, 3> arguments) {
-        steps.push_back({op, arguments, 0.0});
+        steps.push_back({op, arguments, 0.0, {}});
         return steps.size() - 1;
     };
     // Half of the operations are those that the simplifier rearranges.
@@ -100,7 +102,7 @@ Formula random_formula(std::mt19937_64& random, std::size_t operations_wanted) {
             arguments[0] = push(Op::sine, {arguments[0], 0, 0});
             if (op == Op::square_root || op == Op::power || op == Op::logarithm ||
                 op == Op::inverse_hyperbolic_cosine) {
-                arguments[0] = push(Op::add, {arguments[0], 6, 0});
+                arguments[0] = push(Op::add, {arguments[0], two, 0});
             }
         }
         push(op, arguments);
@@ -119,9 +121,7 @@ Expr build(Graph& graph, const Formula& formula) {
         }
         switch (step.op) {
             case Op::constant: made.push_back(graph.constant(step.value)); break;
-            case Op::picture_x: made.push_back(graph.picture_x()); break;
-            case Op::picture_y: made.push_back(graph.picture_y()); break;
-            case Op::time: made.push_back(graph.time()); break;
+            case Op::input: made.push_back(graph.input(step.input)); break;
             default: made.push_back(graph.apply(step.op, std::span(arguments).first(arity)));
         }
     }
@@ -137,8 +137,9 @@ Bounded evaluate_bounded(const Formula& formula, const Point& point) {
         for (std::size_t i = 0; i < arity; ++i) {
             arguments[i] = values[step.arguments[i]];
         }
-        values.push_back(arity == 0 ? Bounded{leaf_value(step.op, step.value, point), 0.0}
-                                    : apply_bounded(step.op, std::span(arguments).first(arity)));
+        values.push_back(step.op == Op::input ? Bounded{input_value(step.input, point), 0.0}
+                         : arity == 0         ? Bounded{step.value, 0.0}
+                                      : apply_bounded(step.op, std::span(arguments).first(arity)));
     }
     return values.back();
 }
@@ -153,11 +154,11 @@ Bounded evaluate_bounded(Expr expression, const Point& point) {
         for (std::size_t i = 0; i < arity; ++i) {
             arguments[i] = values[node.arguments[i].value()];
         }
-        if (arity == 0) {
+        if (node.op == Op::input) {
+            values[id.value()] = {input_value(graph.input_names()[node.detail], point), 0.0};
+        } else if (arity == 0) {
             // A constant may have been folded from others.
-            const double value = leaf_value(node.op, node.value, point);
-            values[id.value()] = {value,
-                                  node.op == Op::constant ? rounding * std::fabs(value) : 0.0};
+            values[id.value()] = {node.value, rounding * std::fabs(node.value)};
         } else {
             values[id.value()] = apply_bounded(node.op, std::span(arguments).first(arity));
         }
@@ -176,6 +177,7 @@ std::string to_text(const Formula& formula) {
         if (step.op == Op::constant) {
             text << ' ' << step.value;
         }
+        text << ' ' << step.input;
         text << '\n';
     }
     return text.str();

@@ -5,6 +5,7 @@
 #include <array>
 #include <random>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "balcony/expr.hpp"
@@ -23,11 +24,20 @@ struct Formula {
         Op op = Op::constant;
         std::array<std::size_t, 3> arguments{};  ///< Numbers of earlier steps.
         double value = 0.0;                      ///< Of a constant.
+        std::string_view input{};                ///< The name of an input.
     };
     std::vector<Step> steps;  ///< The last one is the result.
 };
 
-/// x, y, t and some constants, then random operations on them, most of them inside their domains.
+/// The inputs of a random formula.
+inline constexpr std::array<std::string_view, 5> formula_inputs{"x", "y", "t", "lens", "shutter"};
+
+/// Values for those that are not x, y and t.
+inline constexpr std::array further_input_values{InputValue{"lens", 0.65},
+                                                 InputValue{"shutter", -1.3}};
+
+/// Its inputs and some constants, then random operations on them, most of them inside their
+/// domains.
 [[nodiscard]] Formula random_formula(std::mt19937_64& random, std::size_t operations_wanted);
 
 /// The formula in a graph.
@@ -53,9 +63,9 @@ Formula minimised(Formula formula, const Fails& fails) {
         }
     }
     for (std::size_t i = 0; i < formula.steps.size(); ++i) {
-        for (const Op leaf : {Op::picture_x, Op::picture_y, Op::time}) {
+        for (const std::string_view input : formula_inputs) {
             Formula simpler = formula;
-            simpler.steps[i] = {leaf, {}, 0.0};
+            simpler.steps[i] = {Op::input, {}, 0.0, input};
             if (operation(formula.steps[i].op).arity > 0 && fails(simpler)) {
                 formula = simpler;
             }

@@ -25,14 +25,34 @@ struct Outcome {
     std::string failure{};
 };
 
-std::vector<Point> random_points(std::mt19937_64& random) {
-    std::uniform_real_distribution<double> range(-3.0, 3.0);
-    std::vector<Point> points(points_each);
-    for (Point& point : points) {
-        point = {range(random), range(random), range(random), {}};
+/// Points with values for the further inputs, which may have any rates.
+struct Trial {
+    explicit Trial(std::mt19937_64& random) : points(points_each) {
+        std::uniform_real_distribution<double> range(-3.0, 3.0);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            inputs[i] = {{{"shutter", range(random)}, {"lens", range(random)}}};
+            points[i] = {range(random), range(random), range(random), {}, inputs[i]};
+        }
+        for (const char* const name : {"lens", "shutter"}) {
+            rates.emplace_back(name, static_cast<Rate>(random() % 4));
+        }
     }
-    return points;
-}
+    Trial(const Trial&) = delete;
+    Trial& operator=(const Trial&) = delete;
+
+    [[nodiscard]] Expr simplified(Expr expression) const {
+        Graph& graph = expression.graph();
+        Rates declared;
+        for (const auto& [name, rate] : rates) {
+            declared.declare(InputId(graph.input(name).node().detail), rate);
+        }
+        return simplify(std::span(&expression, 1), declared).front();
+    }
+
+    std::vector<Point> points;
+    std::array<std::array<InputValue, 2>, points_each> inputs;
+    std::vector<std::pair<const char*, Rate>> rates;
+};
 
 std::string describe(const char* what, const Point& point, Bounded wanted, Bounded found) {
     std::ostringstream text;
@@ -44,13 +64,13 @@ std::string describe(const char* what, const Point& point, Bounded wanted, Bound
 
 // Compares where the formula is finite throughout, as the graph's algebra may assume, and where
 // rounding leaves enough digits that a wrong rewriting could be told from it.
-Outcome check(const Formula& formula, std::span<const Point> points) {
+Outcome check(const Formula& formula, const Trial& trial) {
     constexpr double enough_digits = 1e-6;
     Graph graph;
     const Expr built = build(graph, formula);
-    const Expr simple = simplify(std::span(&built, 1)).front();
+    const Expr simple = trial.simplified(built);
     Outcome outcome;
-    for (const Point& point : points) {
+    for (const Point& point : trial.points) {
         const Bounded wanted = evaluate_bounded(formula, point);
         const double scale = enough_digits * std::max(1.0, std::fabs(wanted.value));
         if (!(wanted.error < scale)) {
@@ -74,9 +94,9 @@ Outcome check(const Formula& formula, std::span<const Point> points) {
             }
         }
     }
-    if (!simplify(std::span(&simple, 1)).front().same(simple)) {
+    if (!trial.simplified(simple).same(simple)) {
         outcome.failure = "simplified again it changes from\n" + print(simple) + "to\n" +
-                          print(simplify(std::span(&simple, 1)).front());
+                          print(trial.simplified(simple));
     }
     return outcome;
 }
@@ -88,14 +108,14 @@ TEST(SimplifyFuzz, RandomFormulasKeepTheirValuesAndAreFinished) {
     Outcome all;
     for (std::size_t i = 0; i < formula_count; ++i) {
         const Formula formula = random_formula(random, 3 + i % 38);
-        const std::vector<Point> points = random_points(random);
-        const Outcome outcome = check(formula, points);
+        const Trial trial(random);
+        const Outcome outcome = check(formula, trial);
         all.compared += outcome.compared;
         all.left_out += outcome.left_out;
         if (!outcome.failure.empty()) {
             const Formula small = minimised(
-                formula, [&](const Formula& f) { return !check(f, points).failure.empty(); });
-            ADD_FAILURE() << "formula " << i << ": " << check(small, points).failure << "\n"
+                formula, [&](const Formula& f) { return !check(f, trial).failure.empty(); });
+            ADD_FAILURE() << "formula " << i << ": " << check(small, trial).failure << "\n"
                           << to_text(small);
             if (HasNonfatalFailure() && i > 200) {
                 return;

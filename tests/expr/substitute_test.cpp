@@ -13,7 +13,7 @@ namespace balcony::expr {
 namespace {
 
 std::vector<double> values(std::span<const Expr> expressions, double x, double y) {
-    return evaluate(expressions, {x, y, 0.75, {}});
+    return evaluate(expressions, {x, y, 0.75, {}, further_input_values});
 }
 
 }  // namespace
@@ -42,8 +42,9 @@ TEST(Substitute, EqualsEvaluationAtTheReplacementsValues) {
         ASSERT_EQ(&result.graph(), &target);
         const double x = range(random);
         const double y = range(random);
-        const Bounded wanted = evaluate_bounded(formula, {x + 0.5, x * y, 0.75, {}});
-        const Bounded found = evaluate_bounded(result, {x, y, 0.75, {}});
+        const Bounded wanted =
+            evaluate_bounded(formula, {x + 0.5, x * y, 0.75, {}, further_input_values});
+        const Bounded found = evaluate_bounded(result, {x, y, 0.75, {}, further_input_values});
         if (wanted.error < 1e-6 && found.error < 1e-6) {
             // Bounds of first order, and the arguments are rounded once more.
             EXPECT_NEAR(found.value, wanted.value, 4.0 * (found.error + wanted.error));

@@ -24,7 +24,6 @@ struct PointList {
     double time = 0.0;
 
     [[nodiscard]] std::size_t size() const { return x.size(); }
-    [[nodiscard]] Points points() const { return {x, y, time}; }
 };
 
 PointList random_points(Random& random, std::size_t count) {
@@ -40,20 +39,31 @@ PointList random_points(Random& random, std::size_t count) {
 
 // Each point by itself, as a tile of one point of a program for grids on the same instruction set.
 void expect_points_equal_grid(std::span<const Expr> roots, const PointList& list) {
-    const Program for_grids(roots);
-    const Program for_points(roots, Sampling::points);
+    const Program for_grids = compile_random(roots);
+    const Program for_points = compile_random(roots, Sampling::points);
+    Random random(list.size());
+    const RandomInputs inputs(random, list.size());
+    const Points points{list.x, list.y, list.time, inputs.values()};
     const Results reference(for_points, list.size());
-    run_reference(for_points, list.points(), reference.pointers());
+    run_reference(for_points, points, reference.pointers());
     Scratch scratch;
     for (std::size_t set = 0; set < instruction_sets().size(); ++set) {
         SCOPED_TRACE(instruction_sets()[set].name);
         const bool scalar = instruction_sets()[set].name == "scalar";
         const Results results(for_points, list.size());
-        run_on(set, for_points, list.points(), scratch, results.pointers());
+        run_on(set, for_points, points, scratch, results.pointers());
         EXPECT_TRUE(results.rim_intact());
         for (std::size_t i = 0; i < list.size(); ++i) {
-            const Tile tile{
-                .x = list.x[i], .y = list.y[i], .width = 1, .height = 1, .time = list.time};
+            std::vector<std::span<const double>> here{inputs.values()[0]};
+            for (const std::span<const double> values : inputs.values().subspan(1)) {
+                here.push_back(values.subspan(i, 1));
+            }
+            const Tile tile{.x = list.x[i],
+                            .y = list.y[i],
+                            .width = 1,
+                            .height = 1,
+                            .time = list.time,
+                            .inputs = here};
             const Results expected(for_grids, tile);
             run_on(set, for_grids, tile, scratch, expected.pointers());
             for (std::size_t r = 0; r < roots.size(); ++r) {

@@ -5,6 +5,8 @@
 
 #include <array>
 
+#include <gtest/gtest.h>
+
 namespace balcony::program {
 
 namespace {
@@ -12,6 +14,11 @@ namespace {
 using expr::Expr;
 using expr::Graph;
 using expr::Op;
+
+constexpr std::array<std::pair<const char*, Rate>, 4> further_inputs{{{"uniform", Rate::uniform},
+                                                                      {"column", Rate::column},
+                                                                      {"row", Rate::row},
+                                                                      {"pixel", Rate::pixel}}};
 
 class ProductAndOne final : public expr::Native {
 public:
@@ -30,6 +37,49 @@ public:
 
 }  // namespace
 
+Interface random_interface(Sampling sampling) {
+    Interface interface {
+        sampling, {}
+    };
+    for (const auto& [name, rate] : further_inputs) {
+        interface.inputs.push_back({name, rate});
+    }
+    return interface;
+}
+
+Program compile_random(std::span<const Expr> roots, Sampling sampling) {
+    Result<Program> made = Program::make(roots, random_interface(sampling));
+    EXPECT_TRUE(made) << to_text(made.diagnostics);
+    return *std::move(made).value;
+}
+
+std::vector<Expr> simplify_random(std::span<const Expr> roots) {
+    Graph& graph = roots.front().graph();
+    expr::Rates rates;
+    for (const auto& [name, rate] : further_inputs) {
+        rates.declare(expr::InputId(graph.input(name).node().detail), rate);
+    }
+    return expr::simplify(roots, rates);
+}
+
+void RandomInputs::fill(Random& random, const std::array<std::size_t, 4>& counts) {
+    std::uniform_real_distribution<double> number(-20.0, 20.0);
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        for (std::size_t k = 0; k < counts[i]; ++k) {
+            values_[i].push_back(number(random));
+        }
+        spans_[i] = values_[i];
+    }
+}
+
+RandomInputs::RandomInputs(Random& random, const Tile& tile) {
+    fill(random, {1, tile.width, tile.height, tile.width * tile.height});
+}
+
+RandomInputs::RandomInputs(Random& random, std::size_t points) {
+    fill(random, {1, points, points, points});
+}
+
 std::vector<Expr> random_expressions(Graph& graph, Random& random, std::size_t nodes,
                                      std::size_t roots, bool only_exact) {
     std::vector<Op> allowed;
@@ -46,6 +96,9 @@ std::vector<Expr> random_expressions(Graph& graph, Random& random, std::size_t n
     std::uniform_real_distribution<double> number(-2.0, 2.0);
     std::vector<Expr> made{graph.picture_x(), graph.picture_y(), graph.time(),
                            graph.constant(number(random))};
+    for (const auto& [name, rate] : further_inputs) {
+        made.push_back(graph.input(name));
+    }
     const auto any = [&] { return made[random() % made.size()]; };
     while (made.size() < nodes) {
         if (random() % 16 == 0) {

@@ -41,7 +41,10 @@ void expect_identical(const Results& a, const Results& b, const Program& program
     }
 }
 
-void expect_runners_equal_reference(const Program& program, const Tile& tile) {
+void expect_runners_equal_reference(const Program& program, Tile tile) {
+    Random random(tile.width + tile.height);
+    const RandomInputs inputs(random, tile);
+    tile.inputs = inputs.values().first(program.inputs().size());
     const Results expected(program, tile);
     run_reference(program, tile, expected.pointers());
     Scratch scratch;
@@ -54,17 +57,25 @@ void expect_runners_equal_reference(const Program& program, const Tile& tile) {
     }
 }
 
-void expect_reference_equals_graph(const Program& program, std::span<const Expr> roots,
-                                   const Tile& tile) {
-    const std::vector<Expr> simplified = expr::simplify(roots);
+void expect_reference_equals_graph(const Program& program, std::span<const Expr> roots, Tile tile) {
+    const std::vector<Expr> simplified = simplify_random(roots);
+    Random random(tile.width + tile.height);
+    const RandomInputs inputs(random, tile);
+    tile.inputs = inputs.values().first(program.inputs().size());
     const Results results(program, tile);
     run_reference(program, tile, results.pointers());
     for (std::size_t j = 0; j < tile.height; ++j) {
         for (std::size_t i = 0; i < tile.width; ++i) {
+            const std::array values_here{
+                expr::InputValue{"uniform", inputs.values()[0][0]},
+                expr::InputValue{"column", inputs.values()[1][i]},
+                expr::InputValue{"row", inputs.values()[2][j]},
+                expr::InputValue{"pixel", inputs.values()[3][j * tile.width + i]}};
             const expr::Point point{tile.x + static_cast<double>(i) * tile.step,
                                     tile.y + static_cast<double>(j) * tile.step,
                                     tile.time,
-                                    {}};
+                                    {},
+                                    values_here};
             const std::vector<double> values = expr::evaluate(simplified, point);
             for (std::size_t r = 0; r < values.size(); ++r) {
                 ASSERT_TRUE(identical(results[r][j * tile.width + i], values[r])) << "root " << r;
@@ -82,7 +93,7 @@ TEST(Tiles, RandomProgramsEqualTheReferenceBitForBit) {
         Graph graph;
         const auto roots =
             random_expressions(graph, random, 10 + random() % 150, 1 + random() % 20, true);
-        const Program program(roots);
+        const Program program = compile_random(roots);
         expect_runners_equal_reference(program, random_tile(random));
         if (HasFatalFailure()) {
             return;
@@ -97,7 +108,7 @@ TEST(Tiles, TheReferenceEqualsTheGraph) {
         Graph graph;
         const auto roots =
             random_expressions(graph, random, 10 + random() % 150, 1 + random() % 20, false);
-        const Program program(roots);
+        const Program program = compile_random(roots);
         Tile tile = random_tile(random);
         tile.width = 1 + tile.width % 9;
         tile.height = 1 + tile.height % 9;
@@ -116,7 +127,7 @@ TEST(Tiles, EverySizeWorks) {
     roots.push_back(graph.picture_y());
     roots.push_back(graph.picture_x() * graph.picture_y());
     roots.push_back(graph.constant(-0.0));
-    const Program program(roots);
+    const Program program = compile_random(roots);
     const std::size_t sizes[]{0, 1, 2, 3, 4, 5, 7, 8, 9, 15, 16, 17, 31, 33, 63, 64};
     for (const std::size_t width : sizes) {
         for (const std::size_t height : sizes) {
@@ -201,7 +212,7 @@ TEST(Tiles, AChainOfAHundredThousandNodesCompilesAndRuns) {
         chain = max(sqrt(chain * chain), y);
     }
     const std::vector<Expr> roots{chain};
-    const Program program(roots);
+    const Program program = compile_random(roots);
     expect_runners_equal_reference(program, {.width = 3, .height = 2});
 }
 
@@ -211,8 +222,10 @@ TEST(Tiles, OneScratchServesProgramsOfAnySize) {
         Random random(seed);
         Graph graph;
         const auto roots = random_expressions(graph, random, 5 + random() % 300, 4, false);
-        const Program program(roots);
-        const Tile tile = random_tile(random);
+        const Program program = compile_random(roots);
+        Tile tile = random_tile(random);
+        const RandomInputs inputs(random, tile);
+        tile.inputs = inputs.values();
         const Results with_shared(program, tile);
         const Results with_own(program, tile);
         Scratch own;
@@ -226,8 +239,10 @@ TEST(Tiles, ThreadsMakeTheSameBits) {
     Random random(3);
     Graph graph;
     const auto roots = random_expressions(graph, random, 200, 8, false);
-    const Program program(roots);
-    const Tile tile{.x = 0.5, .y = 0.5, .step = 1.0, .width = 61, .height = 64, .time = 0.25};
+    const Program program = compile_random(roots);
+    Tile tile{.x = 0.5, .y = 0.5, .step = 1.0, .width = 61, .height = 64, .time = 0.25};
+    const RandomInputs inputs(random, tile);
+    tile.inputs = inputs.values();
     constexpr std::size_t threads = 4;
     std::vector<Results> results;
     for (std::size_t thread = 0; thread < threads; ++thread) {
@@ -267,8 +282,10 @@ TEST(Tiles, Avx2AndAvx512MakeTheSameBits) {
         Random random(seed);
         Graph graph;
         const auto roots = random_expressions(graph, random, 100, 10, false);
-        const Program program(roots);
-        const Tile tile = random_tile(random);
+        const Program program = compile_random(roots);
+        Tile tile = random_tile(random);
+        const RandomInputs inputs(random, tile);
+        tile.inputs = inputs.values();
         const Results a(program, tile);
         const Results b(program, tile);
         run_on(fused[0], program, tile, scratch, a.pointers());

@@ -41,9 +41,8 @@ ExitCode explain(const CameraArgument& wanted, const PictureSize& size, bool as_
         document["formulas"] = formulas;
     } else {
         print_result(fmt::format(
-            "{}\nFormulas, for a picture of {} x {} pixels; picture_x and picture_y "
-            "are the point in\n"
-            "pixels from the top left, t is time{}:\n\n{}",
+            "{}\nFormulas, for a picture of {} x {} pixels; x and y are the point in pixels from "
+            "the\ntop left, t is time{}:\n\n{}",
             explanation_text(*explanation), width, height,
             explanation->is_picture ? ", a coverage how much shows there" : "", formulas));
     }

@@ -1,0 +1,111 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Further inputs of a program: what is declared, how often it is read, and what is refused.
+
+#include <array>
+
+#include <gtest/gtest.h>
+
+#include "support.hpp"
+
+namespace balcony::program {
+
+namespace {
+
+using expr::Expr;
+using expr::Graph;
+
+std::string refusal(std::span<const Expr> roots, const Interface& interface) {
+    const Result<Program> made = Program::make(roots, interface);
+    return made ? "" : made.diagnostics.front().message;
+}
+
+}  // namespace
+
+TEST(Inputs, HaveTheRatesThatAreDeclared) {
+    Graph graph;
+    const Expr column = graph.input("column");
+    const Expr row = graph.input("row");
+    const std::array roots{
+        sin(graph.input("uniform")),     sin(column),      sin(row), sin(graph.input("point")),
+        sin(column + graph.picture_x()), sin(column + row)};
+    const std::vector<Input> inputs{{"row", Rate::row},
+                                    {"point", Rate::pixel},
+                                    {"uniform", Rate::uniform},
+                                    {"column", Rate::column}};
+    const Result<Program> grid = Program::make(roots, {Sampling::grid, inputs});
+    ASSERT_TRUE(grid);
+    const std::array expected{Rate::uniform, Rate::column, Rate::row,
+                              Rate::pixel,   Rate::column, Rate::pixel};
+    for (std::size_t i = 0; i < roots.size(); ++i) {
+        EXPECT_EQ(grid->rate(i), expected[i]) << i;
+    }
+    EXPECT_EQ(grid->instruction_count(Rate::uniform), 1U);
+    EXPECT_EQ(grid->instruction_count(Rate::column), 3U);
+    EXPECT_EQ(grid->inputs().size(), 4U);
+    const Result<Program> points = Program::make(roots, {Sampling::points, inputs});
+    ASSERT_TRUE(points);
+    for (std::size_t i = 0; i < roots.size(); ++i) {
+        EXPECT_EQ(points->rate(i), i == 0 ? Rate::uniform : Rate::pixel) << i;
+    }
+}
+
+TEST(Inputs, AreReadInDeclaredOrder) {
+    Graph graph;
+    const std::array roots{graph.input("row"), graph.input("point"), graph.input("uniform"),
+                           graph.input("column"), graph.input("row") * graph.input("column")};
+    const Result<Program> program = Program::make(roots, {Sampling::grid,
+                                                          {{"column", Rate::column},
+                                                           {"ignored", Rate::pixel},
+                                                           {"uniform", Rate::uniform},
+                                                           {"row", Rate::row},
+                                                           {"point", Rate::pixel}}});
+    ASSERT_TRUE(program);
+    const std::array columns{1.0, 2.0, 3.0};
+    const std::array rows{10.0, 20.0};
+    const std::array points{0.1, 0.2, 0.3, 0.4, 0.5, 0.6};
+    const std::array one{7.0};
+    const std::array<std::span<const double>, 5> values{columns, points, one, rows, points};
+    const Tile tile{.width = 3, .height = 2, .inputs = values};
+    Scratch scratch;
+    for (std::size_t set = 0; set < instruction_sets().size(); ++set) {
+        const Results results(*program, tile);
+        run_on(set, *program, tile, scratch, results.pointers());
+        for (std::size_t i = 0; i < 6; ++i) {
+            EXPECT_EQ(results[0][i], rows[i / 3]);
+            EXPECT_EQ(results[1][i], points[i]);
+            EXPECT_EQ(results[2][i], 7.0);
+            EXPECT_EQ(results[3][i], columns[i % 3]);
+            EXPECT_EQ(results[4][i], rows[i / 3] * columns[i % 3]);
+        }
+        EXPECT_TRUE(results.rim_intact());
+    }
+}
+
+TEST(Inputs, ThatAreNotDeclaredAreRefused) {
+    Graph graph;
+    const std::array roots{graph.picture_x(), sin(graph.input("lens_u") + graph.input("lens_v"))};
+    EXPECT_EQ(refusal(roots, {Sampling::grid, {{"lens_u", Rate::uniform}}}),
+              "a formula depends on the input 'lens_v', which is not declared");
+    EXPECT_EQ(refusal(roots, {Sampling::grid, {{"lens_u", {}}, {"lens_v", {}}}}), "");
+    EXPECT_EQ(refusal(std::span(roots).first(1), {}), "") << "the graph may know inputs";
+}
+
+TEST(Inputs, AreDeclaredOnce) {
+    Graph graph;
+    const std::array roots{graph.picture_x()};
+    EXPECT_EQ(refusal(roots, {Sampling::grid, {{"a", {}}, {"b", {}}, {"a", {}}}}),
+              "the input 'a' is declared twice");
+    for (const char* const name : {"x", "y", "t"}) {
+        EXPECT_NE(refusal(roots, {Sampling::points, {{name, Rate::pixel}}}), "") << name;
+    }
+}
+
+TEST(Inputs, AFreeVariableIsNone) {
+    Graph graph;
+    EXPECT_EQ(refusal(std::array{sin(graph.fresh_variable())}, {}),
+              "a formula with a free variable cannot be compiled");
+}
+
+}  // namespace balcony::program
