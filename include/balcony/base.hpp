@@ -142,6 +142,15 @@ struct Result {
 /// Which way is up; y_up is glTF's and OBJ's, z_up the cameras' own.
 enum class Axes : std::uint8_t { y_up, z_up };
 
+/// A point or a vector, anything with x, y and z, in other axes: z_up (x, y, z) is y_up (x, z, -y).
+template <class Vector>
+[[nodiscard]] Vector turned(const Vector& v, Axes from, Axes to) {
+    if (from == to) {
+        return v;
+    }
+    return to == Axes::y_up ? Vector{v.x, v.z, -v.y} : Vector{v.x, -v.z, v.y};
+}
+
 /// The candidate nearest to a mistyped name by Damerau-Levenshtein distance, letter case aside, if
 /// one is near enough to be what was meant: at most a third of the name's letters wrong, or one
 /// letter in a name of two.

@@ -103,7 +103,9 @@ private:
 /// Where stages write: a graph and the conditions under which there is a ray.
 class Emitter {
 public:
-    explicit Emitter(Graph& graph) : graph_(&graph), valid_(graph.constant(1.0)) {}
+    /// `variables` are the values that trial() takes for variables 0, 1, ... of the graph.
+    explicit Emitter(Graph& graph, std::vector<double> variables = {})
+        : graph_(&graph), valid_(graph.constant(1.0)), variables_(std::move(variables)) {}
 
     [[nodiscard]] Graph& graph() const { return *graph_; }
     [[nodiscard]] Expr operator()(double value) const { return graph_->constant(value); }
@@ -112,9 +114,18 @@ public:
     void require(Expr condition) { valid_ = valid_ && condition; }
     [[nodiscard]] Expr valid() const { return valid_; }
 
+    /// The values of expressions at a point of the picture, in pixels, at time 0: for a stage that
+    /// chooses its formula by trying it out. A camera is emitted for pictures of any size; here its
+    /// picture has the aspect that the camera is made for.
+    [[nodiscard]] std::vector<double> trial(std::span<const Expr> expressions, double x,
+                                            double y) const {
+        return expr::evaluate(expressions, {x, y, 0.0, variables_});
+    }
+
 private:
     Graph* graph_;
     Expr valid_;
+    std::vector<double> variables_;
 };
 
 // ------------------------------------------------------------------------------------- ports
@@ -247,7 +258,7 @@ struct RayFootprint {
 /// Costs nothing until it is asked for: the derivatives are made from the ray's own expressions.
 [[nodiscard]] RayFootprint footprint(const RayExpressions& ray);
 
-/// An extended camera.
+/// An extended camera. Its stages write their formulas once, when it is made.
 class Camera {
 public:
     struct Parts {
@@ -260,12 +271,15 @@ public:
         Axes axes = Axes::z_up;
     };
 
-    /// Checks that the parts fit together: all are there, and the rule gets what it needs. A
-    /// direction object that the rule has no use for is left out with a warning.
+    /// Checks that the parts fit together: all are there, the rule gets what it needs, and the
+    /// formulas have at most max_operations_of_camera operations. A direction object that the rule
+    /// has no use for is left out with a warning.
     [[nodiscard]] static Result<Camera> make(Parts parts);
 
-    [[nodiscard]] const std::string& name() const { return parts_->name; }
-    [[nodiscard]] const Parts& parts() const { return *parts_; }
+    [[nodiscard]] const std::string& name() const { return emitted_->parts.name; }
+    [[nodiscard]] const Parts& parts() const { return emitted_->parts; }
+    /// The number of nodes in the graph of its ray.
+    [[nodiscard]] std::size_t operations() const { return emitted_->graph.size(); }
 
     /// getRay, for a picture of the given size in pixels.
     [[nodiscard]] RayExpressions emit(Graph& graph, double width, double height) const;
@@ -273,8 +287,22 @@ public:
     [[nodiscard]] RayExpressions emit(const PicturePoint& picture) const;
 
 private:
-    explicit Camera(Parts parts) : parts_(std::make_shared<const Parts>(std::move(parts))) {}
-    std::shared_ptr<const Parts> parts_;
+    /// The parts and the ray that they make in a picture of any size.
+    struct Emitted {
+        explicit Emitted(Parts made_of);
+
+        Parts parts;
+        Graph graph;
+        PicturePoint picture;  ///< Picture x and y; the size is two variables.
+        RayExpressions ray;    ///< Of this point of the camera's own picture.
+    };
+    explicit Camera(std::shared_ptr<const Emitted> emitted) : emitted_(std::move(emitted)) {}
+    std::shared_ptr<const Emitted> emitted_;
 };
+
+/// The most operations that a camera and a picture may have. Their derivatives have several times
+/// as many, and a graph holds 4 million.
+inline constexpr std::size_t max_operations_of_camera = 250'000;
+inline constexpr std::size_t max_operations_of_picture = 500'000;
 
 }  // namespace balcony::camera

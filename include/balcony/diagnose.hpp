@@ -121,7 +121,8 @@ struct Report {
     [[nodiscard]] bool has_defects() const;
 };
 
-[[nodiscard]] Report diagnose(const camera::Camera& camera, const DiagnoseSettings& settings);
+[[nodiscard]] Result<Report> diagnose(const camera::Camera& camera,
+                                      const DiagnoseSettings& settings);
 
 // --------------------------------------------------------------------------------------- maps
 

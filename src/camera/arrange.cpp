@@ -18,6 +18,16 @@ PicturePoint arranged(PicturePoint whole, std::span<const PictureArrangerPointer
     return whole;
 }
 
+std::array<double, 2> arranged_size(std::span<const PictureArrangerPointer> arrangers, double width,
+                                    double height, double time) {
+    Graph graph;
+    Emitter emit(graph);
+    const PictureSize size = arranged(whole_picture(graph, width, height), arrangers, emit).size;
+    const std::vector<double> sides = expr::evaluate(
+        std::array{size.width, size.height}, {.x = 0.5 * width, .y = 0.5 * height, .time = time});
+    return {sides[0], sides[1]};
+}
+
 Expr inside(const PicturePoint& picture) {
     const auto& [point, size] = picture;
     return 0.0 <= point.x && point.x <= size.width && 0.0 <= point.y && point.y <= size.height;

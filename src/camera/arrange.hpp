@@ -4,6 +4,7 @@
 
 // Points of pictures on their way through picture arrangers.
 
+#include <array>
 #include <span>
 
 #include "balcony/camera.hpp"
@@ -17,6 +18,10 @@ namespace balcony::camera {
 [[nodiscard]] PicturePoint arranged(PicturePoint whole,
                                     std::span<const PictureArrangerPointer> arrangers,
                                     Emitter& emit);
+
+/// Width and height in pixels of the picture that the arrangers, outermost first, lead to.
+[[nodiscard]] std::array<double, 2> arranged_size(std::span<const PictureArrangerPointer> arrangers,
+                                                  double width, double height, double time);
 
 /// Whether a point lies in its picture, the border included.
 [[nodiscard]] Expr inside(const PicturePoint& picture);

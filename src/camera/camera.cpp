@@ -6,6 +6,7 @@
 #include "balcony/camera.hpp"
 
 #include <cmath>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -74,6 +75,7 @@ RayFootprint footprint(const RayExpressions& ray) {
 }
 
 Result<Camera> Camera::make(Parts parts) {
+    const std::string name = parts.name;
     Diagnostics said;
     check_path(parts.eye, "eye", parts.name, said);
     if (parts.toward) {
@@ -113,24 +115,26 @@ Result<Camera> Camera::make(Parts parts) {
     if (has_errors(said)) {
         return said;
     }
-    Camera made(std::move(parts));
-    const auto emit = [&made](Graph& graph) { (void)made.emit(graph, 1000.0, 1000.0); };
-    if (const auto trouble =
-            too_large(fmt::format("camera '{}'", made.name()), most_operations_of_camera, emit)) {
-        said.push_back(*trouble);
+    std::shared_ptr<const Emitted> emitted;
+    try {
+        emitted = std::make_shared<const Emitted>(std::move(parts));
+    } catch (const std::length_error&) {
+        // It did not even fit into a graph.
+    }
+    if (!emitted || emitted->graph.size() > max_operations_of_camera) {
+        said.push_back(too_large("camera", name, max_operations_of_camera));
         return said;
     }
-    return {std::move(made), std::move(said)};
+    return {Camera(std::move(emitted)), std::move(said)};
 }
 
 namespace {
 
-// A rule may look at more than one place of the camera's own picture, so the ray is written as
-// expressions of picture x and y as if that were the whole picture; the arrangers come later.
-RayExpressions ray_in_own_picture(const Camera::Parts& parts, const PictureSize& size) {
-    Graph& graph = size.width.graph();
-    Emitter emit(graph);
-    const PicturePoint picture{{graph.picture_x(), graph.picture_y()}, size};
+// The ray at picture x and y of the camera's own picture. A sum of squares is finite only if every
+// term is, so that one speaks for all six values. Directions so short that their squares lose
+// digits cannot be brought to unit length.
+RayExpressions ray_in_own_picture(const Camera::Parts& parts, const PicturePoint& picture,
+                                  Emitter& emit) {
     const PathPoint eye = parts.eye.emit(picture, emit);
     std::optional<PathPoint> toward;
     if (parts.toward) {
@@ -138,8 +142,6 @@ RayExpressions ray_in_own_picture(const Camera::Parts& parts, const PictureSize&
     }
     const ObjectVector direction = parts.look->direction(eye, toward ? &*toward : nullptr, emit);
 
-    // A sum of squares is finite only if every term is, so that one speaks for all six values.
-    // Directions so short that their squares lose digits cannot be brought to unit length.
     constexpr double min_squared_length = 0x1p-960;
     const Expr squared_length = dot(direction, direction);
     const Expr origin_size =
@@ -149,35 +151,43 @@ RayExpressions ray_in_own_picture(const Camera::Parts& parts, const PictureSize&
     return {eye.point, (1.0 / sqrt(squared_length)) * direction, emit.valid(), eye.parameters};
 }
 
-RayExpressions with_picture_point(const RayExpressions& ray, const DevicePoint& point) {
-    Graph& graph = point.x.graph();
-    const std::array values{ray.origin.x,    ray.origin.y,     ray.origin.z,
-                            ray.direction.x, ray.direction.y,  ray.direction.z,
-                            ray.valid,       ray.parameters.u, ray.parameters.v};
-    const std::array put{expr::Substitution{graph.picture_x(), point.x},
-                         expr::Substitution{graph.picture_y(), point.y}};
-    const std::vector<Expr> r = expr::substitute(graph, values, put);
-    return {{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, r[6], {r[7], r[8]}};
-}
-
 }  // namespace
+
+Camera::Emitted::Emitted(Parts made_of)
+    : parts(std::move(made_of)),
+      picture{{graph.picture_x(), graph.picture_y()},
+              {graph.fresh_variable(), graph.fresh_variable()}} {
+    constexpr double height = 1000.0;
+    const std::array<double, 2> own =
+        arranged_size(parts.arrangers, height * parts.aspect, height, 0.0);
+    Emitter emit(graph, {own[0], own[1]});
+    ray = ray_in_own_picture(parts, picture, emit);
+}
 
 RayExpressions Camera::emit(Graph& graph, double width, double height) const {
     return emit(whole_picture(graph, width, height));
 }
 
 RayExpressions Camera::emit(const PicturePoint& whole) const {
-    Emitter emit(whole.size.width.graph());
-    const PicturePoint picture = arranged(whole, parts_->arrangers, emit);
+    Graph& graph = whole.size.width.graph();
+    Emitter emit(graph);
+    const PicturePoint picture = arranged(whole, parts().arrangers, emit);
     // In a layer with a soft edge the camera goes on beyond its picture, as far as it fills it.
-    if (!parts_->arrangers.empty()) {
-        emit.require(inside(arranged(clamped(whole), parts_->arrangers, emit)));
+    if (!parts().arrangers.empty()) {
+        emit.require(inside(arranged(clamped(whole), parts().arrangers, emit)));
     }
-    RayExpressions ray =
-        with_picture_point(ray_in_own_picture(*parts_, picture.size), picture.point);
-    emit.require(ray.valid);
-    ray.valid = emit.valid();
-    return ray;
+    const PicturePoint& own = emitted_->picture;
+    const RayExpressions& ray = emitted_->ray;
+    const std::array values{ray.origin.x,    ray.origin.y,     ray.origin.z,
+                            ray.direction.x, ray.direction.y,  ray.direction.z,
+                            ray.valid,       ray.parameters.u, ray.parameters.v};
+    const std::array put{expr::Substitution{own.point.x, picture.point.x},
+                         expr::Substitution{own.point.y, picture.point.y},
+                         expr::Substitution{own.size.width, picture.size.width},
+                         expr::Substitution{own.size.height, picture.size.height}};
+    const std::vector<Expr> r = expr::substitute(graph, values, put);
+    emit.require(r[6]);
+    return {{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, emit.valid(), {r[7], r[8]}};
 }
 
 }  // namespace balcony::camera

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -154,7 +155,9 @@ Expr segment_distance(const DevicePoint& p, const DevicePoint& a, const DevicePo
 
 class PictureEmitter {
 public:
-    explicit PictureEmitter(Graph& graph) : graph_(graph) {}
+    enum class Contents : bool { left_out, emitted };
+
+    PictureEmitter(Graph& graph, Contents contents) : graph_(graph), contents_(contents) {}
 
     std::vector<Element> elements(const Picture& picture, const PicturePoint& point,
                                   const std::string& path) {
@@ -182,12 +185,8 @@ private:
         content.name = path.empty() ? layer.name : path + "/" + layer.name;
         content.coverage = emit(layer.alpha) * coverage(layer, *clip, own, emit);
         content.blend = layer.blend;
-        if (const Picture* inner = nested(layer)) {
-            content.group = elements(*inner, own, content.name);
-        } else {
-            const Camera& camera = std::get<Camera>(layer.content);
-            content.ray = camera.emit(own);
-            content.axes = camera.parts().axes;
+        if (contents_ == Contents::emitted) {
+            add_contents(layer, own, content);
         }
         made.push_back(std::move(content));
 
@@ -195,6 +194,16 @@ private:
             const Expr width = emit(layer.frame->width) * whole.size.height;
             const Expr from_middle = abs(edge + 0.5 * width) - 0.5 * width;
             made.push_back(painted(antialiased(from_middle, emit), *layer.frame, emit));
+        }
+    }
+
+    void add_contents(const Layer& layer, const PicturePoint& own, Element& content) {
+        if (const Picture* inner = nested(layer)) {
+            content.group = elements(*inner, own, content.name);
+        } else {
+            const Camera& camera = std::get<Camera>(layer.content);
+            content.ray = camera.emit(own);
+            content.axes = camera.parts().axes;
         }
     }
 
@@ -241,7 +250,30 @@ private:
     }
 
     Graph& graph_;
+    Contents contents_;
 };
+
+// How many operations a picture has, its layers' own, counted once, and those of what they show.
+std::size_t count_operations(const Picture& picture) {
+    Graph graph;
+    (void)PictureEmitter(graph, PictureEmitter::Contents::left_out)
+        .elements(picture, whole_picture(graph, 1000.0, 1000.0), "");
+    std::size_t operations = graph.size();
+    for (const Layer& layer : picture.parts().layers) {
+        const Picture* inner = nested(layer);
+        operations += inner != nullptr ? count_operations(*inner)
+                                       : std::get<Camera>(layer.content).operations();
+    }
+    return operations;
+}
+
+bool is_too_large(const Picture& picture) {
+    try {
+        return count_operations(picture) > max_operations_of_picture;
+    } catch (const std::length_error&) {
+        return true;  // It did not even fit into a graph.
+    }
+}
 
 }  // namespace
 
@@ -268,10 +300,8 @@ Result<Picture> Picture::make(Parts parts) {
         return said;
     }
     Picture made(std::move(parts));
-    const auto emit = [&made](Graph& graph) { (void)made.emit(graph, 1000.0, 1000.0); };
-    if (const auto trouble =
-            too_large(fmt::format("picture '{}'", made.name()), most_operations_of_picture, emit)) {
-        said.push_back(*trouble);
+    if (is_too_large(made)) {
+        said.push_back(too_large("picture", made.name(), max_operations_of_picture));
         return said;
     }
     return {std::move(made), std::move(said)};
@@ -291,7 +321,8 @@ Picture::Picture(Camera camera) : of_layers_(false) {
 }
 
 PictureExpressions Picture::emit(Graph& graph, double width, double height) const {
-    return {PictureEmitter(graph).elements(*this, whole_picture(graph, width, height), "")};
+    return {PictureEmitter(graph, PictureEmitter::Contents::emitted)
+                .elements(*this, whole_picture(graph, width, height), "")};
 }
 
 }  // namespace balcony::camera

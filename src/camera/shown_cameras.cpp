@@ -53,13 +53,7 @@ std::vector<ShownCamera> shown_cameras(const Picture& picture) {
 
 std::array<double, 2> size_of(const ShownCamera::Place& place, double width, double height,
                               double time) {
-    Graph graph;
-    Emitter emit(graph);
-    const PictureSize size =
-        arranged(whole_picture(graph, width, height), place.arrangers, emit).size;
-    const std::vector<double> sides = expr::evaluate(
-        std::array{size.width, size.height}, {.x = 0.5 * width, .y = 0.5 * height, .time = time});
-    return {sides[0], sides[1]};
+    return arranged_size(place.arrangers, width, height, time);
 }
 
 }  // namespace balcony::camera

@@ -17,9 +17,9 @@ using camera::TexturedMesh;
 using Corner = TexturedMesh::Corner;
 using Triangle = std::array<Corner, 3>;
 
-// y_up (x, y, z) is z_up (x, -z, y).
 std::array<double, 3> with_z_up(const scene::V3d& v, Axes axes) {
-    return axes == Axes::y_up ? std::array{v.x, -v.z, v.y} : std::array{v.x, v.y, v.z};
+    const scene::V3d up = turned(v, axes, Axes::z_up);
+    return {up.x, up.y, up.z};
 }
 
 bool has_area_in_texture(const Triangle& t) {

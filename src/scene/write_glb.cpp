@@ -37,9 +37,16 @@ constexpr int wrap_mode(scene::Wrap wrap) {
     return wrap == scene::Wrap::repeat ? 10497 : wrap == scene::Wrap::clamp ? 33071 : 33648;
 }
 
-// From z up to y up, for row vectors: p_y_up = p_z_up * M.
+// From the scene's axes to y up, for row vectors: p_y_up = p_scene * M.
 M44d y_up_from(Axes axes) {
-    return axes == Axes::y_up ? M44d() : M44d(1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1);
+    M44d matrix;
+    for (int axis = 0; axis < 3; ++axis) {
+        V3d unit(0.0);
+        unit[axis] = 1.0;
+        const V3d row = turned(unit, axes, Axes::y_up);
+        std::copy_n(&row.x, 3, matrix[axis]);
+    }
+    return matrix;
 }
 
 json array_of(const V3d& v) { return json::array({v.x, v.y, v.z}); }

@@ -82,12 +82,12 @@ TEST(Measures, TheGridHasNoMoreSamplesThanAskedFor) {
     // A step of 1.5 would do for the first, one of 2 just does for the second.
     for (const std::size_t maximum : {1067, 600}) {
         settings.max_samples = maximum;
-        const Report report = diagnose(camera, settings);
+        const Report report = *diagnose(camera, settings);
         EXPECT_EQ(report.grid.step, 2.0);
         EXPECT_EQ(report.samples.size(), 600U);
     }
     settings.max_samples = 10'000;
-    EXPECT_EQ(diagnose(camera, settings).grid.step, 1.0);
+    EXPECT_EQ(diagnose(camera, settings)->grid.step, 1.0);
 }
 
 TEST(Measures, OriginsHaveTheirMiddleAndExtent) {

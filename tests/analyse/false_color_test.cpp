@@ -90,7 +90,7 @@ TEST(FalseColor, EveryMapOfEveryKindOfCameraCanBeDrawn) {
         DiagnoseSettings settings;
         settings.width = 60;
         settings.height = 40;
-        const Report report = diagnose(test::camera_of(text), settings);
+        const Report report = *diagnose(test::camera_of(text), settings);
         for (const MapDescription& row : map_kinds()) {
             const Image image = false_color(report, row.kind);
             EXPECT_EQ(image.samples.size(), 3 * image.width * image.height);
@@ -106,9 +106,9 @@ TEST(FalseColor, ColoursStandWhereTheSamplesAre) {
     settings.width = 100;
     settings.height = 100;
     const Report report =
-        diagnose(test::camera_of("camera half { map u = 1 .. -1, v = -1 .. 1 eye point(0, 0, 0)\n"
-                                 "toward surface(u, v) = [1 + sqrt(v)/10, u, v] look relative }"),
-                 settings);
+        *diagnose(test::camera_of("camera half { map u = 1 .. -1, v = -1 .. 1 eye point(0, 0, 0)\n"
+                                  "toward surface(u, v) = [1 + sqrt(v)/10, u, v] look relative }"),
+                  settings);
     const Image image = false_color(report, MapKind::validity);
     const auto red_at = [&](std::size_t x, std::size_t y) {
         return int{image.samples[3 * (y * image.width + x)]};

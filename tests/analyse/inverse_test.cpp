@@ -28,8 +28,7 @@ constexpr double pi = std::numbers::pi;
 // How many of the random points are not found within 0.01 pixels of where they came from.
 std::size_t lost(const camera::Camera& camera, double height, std::size_t count) {
     const double width = std::round(height * camera.parts().aspect);
-    expr::Graph graph;
-    const RandomPoints random(camera.emit(graph, width, height), width, height, count);
+    const RandomPoints random(camera, width, height, count);
     const auto locator = Locator::make(camera, width, height);
     std::vector<bool> found(random.points.size(), false);
     for (const Sighting& sighting : locator->locate(random.points)) {
@@ -300,8 +299,7 @@ TEST(Locate, HearsTheTime) {
 TEST(Locate, ManyPointsAreAsOneAndThreadsAgree) {
     const camera::Camera camera = test::standard("superelliptic");
     const auto locator = Locator::make(camera, 750, 150);
-    expr::Graph graph;
-    const RandomPoints random(camera.emit(graph, 750, 150), 750, 150, 300);
+    const RandomPoints random(camera, 750, 150, 300);
     const auto together = locator->locate(random.points);
     std::vector<Sighting> single;
     {

@@ -18,9 +18,9 @@ struct RandomPoints {
     std::vector<V2d> places;
     std::vector<V3d> points;
 
-    RandomPoints(const camera::RayExpressions& expressions, double width, double height,
-                 std::size_t count) {
-        const PointRays rays(expressions, 0.0);
+    RandomPoints(const camera::Camera& camera, double width, double height, std::size_t count) {
+        const PointRays rays(
+            *rays::compile(camera, width, height, {.footprints = true, .points = true}), 0.0);
         PointRays::Batch batch(rays);
         std::mt19937_64 random(1996);
         std::uniform_real_distribution<double> unit(0.0, 1.0);

@@ -15,7 +15,12 @@
 namespace balcony::analyse {
 namespace {
 
-using Derivatives = RayProgram::Derivatives;
+using Derivatives = RayField::Derivatives;
+
+RayField field_of(const char* camera, double width, double height, Derivatives derivatives) {
+    auto made = RayField::make(test::standard(camera), width, height, 0.0, derivatives);
+    return std::move(*made);
+}
 
 TEST(SampleGrid, IsCentredInThePicture) {
     const SampleGrid grid = SampleGrid::over(100, 45, 10);
@@ -26,9 +31,8 @@ TEST(SampleGrid, IsCentredInThePicture) {
     EXPECT_EQ(SampleGrid::over(3, 2, 10).at(0), V2d(1.5, 1));
 }
 
-TEST(RayProgram, GridAndPointsAreOne) {
-    const camera::Camera camera = test::standard("superelliptic");
-    RayProgram program(camera, 300, 100, 0.0, Derivatives::with);
+TEST(RayField, GridAndPointsAreOne) {
+    RayField program = field_of("superelliptic", 300, 100, Derivatives::with);
     const SampleGrid grid = SampleGrid::over(300, 100, 1);
     const std::vector<Ray> rays = program.run(grid);
     ASSERT_EQ(rays.size(), 30000U);
@@ -44,9 +48,9 @@ TEST(RayProgram, GridAndPointsAreOne) {
     EXPECT_EQ(program.at(many)[2].origin_by_x, rays[12345].origin_by_x);
 }
 
-TEST(RayProgram, DerivativesAreNeighbourDifferences) {
-    RayProgram program(test::standard("hyperbolic"), 160, 90, 0.0, Derivatives::with);
-    RayProgram rays_only(test::standard("hyperbolic"), 160, 90, 0.0, Derivatives::without);
+TEST(RayField, DerivativesAreNeighbourDifferences) {
+    RayField program = field_of("hyperbolic", 160, 90, Derivatives::with);
+    RayField rays_only = field_of("hyperbolic", 160, 90, Derivatives::without);
     // The error of a central difference is some h^2; that of its rounding 1e-15/h.
     const double h = 1e-4;
     for (const V2d& p : {V2d(10, 10), V2d(81, 40), V2d(150, 88)}) {

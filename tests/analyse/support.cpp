@@ -26,7 +26,7 @@ Report report_on(const camera::Camera& camera, double width, double height,
     settings.width = width;
     settings.height = height;
     settings.distance = distance;
-    return diagnose(camera, settings);
+    return *diagnose(camera, settings);
 }
 
 std::vector<Finding> findings(const Report& report, FindingKind kind) {

@@ -7,6 +7,8 @@ Usage: architecture.py REPOSITORY
 
 Derives from the files what uses what, and names each of these on standard output:
   - a file that includes a header of a layer which its own layer may not use
+  - a file that includes a private header of another layer: one in src/, not in include/balcony/.
+    Tests in tests/<layer>/ may include the private headers of that layer; programs none
   - a CMake target that is linked to a layer which it may not use
   - a file that includes a header of a layer to which its target is not linked
   - files that include each other in a circle
@@ -154,6 +156,8 @@ def include_findings(tree, table, links):
                 yield f"{edge}: {layer} may not use {target}"
             elif target not in linked and (tree.root / "src" / layer / "CMakeLists.txt").exists():
                 yield f"{edge}: CMake does not link {layer} to {target}"
+            if target != layer and not tree.is_public(header):
+                yield f"{edge}: the private headers of {target} are its own"
             if tree.is_public(path) and not tree.is_public(header):
                 yield f"{edge}: a public header may not include a private one"
         for header in tree.outside[path]:
@@ -162,11 +166,27 @@ def include_findings(tree, table, links):
                     yield f"{tree.name(path)} includes {header}: {prefix} belongs in src/{folder}"
 
 
+def outsider_findings(root, table):
+    """Private headers that tests of other layers and programs include."""
+    for folder in ("tests", "bench", "plates", "examples"):
+        for path in sorted((root / folder).rglob("*")):
+            if path.suffix not in SOURCE_SUFFIXES:
+                continue
+            parts = path.relative_to(root).parts
+            own = parts[1] if folder == "tests" else None
+            for _, name in INCLUDE.findall(path.read_text(encoding="utf-8")):
+                layer = name.split("/")[0]
+                if layer in table.direct and layer != own and (root / "src" / name).exists():
+                    yield (f"{path.relative_to(root)} includes src/{name}: "
+                           f"the private headers of {layer} are its own")
+
+
 def findings(root):
     table = Table((root / "tests/architecture/layers.txt").read_text(encoding="utf-8"))
     tree = Tree(root, table.layer_of_header)
     links = {layer: cmake_links(root, layer, table.direct) for layer in table.direct}
     yield from include_findings(tree, table, links)
+    yield from outsider_findings(root, table)
     for layer, used in links.items():
         for name in sorted(used):
             if name not in table.reachable(layer):

@@ -54,6 +54,22 @@ class Planted(unittest.TestCase):
         self.assert_found(architecture, "src/scene/planted.cpp",
                           '#include "../render/planted.hpp"\n', "scene may not use render")
 
+    def test_finds_a_private_header_of_another_layer(self):
+        self.plant("src/base/planted.hpp", "")
+        self.assert_found(architecture, "src/scene/planted.cpp", '#include "base/planted.hpp"\n',
+                          "src/scene/planted.cpp", "the private headers of base are its own")
+
+    def test_finds_a_private_header_in_a_test_of_another_layer(self):
+        self.plant("src/base/planted.hpp", "")
+        self.assert_found(architecture, "tests/scene/planted.cpp", '#include "base/planted.hpp"\n',
+                          "tests/scene/planted.cpp", "the private headers of base are its own")
+
+    def test_allows_a_private_header_in_a_test_of_its_layer(self):
+        self.plant("src/base/planted.hpp", "")
+        self.plant("tests/base/planted.cpp", '#include "base/planted.hpp"\n')
+        self.assertFalse([finding for finding in architecture.findings(self.root)
+                          if "tests/base/planted.cpp" in finding])
+
     def test_allows_what_a_layer_may_use_through_another(self):
         self.plant("src/lang/planted.cpp", '#include "balcony/base.hpp"\n')
         self.assertFalse([finding for finding in architecture.findings(self.root)

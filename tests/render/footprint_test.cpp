@@ -8,7 +8,6 @@
 #include <random>
 
 #include "render/job/camera_rays.hpp"
-#include "render/job/compiled_picture.hpp"
 #include "support.hpp"
 
 namespace balcony::render {
@@ -36,19 +35,16 @@ camera::Camera random_camera(std::mt19937& random) {
 
 TEST(Footprint, EqualsTheNeighbourDifference) {
     std::mt19937 random(7);
-    constexpr std::size_t side = 32;
+    constexpr double side = 32.0;
     for (int trial = 0; trial < 20; ++trial) {
-        const CompiledPicture compiled =
-            compile_picture(random_camera(random), Axes::z_up, side, side, true);
-        const program::Program& rays = compiled.layers.front().rays;
-        ASSERT_EQ(rays.root_count(), RayGrid::root_count);
+        const auto program = rays::compile(random_camera(random), side, side, {.footprints = true});
+        ASSERT_TRUE(program);
         // Central differences of a thousandth of a pixel err by its square.
         constexpr double step = 1e-3;
-        RayGrid grid;
-        grid.resize(9, true);
-        program::Scratch scratch;
-        program::run(rays, {10.5, 20.5, step, 3, 3, 0.0}, scratch, grid.roots(rays.root_count()));
-        const RayDifferentials exact = grid.differentials(4, 1.0);
+        rays::RayBatch grid;
+        rays::Scratch scratch;
+        program->run({10.5, 20.5, step, 3, 3, 0.0}, scratch, grid);
+        const RayDifferentials exact = differentials(grid, 4, 1.0);
         const auto near = [&](const V3f& found, const V3d& after, const V3d& before) {
             const V3d difference = (after - before) / (2.0 * step);
             EXPECT_NEAR(found.x, difference.x, 1e-6);
@@ -63,25 +59,6 @@ TEST(Footprint, EqualsTheNeighbourDifference) {
     }
 }
 
-TEST(Footprint, IsTurnedWithTheAxes) {
-    std::mt19937 random(3);
-    const camera::Camera camera = random_camera(random);
-    const auto differentials = [&](Axes axes) {
-        const CompiledPicture compiled = compile_picture(camera, axes, 8, 8, true);
-        RayGrid grid;
-        grid.resize(1, true);
-        program::Scratch scratch;
-        program::run(compiled.layers.front().rays, {2.5, 3.5, 1.0, 1, 1, 0.0}, scratch,
-                     grid.roots(RayGrid::root_count));
-        return grid.differentials(0, 1.0);
-    };
-    const V3f z_up = differentials(Axes::z_up).direction_x;
-    const V3f y_up = differentials(Axes::y_up).direction_x;
-    const V3f back(y_up.x, -y_up.z, y_up.y);
-    const V3f ahead(y_up.x, y_up.z, -y_up.y);
-    EXPECT_TRUE(z_up.equalWithAbsError(back, 1e-6F) || z_up.equalWithAbsError(ahead, 1e-6F));
-}
-
 TEST(Footprint, IsSharpWhereADerivativeIsNotFinite) {
     const auto origin = [](const camera::ParameterPoint& p, camera::Emitter& emit) {
         return camera::ObjectPoint{sqrt(abs(p.u)), p.v, emit(5.0)};
@@ -89,26 +66,16 @@ TEST(Footprint, IsSharpWhereADerivativeIsNotFinite) {
     const auto direction = [](const camera::ParameterPoint&, camera::Emitter& emit) {
         return camera::ObjectVector{emit(0.0), emit(0.0), emit(-1.0)};
     };
-    const CompiledPicture compiled =
-        compile_picture(test::make_camera({origin, direction}), Axes::y_up, 9, 9, true);
-    RayGrid grid;
-    grid.resize(1, true);
-    program::Scratch scratch;
+    const auto program =
+        rays::compile(test::make_camera({origin, direction}), 9.0, 9.0, {.footprints = true});
+    ASSERT_TRUE(program);
+    rays::RayBatch grid;
+    rays::Scratch scratch;
     // u is 0 in the middle column.
-    program::run(compiled.layers.front().rays, {4.5, 2.5, 1.0, 1, 1, 0.0}, scratch,
-                 grid.roots(RayGrid::root_count));
-    const RayDifferentials d = grid.differentials(0, 1.0);
+    program->run({4.5, 2.5, 1.0, 1, 1, 0.0}, scratch, grid);
+    const RayDifferentials d = differentials(grid, 0, 1.0);
     EXPECT_EQ(d.origin_x, V3f(0.0F));
     EXPECT_NE(d.origin_y, V3f(0.0F));
-}
-
-TEST(Footprint, CostsNothingWithoutTextures) {
-    std::mt19937 random(5);
-    const CompiledPicture compiled =
-        compile_picture(random_camera(random), Axes::y_up, 8, 8, false);
-    EXPECT_EQ(compiled.layers.front().rays.root_count(), RayGrid::origin_by_x);
-    EXPECT_TRUE(compiled.single());
-    EXPECT_FALSE(compiled.coverages);
 }
 
 }  // namespace balcony::render

@@ -39,12 +39,16 @@ std::optional<double> reach_of(const Ray& ray, const V3d& origin, const V3d& dir
                                                                        : std::nullopt;
 }
 
-std::vector<Shown> shown_rays(const camera::Camera& camera, const Depiction& depiction,
-                              const CameraGeometry& geometry) {
-    std::vector<Shown> shown;
+Result<std::vector<Shown>> shown_rays(const camera::Camera& camera, const Depiction& depiction,
+                                      const CameraGeometry& geometry) {
     constexpr double picture_height = 1000.0;
-    RayProgram program(camera, picture_height * geometry.aspect, picture_height, depiction.time,
-                       RayProgram::Derivatives::without);
+    Result<RayField> field =
+        RayField::make(camera, picture_height * geometry.aspect, picture_height, depiction.time,
+                       RayField::Derivatives::without);
+    if (!field) {
+        return field.diagnostics;
+    }
+    std::vector<Shown> shown;
     const auto along = [&](double share) {
         const double count = std::round(static_cast<double>(depiction.rays) * share);
         return static_cast<std::size_t>(std::max(count, 1.0));
@@ -54,11 +58,11 @@ std::vector<Shown> shown_rays(const camera::Camera& camera, const Depiction& dep
     for (std::size_t i = 0; i < grid.columns * grid.rows; ++i) {
         const V2d picture = grid.at(static_cast<double>(i % grid.columns) + 0.5,
                                     static_cast<double>(i / grid.columns) + 0.5);
-        const Ray ray = program.at(picture * picture_height * V2d(geometry.aspect, 1.0));
+        const Ray ray = field->at(picture * picture_height * V2d(geometry.aspect, 1.0));
         if (ray.valid) {
             const Axes axes = camera.parts().axes;
-            const V3d origin = z_up_from(axes, ray.origin);
-            const V3d direction = z_up_from(axes, ray.direction);
+            const V3d origin = turned(ray.origin, axes, Axes::z_up);
+            const V3d direction = turned(ray.direction, axes, Axes::z_up);
             const auto toward = geometry.toward ? geometry.toward->at(picture) : std::nullopt;
             shown.push_back({origin, direction, reach_of(ray, origin, direction, toward)});
         }
@@ -142,7 +146,11 @@ Result<CameraGeometry> measure_geometry(const camera::Camera& camera, const Depi
         geometry.bounds.extendBy(geometry.toward->bounds());
     }
     if (depiction.rays > 0) {
-        geometry.rays = arrows(shown_rays(bare, depiction, geometry), depiction, geometry.extent());
+        const auto shown = shown_rays(bare, depiction, geometry);
+        if (!shown) {
+            return shown.diagnostics;
+        }
+        geometry.rays = arrows(*shown, depiction, geometry.extent());
         for (const Arrow& ray : geometry.rays) {
             geometry.bounds.extendBy(ray.from);
             geometry.bounds.extendBy(ray.to);

@@ -346,7 +346,7 @@ DrawnAxes drawn_axes(const PictureGeometry& geometry, const DrawingViewer& viewe
     const double length = 0.22 * extent;
     const std::array<V3d, 3> own{V3d(1, 0, 0), V3d(0, 1, 0), V3d(0, 0, 1)};
     for (std::size_t i = 0; i < own.size(); ++i) {
-        drawn.tips[i] = drawn.origin + length * z_up_from(geometry.axes, own[i]);
+        drawn.tips[i] = drawn.origin + length * turned(own[i], geometry.axes, Axes::z_up);
     }
     return drawn;
 }

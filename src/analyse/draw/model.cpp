@@ -286,11 +286,9 @@ private:
         if (mesh.triangles.empty()) {
             return;
         }
-        if (own_axes_ == Axes::y_up) {
-            for (std::vector<V3f>* vectors : {&mesh.positions, &mesh.normals}) {
-                for (V3f& v : *vectors) {
-                    v = V3f(v.x, v.z, -v.y);
-                }
+        for (std::vector<V3f>* vectors : {&mesh.positions, &mesh.normals}) {
+            for (V3f& v : *vectors) {
+                v = turned(v, Axes::z_up, own_axes_);
             }
         }
         mesh.name = name;

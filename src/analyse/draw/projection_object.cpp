@@ -40,10 +40,6 @@ V3d unit_or_zero(const V3d& v) {
 
 }  // namespace
 
-V3d z_up_from(Axes axes, const V3d& vector) {
-    return axes == Axes::z_up ? vector : V3d(vector.x, -vector.z, vector.y);
-}
-
 ProjectionObject::ProjectionObject(const camera::Path& path, double aspect, Axes axes, double time)
     : dimension_(path.generator->dimension()),
       axes_(axes),
@@ -62,11 +58,12 @@ std::optional<ProjectionObjectPoint> ProjectionObject::at(const V2d& picture) {
         picture.x * picture_height * aspect_, picture.y * picture_height, 1.0, 1, 1, time_};
     program::run(program_, tile, scratch_, results);
     const V3d position(values[0], values[1], values[2]);
+    const V3d normal(values[3], values[4], values[5]);
     if (values[8] != 1.0 || !is_finite(position)) {
         return std::nullopt;
     }
-    return ProjectionObjectPoint{z_up_from(axes_, position),
-                                 unit_or_zero(z_up_from(axes_, {values[3], values[4], values[5]})),
+    return ProjectionObjectPoint{turned(position, axes_, Axes::z_up),
+                                 unit_or_zero(turned(normal, axes_, Axes::z_up)),
                                  {values[6], values[7]}};
 }
 

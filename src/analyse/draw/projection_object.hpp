@@ -62,7 +62,4 @@ private:
     Box3d bounds_;
 };
 
-/// A vector of a camera's axes with z up.
-[[nodiscard]] V3d z_up_from(Axes axes, const V3d& vector);
-
 }  // namespace balcony::analyse

@@ -13,7 +13,6 @@
 #include <fmt/format.h>
 
 #include "analyse/inverse/linear_rays.hpp"
-#include "analyse/inverse/picture_layers.hpp"
 #include "analyse/inverse/point_rays.hpp"
 #include "analyse/inverse/point_search.hpp"
 #include "analyse/inverse/ray_tree.hpp"
@@ -130,8 +129,8 @@ void search(const PointRays& rays, const RayTree& tree, const V2d& picture,
 // What can be found in one camera layer.
 class LayerIndex {
 public:
-    LayerIndex(std::string name, const camera::RayExpressions& ray, const V2d& picture, double time)
-        : name_(std::move(name)), picture_(picture), rays_(ray, time) {
+    LayerIndex(const rays::VisibleLayer& layer, const V2d& picture, double time)
+        : name_(layer.name), picture_(picture), rays_(layer.rays, time) {
         Survey seen = survey(rays_, picture);
         linear_ = LinearRays::fit(seen);
         if (!linear_) {
@@ -163,68 +162,46 @@ private:
     std::optional<RayTree> tree_;
 };
 
-// Where layers are hidden by what is in front of them.
-class Covers {
-public:
-    Covers(const std::vector<PictureLayer>& layers, double time)
-        : program_(roots_of(layers), program::Sampling::points), time_(time) {}
-
-    void remove_hidden(std::vector<Sighting>& found) const {
-        using Values = std::array<double, program::max_points>;
-        program::Scratch scratch;
-        Values x{};
-        Values y{};
-        std::vector<Values> hidden(program_.root_count());
-        std::vector<double*> results;
-        std::transform(hidden.begin(), hidden.end(), std::back_inserter(results),
-                       [](Values& values) { return values.data(); });
-        std::size_t kept = 0;
-        for (std::size_t begin = 0; begin < found.size(); begin += program::max_points) {
-            const std::size_t count = std::min(program::max_points, found.size() - begin);
-            for (std::size_t i = 0; i < count; ++i) {
-                x[i] = found[begin + i].position.x;
-                y[i] = found[begin + i].position.y;
-            }
-            program::run(program_, {std::span(x).first(count), std::span(y).first(count), time_},
-                         scratch, results);
-            for (std::size_t i = 0; i < count; ++i) {
-                if (hidden[found[begin + i].layer][i] == 0.0) {
-                    found[kept++] = found[begin + i];
-                }
+// Leaves out sightings in layers that are hidden there by what is in front of them.
+void remove_hidden(const rays::VisibleLayers& layers, double time, std::vector<Sighting>& found) {
+    using Values = std::array<double, program::max_points>;
+    rays::Scratch scratch;
+    Values x{};
+    Values y{};
+    std::vector<Values> hidden(layers.layers().size());
+    std::vector<double*> results;
+    std::transform(hidden.begin(), hidden.end(), std::back_inserter(results),
+                   [](Values& values) { return values.data(); });
+    std::size_t kept = 0;
+    for (std::size_t begin = 0; begin < found.size(); begin += program::max_points) {
+        const std::size_t count = std::min(program::max_points, found.size() - begin);
+        for (std::size_t i = 0; i < count; ++i) {
+            x[i] = found[begin + i].position.x;
+            y[i] = found[begin + i].position.y;
+        }
+        layers.run_hidden({std::span(x).first(count), std::span(y).first(count), time}, scratch,
+                          results);
+        for (std::size_t i = 0; i < count; ++i) {
+            if (hidden[found[begin + i].layer][i] == 0.0) {
+                found[kept++] = found[begin + i];
             }
         }
-        found.resize(kept);
     }
-
-private:
-    static std::vector<expr::Expr> roots_of(const std::vector<PictureLayer>& layers) {
-        std::vector<expr::Expr> roots;
-        for (const PictureLayer& layer : layers) {
-            roots.push_back(layer.hidden);
-        }
-        return roots;
-    }
-
-    program::Program program_;
-    double time_;
-};
+    found.resize(kept);
+}
 
 }  // namespace
 
 class Locator::Index {
 public:
-    Index(const std::vector<PictureLayer>& layers, const V2d& picture, double time, Axes axes)
-        : axes_(axes) {
-        for (const PictureLayer& layer : layers) {
-            layers_.emplace_back(layer.name, turned(layer.ray, layer.axes, axes), picture, time);
-        }
-        if (std::any_of(layers.begin(), layers.end(),
-                        [](const PictureLayer& layer) { return !layer.hidden.is_constant(0.0); })) {
-            covers_.emplace(layers, time);
+    Index(rays::VisibleLayers visible, const V2d& picture, double time)
+        : visible_(std::move(visible)), time_(time) {
+        for (const rays::VisibleLayer& layer : visible_.layers()) {
+            layers_.emplace_back(layer, picture, time);
         }
     }
 
-    [[nodiscard]] Axes axes() const { return axes_; }
+    [[nodiscard]] Axes axes() const { return visible_.layers().front().axes; }
     [[nodiscard]] const std::vector<LayerIndex>& layers() const { return layers_; }
 
     // Points beyond far_away are looked for there.
@@ -252,7 +229,7 @@ public:
 
 private:
     [[nodiscard]] std::vector<Sighting> locate_near(std::span<const V3d> points) const {
-        if (layers_.size() == 1 && !covers_) {
+        if (layers_.size() == 1 && !visible_.any_hidden()) {
             return layers_.front().locate(points);
         }
         std::vector<Sighting> all;
@@ -262,16 +239,16 @@ private:
                 all.push_back(sighting);
             }
         }
-        if (covers_) {
-            covers_->remove_hidden(all);
+        if (visible_.any_hidden()) {
+            remove_hidden(visible_, time_, all);
         }
         std::stable_sort(all.begin(), all.end(), comes_before);
         return all;
     }
 
-    Axes axes_;
+    rays::VisibleLayers visible_;
+    double time_;
     std::vector<LayerIndex> layers_;
-    std::optional<Covers> covers_;  // None where nothing can hide anything.
 };
 
 Result<Locator> Locator::make(const camera::Picture& picture, double width, double height,
@@ -280,15 +257,18 @@ Result<Locator> Locator::make(const camera::Picture& picture, double width, doub
         return error(fmt::format("a picture of {} x {} pixels has no places", width, height), {},
                      "give a positive width and height");
     }
-    expr::Graph graph;
-    const std::vector<PictureLayer> layers = picture_layers(picture, graph, width, height);
-    const auto differs = [&](const PictureLayer& layer) { return layer.axes != layers[0].axes; };
-    if (!axes && std::any_of(layers.begin(), layers.end(), differs)) {
+    Result<rays::VisibleLayers> visible = rays::compile_layers(
+        picture, width, height, {.axes = axes, .footprints = true, .tiles = false, .points = true});
+    if (!visible) {
+        return visible.diagnostics;
+    }
+    const auto& layers = visible->layers();
+    const auto differs = [&](const rays::VisibleLayer& one) { return one.axes != layers[0].axes; };
+    if (std::any_of(layers.begin(), layers.end(), differs)) {
         return error(fmt::format("the cameras of picture '{}' have different axes", picture.name()),
                      {}, "say in which axes the points are: y_up or z_up");
     }
-    return Locator(std::make_shared<const Index>(layers, V2d(width, height), time,
-                                                 axes.value_or(layers[0].axes)));
+    return Locator(std::make_shared<const Index>(std::move(*visible), V2d(width, height), time));
 }
 
 Axes Locator::axes() const { return index_->axes(); }

@@ -6,42 +6,40 @@
 
 #include <array>
 #include <cstddef>
-#include <vector>
 
 #include "analyse/measure/ray_field.hpp"
-#include "balcony/camera.hpp"
-#include "balcony/program.hpp"
+#include "balcony/rays.hpp"
 
 namespace balcony::analyse {
 
-/// A ray as a function of the picture, compiled for points. Immutable.
+/// A ray as a function of the picture at one time. Immutable.
 class PointRays {
 public:
-    PointRays(const camera::RayExpressions& ray, double time);
+    /// `program` is compiled for points and with footprints.
+    PointRays(rays::RayProgram program, double time) : program_(std::move(program)), time_(time) {}
 
     /// Up to program::max_points points and then their rays. Belongs to one thread.
     class Batch {
     public:
-        explicit Batch(const PointRays& rays);
+        explicit Batch(const PointRays& rays) : rays_(&rays) {}
 
         void place(std::size_t i, const V2d& at);
         [[nodiscard]] V2d at(std::size_t i) const { return {x_[i], y_[i]}; }
         /// Computes the rays of the first `count` points.
         void run(std::size_t count);
-        /// Valid only if the derivatives are finite too. Its parameters are not computed.
+        /// Valid only if the derivatives are finite too.
         [[nodiscard]] Ray ray(std::size_t i) const;
 
     private:
         const PointRays* rays_;
-        program::Scratch scratch_;
+        rays::Scratch scratch_;
         std::array<double, program::max_points> x_{};
         std::array<double, program::max_points> y_{};
-        std::vector<std::array<double, program::max_points>> values_;  ///< By root.
-        std::vector<double*> results_;
+        rays::RayBatch batch_;
     };
 
 private:
-    program::Program program_;
+    rays::RayProgram program_;
     double time_;
 };
 

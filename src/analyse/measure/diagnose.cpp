@@ -99,15 +99,19 @@ bool Report::has_defects() const {
     return std::any_of(findings.begin(), findings.end(), [](const Finding& f) { return f.defect; });
 }
 
-Report diagnose(const camera::Camera& camera, const DiagnoseSettings& settings) {
-    using Derivatives = RayProgram::Derivatives;
+Result<Report> diagnose(const camera::Camera& camera, const DiagnoseSettings& settings) {
+    using Derivatives = RayField::Derivatives;
+    Result<RayField> with_derivatives =
+        RayField::make(camera, settings.width, settings.height, settings.time, Derivatives::with);
+    Result<RayField> without = RayField::make(camera, settings.width, settings.height,
+                                              settings.time, Derivatives::without);
+    if (!with_derivatives || !without) {
+        return with_derivatives ? without.diagnostics : with_derivatives.diagnostics;
+    }
     Report report;
     report.camera = camera.name();
     report.grid = choose_grid(settings);
-    RayProgram differentiated(camera, settings.width, settings.height, settings.time,
-                              Derivatives::with);
-    RayProgram plain(camera, settings.width, settings.height, settings.time, Derivatives::without);
-    const std::vector<Ray> rays = differentiated.run(report.grid);
+    const std::vector<Ray> rays = with_derivatives->run(report.grid);
 
     report.samples.resize(rays.size());
     measure_origins(rays, settings, report);
@@ -121,17 +125,17 @@ Report diagnose(const camera::Camera& camera, const DiagnoseSettings& settings) 
     report.anisotropy = statistics(report, rays, &Sample::anisotropy);
 
     const double unit = report.distance.value_or(0.0) > 0.0 ? *report.distance : 1.0;
-    const std::vector<Crossing> crossings = find_crossings(report.grid, rays, plain, unit);
+    const std::vector<Crossing> crossings = find_crossings(report.grid, rays, *without, unit);
     for (const Crossing& crossing : crossings) {
         report.samples[crossing.sample].seam = true;
         report.samples[crossing.sample + (crossing.along_x ? 1 : report.grid.columns)].seam = true;
     }
-    const Repeats repeats = find_repeats(report.grid, rays, plain, report.distance, unit);
+    const Repeats repeats = find_repeats(report.grid, rays, *without, report.distance, unit);
     for (std::size_t i = 0; i < rays.size(); ++i) {
         report.samples[i].views = repeats.views[i];
     }
     const Turns turns = count_turns(camera, settings.width, settings.height, settings.time);
-    report.findings = find_all({report, rays, crossings, repeats, turns, plain});
+    report.findings = find_all({report, rays, crossings, repeats, turns, *without});
     return report;
 }
 

@@ -20,7 +20,7 @@ struct Evidence {
     const std::vector<Crossing>& crossings;
     const Repeats& repeats;
     const Turns& turns;
-    RayProgram& program;
+    RayField& program;
 };
 
 /// Defects first, then by kind; before all others a map in degrees that is read as radians, since

@@ -115,7 +115,7 @@ private:
 
 class RepeatSearch {
 public:
-    RepeatSearch(const SampleGrid& grid, const std::vector<Ray>& rays, RayProgram& program,
+    RepeatSearch(const SampleGrid& grid, const std::vector<Ray>& rays, RayField& program,
                  const std::optional<double>& distance, double unit)
         : grid_(grid), program_(program), distance_(distance), unit_(unit) {
         Imath::Box3d box;
@@ -264,7 +264,7 @@ private:
     }
 
     const SampleGrid& grid_;
-    RayProgram& program_;
+    RayField& program_;
     std::optional<double> distance_;
     double unit_;
     V3d center_;
@@ -274,7 +274,7 @@ private:
 
 }  // namespace
 
-Repeats find_repeats(const SampleGrid& grid, const std::vector<Ray>& rays, RayProgram& program,
+Repeats find_repeats(const SampleGrid& grid, const std::vector<Ray>& rays, RayField& program,
                      const std::optional<double>& distance, double unit) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     RepeatSearch search(grid, rays, program, distance, unit);

@@ -22,7 +22,7 @@ struct Repeats {
 /// Rays are the same if their lines and directions are, to a tenth of a pixel; where on the line
 /// they begin does not count. `distance` and `unit` as for jacobian() and find_crossings().
 [[nodiscard]] Repeats find_repeats(const SampleGrid& grid, const std::vector<Ray>& rays,
-                                   RayProgram& program, const std::optional<double>& distance,
+                                   RayField& program, const std::optional<double>& distance,
                                    double unit);
 
 }  // namespace balcony::analyse

@@ -129,7 +129,7 @@ private:
 };
 
 // Side by side, since many points at once cost little more than one.
-void run(std::span<JumpSearch> searches, RayProgram& program, const Difference& difference) {
+void run(std::span<JumpSearch> searches, RayField& program, const Difference& difference) {
     constexpr std::size_t ends = JumpSearch::parts + 1;
     std::vector<JumpSearch*> going;
     for (JumpSearch& search : searches) {
@@ -204,7 +204,7 @@ double length_in_cell(const SampleGrid& grid, const std::vector<V2d>& points) {
 }  // namespace
 
 std::vector<Crossing> find_crossings(const SampleGrid& grid, const std::vector<Ray>& rays,
-                                     RayProgram& program, double unit) {
+                                     RayField& program, double unit) {
     const Difference difference(unit);
     std::vector<JumpSearch> searches;
     for (std::size_t i = 0; i < grid.size(); ++i) {

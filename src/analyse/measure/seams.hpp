@@ -28,8 +28,8 @@ struct Seam {
 /// All jumps between neighbouring samples that halving the way between them does not remove.
 /// `program` may be without derivatives; `unit` is the length that counts as much as a radian.
 [[nodiscard]] std::vector<Crossing> find_crossings(const SampleGrid& grid,
-                                                   const std::vector<Ray>& rays,
-                                                   RayProgram& program, double unit);
+                                                   const std::vector<Ray>& rays, RayField& program,
+                                                   double unit);
 
 /// Crossings joined to lines, the longest first.
 [[nodiscard]] std::vector<Seam> join_seams(const SampleGrid& grid,

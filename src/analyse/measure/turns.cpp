@@ -93,8 +93,9 @@ private:
                                     height_ * (row + 0.5) / along_a_side);
             }
         }
-        return RayProgram(camera, width_, height_, time_, RayProgram::Derivatives::without)
-            .at(points);
+        Result<RayField> field =
+            RayField::make(camera, width_, height_, time_, RayField::Derivatives::without);
+        return field ? field->at(points) : std::vector<Ray>();
     }
 
     // Of the maps of both paths.

@@ -36,12 +36,12 @@ std::vector<SurfaceElement> elements_in_picture(const PathPoint& eye, const Emit
     const std::array extent{eye.size.width, eye.size.height};
     const std::array roots{eye.point.x, eye.point.y, eye.point.z, area.x,
                            area.y,      area.z,      emit.valid()};
-    const std::vector<double> size = expr::evaluate(extent, {});
+    const std::vector<double> size = emit.trial(extent, 0.0, 0.0);
     std::vector<SurfaceElement> elements;
     for (int i = 0; i < cells * cells; ++i) {
         const double x = (i % cells + 0.5) / cells * size[0];
         const double y = (i / cells + 0.5) / cells * size[1];
-        const std::vector<double> r = expr::evaluate(roots, {x, y, 0.0, {}});
+        const std::vector<double> r = emit.trial(roots, x, y);
         if (std::all_of(r.begin(), r.end(), [](double value) { return std::isfinite(value); }) &&
             r.back() != 0.0) {
             elements.push_back({{r[0], r[1], r[2]}, {r[3], r[4], r[5]}});

@@ -231,11 +231,16 @@ private:
             check.in_scene = in_scene(*scene_, *probe);
             scene_distance_ = probe->median_distance;
         }
-        check.report = analyse::diagnose(subject.camera, settings);
-        if (scene_distance_ && !settings.distance && !check.report.single_viewpoint) {
+        Result<analyse::Report> report = analyse::diagnose(subject.camera, settings);
+        if (report && scene_distance_ && !settings.distance && !report->single_viewpoint) {
             settings.distance = scene_distance_;
-            check.report = analyse::diagnose(subject.camera, settings);
+            report = analyse::diagnose(subject.camera, settings);
         }
+        if (!report) {
+            say(report.diagnostics);
+            return;
+        }
+        check.report = std::move(*report);
         finish(check, reports);
     }
 

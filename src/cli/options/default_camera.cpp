@@ -15,9 +15,7 @@ namespace balcony::cli {
 Result<camera::Picture> default_picture(const scene::Scene& scene) {
     // In the camera's axes: z up; the front of a y-up scene, its +z, is the camera's -y.
     const auto bounds = scene.bounds();
-    const Imath::V3d middle(bounds.center());
-    const Imath::V3d center =
-        scene.axes == Axes::y_up ? Imath::V3d(middle.x, -middle.z, middle.y) : middle;
+    const Imath::V3d center = turned(Imath::V3d(bounds.center()), scene.axes, Axes::z_up);
     // A scene that is a single point is seen from a little way off.
     const double extent = Imath::V3d(bounds.size()).length();
     const double radius = extent > 0.0 ? 0.5 * extent : 1.0;

@@ -17,7 +17,6 @@
 #include <tbb/task_arena.h>
 
 #include "render/film/film.hpp"
-#include "render/job/compiled_picture.hpp"
 #include "render/job/fork_and_join.hpp"
 #include "render/job/tile_worker.hpp"
 
@@ -87,8 +86,9 @@ std::vector<PixelTile> cut_into_tiles(std::size_t width, std::size_t height) {
 // All passes over all tiles on a number of threads.
 class Rendering {
 public:
-    Rendering(const TracedScene& traced, const CompiledPicture& picture, const Settings& settings,
-              Film& film, const ProgressCallback& progress, std::stop_token stop)
+    Rendering(const TracedScene& traced, const rays::CompiledPicture& picture,
+              const Settings& settings, Film& film, const ProgressCallback& progress,
+              std::stop_token stop)
         : settings_(settings),
           tiles_(cut_into_tiles(settings.width, settings.height)),
           workers_([&traced, &picture, &settings, &film] {
@@ -111,11 +111,11 @@ public:
         for (const TileWorker& worker : workers_) {
             counts.add(worker.counts());
         }
-        counts.layers.resize(picture_.layers.size());
-        for (std::size_t i = 0; i < picture_.layers.size(); ++i) {
+        counts.layers.resize(picture_.layers().size());
+        for (std::size_t i = 0; i < picture_.layers().size(); ++i) {
             const RayCounts& layer = counts.layers[i];
             summary.layers.push_back(
-                {picture_.layers[i].name, layer.camera_rays, layer.invalid_rays});
+                {picture_.layers()[i].name, layer.camera_rays, layer.invalid_rays});
             summary.camera_rays += layer.camera_rays;
             summary.invalid_rays += layer.invalid_rays;
         }
@@ -160,7 +160,7 @@ private:
     const Settings& settings_;
     std::vector<PixelTile> tiles_;
     tbb::enumerable_thread_specific<TileWorker> workers_;
-    const CompiledPicture& picture_;
+    const rays::CompiledPicture& picture_;
     const ProgressCallback& progress_;
     std::stop_token stop_;
     Clock::time_point begin_ = Clock::now();
@@ -219,15 +219,19 @@ Result<Picture> Renderer::render(const camera::Picture& picture, const Settings&
         const TracedScene& traced = state_->traced;
         const Clock::time_point begin = Clock::now();
         // Footprints are of use to textures alone.
-        const CompiledPicture compiled = compile_picture(
-            picture, traced.scene->axes, settings.width, settings.height, traced.textured);
+        const Result<rays::CompiledPicture> compiled = rays::compile(
+            picture, static_cast<double>(settings.width), static_cast<double>(settings.height),
+            {.axes = traced.scene->axes, .footprints = traced.textured});
+        if (!compiled) {
+            return compiled.diagnostics;
+        }
         const double compile_seconds = seconds_since(begin);
         Picture made{make_film(settings, *traced.scene), {}};
-        for (const CompiledPicture::CameraLayer& layer : compiled.layers) {
+        for (const rays::CompiledPicture::CameraLayer& layer : compiled->layers()) {
             made.film.picture_layers.push_back(layer.name);
         }
         made.summary =
-            Rendering(traced, compiled, settings, made.film, progress, std::move(stop)).run();
+            Rendering(traced, *compiled, settings, made.film, progress, std::move(stop)).run();
         made.summary.compile_seconds = compile_seconds;
         return {std::move(made), traced.textures->failures()};
     } catch (const std::bad_alloc&) {

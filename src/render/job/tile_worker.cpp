@@ -57,7 +57,7 @@ void WorkCounts::add(const WorkCounts& other) {
     seconds += other.seconds;
 }
 
-TileWorker::TileWorker(const TracedScene& traced, const CompiledPicture& picture,
+TileWorker::TileWorker(const TracedScene& traced, const rays::CompiledPicture& picture,
                        const Settings& settings, Film& film)
     : traced_(&traced),
       picture_(&picture),
@@ -67,18 +67,17 @@ TileWorker::TileWorker(const TracedScene& traced, const CompiledPicture& picture
       // Many samples share the work of filtering; pbrt bounds the sharing alike.
       footprint_scale_(std::max(0.125, 1.0 / std::sqrt(static_cast<double>(settings.samples)))) {
     constexpr std::size_t maximum = tile_width * tile_height;
-    grid_.resize(maximum, picture.footprints);
     has_ray_.resize(maximum);
     rays_.resize(maximum);
     hits_.resize(maximum);
-    counts_.layers.resize(picture.layers.size());
-    if (picture.single()) {
+    counts_.layers.resize(picture.layers().size());
+    if (picture.is_one_camera()) {
         return;
     }
     wanted_.resize(maximum);
     has_data_.resize(maximum);
-    drawn_.resize(picture.layers.size());
-    coverages_.resize(picture.coverages ? picture.coverages->root_count() : 0);
+    drawn_.resize(picture.layers().size());
+    coverages_.resize(picture.coverage_count());
     for (std::vector<double>& values : coverages_) {
         values.resize(maximum);
         coverage_roots_.push_back(values.data());
@@ -90,7 +89,7 @@ void TileWorker::render(const PixelTile& tile, std::size_t pass) {
     tile_ = tile;
     pass_ = pass;
     pixels_ = tile.width * tile.height;
-    if (picture_->single()) {
+    if (picture_->is_one_camera()) {
         render_single();
     } else {
         render_layers();
@@ -100,10 +99,10 @@ void TileWorker::render(const PixelTile& tile, std::size_t pass) {
 
 // What the filter reaches beyond the picture counts as at its border, since there the camera may go
 // on with something else or nothing; just inside, for what ends there.
-program::Tile TileWorker::points() const {
+rays::Tile TileWorker::points() const {
     constexpr double just_inside = 1e-6;
     const auto limits = [](std::size_t extent) {
-        return program::Tile::Limits{just_inside, static_cast<double>(extent) - just_inside};
+        return rays::Tile::Limits{just_inside, static_cast<double>(extent) - just_inside};
     };
     const Imath::V2d offset = pass_offset(pass_);
     return {static_cast<double>(tile_.x) + 0.5 + offset.x,
@@ -119,10 +118,9 @@ program::Tile TileWorker::points() const {
 // Fills grid_, has_ray_ and rays_.
 void TileWorker::make_rays(std::size_t layer) {
     const Clock::time_point begin = Clock::now();
-    const program::Program& program = picture_->layers[layer].rays;
-    program::run(program, points(), scratch_, grid_.roots(program.root_count()));
+    picture_->layers()[layer].rays.run(points(), scratch_, grid_);
     for (std::size_t i = 0; i < pixels_; ++i) {
-        has_ray_[i] = grid_.traceable(i) ? 1 : 0;
+        has_ray_[i] = traceable(grid_, i) ? 1 : 0;
         if (has_ray_[i] != 0) {
             rays_[i] = {V3f(grid_.origin(i)), V3f(grid_.direction(i))};
         }
@@ -133,8 +131,8 @@ void TileWorker::make_rays(std::size_t layer) {
 // What the ray of a pixel sees, given where it hits first.
 Tracer::Result TileWorker::trace(std::size_t i) {
     Ray ray{rays_[i].origin, rays_[i].direction};
-    if (picture_->footprints) {
-        ray.differentials = grid_.differentials(i, footprint_scale_);
+    if (grid_.has_footprints()) {
+        ray.differentials = differentials(grid_, i, footprint_scale_);
     }
     Tracer::Result seen = tracer_.trace(ray, hits_[i]);
     if (settings_->background) {
@@ -171,9 +169,9 @@ void TileWorker::render_single() {
 // Rays first, from the front to the back, since what is hidden needs none; then the colours, from
 // the back to the front.
 void TileWorker::render_layers() {
-    if (picture_->coverages) {
+    if (picture_->coverage_count() > 0) {
         const Clock::time_point begin = Clock::now();
-        program::run(*picture_->coverages, points(), scratch_, coverage_roots_);
+        picture_->run_coverages(points(), scratch_, coverage_roots_);
         counts_.camera_seconds += seconds_between(begin, Clock::now());
     }
     for (std::vector<Drawn>& layer : drawn_) {
@@ -181,9 +179,9 @@ void TileWorker::render_layers() {
     }
     std::fill(has_data_.begin(), has_data_.end(), std::uint8_t{0});
     Mask hidden(pixels_, 0);
-    find_rays(picture_->elements, hidden, std::vector<float>(pixels_, 1.0F));
+    find_rays(picture_->elements(), hidden, std::vector<float>(pixels_, 1.0F));
     for (std::size_t i = 0; i < pixels_; ++i) {
-        const Drawn all = drawn(picture_->elements, i);
+        const Drawn all = drawn(picture_->elements(), i);
         film_->sum[pixel(i)] += all.color;
         ++film_->samples[pixel(i)];
         counts_.invalid_pixels += pass_ == 0 && all.presence <= 0.0F ? 1 : 0;
@@ -310,7 +308,7 @@ void TileWorker::write_data(std::size_t i, std::size_t layer, const VisibleSurfa
     layers.layer[at] = static_cast<std::uint16_t>(layer + 1);
     layers.origin[at] = V3f(origin);
     layers.direction[at] = V3f(direction);
-    layers.parameters[at] = grid_.parameters(i);
+    layers.parameters[at] = parameters(grid_, i);
     if (visible.any) {
         const double length = (Imath::V3d(visible.position) - origin).dot(direction);
         layers.ray_length[at] = static_cast<float>(std::max(length, 0.0));

@@ -7,11 +7,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "balcony/program.hpp"
+#include "balcony/rays.hpp"
 #include "balcony/render.hpp"
 #include "render/film/blend.hpp"
 #include "render/job/camera_rays.hpp"
-#include "render/job/compiled_picture.hpp"
 #include "render/shading/tracer.hpp"
 
 namespace balcony::render {
@@ -46,8 +45,8 @@ struct WorkCounts {
 
 class TileWorker {
 public:
-    TileWorker(const TracedScene& traced, const CompiledPicture& picture, const Settings& settings,
-               Film& film);
+    TileWorker(const TracedScene& traced, const rays::CompiledPicture& picture,
+               const Settings& settings, Film& film);
 
     /// Adds one sample to each pixel of the tile. Pass 0 also fills the film's layers.
     void render(const PixelTile& tile, std::size_t pass);
@@ -55,7 +54,7 @@ public:
     [[nodiscard]] const WorkCounts& counts() const { return counts_; }
 
 private:
-    using Element = CompiledPicture::Element;
+    using Element = rays::CompiledPicture::Element;
     using Mask = std::vector<std::uint8_t>;  // By pixel of the tile.
 
     void render_single();
@@ -69,14 +68,14 @@ private:
     void make_rays(std::size_t layer);
     [[nodiscard]] Tracer::Result trace(std::size_t i);
     [[nodiscard]] float coverage(const Element& element, std::size_t i) const;
-    [[nodiscard]] program::Tile points() const;
+    [[nodiscard]] rays::Tile points() const;
     [[nodiscard]] std::size_t pixel(std::size_t i) const {
         return (tile_.y + i / tile_.width) * film_->width + tile_.x + i % tile_.width;
     }
     void write_data(std::size_t i, std::size_t layer, const VisibleSurface& visible);
 
     const TracedScene* traced_;
-    const CompiledPicture* picture_;
+    const rays::CompiledPicture* picture_;
     const Settings* settings_;
     Film* film_;
     Tracer tracer_;
@@ -88,8 +87,8 @@ private:
     std::size_t pixels_ = 0;
 
     // By pixel of the tile.
-    program::Scratch scratch_;
-    RayGrid grid_;
+    rays::Scratch scratch_;
+    rays::RayBatch grid_;
     Mask wanted_;  // Whether the ray is asked for; only where there is more than one layer.
     Mask has_ray_;
     std::vector<embree::Ray> rays_;

@@ -7,7 +7,6 @@
 
 #include "balcony/probe.hpp"
 #include "render/embree/accelerator.hpp"
-#include "render/job/camera_rays.hpp"
 #include "render/shading/material.hpp"
 #include "render/shading/surface.hpp"
 #include "render/textures/texture_library.hpp"
@@ -17,11 +16,6 @@ namespace balcony::render {
 namespace {
 
 using Imath::V3d;
-
-V3d in_axes(const V3d& v, Axes from, Axes to) {
-    const auto [x, y, z] = turned(std::array{v.x, v.y, v.z}, from, to);
-    return {x, y, z};
-}
 
 /// Looks along lines, one after another; belongs to one thread.
 class SightTracer {
@@ -96,7 +90,7 @@ Result<std::vector<std::optional<Obstacle>>> find_obstacles(const scene::Scene& 
     found.reserve(lines.size());
     for (const SightLine& line : lines) {
         found.push_back(
-            look(in_axes(line.from, axes, scene.axes), in_axes(line.to, axes, scene.axes)));
+            look(turned(line.from, axes, scene.axes), turned(line.to, axes, scene.axes)));
     }
     const Diagnostics failures = textures.failures();
     warnings.insert(warnings.end(), failures.begin(), failures.end());

@@ -19,7 +19,7 @@ using Imath::V3f;
 
 /// The rays of a part of the picture.
 struct RayTile {
-    RayGrid rays;
+    rays::RayBatch rays;
     std::size_t width = 0;
     std::size_t height = 0;
     Imath::V2d corner;
@@ -35,11 +35,8 @@ struct RayTile {
 class Prober {
 public:
     Prober(const scene::Scene& scene, const embree::Accelerator& accelerator,
-           const camera::Camera& camera, const ProbeSettings& settings)
-        : scene_(scene),
-          accelerator_(accelerator),
-          program_(compile_camera(camera, scene.axes, settings.width, settings.height)),
-          settings_(settings) {
+           const rays::RayProgram& program, const ProbeSettings& settings)
+        : scene_(scene), accelerator_(accelerator), program_(program), settings_(settings) {
         probe_.objects.resize(scene.objects.size());
         for (const scene::Instance& instance : scene.instances) {
             if (!scene.meshes[instance.mesh.value()].triangles.empty()) {
@@ -83,11 +80,9 @@ private:
                 tile.height = std::min(program::max_tile_height, rows - top);
                 tile.corner = {middle + tile.step * static_cast<double>(left),
                                middle + tile.step * static_cast<double>(top)};
-                tile.rays.resize(tile.size(), false);
-                program::run(program_,
-                             {tile.corner.x, tile.corner.y, tile.step, tile.width, tile.height,
+                program_.run({tile.corner.x, tile.corner.y, tile.step, tile.width, tile.height,
                               settings_.time},
-                             scratch_, tile.rays.roots(program_.root_count()));
+                             scratch_, tile.rays);
                 visit(tile);
             }
         }
@@ -109,7 +104,7 @@ private:
         std::vector<std::uint8_t> active(tile.size());
         std::vector<Hit> hits(tile.size());
         for (std::size_t i = 0; i < tile.size(); ++i) {
-            active[i] = tile.rays.traceable(i) ? 1 : 0;
+            active[i] = traceable(tile.rays, i) ? 1 : 0;
             rays[i] = active[i] != 0 ? ray_of(tile, i) : embree::Ray{};
         }
         accelerator_.intersect_grid(tile.width, rays, active, hits);
@@ -174,7 +169,7 @@ private:
         std::optional<V3f> last_origin;
         std::optional<std::uint32_t> last_object;
         for (std::size_t i = 0; i < tile.size(); ++i) {
-            if (!tile.rays.traceable(i)) {
+            if (!traceable(tile.rays, i)) {
                 continue;
             }
             embree::Ray ray = ray_of(tile, i);
@@ -217,8 +212,8 @@ private:
 
     const scene::Scene& scene_;
     const embree::Accelerator& accelerator_;
-    program::Program program_;
-    program::Scratch scratch_;
+    const rays::RayProgram& program_;
+    rays::Scratch scratch_;
     ProbeSettings settings_;
     Probe probe_;
     std::vector<double> distances_;
@@ -233,7 +228,13 @@ Result<Probe> probe(const scene::Scene& scene, const camera::Camera& camera,
     if (!accelerator) {
         return accelerator.diagnostics;
     }
-    return Prober(scene, *accelerator, camera, settings).run();
+    const Result<rays::RayProgram> program =
+        rays::compile(camera, static_cast<double>(settings.width),
+                      static_cast<double>(settings.height), {.axes = scene.axes});
+    if (!program) {
+        return program.diagnostics;
+    }
+    return Prober(scene, *accelerator, *program, settings).run();
 }
 
 }  // namespace balcony::render

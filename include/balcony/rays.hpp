@@ -1,0 +1,197 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Rays: a camera or a picture compiled to numbers. Whatever needs rays takes them from here: the
+// renderer, the analysis, bridges to other renderers.
+//
+//     compile(camera, width, height, request) ─▶ RayProgram ─▶ run(tile or points) ─▶ RayBatch
+//     compile(picture, width, height, request) ─▶ CompiledPicture: a RayProgram a camera layer, and
+//                                                 how the layers cover each other
+//
+// What is compiled is immutable and may be shared by threads; a Scratch and a RayBatch belong to
+// one thread.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <Imath/ImathVec.h>
+
+#include "balcony/base.hpp"
+#include "balcony/camera.hpp"
+#include "balcony/picture.hpp"
+#include "balcony/program.hpp"
+
+namespace balcony::rays {
+
+using Imath::V2d;
+using Imath::V3d;
+using program::Points;
+using program::Scratch;
+using program::Tile;
+
+/// What rays are compiled for.
+struct Request {
+    /// The axes of the rays; without them each camera's own.
+    std::optional<Axes> axes{};
+    bool footprints = false;  ///< With the derivatives by picture x and y.
+    bool tiles = true;        ///< To be run over tiles.
+    bool points = false;      ///< To be run over lists of points.
+};
+
+/// A ray at a point of the picture.
+struct Ray {
+    V3d origin{0.0};
+    V3d direction{0.0};  ///< Unit length where valid.
+    bool valid = false;
+    V2d parameters{0.0};  ///< (u, v) of the eye object.
+    /// The exact derivatives by picture x and y, a pixel; 0 if they were not asked for.
+    V3d origin_by_x{0.0}, origin_by_y{0.0};
+    V3d direction_by_x{0.0}, direction_by_y{0.0};
+};
+
+/// The rays of a tile, row by row, or of a list of points. Memory is kept from run to run.
+class RayBatch {
+public:
+    [[nodiscard]] std::size_t size() const { return size_; }
+    [[nodiscard]] bool has_footprints() const { return footprints_; }
+
+    [[nodiscard]] bool valid(std::size_t i) const { return values_[valid_][i] == 1.0; }
+    [[nodiscard]] V3d origin(std::size_t i) const { return vector(origin_, i); }
+    [[nodiscard]] V3d direction(std::size_t i) const { return vector(direction_, i); }
+    [[nodiscard]] V2d parameters(std::size_t i) const {
+        return {values_[parameters_][i], values_[parameters_ + 1][i]};
+    }
+    [[nodiscard]] V3d origin_by_x(std::size_t i) const { return vector(origin_by_x_, i); }
+    [[nodiscard]] V3d origin_by_y(std::size_t i) const { return vector(origin_by_y_, i); }
+    [[nodiscard]] V3d direction_by_x(std::size_t i) const { return vector(direction_by_x_, i); }
+    [[nodiscard]] V3d direction_by_y(std::size_t i) const { return vector(direction_by_y_, i); }
+    [[nodiscard]] Ray operator[](std::size_t i) const;
+
+private:
+    friend class RayProgram;
+
+    // The roots of a RayProgram in their order. Those from origin_by_x_ on are its footprints.
+    static constexpr std::size_t origin_ = 0;
+    static constexpr std::size_t direction_ = 3;
+    static constexpr std::size_t valid_ = 6;
+    static constexpr std::size_t parameters_ = 7;
+    static constexpr std::size_t origin_by_x_ = 9;
+    static constexpr std::size_t origin_by_y_ = 12;
+    static constexpr std::size_t direction_by_x_ = 15;
+    static constexpr std::size_t direction_by_y_ = 18;
+    static constexpr std::size_t values_count_ = 21;
+
+    [[nodiscard]] V3d vector(std::size_t root, std::size_t i) const {
+        return {values_[root][i], values_[root + 1][i], values_[root + 2][i]};
+    }
+    std::span<double* const> reserve(std::size_t size, bool footprints);
+
+    std::size_t size_ = 0;
+    bool footprints_ = false;
+    std::array<std::vector<double>, values_count_> values_;
+    std::array<double*, values_count_> results_{};
+};
+
+/// The rays of one camera.
+class RayProgram {
+public:
+    /// All expressions must be in one graph. Throws std::length_error where the derivatives do not
+    /// fit into it; compile() makes a diagnostic of that.
+    RayProgram(const camera::RayExpressions& ray, Axes axes_of_ray, const Request& request);
+
+    [[nodiscard]] bool has_footprints() const { return footprints_; }
+
+    /// Rays over a tile, if the request was for tiles; at points, if it was for points.
+    void run(const Tile& tile, Scratch& scratch, RayBatch& rays) const;
+    void run(const Points& points, Scratch& scratch, RayBatch& rays) const;
+
+private:
+    bool footprints_;
+    std::optional<program::Program> for_tiles_;
+    std::optional<program::Program> for_points_;
+};
+
+/// Compiles the rays of a camera by itself, in a picture of a size in pixels. It is an error if the
+/// derivatives are more than a graph holds.
+[[nodiscard]] Result<RayProgram> compile(const camera::Camera& camera, double width, double height,
+                                         const Request& request);
+
+/// A picture as programs: the rays of each camera layer, and how much of each layer shows.
+class CompiledPicture {
+public:
+    /// What is drawn, in the order of drawing: a camera layer, a paint or a group.
+    struct Element {
+        camera::BlendMode blend = camera::BlendMode::normal;
+        std::optional<std::size_t> coverage;  ///< Of `coverages`; 1 everywhere without.
+        std::optional<std::size_t> layer;     ///< Index into layers().
+        std::optional<std::size_t> paint;  ///< The first of three colour channels of `coverages`.
+        std::vector<Element> group;
+    };
+    struct CameraLayer {
+        std::string name;        ///< Behind the names of the pictures that it is in.
+        Axes axes = Axes::z_up;  ///< Of its rays.
+        RayProgram rays;
+    };
+
+    [[nodiscard]] const std::vector<Element>& elements() const { return elements_; }
+    /// From the back to the front.
+    [[nodiscard]] const std::vector<CameraLayer>& layers() const { return layers_; }
+    /// The number of coverages and paint channels together; 0 if one camera covers everything.
+    [[nodiscard]] std::size_t coverage_count() const;
+    /// Coverages and paints over a tile: results[i] receives that of the number i. A coverage is
+    /// from 0 to 1 where it is a number.
+    void run_coverages(const Tile& tile, Scratch& scratch, std::span<double* const> results) const;
+
+    /// One camera that covers everything.
+    [[nodiscard]] bool is_one_camera() const {
+        return elements_.size() == 1 && elements_.front().layer && !coverages_;
+    }
+
+private:
+    friend class PictureCompiler;
+    std::vector<Element> elements_;
+    std::vector<CameraLayer> layers_;
+    std::optional<program::Program> coverages_;
+};
+
+/// Compiles a picture of a size in pixels, for tiles. It is an error if its formulas or their
+/// derivatives are more than a graph holds.
+[[nodiscard]] Result<CompiledPicture> compile(const camera::Picture& picture, double width,
+                                              double height, const Request& request);
+
+/// A camera layer of a picture as a function from points of the whole picture to rays, which are
+/// valid only where the layer covers something.
+struct VisibleLayer {
+    std::string name;
+    Axes axes = Axes::z_up;
+    RayProgram rays;
+};
+
+/// What a picture shows at points.
+class VisibleLayers {
+public:
+    /// From the back to the front. A camera by itself is one layer that covers everything.
+    [[nodiscard]] const std::vector<VisibleLayer>& layers() const { return layers_; }
+    /// Whether a layer may be hidden anywhere by what is in front of it.
+    [[nodiscard]] bool any_hidden() const { return hidden_.has_value(); }
+    /// hidden[l][i] receives 1 where layers and lines in front of layer l leave nothing of it at
+    /// point i, as the renderer has it: those in normal blend mode that cover the point wholly.
+    void run_hidden(const Points& points, Scratch& scratch, std::span<double* const> hidden) const;
+
+private:
+    friend class LayerFinder;
+    std::vector<VisibleLayer> layers_;
+    std::optional<program::Program> hidden_;
+};
+
+/// Compiles the layers of a picture for points, as compile() does a picture.
+[[nodiscard]] Result<VisibleLayers> compile_layers(const camera::Picture& picture, double width,
+                                                   double height, const Request& request);
+
+}  // namespace balcony::rays

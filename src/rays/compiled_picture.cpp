@@ -1,0 +1,78 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "balcony/rays.hpp"
+
+#include "rays/compile.hpp"
+
+namespace balcony::rays {
+
+class PictureCompiler {
+public:
+    using Expressions = std::vector<camera::PictureExpressions::Element>;
+
+    explicit PictureCompiler(const Request& request) : request_(request) {}
+
+    CompiledPicture run(const Expressions& all) {
+        made_.elements_ = elements(all);
+        if (!roots_.empty()) {
+            made_.coverages_.emplace(roots_);
+        }
+        return std::move(made_);
+    }
+
+private:
+    std::vector<CompiledPicture::Element> elements(const Expressions& all) {
+        std::vector<CompiledPicture::Element> made;
+        made.reserve(all.size());
+        for (const camera::PictureExpressions::Element& one : all) {
+            made.push_back(element(one));
+        }
+        return made;
+    }
+
+    CompiledPicture::Element element(const camera::PictureExpressions::Element& one) {
+        CompiledPicture::Element made;
+        made.blend = one.blend;
+        if (!one.coverage.is_constant(1.0)) {
+            made.coverage = roots_.size();
+            roots_.push_back(one.coverage);
+        }
+        if (one.paint) {
+            made.paint = roots_.size();
+            roots_.insert(roots_.end(), one.paint->begin(), one.paint->end());
+        }
+        if (one.ray) {
+            made.layer = made_.layers_.size();
+            made_.layers_.push_back({one.name, request_.axes.value_or(one.axes),
+                                     RayProgram(*one.ray, one.axes, request_)});
+        }
+        made.group = elements(one.group);
+        return made;
+    }
+
+    const Request& request_;
+    CompiledPicture made_;
+    std::vector<expr::Expr> roots_;
+};
+
+std::size_t CompiledPicture::coverage_count() const {
+    return coverages_ ? coverages_->root_count() : 0;
+}
+
+void CompiledPicture::run_coverages(const Tile& tile, Scratch& scratch,
+                                    std::span<double* const> results) const {
+    if (coverages_) {
+        program::run(*coverages_, tile, scratch, results);
+    }
+}
+
+Result<CompiledPicture> compile(const camera::Picture& picture, double width, double height,
+                                const Request& request) {
+    return within_limits<CompiledPicture>("picture", picture.name(), [&] {
+        expr::Graph graph;
+        return PictureCompiler(request).run(picture.emit(graph, width, height).elements);
+    });
+}
+
+}  // namespace balcony::rays

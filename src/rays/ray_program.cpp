@@ -1,0 +1,65 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "balcony/rays.hpp"
+
+#include "rays/compile.hpp"
+
+namespace balcony::rays {
+
+namespace {
+
+// In the order in which RayBatch has them.
+std::vector<expr::Expr> roots_of(const camera::RayExpressions& ray, Axes from, Axes to,
+                                 bool footprints) {
+    std::vector<expr::Expr> roots;
+    const auto add = [&](const auto& vector) {
+        const auto v = turned(vector, from, to);
+        roots.insert(roots.end(), {v.x, v.y, v.z});
+    };
+    add(ray.origin);
+    add(ray.direction);
+    roots.insert(roots.end(), {ray.valid, ray.parameters.u, ray.parameters.v});
+    if (footprints) {
+        const camera::RayFootprint slopes = camera::footprint(ray);
+        add(slopes.origin_by_x);
+        add(slopes.origin_by_y);
+        add(slopes.direction_by_x);
+        add(slopes.direction_by_y);
+    }
+    return roots;
+}
+
+}  // namespace
+
+RayProgram::RayProgram(const camera::RayExpressions& ray, Axes axes_of_ray, const Request& request)
+    : footprints_(request.footprints) {
+    const std::vector<expr::Expr> roots =
+        roots_of(ray, axes_of_ray, request.axes.value_or(axes_of_ray), footprints_);
+    if (request.tiles) {
+        for_tiles_.emplace(roots, program::Sampling::grid);
+    }
+    if (request.points) {
+        for_points_.emplace(roots, program::Sampling::points);
+    }
+}
+
+void RayProgram::run(const Tile& tile, Scratch& scratch, RayBatch& rays) const {
+    assert(for_tiles_ && "the request was not for tiles");
+    program::run(*for_tiles_, tile, scratch, rays.reserve(tile.width * tile.height, footprints_));
+}
+
+void RayProgram::run(const Points& points, Scratch& scratch, RayBatch& rays) const {
+    assert(for_points_ && "the request was not for points");
+    program::run(*for_points_, points, scratch, rays.reserve(points.x.size(), footprints_));
+}
+
+Result<RayProgram> compile(const camera::Camera& camera, double width, double height,
+                           const Request& request) {
+    return within_limits<RayProgram>("camera", camera.name(), [&] {
+        expr::Graph graph;
+        return RayProgram(camera.emit(graph, width, height), camera.parts().axes, request);
+    });
+}
+
+}  // namespace balcony::rays

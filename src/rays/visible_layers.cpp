@@ -1,0 +1,78 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "balcony/rays.hpp"
+
+#include <algorithm>
+
+#include "rays/compile.hpp"
+
+namespace balcony::rays {
+
+// Goes through elements from the front to the back and gathers what hides those behind.
+class LayerFinder {
+public:
+    using Element = camera::PictureExpressions::Element;
+
+    explicit LayerFinder(const Request& request) : request_(request) {}
+
+    VisibleLayers run(const std::vector<Element>& elements, expr::Graph& graph) {
+        find(elements, graph.constant(0.0), graph.constant(1.0));
+        std::reverse(made_.layers_.begin(), made_.layers_.end());
+        std::reverse(hidden_.begin(), hidden_.end());
+        if (std::any_of(hidden_.begin(), hidden_.end(),
+                        [](const expr::Expr& hidden) { return !hidden.is_constant(0.0); })) {
+            made_.hidden_.emplace(hidden_, program::Sampling::points);
+        }
+        return std::move(made_);
+    }
+
+private:
+    // `hidden` is where elements in front hide these, `shown` where the groups round them cover
+    // something. Returns where these elements and those in front hide what is behind.
+    expr::Expr find(const std::vector<Element>& elements, expr::Expr hidden, expr::Expr shown) {
+        for (auto element = elements.rbegin(); element != elements.rend(); ++element) {
+            const expr::Expr present = contents(*element, hidden, shown && 0.0 < element->coverage);
+            if (element->blend == camera::BlendMode::normal) {
+                hidden = hidden || (present && 1.0 <= element->coverage);
+            }
+        }
+        return hidden;
+    }
+
+    // Where there is anything that could hide: a ray, paint, or a group without a gap.
+    expr::Expr contents(const Element& element, expr::Expr hidden, expr::Expr shown) {
+        if (!element.group.empty()) {
+            return find(element.group, hidden, shown);
+        }
+        if (!element.ray) {
+            return hidden.graph().constant(1.0);
+        }
+        camera::RayExpressions ray = *element.ray;
+        ray.valid = ray.valid && shown;
+        hidden_.push_back(hidden);
+        made_.layers_.push_back({element.name, request_.axes.value_or(element.axes),
+                                 RayProgram(ray, element.axes, request_)});
+        return element.ray->valid;
+    }
+
+    const Request& request_;
+    VisibleLayers made_;
+    std::vector<expr::Expr> hidden_;  // By layer.
+};
+
+void VisibleLayers::run_hidden(const Points& points, Scratch& scratch,
+                               std::span<double* const> hidden) const {
+    assert(hidden_ && "nothing hides any layer");
+    program::run(*hidden_, points, scratch, hidden);
+}
+
+Result<VisibleLayers> compile_layers(const camera::Picture& picture, double width, double height,
+                                     const Request& request) {
+    return within_limits<VisibleLayers>("picture", picture.name(), [&] {
+        expr::Graph graph;
+        return LayerFinder(request).run(picture.emit(graph, width, height).elements, graph);
+    });
+}
+
+}  // namespace balcony::rays

@@ -1,0 +1,272 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Rays as numbers: the same over tiles and at points, in the axes asked for, with derivatives that
+// are those of neighbouring rays; from cameras that are emitted once.
+
+#include "balcony/rays.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "balcony/lang.hpp"
+
+namespace balcony::rays {
+namespace {
+
+camera::Picture picture_of(const std::string& text) {
+    auto made = lang::make_picture(std::make_shared<const SourceText>("test.cam", text), "");
+    EXPECT_TRUE(made) << to_text(made.diagnostics);
+    return *made;
+}
+
+camera::Camera built_in(const std::string& name) { return *lang::load_camera(name, ""); }
+
+RayProgram compiled(const camera::Camera& camera, double width, double height,
+                    const Request& request) {
+    auto made = compile(camera, width, height, request);
+    EXPECT_TRUE(made) << to_text(made.diagnostics);
+    return *made;
+}
+
+// The ray at one point.
+Ray ray_at(const RayProgram& program, const V2d& point) {
+    Scratch scratch;
+    RayBatch batch;
+    program.run(Points{std::span(&point.x, 1), std::span(&point.y, 1), 0.0}, scratch, batch);
+    return batch[0];
+}
+
+TEST(RayProgram, GivesTheSameRaysOverTilesAndAtPoints) {
+    const RayProgram program =
+        compiled(built_in("superelliptic"), 300, 60, {.footprints = true, .points = true});
+    Scratch scratch;
+    RayBatch batch;
+    program.run(Tile{37.5, 11.5, 1.0, 5, 3, 0.0}, scratch, batch);
+    ASSERT_EQ(batch.size(), 15U);
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+        const Ray one =
+            ray_at(program, {37.5 + static_cast<double>(i % 5), 11.5 + static_cast<double>(i / 5)});
+        EXPECT_TRUE(one.valid);
+        EXPECT_EQ(one.origin, batch[i].origin);
+        EXPECT_EQ(one.direction, batch[i].direction);
+        EXPECT_EQ(one.parameters, batch[i].parameters);
+        EXPECT_EQ(one.origin_by_x, batch[i].origin_by_x);
+        EXPECT_EQ(one.direction_by_y, batch[i].direction_by_y);
+    }
+}
+
+TEST(RayProgram, AgreesWithTheScalarDefinitions) {
+    for (const std::string& name : lang::built_in_cameras()) {
+        const camera::Camera camera = built_in(name);
+        expr::Graph graph;
+        const camera::RayExpressions ray = camera.emit(graph, 160, 90);
+        const std::array roots{ray.origin.x,    ray.origin.y,    ray.origin.z,    ray.direction.x,
+                               ray.direction.y, ray.direction.z, ray.parameters.u};
+        const Ray found = ray_at(compiled(camera, 160, 90, {.points = true}), {30.25, 61.75});
+        const std::vector<double> v = expr::evaluate(roots, {30.25, 61.75, 0.0, {}});
+        ASSERT_TRUE(found.valid) << name;
+        // A runner's operations err by a few units in the last place each.
+        const double tolerance = 1e-12 * (1.0 + found.origin.length());
+        EXPECT_LT((found.origin - V3d(v[0], v[1], v[2])).length(), tolerance) << name;
+        EXPECT_LT((found.direction - V3d(v[3], v[4], v[5])).length(), 1e-12) << name;
+        EXPECT_NEAR(found.parameters.x, v[6], 1e-12) << name;
+    }
+}
+
+TEST(RayProgram, DerivativesAreNeighbourDifferences) {
+    const RayProgram program =
+        compiled(built_in("hyperbolic"), 160, 90, {.footprints = true, .points = true});
+    // The error of a central difference is some h^2; that of its rounding 1e-15/h.
+    const double h = 1e-4;
+    for (const V2d& p : {V2d(10, 10), V2d(81, 40), V2d(150, 88)}) {
+        const Ray ray = ray_at(program, p);
+        const auto slope = [&](V3d Ray::*member, const V2d& by) {
+            return (ray_at(program, p + h * by).*member - ray_at(program, p - h * by).*member) /
+                   (2.0 * h);
+        };
+        EXPECT_LT((ray.origin_by_x - slope(&Ray::origin, {1, 0})).length(), 1e-8);
+        EXPECT_LT((ray.origin_by_y - slope(&Ray::origin, {0, 1})).length(), 1e-8);
+        EXPECT_LT((ray.direction_by_x - slope(&Ray::direction, {1, 0})).length(), 1e-8);
+        EXPECT_LT((ray.direction_by_y - slope(&Ray::direction, {0, 1})).length(), 1e-8);
+        EXPECT_GT(ray.direction_by_x.length(), 1e-4);
+    }
+}
+
+TEST(RayProgram, TurnsOriginsDirectionsAndDerivativesIntoTheAxesAskedFor) {
+    const camera::Camera camera = built_in("superelliptic");
+    ASSERT_EQ(camera.parts().axes, Axes::z_up);
+    const auto ray = [&](std::optional<Axes> axes) {
+        return ray_at(compiled(camera, 300, 60, {.axes = axes, .footprints = true, .points = true}),
+                      {100.0, 20.0});
+    };
+    const Ray own = ray({});
+    const Ray y_up = ray(Axes::y_up);
+    for (const auto member : {&Ray::origin, &Ray::direction, &Ray::origin_by_x, &Ray::origin_by_y,
+                              &Ray::direction_by_x, &Ray::direction_by_y}) {
+        const V3d& v = own.*member;
+        EXPECT_EQ(y_up.*member, V3d(v.x, v.z, -v.y));
+        EXPECT_NE(y_up.*member, v);
+    }
+    EXPECT_EQ(ray(Axes::z_up).origin, own.origin);
+    EXPECT_EQ(y_up.parameters, own.parameters);
+}
+
+TEST(RayProgram, HasNoDerivativesUnlessAskedFor) {
+    const RayProgram program = compiled(built_in("hyperbolic"), 160, 90, {.points = true});
+    EXPECT_FALSE(program.has_footprints());
+    EXPECT_EQ(ray_at(program, {80, 45}).origin_by_x, V3d(0.0));
+}
+
+// ------------------------------------------------------------------------------ emitted once
+
+// A plane that counts how often it writes its formula.
+class CountedPlane final : public camera::ObjectGenerator {
+public:
+    explicit CountedPlane(std::atomic<int>& count) : count_(count) {}
+    int dimension() const override { return 2; }
+    camera::ObjectPoint generate(const camera::ParameterPoint& p,
+                                 camera::Emitter& emit) const override {
+        ++count_;
+        return {p.u, p.v * p.v, emit(0.0)};
+    }
+
+private:
+    std::atomic<int>& count_;
+};
+
+TEST(Camera, IsEmittedOnceForPicturesOfAllSizes) {
+    std::atomic<int> count = 0;
+    camera::Camera::Parts parts = built_in("hyperbolic").parts();
+    parts.eye.generator = std::make_shared<const CountedPlane>(count);
+    const auto camera = camera::Camera::make(std::move(parts));
+    ASSERT_TRUE(camera) << to_text(camera.diagnostics);
+    const int when_made = count;
+    EXPECT_GE(when_made, 1);
+    (void)compiled(*camera, 160, 90, {});
+    (void)compiled(*camera, 321, 200, {.footprints = true});
+    (void)compile(camera::Picture(*camera), 50, 50, {});
+    EXPECT_EQ(count, when_made);
+}
+
+TEST(Camera, DependsOnTheProportionOfThePictureAlone) {
+    for (const std::string& name : lang::built_in_cameras()) {
+        const camera::Camera camera = built_in(name);
+        const Ray small = ray_at(compiled(camera, 100, 75, {.points = true}), {33.0, 21.0});
+        const Ray large = ray_at(compiled(camera, 400, 300, {.points = true}), {132.0, 84.0});
+        EXPECT_LT((small.direction - large.direction).length(), 1e-12) << name;
+        EXPECT_LT((small.origin - large.origin).length(), 1e-12 * (1.0 + small.origin.length()))
+            << name;
+    }
+}
+
+// ---------------------------------------------------------------------------------- pictures
+
+constexpr const char* two_layers =
+    "camera left(turn = 0deg) { map u = 1 .. -1, v = -1 .. 1 eye point(0, 0, 0)\n"
+    "    toward plane((1, 0, 0)) move rotate(z, turn) }\n"
+    "picture both 80 x 60 {\n"
+    "    layer left\n"
+    "    layer left(turn = 90deg) { place (0.5, 0) .. (1, 1)  alpha ALPHA }\n"
+    "}\n";
+
+std::string with_alpha(const std::string& alpha) {
+    std::string text = two_layers;
+    return text.replace(text.find("ALPHA"), 5, alpha);
+}
+
+TEST(CompiledPicture, OfACameraIsThatCamera) {
+    const auto made = compile(camera::Picture(built_in("pinhole")), 160, 90, {});
+    ASSERT_TRUE(made);
+    EXPECT_TRUE(made->is_one_camera());
+    EXPECT_EQ(made->coverage_count(), 0U);
+    ASSERT_EQ(made->layers().size(), 1U);
+    EXPECT_EQ(made->layers().front().name, "pinhole");
+}
+
+TEST(CompiledPicture, HasARayProgramALayerAndTheirCoverages) {
+    const auto made = compile(picture_of(with_alpha("0.25")), 80, 60, {});
+    ASSERT_TRUE(made);
+    EXPECT_FALSE(made->is_one_camera());
+    ASSERT_EQ(made->layers().size(), 2U);
+    ASSERT_EQ(made->coverage_count(), 1U);
+    std::array<double, 2> coverage{};
+    double* const results = coverage.data();
+    Scratch scratch;
+    made->run_coverages(Tile{19.5, 30.5, 40.0, 2, 1, 0.0}, scratch, std::span(&results, 1));
+    EXPECT_EQ(coverage[0], 0.0);
+    EXPECT_EQ(coverage[1], 0.25);
+    RayBatch rays;
+    made->layers()[1].rays.run(Tile{60.0, 30.0, 1.0, 1, 1, 0.0}, scratch, rays);
+    EXPECT_LT((rays.direction(0) - V3d(0, 1, 0)).length(), 1e-12);
+}
+
+TEST(VisibleLayers, AreHiddenByOpaqueLayersInFront) {
+    const Request at_points{.tiles = false, .points = true};
+    const std::array x{20.0, 60.0};
+    const std::array y{30.0, 30.0};
+    const auto hidden_back = [&](const std::string& alpha) {
+        const auto made = compile_layers(picture_of(with_alpha(alpha)), 80, 60, at_points);
+        EXPECT_TRUE(made && made->any_hidden()) << alpha;
+        std::array<std::array<double, 2>, 2> hidden{};
+        const std::array results{hidden[0].data(), hidden[1].data()};
+        Scratch scratch;
+        made->run_hidden(Points{x, y, 0.0}, scratch, results);
+        EXPECT_EQ(hidden[1], (std::array{0.0, 0.0}));
+        return hidden[0];
+    };
+    EXPECT_EQ(hidden_back("1"), (std::array{0.0, 1.0}));
+    const auto translucent = compile_layers(picture_of(with_alpha("0.5")), 80, 60, at_points);
+    ASSERT_TRUE(translucent);
+    EXPECT_EQ(ray_at(translucent->layers()[1].rays, {20.0, 30.0}).valid, false);
+    EXPECT_EQ(ray_at(translucent->layers()[1].rays, {60.0, 30.0}).valid, true);
+}
+
+// ------------------------------------------------------------------------------------ limits
+
+// 512 warps, one after another, each towards so many seeds.
+std::string with_seeds(int count) {
+    std::string seeds;
+    for (int i = 0; i < count; ++i) {
+        seeds += fmt::format("{}({}, {}, {}, {})", i == 0 ? "" : ", ", i % 20, i / 20, i % 20 + 0.1,
+                             i / 20);
+    }
+    return fmt::format(
+        "camera large {{\n"
+        "    map  u = 0 .. 19, v = 0 .. 9\n"
+        "    warp repeat(64, repeat(8, inverse_distance([{}])))\n"
+        "    eye  plane\n"
+        "}}\n",
+        seeds);
+}
+
+TEST(Limits, TheLargestCameraHasFootprintsOrADiagnostic) {
+    const auto make = [](int seeds) {
+        return lang::make_camera(std::make_shared<const SourceText>("large.cam", with_seeds(seeds)),
+                                 "");
+    };
+    int allowed = 1;
+    int refused = 200;
+    ASSERT_TRUE(make(allowed));
+    ASSERT_FALSE(make(refused));
+    while (refused - allowed > 1) {
+        const int middle = (allowed + refused) / 2;
+        (make(middle) ? allowed : refused) = middle;
+    }
+    const auto largest = make(allowed);
+    EXPECT_GT(largest->operations(), camera::max_operations_of_camera * 3 / 4);
+    const auto rays = compile(*largest, 100, 100, {.footprints = true});
+    EXPECT_TRUE(rays || to_text(rays.diagnostics).find("is too large") != std::string::npos)
+        << to_text(rays.diagnostics);
+    EXPECT_TRUE(compile(*largest, 100, 100, {}));
+}
+
+}  // namespace
+}  // namespace balcony::rays
