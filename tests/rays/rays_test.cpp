@@ -252,16 +252,14 @@ TEST(Limits, TheLargestCameraHasFootprintsOrADiagnostic) {
         return lang::make_camera(std::make_shared<const SourceText>("large.cam", with_seeds(seeds)),
                                  "");
     };
-    int allowed = 1;
-    int refused = 200;
-    ASSERT_TRUE(make(allowed));
-    ASSERT_FALSE(make(refused));
-    while (refused - allowed > 1) {
-        const int middle = (allowed + refused) / 2;
-        (make(middle) ? allowed : refused) = middle;
-    }
-    const auto largest = make(allowed);
-    EXPECT_GT(largest->operations(), camera::max_operations_of_camera * 3 / 4);
+    ASSERT_FALSE(make(200));
+    // Each seed adds the same number of operations.
+    const std::size_t of_four = make(4)->operations();
+    const std::size_t of_each = (make(8)->operations() - of_four) / 4;
+    const std::size_t seeds = (camera::max_operations_of_camera - of_four) / of_each + 4;
+    const auto largest = make(static_cast<int>(seeds));
+    ASSERT_TRUE(largest) << to_text(largest.diagnostics);
+    EXPECT_GT(largest->operations(), camera::max_operations_of_camera * 9 / 10);
     const auto rays = compile(*largest, 100, 100, {.footprints = true});
     EXPECT_TRUE(rays || to_text(rays.diagnostics).find("is too large") != std::string::npos)
         << to_text(rays.diagnostics);

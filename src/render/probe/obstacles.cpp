@@ -7,6 +7,7 @@
 
 #include "balcony/probe.hpp"
 #include "render/embree/accelerator.hpp"
+#include "render/job/camera_rays.hpp"
 #include "render/shading/material.hpp"
 #include "render/shading/surface.hpp"
 #include "render/textures/texture_library.hpp"
