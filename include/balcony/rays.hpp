@@ -31,6 +31,7 @@ namespace balcony::rays {
 
 using Imath::V2d;
 using Imath::V3d;
+using program::Input;
 using program::Points;
 using program::Scratch;
 using program::Tile;
@@ -42,6 +43,9 @@ struct Request {
     bool footprints = false;  ///< With the derivatives by picture x and y.
     bool tiles = true;        ///< To be run over tiles.
     bool points = false;      ///< To be run over lists of points.
+    /// What rays depend on besides picture x and y and time, such as a place on a lens or a
+    /// parameter that a live view moves. Tile and Points carry the values, in this order.
+    std::vector<Input> inputs{};
 };
 
 /// A ray at a point of the picture.
@@ -101,9 +105,11 @@ private:
 /// The rays of one camera.
 class RayProgram {
 public:
-    /// All expressions must be in one graph. Throws std::length_error where the derivatives do not
-    /// fit into it; compile() makes a diagnostic of that.
-    RayProgram(const camera::RayExpressions& ray, Axes axes_of_ray, const Request& request);
+    /// All expressions must be in one graph. It is an error if they depend on an input that the
+    /// request does not declare. Throws expr::GraphTooLarge where the derivatives do not fit into
+    /// the graph; compile() makes a diagnostic of that.
+    [[nodiscard]] static Result<RayProgram> make(const camera::RayExpressions& ray,
+                                                 Axes axes_of_ray, const Request& request);
 
     [[nodiscard]] bool has_footprints() const { return footprints_; }
 
@@ -112,13 +118,15 @@ public:
     void run(const Points& points, Scratch& scratch, RayBatch& rays) const;
 
 private:
+    explicit RayProgram(bool footprints) : footprints_(footprints) {}
+
     bool footprints_;
     std::optional<program::Program> for_tiles_;
     std::optional<program::Program> for_points_;
 };
 
 /// Compiles the rays of a camera by itself, in a picture of a size in pixels. It is an error if the
-/// derivatives are more than a graph holds.
+/// derivatives are more than a graph holds, or if an input is not declared.
 [[nodiscard]] Result<RayProgram> compile(const camera::Camera& camera, double width, double height,
                                          const Request& request);
 

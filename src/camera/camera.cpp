@@ -6,7 +6,6 @@
 #include "balcony/camera.hpp"
 
 #include <cmath>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -118,7 +117,7 @@ Result<Camera> Camera::make(Parts parts) {
     std::shared_ptr<const Emitted> emitted;
     try {
         emitted = std::make_shared<const Emitted>(std::move(parts));
-    } catch (const std::length_error&) {
+    } catch (const expr::GraphTooLarge&) {
         // It did not even fit into a graph.
     }
     if (!emitted || emitted->graph.size() > max_operations_of_camera) {

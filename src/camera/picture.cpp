@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -270,7 +269,7 @@ std::size_t count_operations(const Picture& picture) {
 bool is_too_large(const Picture& picture) {
     try {
         return count_operations(picture) > max_operations_of_picture;
-    } catch (const std::length_error&) {
+    } catch (const expr::GraphTooLarge&) {
         return true;  // It did not even fit into a graph.
     }
 }

@@ -2,23 +2,33 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <stdexcept>
+#include <algorithm>
+#include <iterator>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include <fmt/format.h>
 
-#include "balcony/base.hpp"
+#include "balcony/expr.hpp"
 
 namespace balcony::rays {
 
-/// What `make()` makes, or an error if it writes more operations than a graph holds.
+/// The value of a result, if it has one; its diagnostics go to the others.
+template <class Value>
+[[nodiscard]] std::optional<Value> take(Result<Value> result, Diagnostics& diagnostics) {
+    std::move(result.diagnostics.begin(), result.diagnostics.end(),
+              std::back_inserter(diagnostics));
+    return std::move(result.value);
+}
+
+/// The result of `make()`, or an error if it writes more operations than a graph holds.
 template <class Made, class Make>
 [[nodiscard]] Result<Made> within_limits(std::string_view what, const std::string& name,
                                          const Make& make) {
     try {
         return make();
-    } catch (const std::length_error&) {
+    } catch (const expr::GraphTooLarge&) {
         return error(fmt::format("{} '{}' is too large: its formulas and their derivatives have "
                                  "more operations than a graph holds",
                                  what, name),

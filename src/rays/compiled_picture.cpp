@@ -13,12 +13,16 @@ public:
 
     explicit PictureCompiler(const Request& request) : request_(request) {}
 
-    CompiledPicture run(const Expressions& all) {
+    Result<CompiledPicture> run(const Expressions& all) {
         made_.elements_ = elements(all);
         if (!roots_.empty()) {
-            made_.coverages_.emplace(roots_);
+            made_.coverages_ = take(
+                program::Program::make(roots_, {program::Sampling::grid, request_.inputs}), found_);
         }
-        return std::move(made_);
+        if (has_errors(found_)) {
+            return found_;
+        }
+        return {std::move(made_), std::move(found_)};
     }
 
 private:
@@ -44,8 +48,10 @@ private:
         }
         if (one.ray) {
             made.layer = made_.layers_.size();
-            made_.layers_.push_back({one.name, request_.axes.value_or(one.axes),
-                                     RayProgram(*one.ray, one.axes, request_)});
+            if (auto rays = take(RayProgram::make(*one.ray, one.axes, request_), found_)) {
+                made_.layers_.push_back(
+                    {one.name, request_.axes.value_or(one.axes), std::move(*rays)});
+            }
         }
         made.group = elements(one.group);
         return made;
@@ -54,6 +60,7 @@ private:
     const Request& request_;
     CompiledPicture made_;
     std::vector<expr::Expr> roots_;
+    Diagnostics found_;
 };
 
 std::size_t CompiledPicture::coverage_count() const {

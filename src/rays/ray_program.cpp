@@ -32,16 +32,24 @@ std::vector<expr::Expr> roots_of(const camera::RayExpressions& ray, Axes from, A
 
 }  // namespace
 
-RayProgram::RayProgram(const camera::RayExpressions& ray, Axes axes_of_ray, const Request& request)
-    : footprints_(request.footprints) {
+Result<RayProgram> RayProgram::make(const camera::RayExpressions& ray, Axes axes_of_ray,
+                                    const Request& request) {
     const std::vector<expr::Expr> roots =
-        roots_of(ray, axes_of_ray, request.axes.value_or(axes_of_ray), footprints_);
+        roots_of(ray, axes_of_ray, request.axes.value_or(axes_of_ray), request.footprints);
+    RayProgram made(request.footprints);
+    Diagnostics found;
     if (request.tiles) {
-        for_tiles_.emplace(roots, program::Sampling::grid);
+        made.for_tiles_ =
+            take(program::Program::make(roots, {program::Sampling::grid, request.inputs}), found);
     }
     if (request.points) {
-        for_points_.emplace(roots, program::Sampling::points);
+        made.for_points_ =
+            take(program::Program::make(roots, {program::Sampling::points, request.inputs}), found);
     }
+    if (has_errors(found)) {
+        return found;
+    }
+    return {std::move(made), std::move(found)};
 }
 
 void RayProgram::run(const Tile& tile, Scratch& scratch, RayBatch& rays) const {
@@ -58,7 +66,7 @@ Result<RayProgram> compile(const camera::Camera& camera, double width, double he
                            const Request& request) {
     return within_limits<RayProgram>("camera", camera.name(), [&] {
         expr::Graph graph;
-        return RayProgram(camera.emit(graph, width, height), camera.parts().axes, request);
+        return RayProgram::make(camera.emit(graph, width, height), camera.parts().axes, request);
     });
 }
 

@@ -16,15 +16,20 @@ public:
 
     explicit LayerFinder(const Request& request) : request_(request) {}
 
-    VisibleLayers run(const std::vector<Element>& elements, expr::Graph& graph) {
+    Result<VisibleLayers> run(const std::vector<Element>& elements, expr::Graph& graph) {
         find(elements, graph.constant(0.0), graph.constant(1.0));
         std::reverse(made_.layers_.begin(), made_.layers_.end());
         std::reverse(hidden_.begin(), hidden_.end());
         if (std::any_of(hidden_.begin(), hidden_.end(),
                         [](const expr::Expr& hidden) { return !hidden.is_constant(0.0); })) {
-            made_.hidden_.emplace(hidden_, program::Sampling::points);
+            made_.hidden_ =
+                take(program::Program::make(hidden_, {program::Sampling::points, request_.inputs}),
+                     found_);
         }
-        return std::move(made_);
+        if (has_errors(found_)) {
+            return found_;
+        }
+        return {std::move(made_), std::move(found_)};
     }
 
 private:
@@ -51,14 +56,17 @@ private:
         camera::RayExpressions ray = *element.ray;
         ray.valid = ray.valid && shown;
         hidden_.push_back(hidden);
-        made_.layers_.push_back({element.name, request_.axes.value_or(element.axes),
-                                 RayProgram(ray, element.axes, request_)});
+        if (auto rays = take(RayProgram::make(ray, element.axes, request_), found_)) {
+            made_.layers_.push_back(
+                {element.name, request_.axes.value_or(element.axes), std::move(*rays)});
+        }
         return element.ray->valid;
     }
 
     const Request& request_;
     VisibleLayers made_;
     std::vector<expr::Expr> hidden_;  // By layer.
+    Diagnostics found_;
 };
 
 void VisibleLayers::run_hidden(const Points& points, Scratch& scratch,

@@ -125,6 +125,44 @@ TEST(RayProgram, HasNoDerivativesUnlessAskedFor) {
     EXPECT_EQ(ray_at(program, {80, 45}).origin_by_x, V3d(0.0));
 }
 
+// -------------------------------------------------------------------------------- inputs
+
+// Moves the eye along z by an input, as a live view does or a lens.
+class LiftedByInput final : public camera::ObjectTransformer {
+public:
+    camera::ObjectPoint transform(const camera::ObjectPoint& p,
+                                  camera::Emitter& emit) const override {
+        return {p.x, p.y, p.z + emit.graph().input("lift")};
+    }
+};
+
+TEST(RayProgram, TakesTheValuesOfFurtherInputs) {
+    camera::Camera::Parts parts = built_in("hyperbolic").parts();
+    parts.eye.object_transformers.push_back(std::make_shared<const LiftedByInput>());
+    const auto camera = camera::Camera::make(std::move(parts));
+    ASSERT_TRUE(camera) << to_text(camera.diagnostics);
+    const Tile tile{10.5, 20.5, 1.0, 2, 2, 0.0};
+    Scratch scratch;
+    RayBatch plain;
+    compiled(built_in("hyperbolic"), 160, 90, {}).run(tile, scratch, plain);
+
+    const std::array by_point{1.0, 2.0, 3.0, 4.0};
+    const std::array<std::span<const double>, 1> values{by_point};
+    const RayProgram program =
+        compiled(*camera, 160, 90, {.inputs = {{"lift", program::Rate::pixel}}});
+    Tile with_values = tile;
+    with_values.inputs = values;
+    RayBatch lifted;
+    program.run(with_values, scratch, lifted);
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_NEAR(lifted.origin(i).z, plain.origin(i).z + by_point[i], 1e-12);
+        EXPECT_EQ(lifted.origin(i).x, plain.origin(i).x);
+    }
+    const auto undeclared = compile(*camera, 160, 90, {});
+    ASSERT_FALSE(undeclared);
+    EXPECT_NE(to_text(undeclared.diagnostics).find("lift"), std::string::npos);
+}
+
 // ------------------------------------------------------------------------------ emitted once
 
 // A plane that counts how often it writes its formula.
