@@ -274,8 +274,8 @@ TEST(Locate, FindsBothSidesOfARoundRoom) {
 
 TEST(Locate, FindsThePointsWhereRaysStart) {
     const camera::Camera camera = test::standard("hyperbolic");
-    expr::Graph graph;
-    const PointRays rays(camera.emit(graph, 480, 270), 0.0);
+    const PointRays rays(*rays::compile(camera, 480, 270, {.footprints = true, .points = true}),
+                         0.0);
     PointRays::Batch batch(rays);
     batch.place(0, {123.4, 56.7});
     batch.run(1);
