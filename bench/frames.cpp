@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <string_view>
 
 #include <fmt/core.h>
 
@@ -46,23 +47,22 @@ constexpr FrameCase frame_cases[]{
 };
 
 render::Summary fastest_frame(const render::Renderer& renderer, const camera::Camera& camera,
-                              render::Integrator integrator) {
+                              std::string_view integrator) {
     render::Settings settings;
-    settings.width = 1500;
-    settings.height = 300;
     settings.samples = 2;
     settings.threads = 1;
-    settings.data_layers = false;
     settings.integrator = integrator;
     render::Summary fastest;
     fastest.seconds = std::numeric_limits<double>::infinity();
     for (int run = 0; run < runs; ++run) {
-        const auto picture = renderer.render(camera, settings);
-        if (!picture) {
-            throw std::runtime_error(to_text(picture.diagnostics));
+        render::Film film =
+            *render::make_film({.width = 1500, .height = 300, .data_layers = false});
+        const auto summary = render::render(renderer, camera, settings, film);
+        if (!summary) {
+            throw std::runtime_error(to_text(summary.diagnostics));
         }
-        if (picture->summary.seconds < fastest.seconds) {
-            fastest = picture->summary;
+        if (summary->seconds < fastest.seconds) {
+            fastest = *summary;
         }
     }
     return fastest;
@@ -90,8 +90,7 @@ void print_frames() {
         "(the last column: the frame against itself if its rays cost what a pinhole's do)\n\n");
     fmt::print("{:<28}{:<12}{:>12}{:>14}{:>16}{:>12}\n", "camera", "integrator", "Mrays/s",
                "camera share", "against pinhole", "same rays");
-    for (const render::Integrator integrator :
-         {render::Integrator::preview, render::Integrator::direct}) {
+    for (const std::string_view integrator : {"preview", "direct"}) {
         std::optional<render::Summary> pinhole;
         for (const FrameCase& row : frame_cases) {
             const render::Summary frame =
@@ -102,8 +101,7 @@ void print_frames() {
             const double with_pinhole_rays = frame.seconds * (1.0 - frame.camera_share) +
                                              pinhole->seconds * pinhole->camera_share;
             fmt::print("{:<28}{:<12}{:>12.2f}{:>12.2f} %{:>14.2f} x{:>10.2f} x\n", row.name,
-                       name_of(integrator),
-                       1e-6 * static_cast<double>(frame.camera_rays) / frame.seconds,
+                       integrator, 1e-6 * static_cast<double>(frame.camera_rays) / frame.seconds,
                        100.0 * frame.camera_share, frame.seconds / pinhole->seconds,
                        frame.seconds / with_pinhole_rays);
         }

@@ -33,14 +33,13 @@ render::Film render_gallery(const scene::Scene& scene, const std::string& plate,
     const auto renderer = render::Renderer::make(std::make_shared<const scene::Scene>(scene));
     EXPECT_TRUE(renderer) << to_text(renderer.diagnostics);
     render::Settings settings;
-    settings.width = width;
-    settings.height = height;
     settings.samples = 1;
-    settings.integrator = render::Integrator::preview;
-    auto picture = renderer->render(*camera, settings);
-    EXPECT_TRUE(picture) << to_text(picture.diagnostics);
-    EXPECT_EQ(picture->summary.invalid_rays, 0U);
-    return std::move(picture->film);
+    settings.integrator = "preview";
+    render::Film film = *render::make_film({.width = width, .height = height});
+    const auto summary = render::render(*renderer, *camera, settings, film);
+    EXPECT_TRUE(summary) << to_text(summary.diagnostics);
+    EXPECT_EQ(summary->invalid_rays, 0U);
+    return film;
 }
 
 /// What plate 2 promises of the pictures.

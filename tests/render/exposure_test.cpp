@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "balcony/render.hpp"
+#include "balcony/film.hpp"
 
 namespace balcony::render {
 namespace {
@@ -13,15 +13,13 @@ namespace {
 // A film of grey pixels with two samples each, from dark to bright about a median, and a
 // transparent one.
 Film grey_film(float median) {
-    Film film;
-    film.width = 6;
-    film.height = 1;
+    Film film = *make_film({.width = 6, .height = 1, .data_layers = false});
+    std::size_t pixel = 0;
     for (const float factor : {0.01F, 0.5F, 1.0F, 2.0F, 50.0F}) {
-        const float value = 2.0F * factor * median;
-        film.sum.emplace_back(value, value, value, 2.0F);
+        const double value = 2.0 * double{factor} * double{median};
+        film.sum[pixel++] = Color4d(value, value, value, 2.0);
     }
-    film.sum.emplace_back(0.0F);
-    film.samples.assign(6, 2);
+    film.passes = {2};
     return film;
 }
 
@@ -44,7 +42,7 @@ TEST(Exposure, BringsTheMedianToMiddleGrey) {
 TEST(Exposure, IsNothingForFilmsWithoutLight) {
     EXPECT_EQ(automatic_exposure(grey_film(0.0F)), 0.0);
     Film transparent = grey_film(1.0F);
-    transparent.sum.assign(6, Color4f(0.0F));
+    transparent.sum.assign(6, Color4d(0.0));
     EXPECT_EQ(automatic_exposure(transparent), 0.0);
     EXPECT_EQ(automatic_exposure(Film{}), 0.0);
 }

@@ -7,11 +7,13 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <set>
 #include <stop_token>
 
 #include <gtest/gtest.h>
 
-#include "render/job/tile_worker.hpp"
+#include "render/integrators/integrator.hpp"
+#include "render/sampling/pass_offset.hpp"
 #include "support.hpp"
 
 namespace balcony::render::test {
@@ -54,7 +56,7 @@ bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
 bool same_bits(const Film& a, const Film& b) {
     const DataLayers& p = *a.layers;
     const DataLayers& q = *b.layers;
-    return same_bits(a.sum, b.sum) && same_bits(a.samples, b.samples) &&
+    return same_bits(a.sum, b.sum) && a.passes == b.passes &&
            same_bits(p.ray_length, q.ray_length) && same_bits(p.position, q.position) &&
            same_bits(p.normal, q.normal) && same_bits(p.albedo, q.albedo) &&
            same_bits(p.object, q.object) && same_bits(p.origin, q.origin) &&
@@ -65,9 +67,9 @@ bool same_bits(const Film& a, const Film& b) {
 TEST(Film, DoesNotDependOnTheNumberOfThreads) {
     const scene::Scene scene = busy_scene();
     const camera::Camera camera = pinhole(view_down_z(0.0, 0.0, 1.0));
-    Settings asked = settings(150, 100, Integrator::direct, 3);
+    Request asked = request(150, 100, "direct", 3);
     asked.threads = 1;
-    const Picture one = render(scene, camera, asked);
+    const Rendered one = render(scene, camera, asked);
     for (const std::size_t threads : {2U, 5U, 0U}) {
         asked.threads = threads;
         EXPECT_TRUE(same_bits(one.film, render(scene, camera, asked).film)) << threads;
@@ -102,8 +104,8 @@ TEST(Film, AnEdgeThroughAPixelIsAveraged) {
     // Covers the left half of the picture's one pixel.
     add(scene, parallelogram({-9.0F, -9.0F, -1.0F}, {9.0F, 0.0F, 0.0F}, {0.0F, 18.0F, 0.0F}),
         white());
-    const Picture picture = render(scene, orthographic(view_down_z(0.0, 0.0, 0.0)),
-                                   settings(1, 1, Integrator::preview, 256));
+    const Rendered picture =
+        render(scene, orthographic(view_down_z(0.0, 0.0, 0.0)), request(1, 1, "preview", 256));
     // One sample more or less on the edge itself, and the sequence's discrepancy of a few samples.
     EXPECT_NEAR(picture.film.pixel(0, 0).a, 0.5F, 4.0F / 256.0F);
 }
@@ -122,9 +124,9 @@ camera::Camera half_camera() {
 TEST(Film, PointsWithoutRayAreCountedAndTransparent) {
     scene::Scene scene;
     add(scene, wall(-1.0F, 5.0F), white());
-    Settings asked = settings(50, 40, Integrator::preview, 2);
+    Request asked = request(50, 40, "preview", 2);
     asked.background = Color3f(1.0F);
-    const Picture picture = render(scene, half_camera(), asked);
+    const Rendered picture = render(scene, half_camera(), asked);
     EXPECT_EQ(picture.summary.camera_rays, 2U * 50U * 40U);
     EXPECT_EQ(picture.summary.invalid_pixels, 25U * 40U);
     EXPECT_EQ(picture.summary.repaired, 0U);
@@ -151,8 +153,8 @@ TEST(Film, TheFilterAsksForNothingBeyondThePicture) {
     const auto direction = [](const ParameterPoint&, Emitter& emit) {
         return ObjectVector{emit(0.0), emit(0.0), emit(-1.0)};
     };
-    const Picture picture =
-        render(scene, make_camera({origin, direction}), settings(70, 40, Integrator::preview, 16));
+    const Rendered picture =
+        render(scene, make_camera({origin, direction}), request(70, 40, "preview", 16));
     EXPECT_EQ(picture.summary.invalid_rays, 0U);
     for (const auto& [x, y] : {std::pair(0U, 0U), {69U, 20U}, {30U, 39U}, {69U, 39U}}) {
         EXPECT_EQ(picture.film.pixel(x, y).a, 1.0F) << x << ", " << y;
@@ -172,13 +174,13 @@ TEST(Film, ACameraThatGivesNoNumbersGivesNoRays) {
         };
     };
     for (int kind = 0; kind < 3; ++kind) {
-        const Picture picture =
+        const Rendered picture =
             render(scene,
                    make_camera({origin(kind),
                                 [](const ParameterPoint&, Emitter& emit) {
                                     return ObjectVector{emit(0.0), emit(0.0), emit(-1.0)};
                                 }}),
-                   settings(8, 8, Integrator::direct));
+                   request(8, 8, "direct"));
         EXPECT_EQ(picture.summary.invalid_pixels, 64U) << kind;
         EXPECT_EQ(picture.film.pixel(3, 3), Color4f(0.0F)) << kind;
     }
@@ -189,8 +191,8 @@ TEST(Film, RadianceThatIsNoNumberIsReplacedAndCounted) {
     scene::Material broken = white();
     broken.emission = Color3f(std::numeric_limits<float>::quiet_NaN());
     add(scene, wall(-1.0F, 5.0F), broken);
-    const Picture picture = render(scene, orthographic(view_down_z(0.0, 0.0, 0.0)),
-                                   settings(8, 8, Integrator::preview, 2));
+    const Rendered picture =
+        render(scene, orthographic(view_down_z(0.0, 0.0, 0.0)), request(8, 8, "preview", 2));
     EXPECT_EQ(picture.summary.repaired, 128U);
     EXPECT_EQ(picture.film.pixel(3, 3).r, 0.0F);
 }
@@ -201,20 +203,23 @@ TEST(Film, ProgressCountsEveryTileOfEveryPass) {
     const Result<Renderer> renderer = Renderer::make(std::make_shared<scene::Scene>(scene));
     std::size_t calls = 0;
     Progress last;
-    const Result<Picture> picture =
-        renderer->render(orthographic(view_down_z(0.0, 0.0, 0.0)),
-                         settings(100, 70, Integrator::preview, 3), [&](const Progress& progress) {
-                             ++calls;
-                             EXPECT_EQ(progress.tiles_done, calls);
-                             last = progress;
-                         });
+    const Request asked = request(100, 70, "preview", 3);
+    Film film = *make_film(asked.layout);
+    const Result<Summary> summary =
+        render::render(*renderer, orthographic(view_down_z(0.0, 0.0, 0.0)), asked, film,
+                       [&](const Progress& progress) {
+                           ++calls;
+                           EXPECT_EQ(progress.tiles_done, calls);
+                           last = progress;
+                       });
     EXPECT_EQ(calls, last.tiles);
     EXPECT_EQ(last.pass, 2U);
     EXPECT_EQ(last.passes, 3U);
-    EXPECT_EQ(picture->summary.passes, 3U);
-    EXPECT_FALSE(picture->summary.interrupted);
-    EXPECT_GT(picture->summary.camera_share, 0.0);
-    EXPECT_LT(picture->summary.camera_share, 1.0);
+    EXPECT_EQ(last.tiles, 3 * film.tile_count());
+    EXPECT_EQ(summary->passes, 3U);
+    EXPECT_FALSE(summary->interrupted);
+    EXPECT_GT(summary->camera_share, 0.0);
+    EXPECT_LT(summary->camera_share, 1.0);
 }
 
 TEST(Film, AStoppedRenderHoldsWhatIsDone) {
@@ -222,26 +227,27 @@ TEST(Film, AStoppedRenderHoldsWhatIsDone) {
     add(scene, wall(-1.0F, 5.0F), white());
     const Result<Renderer> renderer = Renderer::make(std::make_shared<scene::Scene>(scene));
     std::stop_source stop;
-    Settings asked = settings(200, 100, Integrator::preview, 1000);
+    Request asked = request(200, 100, "preview", 1000);
     asked.threads = 2;
-    const Result<Picture> picture = renderer->render(
-        orthographic(view_down_z(0.0, 0.0, 0.0)), asked,
+    Film film = *make_film(asked.layout);
+    const Result<Summary> summary = render::render(
+        *renderer, orthographic(view_down_z(0.0, 0.0, 0.0)), asked, film,
         [&](const Progress& progress) {
             if (progress.pass == 1) {
                 stop.request_stop();
             }
         },
         stop.get_token());
-    ASSERT_TRUE(picture);
-    EXPECT_TRUE(picture->summary.interrupted);
-    EXPECT_EQ(picture->summary.passes, 1U);
+    ASSERT_TRUE(summary);
+    EXPECT_TRUE(summary->interrupted);
+    EXPECT_EQ(summary->passes, 1U);
     std::size_t twice = 0;
     for (std::size_t y = 0; y < 100; ++y) {
         for (std::size_t x = 0; x < 200; ++x) {
-            const std::uint32_t samples = picture->film.samples[y * 200 + x];
+            const std::uint32_t samples = film.samples(x, y);
             twice += samples == 2 ? 1 : 0;
             ASSERT_TRUE(samples == 1 || samples == 2);
-            ASSERT_EQ(picture->film.pixel(x, y), Color4f(1.0F));
+            ASSERT_EQ(film.pixel(x, y), Color4f(1.0F));
         }
     }
     EXPECT_GT(twice, 0U);
@@ -254,38 +260,56 @@ TEST(Film, StoppedBeforeTheStartIsEmpty) {
     const Result<Renderer> renderer = Renderer::make(std::make_shared<scene::Scene>(scene));
     std::stop_source stop;
     stop.request_stop();
-    const Result<Picture> picture =
-        renderer->render(orthographic(view_down_z(0.0, 0.0, 0.0)),
-                         settings(20, 10, Integrator::preview), {}, stop.get_token());
-    ASSERT_TRUE(picture);
-    EXPECT_EQ(picture->summary.passes, 0U);
-    EXPECT_EQ(picture->film.pixel(3, 3), Color4f(0.0F));
+    const Request asked = request(20, 10, "preview");
+    Film film = *make_film(asked.layout);
+    const Result<Summary> summary = render::render(
+        *renderer, orthographic(view_down_z(0.0, 0.0, 0.0)), asked, film, {}, stop.get_token());
+    ASSERT_TRUE(summary);
+    EXPECT_TRUE(summary->interrupted);
+    EXPECT_EQ(summary->passes, 0U);
+    EXPECT_EQ(film.pixel(3, 3), Color4f(0.0F));
 }
 
 TEST(Film, SettingsOutOfRangeAreErrors) {
     const Result<Renderer> renderer = Renderer::make(std::make_shared<scene::Scene>());
     ASSERT_TRUE(renderer);
     const camera::Camera camera = orthographic(view_down_z(0.0, 0.0, 0.0));
+    Film film = *make_film({.width = 4, .height = 4});
     const auto refused = [&](void (*change)(Settings&)) {
-        Settings asked = settings(4, 4, Integrator::preview);
-        EXPECT_TRUE(renderer->render(camera, asked));
+        Settings asked = request(4, 4, "preview");
+        EXPECT_TRUE(Job::make(*renderer, camera, asked, film));
         change(asked);
-        const Result<Picture> picture = renderer->render(camera, asked);
-        return !picture && has_errors(picture.diagnostics);
+        const Result<Job> job = Job::make(*renderer, camera, asked, film);
+        return !job && has_errors(job.diagnostics);
     };
-    EXPECT_TRUE(refused([](Settings& s) { s.width = 0; }));
-    EXPECT_TRUE(refused([](Settings& s) { s.height = std::size_t{1} << 40; }));
-    EXPECT_TRUE(refused([](Settings& s) { s.width = s.height = 1000000; }));
     EXPECT_TRUE(refused([](Settings& s) { s.samples = 0; }));
     EXPECT_TRUE(refused([](Settings& s) { s.threads = 1000000; }));
     EXPECT_TRUE(refused([](Settings& s) { s.time = std::nan(""); }));
+    EXPECT_TRUE(refused([](Settings& s) { s.integrator = "prview"; }));
 }
 
-TEST(Film, IntegratorNamesRoundTrip) {
-    for (const Integrator integrator : {Integrator::preview, Integrator::direct}) {
-        EXPECT_EQ(find_integrator(name_of(integrator)), integrator);
+TEST(Film, LayoutsOutOfRangeAreErrors) {
+    EXPECT_TRUE(make_film({.width = 4, .height = 4, .window = Region{1, 2, 3, 2}}));
+    for (const FilmLayout& layout :
+         {FilmLayout{.width = 0}, FilmLayout{.height = std::size_t{1} << 40},
+          FilmLayout{.width = 1000000, .height = 1000000},
+          FilmLayout{.width = 4, .height = 4, .window = Region{0, 0, 0, 4}},
+          FilmLayout{.width = 4, .height = 4, .window = Region{1, 2, 3, 3}},
+          FilmLayout{.width = 4, .height = 4, .window = Region{~std::size_t{0}, 0, 2, 2}}}) {
+        EXPECT_FALSE(make_film(layout)) << layout.width << " x " << layout.height;
     }
-    EXPECT_FALSE(find_integrator("path"));
+}
+
+TEST(Film, IntegratorsAreListedAndFoundByName) {
+    std::set<std::string_view> names;
+    for (const IntegratorInfo& info : integrators()) {
+        EXPECT_NE(find_integrator(info.name), nullptr) << info.name;
+        EXPECT_FALSE(info.meaning.empty()) << info.name;
+        names.insert(info.name);
+    }
+    EXPECT_EQ(names.size(), integrators().size());
+    EXPECT_TRUE(names.contains("preview") && names.contains("direct"));
+    EXPECT_EQ(find_integrator("no such integrator"), nullptr);
 }
 
 }  // namespace

@@ -30,12 +30,12 @@ void for_each_pixel(Check check) {
     }
 }
 
-Settings preview() { return settings(side, side, Integrator::preview); }
+Request preview() { return request(side, side, "preview"); }
 
 TEST(Geometry, PinholeOnAWallMeasuresTheLengthOfTheRay) {
     scene::Scene scene;
     const std::uint32_t id = add(scene, wall(-3.0F, 20.0F), white());
-    const Picture picture = render(scene, pinhole(view_down_z(0.5, 0.25, 2.0)), preview());
+    const Rendered picture = render(scene, pinhole(view_down_z(0.5, 0.25, 2.0)), preview());
     const DataLayers& layers = *picture.film.layers;
     constexpr double wall_size = 40.0;
     for_each_pixel([&](std::size_t x, std::size_t y, std::size_t i) {
@@ -60,7 +60,7 @@ TEST(Geometry, OrthographicRaysMeetATiltedPlaneWhereTheFormulaSays) {
     // The plane z = x / 2.
     add(scene, parallelogram({-4.0F, -4.0F, -2.0F}, {8.0F, 0.0F, 4.0F}, {0.0F, 8.0F, 0.0F}),
         white());
-    const Picture picture = render(scene, orthographic(view_down_z(0.0, 0.0, 3.0)), preview());
+    const Rendered picture = render(scene, orthographic(view_down_z(0.0, 0.0, 3.0)), preview());
     for_each_pixel([&](std::size_t x, std::size_t, std::size_t i) {
         EXPECT_NEAR(picture.film.layers->ray_length[i], 3.0 - 0.5 * parameter(x), 8.0 * rounding);
     });
@@ -72,8 +72,8 @@ TEST(Geometry, NearestObjectIsSeenAndNothingBesideIt) {
     const std::uint32_t near = add(scene, wall(-1.0F, 0.5F), white());
     scene::Scene alone = scene;
     alone.instances.erase(alone.instances.begin());
-    const Picture both = render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)), preview());
-    const Picture one = render(alone, orthographic(view_down_z(0.0, 0.0, 1.0)), preview());
+    const Rendered both = render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)), preview());
+    const Rendered one = render(alone, orthographic(view_down_z(0.0, 0.0, 1.0)), preview());
     for_each_pixel([&](std::size_t x, std::size_t y, std::size_t i) {
         const bool inside = std::abs(parameter(x)) < 0.5 && std::abs(parameter(y)) < 0.5;
         EXPECT_EQ(both.film.layers->object[i], inside ? near : 1);
@@ -91,8 +91,8 @@ TEST(Geometry, NormalsAreUnitAndFaceTheRayFromBothSides) {
     behind.forward = -behind.forward;
     const float length = std::sqrt(1.25F);
     const V3f front(-0.5F / length, 0.0F, 1.0F / length);
-    const Picture before = render(scene, orthographic(view_down_z(0.0, 0.0, 5.0)), preview());
-    const Picture after = render(scene, orthographic(behind), preview());
+    const Rendered before = render(scene, orthographic(view_down_z(0.0, 0.0, 5.0)), preview());
+    const Rendered after = render(scene, orthographic(behind), preview());
     for_each_pixel([&](std::size_t, std::size_t, std::size_t i) {
         EXPECT_LT((before.film.layers->normal[i] - front).length(), rounding);
         EXPECT_LT((after.film.layers->normal[i] + front).length(), rounding);
@@ -117,8 +117,8 @@ TEST(Geometry, SharedMeshesAreSeenAsMeshesOfTheirOwn) {
     far_away[3][0] = 1e4;
     shared.instances.push_back({scene::MeshIndex(0), far_away, 1});
     const camera::Camera camera = pinhole(view_down_z(0.0, 0.0, 1.0));
-    const Picture a = render(own, camera, preview());
-    const Picture b = render(shared, camera, preview());
+    const Rendered a = render(own, camera, preview());
+    const Rendered b = render(shared, camera, preview());
     std::size_t hits = 0;
     for_each_pixel([&](std::size_t, std::size_t, std::size_t i) {
         ASSERT_EQ(a.film.layers->object[i], b.film.layers->object[i]);
@@ -143,7 +143,7 @@ TEST(Geometry, CameraAxesAreTurnedIntoTheScenes) {
     const View forward_y{{1.0, 2.0, 3.0}, {0.0, 1.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}};
     scene::Scene y_up;
     add(y_up, wall(-10.0F, 50.0F), white());
-    const Picture turned = render(y_up, pinhole(forward_y, Axes::z_up), preview());
+    const Rendered turned = render(y_up, pinhole(forward_y, Axes::z_up), preview());
     const DataLayers& layers = *turned.film.layers;
     for_each_pixel([&](std::size_t x, std::size_t y, std::size_t i) {
         EXPECT_EQ(layers.origin[i], V3f(1.0F, 3.0F, -2.0F));
@@ -154,7 +154,7 @@ TEST(Geometry, CameraAxesAreTurnedIntoTheScenes) {
 
     scene::Scene z_up = y_up;
     z_up.axes = Axes::z_up;
-    const Picture back = render(z_up, pinhole(view_down_z(1.0, 2.0, 3.0), Axes::y_up), preview());
+    const Rendered back = render(z_up, pinhole(view_down_z(1.0, 2.0, 3.0), Axes::y_up), preview());
     EXPECT_EQ(back.film.layers->origin[0], V3f(1.0F, -3.0F, 2.0F));
     EXPECT_GT(back.film.layers->direction[0].y, 0.0F);
     EXPECT_GT(back.film.layers->direction[0].z, 0.0F);
@@ -165,7 +165,7 @@ TEST(Geometry, PreviewShadesByTheCosineToTheRay) {
     scene::Material material = white();
     material.base_color = scene::Color3f(0.5F, 0.25F, 1.0F);
     add(scene, wall(-3.0F, 20.0F), material);
-    const Picture picture = render(scene, pinhole(view_down_z(0.0, 0.0, 0.0)), preview());
+    const Rendered picture = render(scene, pinhole(view_down_z(0.0, 0.0, 0.0)), preview());
     for_each_pixel([&](std::size_t x, std::size_t y, std::size_t) {
         const double cosine =
             1.0 / std::sqrt(1.0 + parameter(x) * parameter(x) + parameter(y) * parameter(y));

@@ -34,7 +34,7 @@ scene::Light lamp_at(double x, double y, double z, float candela = 1.0F) {
 }
 
 // The radiance of the wall z = 0 at a point, seen straight on.
-float radiance_at(const scene::Scene& scene, double x, double y, Settings asked) {
+float radiance_at(const scene::Scene& scene, double x, double y, Request asked) {
     View view = view_down_z(x, y, 0.5);
     view.right *= 1e-6;
     view.up *= 1e-6;
@@ -42,7 +42,7 @@ float radiance_at(const scene::Scene& scene, double x, double y, Settings asked)
 }
 
 float radiance_at(const scene::Scene& scene, double x, double y) {
-    return radiance_at(scene, x, y, settings(1, 1, Integrator::direct));
+    return radiance_at(scene, x, y, request(1, 1, "direct"));
 }
 
 TEST(Light, FallsWithTheSquareOfTheDistance) {
@@ -143,8 +143,7 @@ TEST(Light, NoSurfaceShadowsItself) {
         sun.direction = V3d(-0.6, 0.0, -0.8);
         scene.lights = {sun};
         View view = view_down_z(away, -away, 5.0);
-        const Picture picture =
-            render(scene, orthographic(view), settings(50, 50, Integrator::direct));
+        const Rendered picture = render(scene, orthographic(view), request(50, 50, "direct"));
         float minimum = 1.0F;
         for (std::size_t i = 0; i < 50 * 50; ++i) {
             minimum = std::min(minimum, picture.film.pixel(i % 50, i / 50).g);
@@ -184,8 +183,8 @@ TEST(Light, BlendedSurfacesAreSeenThrough) {
     add(scene, wall(0.2F, 10.0F), film);
     EXPECT_NEAR(radiance_at(scene, 0.0, 0.0), 0.25F + 0.75F * 2.0F, rounding);
     scene.instances.erase(scene.instances.begin());
-    const Picture picture =
-        render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)), settings(1, 1, Integrator::direct));
+    const Rendered picture =
+        render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)), request(1, 1, "direct"));
     EXPECT_NEAR(picture.film.pixel(0, 0).a, 0.25F, rounding);
     EXPECT_EQ(picture.film.layers->object[0], 2U);
 }
@@ -195,7 +194,7 @@ TEST(Light, AmbientLightAndDefaultLight) {
     scene::Material grey = matt();
     grey.base_color = Color3f(0.5F);
     add(scene, wall(0.0F, 10.0F), grey);
-    Settings asked = settings(1, 1, Integrator::direct);
+    Request asked = request(1, 1, "direct");
     asked.ambient = Color3f(0.3F);
     EXPECT_NEAR(radiance_at(scene, 0.0, 0.0, asked), 0.15F, rounding);
     scene.default_light = true;
@@ -216,9 +215,9 @@ TEST(Light, AMirrorShowsWhatTheReflectedRayMeets) {
     glow.emission = Color3f(1.0F);
     // Its upper half only, at x = 5.
     add(scene, parallelogram({5.0F, 0.0F, 10.0F}, {0.0F, 0.0F, -20.0F}, {0.0F, 20.0F, 0.0F}), glow);
-    Settings asked = settings(2, 2, Integrator::direct);
+    Request asked = request(2, 2, "direct");
     asked.background = Color3f(0.25F);
-    const Picture picture = render(scene, orthographic(view_down_z(0.0, 0.0, 4.0)), asked);
+    const Rendered picture = render(scene, orthographic(view_down_z(0.0, 0.0, 4.0)), asked);
     // Schlick at 45 degrees, by colour.
     const float tilt = std::pow(1.0F - std::sqrt(0.5F), 5.0F);
     const auto reflectance = [tilt](float r) { return r + (1.0F - r) * tilt; };
@@ -238,7 +237,7 @@ TEST(Light, MirrorsFacingEachOtherEnd) {
     mirror.emission = Color3f(1.0F);
     add(scene, wall(0.0F, 10.0F), mirror);
     add(scene, wall(1.0F, 10.0F), mirror);
-    Settings asked = settings(1, 1, Integrator::direct);
+    Request asked = request(1, 1, "direct");
     asked.mirror_depth = 5;
     EXPECT_NEAR(radiance_at(scene, 0.0, 0.0, asked), 6.0F, 6.0F * rounding);
     asked.mirror_depth = 0;

@@ -63,8 +63,8 @@ TEST(Obstacles, AreWhatTheRendererSees) {
     constexpr std::size_t side = 120;
     for (const V3d& middle : {V3d(0.0), V3d(300.0, -200.0, 1000.0)}) {
         const scene::Scene scene = hall(middle);
-        const Picture picture = test::render(scene, test::pinhole(view_in_hall(middle)),
-                                             test::settings(side, side, Integrator::preview));
+        const test::Rendered picture = test::render(scene, test::pinhole(view_in_hall(middle)),
+                                                    test::request(side, side, "preview"));
         const DataLayers& data = *picture.film.layers;
         std::vector<SightLine> lines;
         std::vector<std::size_t> pixels;

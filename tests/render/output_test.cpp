@@ -38,15 +38,14 @@ protected:
 };
 
 // Two objects, one hidden from half of the picture, rays in the upper part only.
-Picture two_objects() {
+Rendered two_objects() {
     scene::Scene scene;
     scene::Material red = white();
     red.base_color = Color3f(0.8F, 0.1F, 0.05F);
     add(scene, wall(-2.0F, 0.7F), red);
     add(scene, parallelogram({0.0F, -0.5F, -1.0F}, {3.0F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}),
         white());
-    return render(scene, orthographic(view_down_z(0.0, 0.0, 0.0)),
-                  settings(37, 83, Integrator::preview, 3));
+    return render(scene, orthographic(view_down_z(0.0, 0.0, 0.0)), request(37, 83, "preview", 3));
 }
 
 std::vector<float> read(const fs::path& file, std::vector<std::string>* channels = nullptr,

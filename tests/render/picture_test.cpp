@@ -19,6 +19,8 @@ namespace {
 using camera::BlendMode;
 using camera::Layer;
 using camera::StageKind;
+using test::Rendered;
+using test::Request;
 
 constexpr std::size_t width = 80;
 constexpr std::size_t height = 50;
@@ -81,8 +83,8 @@ Layer group(std::string name, std::vector<Layer> layers) {
     return {std::move(name), std::make_shared<const camera::Picture>(picture(std::move(layers)))};
 }
 
-Settings preview(std::size_t samples = 1) {
-    return test::settings(width, height, Integrator::preview, samples);
+Request preview(std::size_t samples = 1) {
+    return test::request(width, height, "preview", samples);
 }
 
 std::uint64_t rays(const Summary& summary, const std::string& name) {
@@ -95,14 +97,14 @@ std::uint64_t rays(const Summary& summary, const std::string& name) {
     return 0;
 }
 
-Picture rendered(std::vector<Layer> layers, std::size_t samples = 1) {
+Rendered rendered(std::vector<Layer> layers, std::size_t samples = 1) {
     return test::render(white_wall(), picture(std::move(layers)), preview(samples));
 }
 
 }  // namespace
 
 TEST(PictureRays, AnOpaqueLayerLeavesTheOtherHalfToTheOneBelow) {
-    const Picture made =
+    const Rendered made =
         rendered({layer("below", wall_camera()), right_half("above", wall_camera())});
     EXPECT_EQ(rays(made.summary, "below"), pixels / 2);
     EXPECT_EQ(rays(made.summary, "above"), pixels / 2);
@@ -110,7 +112,7 @@ TEST(PictureRays, AnOpaqueLayerLeavesTheOtherHalfToTheOneBelow) {
 }
 
 TEST(PictureRays, AHiddenGroupCostsNone) {
-    const Picture made =
+    const Rendered made =
         rendered({group("inner", {layer("a", wall_camera()), right_half("b", wall_camera())}),
                   layer("above", wall_camera())});
     EXPECT_EQ(rays(made.summary, "inner/a"), 0U);
@@ -119,7 +121,7 @@ TEST(PictureRays, AHiddenGroupCostsNone) {
 }
 
 TEST(PictureRays, AGroupHidesWhereOneOfItsLayersDoes) {
-    const Picture made =
+    const Rendered made =
         rendered({layer("below", wall_camera()), group("inner", {right_half("b", wall_camera())})});
     EXPECT_EQ(rays(made.summary, "below"), pixels / 2);
     EXPECT_EQ(rays(made.summary, "inner/b"), pixels / 2);
@@ -140,7 +142,7 @@ TEST(PictureRays, WhatIsTransparentOrBlendedHidesNothing) {
 }
 
 TEST(PictureRays, WhereALayerHasNoRayTheOneBelowIsSeen) {
-    const Picture made =
+    const Rendered made =
         rendered({layer("below", wall_camera()), layer("above", half_blind_camera())});
     EXPECT_EQ(rays(made.summary, "above"), pixels);
     EXPECT_EQ(made.summary.layers[1].invalid_rays, pixels / 2);
@@ -150,11 +152,10 @@ TEST(PictureRays, WhereALayerHasNoRayTheOneBelowIsSeen) {
 }
 
 TEST(PictureData, ComeFromTheLayerInFront) {
-    Settings settings = preview();
-    settings.data_layers = true;
+    Request settings = preview();
     Layer thin = right_half("thin", wall_camera());
     thin.alpha = 0.4;
-    const Picture made = test::render(
+    const Rendered made = test::render(
         white_wall(),
         picture({layer("below", wall_camera()), right_half("above", sky_camera()), thin}),
         settings);
@@ -168,7 +169,7 @@ TEST(PictureData, ComeFromTheLayerInFront) {
 }
 
 TEST(PictureComposition, ACoveringLayerHidesAlsoWhereItsSceneIsEmpty) {
-    const Picture made =
+    const Rendered made =
         rendered({layer("below", wall_camera()), right_half("above", sky_camera())});
     EXPECT_EQ(made.film.pixel(3, 3).a, 1.0F);
     EXPECT_EQ(made.film.pixel(70, 3).a, 0.0F);
@@ -177,7 +178,7 @@ TEST(PictureComposition, ACoveringLayerHidesAlsoWhereItsSceneIsEmpty) {
 TEST(PictureComposition, AlphaMixesInLinearLight) {
     Layer above = right_half("above", sky_camera());
     above.alpha = 0.25;
-    const Picture made = rendered({layer("below", wall_camera()), above});
+    const Rendered made = rendered({layer("below", wall_camera()), above});
     EXPECT_NEAR(made.film.pixel(70, 3).r, 0.75F * made.film.pixel(3, 3).r, 1e-6);
     EXPECT_NEAR(made.film.pixel(70, 3).a, 0.75F, 1e-6);
 }
@@ -185,7 +186,7 @@ TEST(PictureComposition, AlphaMixesInLinearLight) {
 TEST(PictureComposition, AFrameIsPaintedInsideTheEdge) {
     Layer framed = right_half("above", wall_camera());
     framed.frame = camera::Stroke{0.08, {2.0, 0.0, 0.0}};  // 4 pixels.
-    const Picture made = rendered({layer("below", wall_camera()), framed});
+    const Rendered made = rendered({layer("below", wall_camera()), framed});
     const auto red = [&](std::size_t x) {
         const Color4f c = made.film.pixel(x, height / 2);
         return c.g < 0.5F * c.r;
@@ -200,11 +201,11 @@ TEST(PictureComposition, AFrameIsPaintedInsideTheEdge) {
 TEST(PictureComposition, OneLayerIsTheCameraBitForBit) {
     const scene::Scene scene = white_wall();
     const camera::Camera camera = test::pinhole(test::view_down_z(0.3, 0.2, 3.0));
-    const Picture alone = test::render(scene, camera, preview(4));
+    const Rendered alone = test::render(scene, camera, preview(4));
     // A paint of no opacity makes it take the way of pictures with several layers.
     Layer framed = layer("camera", camera);
     framed.frame = camera::Stroke{0.0, {}};
-    const Picture composed = test::render(scene, picture({framed}), preview(4));
+    const Rendered composed = test::render(scene, picture({framed}), preview(4));
     for (std::size_t y = 2; y + 2 < height; ++y) {
         for (std::size_t x = 2; x + 2 < width; ++x) {
             ASSERT_EQ(alone.film.pixel(x, y), composed.film.pixel(x, y)) << x << ' ' << y;
@@ -216,11 +217,11 @@ TEST(PictureComposition, DoesNotDependOnThreads) {
     Layer soft = right_half("above", sky_camera());
     soft.softness = 0.2;
     const camera::Picture wanted = picture({layer("below", wall_camera()), soft});
-    Settings settings = preview(3);
+    Request settings = preview(3);
     settings.threads = 1;
-    const Picture one = test::render(white_wall(), wanted, settings);
+    const Rendered one = test::render(white_wall(), wanted, settings);
     settings.threads = 2;
-    const Picture two = test::render(white_wall(), wanted, settings);
+    const Rendered two = test::render(white_wall(), wanted, settings);
     EXPECT_EQ(one.film.sum, two.film.sum);
 }
 
@@ -232,7 +233,7 @@ TEST(PictureBorder, LayersThatReachItAreWhole) {
     arguments.set("axis", std::string("x"));
     mirrored.arrangers = {
         std::static_pointer_cast<const camera::PictureArranger>(*row->make(arguments))};
-    const Picture made = rendered({mirrored}, 16);
+    const Rendered made = rendered({mirrored}, 16);
     EXPECT_EQ(made.summary.invalid_rays, 0U);
     EXPECT_EQ(made.film.pixel(0, 0).a, 1.0F);
     EXPECT_EQ(made.film.pixel(width - 1, height - 1).a, 1.0F);

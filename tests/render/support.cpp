@@ -153,23 +153,25 @@ scene::TextureIndex add_texture(scene::Scene& scene, std::vector<std::uint8_t> b
     return scene::TextureIndex(scene.textures.size() - 1);
 }
 
-Settings settings(std::size_t width, std::size_t height, Integrator integrator,
-                  std::size_t samples) {
-    Settings made;
-    made.width = width;
-    made.height = height;
-    made.integrator = integrator;
+Request request(std::size_t width, std::size_t height, std::string integrator,
+                std::size_t samples) {
+    Request made;
+    made.layout.width = width;
+    made.layout.height = height;
+    made.integrator = std::move(integrator);
     made.samples = samples;
     made.ambient = Color3f(0.0F);
     return made;
 }
 
-Picture render(const scene::Scene& scene, const camera::Picture& wanted, const Settings& settings) {
+Rendered render(const scene::Scene& scene, const camera::Picture& wanted, const Request& request) {
     const Result<Renderer> renderer = Renderer::make(std::make_shared<scene::Scene>(scene));
     EXPECT_TRUE(renderer && renderer.diagnostics.empty()) << to_text(renderer.diagnostics);
-    Result<Picture> picture = renderer->render(wanted, settings);
-    EXPECT_TRUE(picture && picture.diagnostics.empty()) << to_text(picture.diagnostics);
-    return std::move(*picture);
+    Result<Film> film = make_film(request.layout);
+    EXPECT_TRUE(film) << to_text(film.diagnostics);
+    const Result<Summary> summary = render::render(*renderer, wanted, request, *film);
+    EXPECT_TRUE(summary && summary.diagnostics.empty()) << to_text(summary.diagnostics);
+    return {std::move(*film), *summary};
 }
 
 }  // namespace balcony::render::test

@@ -68,11 +68,22 @@ scene::TextureIndex add_texture(scene::Scene& scene, std::vector<std::uint8_t> b
 
 // ------------------------------------------------------------------------------------ pictures
 
-[[nodiscard]] Settings settings(std::size_t width, std::size_t height, Integrator integrator,
-                                std::size_t samples = 1);
+/// What is asked of a render, and of the film that it is for.
+struct Request : Settings {
+    FilmLayout layout;
+};
+
+/// No ambient light, all data layers.
+[[nodiscard]] Request request(std::size_t width, std::size_t height, std::string integrator,
+                              std::size_t samples = 1);
+
+struct Rendered {
+    Film film;
+    Summary summary;
+};
 
 /// Renders; fails the test on any diagnostic.
-[[nodiscard]] Picture render(const scene::Scene& scene, const camera::Picture& wanted,
-                             const Settings& settings);
+[[nodiscard]] Rendered render(const scene::Scene& scene, const camera::Picture& wanted,
+                              const Request& request);
 
 }  // namespace balcony::render::test

@@ -35,8 +35,8 @@ TEST(Texture, CornersOfTheImageAreCornersOfThePicture) {
         return Pixel{static_cast<std::uint8_t>(x < 32 ? 0 : 255),
                      static_cast<std::uint8_t>(y < 32 ? 0 : 255), 255};
     }));
-    const Picture picture = render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)),
-                                   settings(64, 64, Integrator::preview));
+    const Rendered picture =
+        render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)), request(64, 64, "preview"));
     for (const std::size_t y : {10U, 50U}) {
         for (const std::size_t x : {10U, 50U}) {
             EXPECT_EQ(picture.film.pixel(x, y),
@@ -51,8 +51,8 @@ TEST(Texture, ColourIsDecodedFromSrgbAndMultipliedWithTheFactor) {
         return Pixel{188, 128, 64};
     }));
     scene.materials[0].base_color = Color3f(0.5F);
-    const Picture picture = render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)),
-                                   settings(4, 4, Integrator::preview));
+    const Rendered picture =
+        render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)), request(4, 4, "preview"));
     const auto linear = [](float code) {
         return 0.5F * std::pow((code / 255.0F + 0.055F) / 1.055F, 2.4F);
     };
@@ -73,8 +73,8 @@ TEST(Texture, AFineCheckerFromAfarIsGrey) {
          {std::pair(16, 16), std::pair(16, 400), std::pair(400, 16)}) {
         const auto columns = static_cast<std::size_t>(width);
         const auto rows = static_cast<std::size_t>(height);
-        const Picture picture = render(scene, orthographic(unaligned_view()),
-                                       settings(columns, rows, Integrator::preview));
+        const Rendered picture =
+            render(scene, orthographic(unaligned_view()), request(columns, rows, "preview"));
         for (std::size_t i = 0; i < columns * rows; ++i) {
             ASSERT_NEAR(picture.film.pixel(i % columns, i / columns).r, 0.5F, texel_rounding)
                 << width << ' ' << height << ' ' << i;
@@ -88,8 +88,7 @@ TEST(Texture, FilteringIsAnisotropic) {
         return (x / 16) % 2 == 0 ? Pixel{255, 255, 255} : Pixel{0, 0, 0};
     }));
     View wide = view_down_z(0.0, 0.0, 1.0);
-    const Picture picture =
-        render(scene, orthographic(wide), settings(256, 16, Integrator::preview));
+    const Rendered picture = render(scene, orthographic(wide), request(256, 16, "preview"));
     for (std::size_t stripe = 0; stripe < 16; ++stripe) {
         EXPECT_NEAR(picture.film.pixel(16 * stripe + 8, 7).r, stripe % 2 == 0 ? 1.0F : 0.0F, 0.1F)
             << stripe;
@@ -100,8 +99,8 @@ TEST(Texture, AMagnifiedEdgeStaysWithinATexel) {
     const scene::Scene scene = textured_wall(encode_png(8, 8, 3, [](int x, int) {
         return x < 4 ? Pixel{255, 255, 255} : Pixel{0, 0, 0};
     }));
-    const Picture picture = render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)),
-                                   settings(800, 4, Integrator::preview));
+    const Rendered picture =
+        render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)), request(800, 4, "preview"));
     // A texel is 100 pixels wide; bilinear filtering goes from centre to centre.
     EXPECT_EQ(picture.film.pixel(345, 1).r, 1.0F);
     EXPECT_EQ(picture.film.pixel(455, 1).r, 0.0F);
@@ -118,8 +117,8 @@ TEST(Texture, FootprintsInAMirrorAreThoseOfTheReflectedRays) {
     screen.emission = Color3f(1.0F);
     screen.emission_texture = add_texture(scene, encode_png(512, 512, 3, checker));
     add(scene, wall(3.0F, 2.0F), screen);
-    const Picture picture =
-        render(scene, orthographic(unaligned_view()), settings(16, 16, Integrator::direct));
+    const Rendered picture =
+        render(scene, orthographic(unaligned_view()), request(16, 16, "direct"));
     for (std::size_t i = 0; i < 256; ++i) {
         EXPECT_NEAR(picture.film.pixel(i % 16, i / 16).r, 0.5F, texel_rounding) << i;
     }
@@ -132,8 +131,8 @@ TEST(Texture, AlphaCutsOut) {
     scene.materials[0].alpha_mode = scene::AlphaMode::mask;
     scene.materials[0].alpha_cutoff = 0.5F;
     const std::uint32_t behind = add(scene, wall(-1.0F, 1.0F), white());
-    const Picture picture = render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)),
-                                   settings(64, 64, Integrator::preview));
+    const Rendered picture =
+        render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)), request(64, 64, "preview"));
     EXPECT_EQ(picture.film.layers->object[32 * 64 + 20], 1U);
     EXPECT_EQ(picture.film.layers->object[32 * 64 + 44], behind);
     EXPECT_EQ(picture.film.layers->ray_length[32 * 64 + 44], 2.0F);
@@ -145,8 +144,8 @@ TEST(Texture, CoordinatesThatAreNoNumbersAreHarmless) {
         for (Imath::V2f& point : scene.meshes[0].texture_coordinates) {
             point = Imath::V2f(bad, -bad) * (point.x - 0.5F);
         }
-        const Picture picture =
-            render(scene, pinhole(view_down_z(0.0, 0.0, 1.0)), settings(8, 8, Integrator::direct));
+        const Rendered picture =
+            render(scene, pinhole(view_down_z(0.0, 0.0, 1.0)), request(8, 8, "direct"));
         EXPECT_EQ(picture.summary.repaired, 0U);
     }
 }
@@ -160,11 +159,13 @@ TEST(Texture, WithoutItsTextureAMaterialHasItsFactors) {
     ASSERT_TRUE(renderer);
     ASSERT_EQ(renderer.diagnostics.size(), 1U);
     EXPECT_NE(renderer.diagnostics[0].message.find("broken.png"), std::string::npos);
-    const Result<Picture> picture = renderer->render(orthographic(view_down_z(0.0, 0.0, 1.0)),
-                                                     settings(4, 4, Integrator::preview));
-    ASSERT_TRUE(picture);
-    EXPECT_TRUE(picture.diagnostics.empty());
-    EXPECT_EQ(picture->film.pixel(1, 1).r, 0.25F);
+    const Request asked = request(4, 4, "preview");
+    Film film = *make_film(asked.layout);
+    const Result<Summary> summary =
+        render::render(*renderer, orthographic(view_down_z(0.0, 0.0, 1.0)), asked, film);
+    ASSERT_TRUE(summary);
+    EXPECT_TRUE(summary.diagnostics.empty());
+    EXPECT_EQ(film.pixel(1, 1).r, 0.25F);
 }
 
 // The header is whole, the pixels are not.
@@ -183,13 +184,15 @@ TEST(Texture, PixelsThatCannotBeReadAreAWarningOnce) {
     ASSERT_TRUE(renderer);
     EXPECT_TRUE(renderer.diagnostics.empty());
     const camera::Camera camera = orthographic(view_down_z(0.0, 0.0, 1.0));
-    const Settings asked = settings(256, 256, Integrator::preview);
-    const Result<Picture> first = renderer->render(camera, asked);
+    const Request asked = request(256, 256, "preview");
+    Film film = *make_film(asked.layout);
+    const Result<Summary> first = render::render(*renderer, camera, asked, film);
     ASSERT_TRUE(first);
     ASSERT_EQ(first.diagnostics.size(), 1U);
     EXPECT_FALSE(has_errors(first.diagnostics));
     EXPECT_NE(first.diagnostics[0].message.find("cannot be read: "), std::string::npos);
-    EXPECT_TRUE(renderer->render(camera, asked).diagnostics.empty());
+    film = *make_film(asked.layout);
+    EXPECT_TRUE(render::render(*renderer, camera, asked, film).diagnostics.empty());
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "balcony/render.hpp"
@@ -87,8 +88,7 @@ Diagnostics check_inputs_kept(const RenderOptions& options, const scene::Scene& 
 }
 
 /// Says where a layer has no ray, if anywhere.
-void describe_gaps(Outcome& outcome, const render::Settings& settings,
-                   const render::Summary& summary) {
+void describe_gaps(Outcome& outcome, const render::Film& film, const render::Summary& summary) {
     const bool single = summary.layers.size() == 1;
     for (const render::Summary::Layer& layer : summary.layers) {
         const std::string what =
@@ -102,10 +102,9 @@ void describe_gaps(Outcome& outcome, const render::Settings& settings,
                                     single ? "the picture is empty" : "it does not show")));
             continue;
         }
-        const std::string pixels =
-            single ? fmt::format(" ({} of {} pixel centres)", summary.invalid_pixels,
-                                 settings.width * settings.height)
-                   : "";
+        const std::string pixels = single ? fmt::format(" ({} of {} pixel centres)",
+                                                        summary.invalid_pixels, film.window.size())
+                                          : "";
         outcome.said.push_back(
             warning(fmt::format("{} has no ray at {} of {} picture points{}; they are transparent",
                                 what, layer.invalid_rays, layer.camera_rays, pixels)));
@@ -133,8 +132,8 @@ std::string layers_text(const render::Summary& summary) {
 }
 
 void describe(Outcome& outcome, const fs::path& output, const camera::Picture& picture,
-              const render::Settings& settings, const render::Summary& summary) {
-    describe_gaps(outcome, settings, summary);
+              const render::Film& film, const render::Summary& summary) {
+    describe_gaps(outcome, film, summary);
     if (summary.repaired > 0) {
         outcome.said.push_back(warning(
             fmt::format("{} samples had no finite colour and count as black", summary.repaired)));
@@ -142,8 +141,8 @@ void describe(Outcome& outcome, const fs::path& output, const camera::Picture& p
     outcome.facts = {{"output", nullptr},
                      {"camera", picture.name()},
                      {"layers", layers_json(summary)},
-                     {"width", settings.width},
-                     {"height", settings.height},
+                     {"width", film.width},
+                     {"height", film.height},
                      {"passes", summary.passes},
                      {"rays", summary.camera_rays},
                      {"invalid_rays", summary.invalid_rays},
@@ -156,58 +155,58 @@ void describe(Outcome& outcome, const fs::path& output, const camera::Picture& p
     outcome.sentence = fmt::format(
         "{}{}: {} x {} pixels through '{}', {}, {} rays in {}\n",
         summary.interrupted ? "interrupted; what was done is in " : "", printable(output.string()),
-        settings.width, settings.height, picture.name(), counted(summary.passes, "pass", "passes"),
+        film.width, film.height, picture.name(), counted(summary.passes, "pass", "passes"),
         count_text(static_cast<double>(summary.camera_rays)), duration_text(summary.seconds));
     outcome.sentence += layers_text(summary);
 }
 
 bool has_samples(const render::Film& film) {
-    return std::any_of(film.samples.begin(), film.samples.end(),
+    return std::any_of(film.passes.begin(), film.passes.end(),
                        [](std::uint32_t count) { return count > 0; });
 }
 
 /// Renders and writes. A first signal stops the rendering, not the writing.
 Outcome make_picture(Outcome outcome, const RenderOptions& options,
                      const render::Renderer& renderer, const camera::Picture& picture,
-                     const render::Settings& settings, const fs::path& output,
+                     const render::Settings& settings, render::Film film, const fs::path& output,
                      std::optional<double> asked_exposure) {
     const Job job;
-    Result<render::Picture> made;
+    Result<render::Summary> summary;
     {
         ProgressDisplay display(options.quiet || options.json);
-        made = renderer.render(
-            picture, settings, [&](const render::Progress& progress) { display.show(progress); },
-            job.token());
+        summary = render::render(
+            renderer, picture, settings, film,
+            [&](const render::Progress& progress) { display.show(progress); }, job.token());
     }
-    add(outcome, made.diagnostics);
-    if (!made) {
+    add(outcome, summary.diagnostics);
+    if (!summary) {
         return fail(std::move(outcome), ExitCode::bad_input);
     }
-    describe(outcome, output, picture, settings, made->summary);
-    if (!has_samples(made->film)) {
+    describe(outcome, output, picture, film, *summary);
+    if (!has_samples(film)) {
         outcome.sentence = "interrupted before there was anything to save\n";
         return fail(std::move(outcome), ExitCode::interrupted);
     }
     const double exposure = asked_exposure                ? *asked_exposure
-                            : ending_of(output) == ".png" ? render::automatic_exposure(made->film)
+                            : ending_of(output) == ".png" ? render::automatic_exposure(film)
                                                           : 0.0;
     outcome.facts["exposure"] = exposure;
     if (!asked_exposure && exposure != 0.0) {
         outcome.sentence +=
             fmt::format("  exposure {:+} stops, to suit the light; --exposure sets it\n", exposure);
     }
-    const Diagnostics written = render::write(made->film, output, {.exposure = exposure});
+    const Diagnostics written = render::write(film, output, {.exposure = exposure});
     if (has_errors(written)) {
         return fail(std::move(outcome), ExitCode::environment, written);
     }
     outcome.facts["output"] = output.string();
-    outcome.code = made->summary.interrupted ? ExitCode::interrupted : ExitCode::done;
+    outcome.code = summary->interrupted ? ExitCode::interrupted : ExitCode::done;
     return outcome;
 }
 
 Outcome render_picture(const RenderOptions& options) {
     Outcome outcome;
-    render::Settings settings = read_settings(options, outcome.said);
+    const render::Settings settings = read_settings(options, outcome.said);
     const std::optional<double> exposure = read_exposure(options, outcome.said);
     const PictureSize size = read_size(options.size, outcome.said);
     if (options.camera.empty() && !options.set.empty()) {
@@ -221,7 +220,6 @@ Outcome render_picture(const RenderOptions& options) {
     if (const ExitCode code = check_output(output, outcome.said); code != ExitCode::done) {
         return fail(std::move(outcome), code);
     }
-    settings.data_layers = ending_of(output) == ".exr";
 
     // A named camera takes no time and its mistakes should not wait for a large scene.
     Result<camera::Picture> picture;
@@ -250,10 +248,14 @@ Outcome render_picture(const RenderOptions& options) {
     if (!picture || !renderer) {
         return fail(std::move(outcome), ExitCode::bad_input);
     }
-    std::tie(settings.width, settings.height) =
-        size.resolve(picture->parts().aspect, picture->parts().size);
-    return make_picture(std::move(outcome), options, *renderer, *picture, settings, output,
-                        exposure);
+    const auto [width, height] = size.resolve(picture->parts().aspect, picture->parts().size);
+    Result<render::Film> film = render::make_film(
+        {.width = width, .height = height, .data_layers = ending_of(output) == ".exr"});
+    if (!film) {
+        return fail(std::move(outcome), ExitCode::bad_input, film.diagnostics);
+    }
+    return make_picture(std::move(outcome), options, *renderer, *picture, settings,
+                        std::move(*film), output, exposure);
 }
 
 ExitCode render_command(const RenderOptions& options) {
@@ -278,9 +280,13 @@ void add_picture_options(CLI::App& command, RenderOptions& options) {
     command.add_option("-s,--samples", options.samples, "rays a pixel")
         ->type_name("COUNT")
         ->capture_default_str();
+    std::vector<std::string> integrators;
+    for (const render::IntegratorInfo& row : render::integrators()) {
+        integrators.push_back(fmt::format("{} ({})", row.name, row.meaning));
+    }
     command
         .add_option("--integrator", options.integrator,
-                    "direct (lights, shadows, mirrors) or preview (lit from the eye)")
+                    fmt::format("{}", fmt::join(integrators, " or ")))
         ->type_name("NAME")
         ->capture_default_str();
     command

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/options/option_values.hpp"
 
@@ -51,14 +52,17 @@ std::optional<render::Color3f> read_background(const std::string& text, Diagnost
     return color;
 }
 
-render::Integrator read_integrator(const std::string& text, Diagnostics& said) {
-    const auto found = render::find_integrator(text);
-    if (!found) {
-        const auto nearest = nearest_name(text, {"direct", "preview"});
-        refuse(said, "--integrator", text,
-               nearest ? fmt::format("did you mean '{}'?", *nearest) : "write direct or preview");
+void check_integrator(const std::string& text, Diagnostics& said) {
+    std::vector<std::string> names;
+    for (const render::IntegratorInfo& integrator : render::integrators()) {
+        names.emplace_back(integrator.name);
     }
-    return found.value_or(render::Integrator::direct);
+    if (std::find(names.begin(), names.end(), text) == names.end()) {
+        const auto nearest = nearest_name(text, names);
+        refuse(said, "--integrator", text,
+               nearest ? fmt::format("did you mean '{}'?", *nearest)
+                       : fmt::format("write {}", fmt::join(names, " or ")));
+    }
 }
 
 }  // namespace
@@ -72,7 +76,8 @@ render::Settings read_settings(const RenderOptions& options, Diagnostics& said) 
     settings.time = read_number("--time", options.time, -any, any, "give a number", said);
     settings.ambient = render::Color3f(read_number("--ambient", options.ambient, 0.0F, brightest,
                                                    "give a number that is not below 0", said));
-    settings.integrator = read_integrator(options.integrator, said);
+    check_integrator(options.integrator, said);
+    settings.integrator = options.integrator;
     settings.background = read_background(options.background, said);
     return settings;
 }

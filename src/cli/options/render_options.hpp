@@ -30,7 +30,7 @@ struct RenderOptions {
     bool json = false;
 };
 
-/// The settings that the options ask for, all but the size; what cannot be read is added to
+/// The settings that the options ask for; what cannot be read is added to
 /// `said`, each with its option.
 [[nodiscard]] render::Settings read_settings(const RenderOptions& options, Diagnostics& said);
 

@@ -7,11 +7,15 @@
 #include <array>
 #include <cmath>
 #include <mutex>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
+
+#include "render/shading/scene_check.hpp"
 
 namespace balcony::render::embree {
 
@@ -75,6 +79,61 @@ void pass_transparent(const RTCFilterFunctionNArguments* arguments) {
     }
 }
 
+// Whether a matrix places finite points at finite points: an affine map of numbers.
+bool is_affine(const scene::M44d& m) {
+    for (int row = 0; row < 4; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            if (!std::isfinite(m[row][column])) {
+                return false;
+            }
+        }
+    }
+    return m[0][3] == 0.0 && m[1][3] == 0.0 && m[2][3] == 0.0 && m[3][3] == 1.0;
+}
+
+// Whether all of a mesh can be traced where it is and where it is placed.
+bool can_be_traced(const scene::Mesh& mesh, const scene::M44d& world_from_mesh) {
+    return is_affine(world_from_mesh) &&
+           std::all_of(mesh.positions.begin(), mesh.positions.end(), [&](const V3f& p) {
+               return in_range(p) && in_range(scene::V3d(p) * world_from_mesh);
+           });
+}
+
+// The largest coordinate that a linear map makes of coordinates up to 1.
+double norm(const scene::M44d& m) {
+    double maximum = 0.0;
+    for (int column = 0; column < 3; ++column) {
+        maximum = std::max(
+            maximum, std::abs(m[0][column]) + std::abs(m[1][column]) + std::abs(m[2][column]));
+    }
+    return maximum;
+}
+
+// How far out a ray may start so that Embree, which inverts the matrix in floats, can take it into
+// the coordinates of a shared mesh. Nothing where such a ray might not be safe at 1e12: the matrix
+// is then nearly singular, or scales by more than a million.
+std::optional<double> reach_into(const scene::M44d& world_from_mesh) {
+    constexpr double max_scale = 1e6;
+    constexpr double max_condition = 1e3;  // Its square times a float's rounding is below 0.1.
+    constexpr double min_reach = 1e12;
+    if (world_from_mesh.determinant() == 0.0) {
+        return std::nullopt;
+    }
+    const scene::M44d mesh_from_world = world_from_mesh.inverse();
+    const double scale = norm(world_from_mesh);
+    const double inverse_scale = norm(mesh_from_world);
+    if (!(scale <= max_scale && inverse_scale <= max_scale &&
+          scale * inverse_scale <= max_condition)) {
+        return std::nullopt;
+    }
+    const scene::V3d shift = mesh_from_world.translation();
+    const double largest_shift =
+        std::max({std::abs(shift.x), std::abs(shift.y), std::abs(shift.z)});
+    constexpr double rounding = 0.9;
+    const double reach = (rounding * max_coordinate - largest_shift) / inverse_scale;
+    return reach >= min_reach ? std::optional(reach) : std::nullopt;
+}
+
 // A mesh as triangles, its positions taken through a matrix if one is given.
 Geometry make_triangles(RTCDevice device, const scene::Scene& scene, const scene::Mesh& mesh,
                         const scene::M44d* world_from_mesh) {
@@ -123,12 +182,48 @@ Geometry make_instance(RTCDevice device, RTCScene mesh, const scene::M44d& world
     return geometry;
 }
 
-std::vector<std::size_t> count_uses(const scene::Scene& scene) {
-    std::vector<std::size_t> uses(scene.meshes.size());
-    for (const scene::Instance& instance : scene.instances) {
-        ++uses[instance.mesh.value()];
+// What becomes of an instance: it is left out, copied into the world or placed by a matrix.
+enum class Use : std::uint8_t { none, copied, placed };
+
+// A mesh with one instance goes into the world directly, which is faster to trace.
+std::vector<Use> choose_uses(const scene::Scene& scene) {
+    std::vector<std::size_t> counts(scene.meshes.size());
+    std::vector<Use> uses(scene.instances.size(), Use::none);
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+        const scene::Instance& instance = scene.instances[i];
+        const scene::Mesh& mesh = scene.meshes[instance.mesh.value()];
+        if (can_be_traced(mesh, instance.world_from_mesh)) {
+            uses[i] = Use::copied;
+            ++counts[instance.mesh.value()];
+        }
+    }
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+        const scene::Instance& instance = scene.instances[i];
+        if (uses[i] == Use::copied && counts[instance.mesh.value()] > 1 &&
+            reach_into(instance.world_from_mesh)) {
+            uses[i] = Use::placed;
+        }
     }
     return uses;
+}
+
+// One warning for each object of which something is left out.
+Diagnostics name_left_out(const scene::Scene& scene, const std::vector<Use>& uses) {
+    std::set<std::uint32_t> objects;
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+        if (uses[i] == Use::none) {
+            objects.insert(scene.instances[i].object);
+        }
+    }
+    Diagnostics warnings;
+    for (const std::uint32_t object : objects) {
+        warnings.push_back(warning(
+            fmt::format("object '{}' reaches beyond {:.3g} or is placed by a matrix that is not "
+                        "affine, and is left out",
+                        scene.objects[object].name, max_coordinate),
+            {}, "scale the scene down, or repair its transforms"));
+    }
+    return warnings;
 }
 
 RTCRayHit to_ray_hit(const Ray& ray) {
@@ -150,8 +245,7 @@ RTCRayHit to_ray_hit(const Ray& ray) {
     return query;
 }
 
-// Rays that are traced together: a square of pixels.
-constexpr std::size_t packet_side = 4;
+constexpr std::size_t packet_side = Accelerator::packet_side;
 constexpr std::size_t packet_size = packet_side * packet_side;
 
 // Embree's coherent packets lose rays with a direction component of nearly 0, whose reciprocal is
@@ -201,42 +295,69 @@ void intersect_packet(RTCScene world, std::span<const std::size_t> indices,
 struct Accelerator::State {
     std::unique_ptr<ErrorLog> errors = std::make_unique<ErrorLog>();
     Device device;
-    std::vector<BuiltScene> meshes;  // By mesh; null for one that is used once.
+    std::vector<BuiltScene> meshes;  // By mesh; null for one that no instance places.
     BuiltScene world;
+    float reach = max_coordinate;
+
+    void place(const scene::Scene& scene, const scene::Instance& instance, unsigned id);
+    void copy(const scene::Scene& scene, const scene::Instance& instance, unsigned id);
+    [[nodiscard]] bool traceable(const Ray& ray) const;
 };
 
+void Accelerator::State::place(const scene::Scene& scene, const scene::Instance& instance,
+                               unsigned id) {
+    BuiltScene& mesh = meshes[instance.mesh.value()];
+    if (!mesh) {
+        mesh = make_scene(device.get());
+        if (const Geometry triangles =
+                make_triangles(device.get(), scene, scene.meshes[instance.mesh.value()], nullptr)) {
+            rtcAttachGeometry(mesh.get(), triangles.get());
+        }
+        rtcCommitScene(mesh.get());
+    }
+    const Geometry placed = make_instance(device.get(), mesh.get(), instance.world_from_mesh);
+    rtcAttachGeometryByID(world.get(), placed.get(), id);
+    reach = std::min(reach, static_cast<float>(*reach_into(instance.world_from_mesh)));
+}
+
+void Accelerator::State::copy(const scene::Scene& scene, const scene::Instance& instance,
+                              unsigned id) {
+    if (const Geometry triangles = make_triangles(
+            device.get(), scene, scene.meshes[instance.mesh.value()], &instance.world_from_mesh)) {
+        rtcAttachGeometryByID(world.get(), triangles.get(), id);
+    }
+}
+
+// What Embree asserts of a ray, with its origin also in the coordinates of placed meshes.
+bool Accelerator::State::traceable(const Ray& ray) const {
+    return std::abs(ray.origin.x) <= reach && std::abs(ray.origin.y) <= reach &&
+           std::abs(ray.origin.z) <= reach && in_range(ray.direction) && ray.farthest >= 0.0F;
+}
+
 Result<Accelerator> Accelerator::build(const scene::Scene& scene) {
+    if (Diagnostics broken = check(scene); !broken.empty()) {
+        return broken;
+    }
     auto state = std::make_shared<State>();
     state->device.reset(rtcNewDevice(nullptr));
     if (!state->device) {
         return error("Embree cannot be started on this machine");
     }
-    RTCDevice device = state->device.get();
-    rtcSetDeviceErrorFunction(device, record_error, state->errors.get());
+    rtcSetDeviceErrorFunction(state->device.get(), record_error, state->errors.get());
 
-    state->world = make_scene(device);
+    state->world = make_scene(state->device.get());
     state->meshes.resize(scene.meshes.size());
-    // A mesh with one instance goes into the world directly, which is faster to trace.
-    const std::vector<std::size_t> uses = count_uses(scene);
-    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const std::vector<Use> uses = choose_uses(scene);
+    for (std::size_t i = 0; i < uses.size(); ++i) {
         const scene::Instance& instance = scene.instances[i];
-        const std::size_t m = instance.mesh.value();
-        const scene::Mesh& mesh = scene.meshes[m];
-        if (mesh.triangles.empty()) {
+        const auto id = static_cast<unsigned>(i);
+        if (uses[i] == Use::none || scene.meshes[instance.mesh.value()].triangles.empty()) {
             continue;
         }
-        if (uses[m] > 1 && !state->meshes[m]) {
-            state->meshes[m] = make_scene(device);
-            if (const Geometry triangles = make_triangles(device, scene, mesh, nullptr)) {
-                rtcAttachGeometry(state->meshes[m].get(), triangles.get());
-            }
-            rtcCommitScene(state->meshes[m].get());
-        }
-        const Geometry geometry =
-            uses[m] > 1 ? make_instance(device, state->meshes[m].get(), instance.world_from_mesh)
-                        : make_triangles(device, scene, mesh, &instance.world_from_mesh);
-        if (geometry) {
-            rtcAttachGeometryByID(state->world.get(), geometry.get(), static_cast<unsigned>(i));
+        if (uses[i] == Use::placed) {
+            state->place(scene, instance, id);
+        } else {
+            state->copy(scene, instance, id);
         }
     }
     rtcCommitScene(state->world.get());
@@ -245,10 +366,15 @@ Result<Accelerator> Accelerator::build(const scene::Scene& scene) {
         return error(
             fmt::format("the scene cannot be made ready to trace: {}", state->errors->first));
     }
-    return Accelerator(std::move(state));
+    return {Accelerator(std::move(state)), name_left_out(scene, uses)};
 }
 
+float Accelerator::reach() const { return state_->reach; }
+
 Hit Accelerator::intersect(const Ray& ray) const {
+    if (!state_->traceable(ray)) {
+        return {};
+    }
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     RTCRayHit query = to_ray_hit(ray);
@@ -272,7 +398,7 @@ void Accelerator::intersect_grid(std::size_t width, std::span<const Ray> rays,
                     const std::size_t ray = j * width + i;
                     hits[ray] = {};
                     indices[count] = ray;
-                    count += active[ray] != 0 ? 1 : 0;
+                    count += active[ray] != 0 && state_->traceable(rays[ray]) ? 1 : 0;
                 }
             }
             intersect_packet(state_->world.get(), std::span(indices).first(count), rays, hits);
@@ -281,6 +407,9 @@ void Accelerator::intersect_grid(std::size_t width, std::span<const Ray> rays,
 }
 
 float Accelerator::transmittance(const Ray& ray, const OpacitySource& opacities) const {
+    if (!state_->traceable(ray)) {
+        return 1.0F;
+    }
     ShadowQuery query{{}, &opacities, 1.0F};
     rtcInitIntersectContext(&query.context);
     RTCRay shadow = to_ray_hit(ray).ray;

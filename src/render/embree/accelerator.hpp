@@ -5,6 +5,7 @@
 // The one place that knows Embree: a scene built once, then asked for the nearest hit and for what
 // lies between two points.
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -19,6 +20,16 @@
 namespace balcony::render::embree {
 
 using Imath::V3f;
+
+/// The largest coordinate, by size, that Embree takes in vertices and rays: its FLT_LARGE.
+inline constexpr float max_coordinate = 1.844e18F;
+
+/// Whether all coordinates are numbers up to that limit.
+template <class Vector>
+[[nodiscard]] bool in_range(const Vector& v) {
+    constexpr typename Vector::BaseType limit = max_coordinate;
+    return std::abs(v.x) <= limit && std::abs(v.y) <= limit && std::abs(v.z) <= limit;
+}
 
 /// A ray in world co-ordinates; distances are in lengths of the direction.
 struct Ray {
@@ -47,10 +58,22 @@ public:
 };
 
 /// The acceleration structure of a scene. Immutable, for any number of threads.
+///
+/// Any ray may be asked for: one that starts beyond reach(), or that holds something other than
+/// numbers, hits nothing and lets all light pass.
 class Accelerator {
 public:
-    /// Builds; fails where memory runs out.
+    /// Rays of a grid are traced together in squares of this side.
+    static constexpr std::size_t packet_side = 4;
+
+    /// Builds. An instance that Embree cannot take (placed by no finite affine matrix, or with a
+    /// vertex beyond max_coordinate) is left out with a warning that names its object; a scene
+    /// whose indices lead nowhere and memory that runs out are errors.
     [[nodiscard]] static Result<Accelerator> build(const scene::Scene& scene);
+
+    /// The largest coordinate, by size, of a ray's origin: max_coordinate, or less where a shared
+    /// mesh is placed by a matrix that makes it smaller.
+    [[nodiscard]] float reach() const;
 
     [[nodiscard]] Hit intersect(const Ray& ray) const;
 

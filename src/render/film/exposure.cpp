@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "balcony/render.hpp"
+#include "balcony/film.hpp"
 
 namespace balcony::render {
 
@@ -17,9 +17,9 @@ float luminance(const Color4f& c) { return 0.2126F * c.r + 0.7152F * c.g + 0.072
 
 double automatic_exposure(const Film& film) {
     std::vector<float> luminances;
-    for (std::size_t y = 0; y < film.height; ++y) {
-        for (std::size_t x = 0; x < film.width; ++x) {
-            const Color4f pixel = film.pixel(x, y);
+    for (std::size_t y = 0; y < film.window.height; ++y) {
+        for (std::size_t x = 0; x < film.window.width; ++x) {
+            const Color4f pixel = film.pixel(film.window.x + x, film.window.y + y);
             if (pixel.a > 0.0F) {
                 luminances.push_back(luminance(pixel) / pixel.a);
             }

@@ -1,57 +1,150 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "render/film/film.hpp"
+#include "balcony/film.hpp"
 
+#include <algorithm>
 #include <limits>
+#include <new>
+
+#include <OpenImageIO/sysutil.h>
+#include <fmt/format.h>
 
 namespace balcony::render {
 
 namespace {
 
+constexpr std::size_t max_side = std::size_t{1} << 20;
+
 constexpr std::size_t layer_bytes = sizeof(float) + 4 * sizeof(V3f) + sizeof(Color3f) +
                                     sizeof(std::uint32_t) + sizeof(V2f) + sizeof(std::uint8_t) +
                                     sizeof(std::uint16_t);
 
-}  // namespace
-
-double film_bytes(const Settings& settings) {
-    const std::size_t pixel_bytes =
-        sizeof(Color4f) + sizeof(std::uint32_t) + (settings.data_layers ? layer_bytes : 0);
-    return static_cast<double>(settings.width) * static_cast<double>(settings.height) *
+double film_bytes(const FilmLayout& layout, const Region& window) {
+    const std::size_t pixel_bytes = sizeof(Color4d) + (layout.second_moment ? sizeof(Color4d) : 0) +
+                                    (layout.data_layers ? layer_bytes : 0);
+    return static_cast<double>(window.width) * static_cast<double>(window.height) *
            static_cast<double>(pixel_bytes);
 }
 
-Film make_film(const Settings& settings, const scene::Scene& scene) {
-    const std::size_t pixels = settings.width * settings.height;
-    Film film;
-    film.width = settings.width;
-    film.height = settings.height;
-    film.sum.assign(pixels, Color4f(0.0F));
-    film.samples.assign(pixels, 0);
-    if (settings.data_layers) {
-        DataLayers& layers = film.layers.emplace();
-        layers.ray_length.assign(pixels, std::numeric_limits<float>::infinity());
-        layers.position.assign(pixels, V3f(0.0F));
-        layers.normal.assign(pixels, V3f(0.0F));
-        layers.albedo.assign(pixels, Color3f(0.0F));
-        layers.object.assign(pixels, 0);
-        layers.origin.assign(pixels, V3f(0.0F));
-        layers.direction.assign(pixels, V3f(0.0F));
-        layers.parameters.assign(pixels, V2f(0.0F));
-        layers.valid.assign(pixels, 0);
-        layers.layer.assign(pixels, 0);
+Diagnostics check(const FilmLayout& layout, const Region& window) {
+    Diagnostics found;
+    const auto check_side = [&](std::size_t side, std::string_view what) {
+        if (side < 1 || side > max_side) {
+            found.push_back(error(fmt::format("the picture's {} {} is out of range", what, side),
+                                  {}, fmt::format("give a number from 1 to {}", max_side)));
+        }
+    };
+    check_side(layout.width, "width");
+    check_side(layout.height, "height");
+    if (!found.empty()) {
+        return found;
     }
-    film.objects.reserve(scene.objects.size());
-    for (const scene::Object& object : scene.objects) {
-        film.objects.push_back(object.name);
+    const auto within = [](std::size_t begin, std::size_t length, std::size_t side) {
+        return length >= 1 && begin < side && length <= side - begin;
+    };
+    if (!within(window.x, window.width, layout.width) ||
+        !within(window.y, window.height, layout.height)) {
+        return {error(fmt::format(
+            "the region of {} x {} pixels at ({}, {}) is not part of the "
+            "picture of {} x {} pixels",
+            window.width, window.height, window.x, window.y, layout.width, layout.height))};
     }
-    return film;
+    const double bytes = film_bytes(layout, window);
+    const auto memory = static_cast<double>(OIIO::Sysutil::physical_memory());
+    if (memory > 0.0 && bytes > memory) {
+        return {error(
+            fmt::format("a film of {} x {} pixels takes {:.1f} GB, this machine has {:.1f} GB",
+                        window.width, window.height, bytes / 1e9, memory / 1e9),
+            {}, "make the picture smaller, or leave out the data layers")};
+    }
+    return {};
+}
+
+DataLayers empty_layers(std::size_t pixels) {
+    DataLayers layers;
+    layers.ray_length.assign(pixels, std::numeric_limits<float>::infinity());
+    layers.position.assign(pixels, V3f(0.0F));
+    layers.normal.assign(pixels, V3f(0.0F));
+    layers.albedo.assign(pixels, Color3f(0.0F));
+    layers.object.assign(pixels, 0);
+    layers.origin.assign(pixels, V3f(0.0F));
+    layers.direction.assign(pixels, V3f(0.0F));
+    layers.parameters.assign(pixels, V2f(0.0F));
+    layers.valid.assign(pixels, 0);
+    layers.layer.assign(pixels, 0);
+    return layers;
+}
+
+// How many tiles of a grid from 0 a stretch of pixels touches.
+std::size_t tiles_touched(std::size_t begin, std::size_t length, std::size_t side) {
+    return length == 0 ? 0 : (begin + length - 1) / side - begin / side + 1;
+}
+
+}  // namespace
+
+std::size_t Film::tile_columns() const { return tiles_touched(window.x, window.width, tile_width); }
+
+std::size_t Film::tile_rows() const { return tiles_touched(window.y, window.height, tile_height); }
+
+Region Film::tile(std::size_t index) const {
+    const std::size_t x = (window.x / tile_width + index % tile_columns()) * tile_width;
+    const std::size_t y = (window.y / tile_height + index / tile_columns()) * tile_height;
+    return {x, y, std::min(tile_width, width - x), std::min(tile_height, height - y)};
+}
+
+std::size_t Film::tile_of(std::size_t x, std::size_t y) const {
+    return (y / tile_height - window.y / tile_height) * tile_columns() + x / tile_width -
+           window.x / tile_width;
 }
 
 Color4f Film::pixel(std::size_t x, std::size_t y) const {
-    const std::size_t i = y * width + x;
-    return samples[i] > 0 ? sum[i] / static_cast<float>(samples[i]) : Color4f(0.0F);
+    const std::uint32_t count = samples(x, y);
+    if (count == 0) {
+        return Color4f(0.0F);
+    }
+    const Color4d mean = sum[index(x, y)] / static_cast<double>(count);
+    return {static_cast<float>(mean.r), static_cast<float>(mean.g), static_cast<float>(mean.b),
+            static_cast<float>(mean.a)};
+}
+
+Color4d Film::variance(std::size_t x, std::size_t y) const {
+    const auto n = static_cast<double>(samples(x, y));
+    if (n < 2.0) {
+        return Color4d(0.0);
+    }
+    const Color4d& total = sum[index(x, y)];
+    const Color4d& squares = sum_of_squares[index(x, y)];
+    const auto channel = [n](double s, double s2) {
+        return std::max((s2 - s * s / n) / (n - 1.0), 0.0);
+    };
+    return {channel(total.r, squares.r), channel(total.g, squares.g), channel(total.b, squares.b),
+            channel(total.a, squares.a)};
+}
+
+Result<Film> make_film(const FilmLayout& layout) {
+    const Region window = layout.window.value_or(Region{0, 0, layout.width, layout.height});
+    if (Diagnostics found = check(layout, window); !found.empty()) {
+        return found;
+    }
+    try {
+        Film film;
+        film.width = layout.width;
+        film.height = layout.height;
+        film.window = window;
+        film.sum.assign(window.size(), Color4d(0.0));
+        if (layout.second_moment) {
+            film.sum_of_squares.assign(window.size(), Color4d(0.0));
+        }
+        if (layout.data_layers) {
+            film.layers = empty_layers(window.size());
+        }
+        film.passes.assign(film.tile_count(), 0);
+        return film;
+    } catch (const std::bad_alloc&) {
+        return error("memory ran out while the film was made", {},
+                     "make the picture smaller, or leave out the data layers");
+    }
 }
 
 }  // namespace balcony::render

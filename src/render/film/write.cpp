@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "balcony/film.hpp"
 #include "balcony/output_file.hpp"
-#include "balcony/render.hpp"
 
 namespace balcony::render {
 

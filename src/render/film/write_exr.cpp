@@ -16,8 +16,8 @@
 #include <OpenEXR/ImfStringVectorAttribute.h>
 #include <fmt/format.h>
 
+#include "balcony/film.hpp"
 #include "balcony/output_file.hpp"
-#include "balcony/render.hpp"
 
 namespace balcony::render {
 
@@ -30,7 +30,8 @@ struct Channel {
 };
 
 Color4f mean(const Film& film, std::size_t pixel) {
-    return film.pixel(pixel % film.width, pixel / film.width);
+    return film.pixel(film.window.x + pixel % film.window.width,
+                      film.window.y + pixel / film.window.width);
 }
 
 constexpr Channel picture_channels[] = {
@@ -100,7 +101,12 @@ std::vector<Channel> channels_of(const Film& film) {
 }
 
 Imf::Header make_header(const Film& film, const std::vector<Channel>& channels) {
-    Imf::Header header(static_cast<int>(film.width), static_cast<int>(film.height));
+    const auto box = [](const Region& region) {
+        const Imath::V2i first(static_cast<int>(region.x), static_cast<int>(region.y));
+        const Imath::V2i size(static_cast<int>(region.width), static_cast<int>(region.height));
+        return Imath::Box2i(first, first + size - Imath::V2i(1, 1));
+    };
+    Imf::Header header(box({0, 0, film.width, film.height}), box(film.window));
     header.compression() = Imf::ZIP_COMPRESSION;
     header.zipCompressionLevel() = 2;
     for (const Channel& channel : channels) {
@@ -118,17 +124,18 @@ Imf::Header make_header(const Film& film, const std::vector<Channel>& channels) 
 // Some rows at a time, channel after channel.
 void write_pixels(const Film& film, const std::vector<Channel>& channels, Imf::OutputFile& output) {
     constexpr std::size_t rows_at_once = 64;
-    const std::size_t width = film.width;
+    const std::size_t width = film.window.width;
     const std::size_t plane = width * rows_at_once;
     std::vector<float> values(plane * channels.size());
     std::vector<std::uint32_t> objects(film.layers ? plane : 0);
     std::vector<std::uint32_t> layers(film.layers ? plane : 0);
-    for (std::size_t first = 0; first < film.height; first += rows_at_once) {
-        const std::size_t rows = std::min(rows_at_once, film.height - first);
+    for (std::size_t first = 0; first < film.window.height; first += rows_at_once) {
+        const std::size_t rows = std::min(rows_at_once, film.window.height - first);
         Imf::FrameBuffer buffer;
-        // OpenEXR counts from the picture's first row, so a slice begins above the rows at hand.
+        // OpenEXR counts from the picture's top left, so a slice begins before the rows at hand.
         const auto slice = [&](Imf::PixelType type, void* data) {
-            const auto before = static_cast<std::ptrdiff_t>(first * width * sizeof(float));
+            const std::size_t pixels = (film.window.y + first) * width + film.window.x;
+            const auto before = static_cast<std::ptrdiff_t>(pixels * sizeof(float));
             return Imf::Slice(type, static_cast<char*>(data) - before, sizeof(float),
                               sizeof(float) * width);
         };

@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "balcony/film.hpp"
 #include "balcony/png_file.hpp"
-#include "balcony/render.hpp"
 
 namespace balcony::render {
 
@@ -35,10 +35,10 @@ Sample quantised(float value) {
 template <class Sample>
 std::vector<Sample> to_samples(const Film& film, float gain) {
     std::vector<Sample> samples;
-    samples.reserve(film.width * film.height * channels);
-    for (std::size_t y = 0; y < film.height; ++y) {
-        for (std::size_t x = 0; x < film.width; ++x) {
-            const Color4f mean = film.pixel(x, y);
+    samples.reserve(film.window.size() * channels);
+    for (std::size_t y = 0; y < film.window.height; ++y) {
+        for (std::size_t x = 0; x < film.window.width; ++x) {
+            const Color4f mean = film.pixel(film.window.x + x, film.window.y + y);
             const bool visible = mean.a > 0.0F;
             const float scale = visible ? gain / mean.a : 0.0F;
             for (const float c : {mean.r, mean.g, mean.b}) {
@@ -60,7 +60,7 @@ Diagnostics write_png(const Film& film, const std::filesystem::path& file,
                       {}, "give 8 or 16 bits and a finite exposure")};
     }
     const auto gain = static_cast<float>(std::exp2(options.exposure));
-    const PngSize size{film.width, film.height, channels};
+    const PngSize size{film.window.width, film.window.height, channels};
     return options.bits == 8 ? write_png(to_samples<std::uint8_t>(film, gain), size, file)
                              : write_png(to_samples<std::uint16_t>(film, gain), size, file);
 }

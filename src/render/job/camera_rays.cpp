@@ -4,18 +4,12 @@
 #include "render/job/camera_rays.hpp"
 
 #include <cmath>
-#include <limits>
 
 namespace balcony::render {
 
-bool fits_float(const V3d& v) {
-    constexpr double maximum = std::numeric_limits<float>::max();
-    return std::abs(v.x) <= maximum && std::abs(v.y) <= maximum && std::abs(v.z) <= maximum;
-}
-
 bool traceable(const rays::RayBatch& rays, std::size_t i) {
     const V3d d = rays.direction(i);
-    return rays.valid(i) && fits_float(rays.origin(i)) && std::abs(d.length2() - 1.0) < 1e-6;
+    return rays.valid(i) && embree::in_range(rays.origin(i)) && std::abs(d.length2() - 1.0) < 1e-6;
 }
 
 V2f parameters(const rays::RayBatch& rays, std::size_t i) {
@@ -29,7 +23,7 @@ RayDifferentials differentials(const rays::RayBatch& rays, std::size_t i, double
                             V3f& direction) {
         const V3d moved = part * origin_by;
         const V3d turned = part * direction_by;
-        if (fits_float(moved) && fits_float(turned)) {
+        if (embree::in_range(moved) && embree::in_range(turned)) {
             origin = V3f(moved);
             direction = V3f(turned);
         }

@@ -16,10 +16,7 @@ namespace balcony::render {
 using Imath::V2f;
 using Imath::V3d;
 
-/// Whether floats can hold it.
-[[nodiscard]] bool fits_float(const V3d& v);
-
-/// There is a ray, and it can be traced in floats.
+/// There is a ray, and Embree takes its origin.
 [[nodiscard]] bool traceable(const rays::RayBatch& rays, std::size_t i);
 /// 0 where a parameter is not finite.
 [[nodiscard]] V2f parameters(const rays::RayBatch& rays, std::size_t i);

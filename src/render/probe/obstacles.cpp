@@ -8,7 +8,7 @@
 #include "balcony/probe.hpp"
 #include "render/embree/accelerator.hpp"
 #include "render/job/camera_rays.hpp"
-#include "render/shading/material.hpp"
+#include "render/shading/appearance.hpp"
 #include "render/shading/surface.hpp"
 #include "render/textures/texture_library.hpp"
 
@@ -33,7 +33,7 @@ public:
         const double size = std::max({std::abs(way.x), std::abs(way.y), std::abs(way.z)});
         const V3d scaled = way / size;  // Squares of what is very long would overflow.
         // No way leads nowhere or to what is no number; the renderer traces no ray from so far.
-        if (!(scaled.length() > 0.0) || !fits_float(from)) {
+        if (!(scaled.length() > 0.0) || !embree::in_range(from)) {
             return std::nullopt;
         }
         const V3d direction = scaled.normalized();
@@ -84,7 +84,7 @@ Result<std::vector<std::optional<Obstacle>>> find_obstacles(const scene::Scene& 
     if (!accelerator) {
         return accelerator.diagnostics;
     }
-    Diagnostics warnings;
+    Diagnostics warnings = accelerator.diagnostics;
     const TextureLibrary textures(scene, warnings);
     const SightTracer look(scene, *accelerator, textures);
     std::vector<std::optional<Obstacle>> found;

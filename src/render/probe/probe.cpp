@@ -234,7 +234,7 @@ Result<Probe> probe(const scene::Scene& scene, const camera::Camera& camera,
     if (!program) {
         return program.diagnostics;
     }
-    return Prober(scene, *accelerator, *program, settings).run();
+    return {Prober(scene, *accelerator, *program, settings).run(), accelerator.diagnostics};
 }
 
 }  // namespace balcony::render

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace balcony::render {
 
@@ -30,17 +31,15 @@ double range_weight(const scene::Light& light, double distance) {
     return std::clamp(1.0 - ratio * ratio * ratio * ratio, 0.0, 1.0);
 }
 
-}  // namespace
-
-Illumination illuminate(const scene::Light& light, const Imath::V3f& position,
-                        double meters_per_unit) {
+Illumination from_lamp(const scene::Light& light, const Imath::V3f& position,
+                       double meters_per_unit) {
     if (light.kind == scene::LightKind::directional) {
         return {Imath::V3f(-light.direction), std::numeric_limits<float>::infinity(),
                 light.intensity};
     }
     const scene::V3d offset = light.position - scene::V3d(position);
     const double distance = offset.length();
-    if (distance == 0.0) {
+    if (!(distance > 0.0 && distance <= double{std::numeric_limits<float>::max()})) {
         return {Imath::V3f(0.0F), 0.0F, Imath::Color3f(0.0F)};
     }
     const scene::V3d to_light = offset / distance;
@@ -49,6 +48,33 @@ Illumination illuminate(const scene::Light& light, const Imath::V3f& position,
     const double weight = cone * range_weight(light, distance) / (meters * meters);
     return {Imath::V3f(to_light), static_cast<float>(distance),
             light.intensity * static_cast<float>(weight)};
+}
+
+}  // namespace
+
+std::size_t LightSet::size() const {
+    return scene_->lights.size() + (scene_->default_light ? 1 : 0);
+}
+
+Illumination LightSet::arriving(std::size_t light, const LitPoint& point) const {
+    if (!scene_->default_light) {
+        return from_lamp(scene_->lights[light], point.position, scene_->meters_per_unit);
+    }
+    if (light > 0) {
+        return from_lamp(scene_->lights[light - 1], point.position, scene_->meters_per_unit);
+    }
+    // Such that a white wall seen straight on has radiance 1.
+    return {point.to_viewer, 0.0F, Imath::Color3f(std::numbers::pi_v<float>)};
+}
+
+std::optional<LightSample> LightSet::sample(const LitPoint& point, float random) const {
+    const std::size_t count = size();
+    if (count == 0) {
+        return std::nullopt;
+    }
+    const auto chosen = static_cast<std::size_t>(random * static_cast<float>(count));
+    return LightSample{arriving(std::min(chosen, count - 1), point),
+                       1.0F / static_cast<float>(count)};
 }
 
 }  // namespace balcony::render

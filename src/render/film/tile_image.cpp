@@ -1,0 +1,52 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "render/film/tile_image.hpp"
+
+#include <algorithm>
+
+namespace balcony::render {
+
+namespace {
+
+void write_data(DataLayers& layers, std::size_t at, const PointData& data) {
+    layers.valid[at] = 1;
+    layers.layer[at] = data.layer;
+    layers.origin[at] = V3f(data.origin);
+    layers.direction[at] = V3f(data.direction);
+    layers.parameters[at] = data.parameters;
+    const VisibleSurface& visible = data.visible;
+    if (visible.any) {
+        const double length = (Imath::V3d(visible.position) - data.origin).dot(data.direction);
+        layers.ray_length[at] = static_cast<float>(std::max(length, 0.0));
+        layers.position[at] = visible.position;
+        layers.normal[at] = visible.normal;
+        layers.albedo[at] = visible.albedo;
+        layers.object[at] = visible.object;
+    }
+}
+
+}  // namespace
+
+void add_pass(Film& film, std::size_t tile, const TileImage& image) {
+    const Region& region = image.region;
+    for (std::size_t i = 0; i < region.size(); ++i) {
+        const std::size_t x = region.x + i % region.width;
+        const std::size_t y = region.y + i / region.width;
+        if (!film.window.contains(x, y)) {
+            continue;
+        }
+        const std::size_t at = film.index(x, y);
+        const Color4d sample(image.colors[i]);
+        film.sum[at] += sample;
+        if (!film.sum_of_squares.empty()) {
+            film.sum_of_squares[at] += sample * sample;
+        }
+        if (film.layers && !image.data.empty() && image.data[i].valid) {
+            write_data(*film.layers, at, image.data[i]);
+        }
+    }
+    ++film.passes[tile];
+}
+
+}  // namespace balcony::render

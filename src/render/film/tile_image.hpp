@@ -1,0 +1,47 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// One pass over one tile, and its way onto the film.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <Imath/ImathVec.h>
+
+#include "balcony/film.hpp"
+
+namespace balcony::render {
+
+/// The first surface on a ray that is there at all.
+struct VisibleSurface {
+    bool any = false;
+    V3f position;
+    V3f normal;
+    Color3f albedo;
+    std::uint32_t object = 0;  ///< Index into Scene::objects plus 1.
+};
+
+/// What the data layers say of a point.
+struct PointData {
+    bool valid = false;  ///< There is a ray; if not, nothing else is said.
+    std::uint16_t layer = 0;
+    Imath::V3d origin;
+    Imath::V3d direction;
+    V2f parameters;
+    VisibleSurface visible;
+};
+
+/// A sample of each pixel of a region, row by row.
+struct TileImage {
+    Region region;
+    std::vector<Color4f> colors;
+    std::vector<PointData> data;  ///< Empty where it was not asked for.
+};
+
+/// Adds the samples of a tile's next pass, as far as they lie in the film's window. Two tiles may
+/// be added to at once.
+void add_pass(Film& film, std::size_t tile, const TileImage& image);
+
+}  // namespace balcony::render

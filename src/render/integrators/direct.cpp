@@ -1,0 +1,84 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// The lights of the scene with sharp shadows, ambient light without any, and mirrors.
+
+#include <algorithm>
+
+#include "render/integrators/ray_tree.hpp"
+#include "render/shading/bsdf.hpp"
+
+namespace balcony::render {
+
+namespace {
+
+// The weight below which no reflection is followed: less than half a step of an 8-bit picture.
+constexpr float min_weight = 1.0F / 512.0F;
+
+float largest(const Color3f& color) { return std::max({color.x, color.y, color.z}); }
+
+V3f mirrored(const V3f& v, const V3f& normal) { return v - 2.0F * v.dot(normal) * normal; }
+
+Bsdf bsdf_at(const Interaction& at) {
+    return {at.appearance, at.surface.normal, at.surface.geometric_normal};
+}
+
+class Direct final : public RayTree {
+public:
+    using RayTree::RayTree;
+
+private:
+    [[nodiscard]] Color3f shade(const Ray& ray, const Interaction& at) const override {
+        const Bsdf bsdf = bsdf_at(at);
+        return at.appearance.emission + settings().ambient * bsdf.ambient_reflectance() +
+               reflected_light(-ray.direction, at.surface, bsdf);
+    }
+
+    [[nodiscard]] Color3f reflected_light(const V3f& to_viewer, const Surface& surface,
+                                          const Bsdf& bsdf) const {
+        Color3f total(0.0F);
+        for (std::size_t light = 0; light < tracer().lights().size(); ++light) {
+            const Illumination arriving =
+                tracer().lights().arriving(light, {surface.position, to_viewer});
+            if (largest(arriving.irradiance) <= 0.0F) {
+                continue;
+            }
+            const Color3f unshadowed =
+                arriving.irradiance * bsdf.eval(to_viewer, arriving.to_light);
+            if (largest(unshadowed) > 0.0F) {
+                total += unshadowed *
+                         tracer().transmittance(surface, arriving.to_light, arriving.distance);
+            }
+        }
+        return total;
+    }
+
+    [[nodiscard]] std::optional<Branch> reflect(const Branch& arriving,
+                                                const Interaction& at) const override {
+        const auto sample = bsdf_at(at).sample_mirror(-arriving.ray.direction);
+        if (!sample || arriving.reflections >= settings().mirror_depth) {
+            return std::nullopt;
+        }
+        Branch next = arriving;
+        next.weight *= sample->weight;
+        if (largest(next.weight) < min_weight) {
+            return std::nullopt;
+        }
+        ++next.reflections;
+        const RayDifferentials& before = arriving.ray.differentials;
+        next.ray.direction = sample->to_light;
+        next.ray.origin = at.surface.start(next.ray.direction);
+        next.ray.differentials = {at.moved.along_x, at.moved.along_y,
+                                  mirrored(before.direction_x, sample->facet_normal),
+                                  mirrored(before.direction_y, sample->facet_normal)};
+        return next;
+    }
+};
+
+}  // namespace
+
+std::unique_ptr<Integrator> make_direct(const TracedScene& traced, const Settings& settings) {
+    return std::make_unique<Direct>(traced, settings);
+}
+
+}  // namespace balcony::render

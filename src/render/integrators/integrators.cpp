@@ -1,0 +1,44 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// The table of integrators.
+
+#include <algorithm>
+#include <array>
+
+#include "render/integrators/integrator.hpp"
+
+namespace balcony::render {
+
+std::unique_ptr<Integrator> make_direct(const TracedScene& traced, const Settings& settings);
+std::unique_ptr<Integrator> make_preview(const TracedScene& traced, const Settings& settings);
+
+namespace {
+
+struct Row {
+    IntegratorInfo info;
+    IntegratorMaker make;
+};
+
+constexpr std::array rows{
+    Row{{"direct", "lights, sharp shadows, mirrors"}, make_direct},
+    Row{{"preview", "lit from the eye"}, make_preview},
+};
+
+constexpr auto infos = [] {
+    std::array<IntegratorInfo, rows.size()> made;
+    std::transform(rows.begin(), rows.end(), made.begin(), [](const Row& row) { return row.info; });
+    return made;
+}();
+
+}  // namespace
+
+std::span<const IntegratorInfo> integrators() { return infos; }
+
+IntegratorMaker find_integrator(std::string_view name) {
+    const auto row = std::find_if(rows.begin(), rows.end(),
+                                  [&](const Row& one) { return one.info.name == name; });
+    return row != rows.end() ? row->make : nullptr;
+}
+
+}  // namespace balcony::render

@@ -1,0 +1,72 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "render/integrators/ray_tree.hpp"
+
+namespace balcony::render {
+
+namespace {
+
+// Rays that one camera ray may lead to.
+constexpr std::size_t max_rays = 256;
+
+}  // namespace
+
+Seen RayTree::trace(const Ray& ray, const embree::Hit& first, Sampler) {
+    Seen seen;
+    open_.clear();
+    follow({ray}, first, seen);
+    for (std::size_t followed = 0; !open_.empty() && followed < max_rays; ++followed) {
+        const Branch next = open_.back();
+        open_.pop_back();
+        follow(next, tracer_.nearest(next.ray), seen);
+    }
+    return seen;
+}
+
+void RayTree::follow(const Branch& branch, const embree::Hit& hit, Seen& seen) {
+    const auto add = [&](const Color3f& radiance) {
+        const Color3f part = branch.weight * radiance;
+        seen.radiance += Color4f(part.x, part.y, part.z, 0.0F);
+    };
+    const bool seen_directly = branch.reflections == 0;
+    if (!hit.any()) {
+        if (!seen_directly || settings_->background) {
+            add(settings_->background.value_or(settings_->ambient));
+        }
+        return;
+    }
+    const Interaction at = tracer_.interaction(branch.ray, hit);
+    const float opacity = branch.crossings < max_crossings ? at.appearance.opacity : 1.0F;
+    if (opacity < 1.0F) {
+        Branch beyond = branch;
+        beyond.weight *= 1.0F - opacity;
+        ++beyond.crossings;
+        beyond.ray.origin = at.surface.start(beyond.ray.direction);
+        beyond.ray.differentials.origin_x = at.moved.along_x;
+        beyond.ray.differentials.origin_y = at.moved.along_y;
+        open_.push_back(beyond);
+    }
+    if (opacity <= 0.0F) {
+        return;
+    }
+    if (seen_directly) {
+        seen.radiance.a += branch.weight.x * opacity;
+        if (!seen.visible.any) {
+            seen.visible = {true, at.surface.position, at.surface.normal, at.appearance.base_color,
+                            at.surface.object + 1};
+        }
+    }
+    add(opacity * shade(branch.ray, at));
+    Branch weakened = branch;
+    weakened.weight *= opacity;
+    if (const std::optional<Branch> reflected = reflect(weakened, at)) {
+        open_.push_back(*reflected);
+    }
+}
+
+std::optional<RayTree::Branch> RayTree::reflect(const Branch&, const Interaction&) const {
+    return std::nullopt;
+}
+
+}  // namespace balcony::render

@@ -1,0 +1,50 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// What integrators without chance have in common.
+
+#include <optional>
+#include <vector>
+
+#include "render/integrators/integrator.hpp"
+
+namespace balcony::render {
+
+/// Follows a ray through surfaces that are not opaque and along reflections: Whitted's tree of rays
+/// ("An Improved Illumination Model for Shaded Display", 1980). What a surface shows, and what it
+/// reflects, is said by the class that derives from it.
+class RayTree : public Integrator {
+public:
+    RayTree(const TracedScene& traced, const Settings& settings)
+        : tracer_(traced), settings_(&settings) {}
+
+    [[nodiscard]] Seen trace(const Ray& ray, const embree::Hit& first, Sampler sampler) final;
+
+protected:
+    /// A ray yet to be followed, and how much of what it finds reaches the camera.
+    struct Branch {
+        Ray ray;
+        Color3f weight{1.0F};
+        std::size_t reflections = 0;
+        std::size_t crossings = 0;
+    };
+
+    /// The radiance of a surface towards the ray's origin, without what reflect() follows.
+    [[nodiscard]] virtual Color3f shade(const Ray& ray, const Interaction& at) const = 0;
+    /// The branch that goes on from a surface by reflection, if one does.
+    [[nodiscard]] virtual std::optional<Branch> reflect(const Branch& arriving,
+                                                        const Interaction& at) const;
+
+    [[nodiscard]] const SceneTracer& tracer() const { return tracer_; }
+    [[nodiscard]] const Settings& settings() const { return *settings_; }
+
+private:
+    void follow(const Branch& branch, const embree::Hit& hit, Seen& seen);
+
+    SceneTracer tracer_;
+    const Settings* settings_;
+    std::vector<Branch> open_;  // Empty between two camera rays; kept for its memory.
+};
+
+}  // namespace balcony::render

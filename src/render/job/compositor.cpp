@@ -1,0 +1,175 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "render/job/compositor.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace balcony::render {
+
+namespace {
+
+void mark(std::uint8_t& flag, bool set) {
+    if (set) {
+        flag = 1;
+    }
+}
+
+// What a point shows when all elements are put together, the back one first.
+class Blender {
+public:
+    Blender(const TileCoverages& coverages, const std::vector<std::vector<Drawn>>& layers)
+        : coverages_(coverages), layers_(layers) {}
+
+    [[nodiscard]] Drawn operator()(const std::vector<rays::CompiledPicture::Element>& elements,
+                                   std::size_t i) const {
+        Drawn all;
+        for (const rays::CompiledPicture::Element& element : elements) {
+            const float part = coverages_.coverage(element, i);
+            if (part > 0.0F) {
+                all = composed(all, source(element, i), part, element.blend);
+            }
+        }
+        return all;
+    }
+
+private:
+    [[nodiscard]] Drawn source(const rays::CompiledPicture::Element& element, std::size_t i) const {
+        if (!element.group.empty()) {
+            return (*this)(element.group, i);
+        }
+        if (element.paint) {
+            return {coverages_.paint(*element.paint, i), 1.0F};
+        }
+        const std::vector<Drawn>& layer = layers_[*element.layer];
+        return layer.empty() ? Drawn{} : layer[i];
+    }
+
+    const TileCoverages& coverages_;
+    const std::vector<std::vector<Drawn>>& layers_;
+};
+
+}  // namespace
+
+/// A tile under way: what is asked for and what has been found.
+struct Compositor::Work {
+    const TilePoints& points;
+    Region counted;
+    TileCoverages coverages;
+    std::vector<std::vector<Drawn>> layers;  // By camera layer; empty where it does not show.
+    std::vector<PointData> data;             // Empty if not asked for.
+};
+
+/// What lies over the elements that are yet to be traced, by point.
+struct Compositor::Veil {
+    Mask hidden;               // Something in front covers it all.
+    std::vector<float> share;  // How much the groups round the elements cover.
+};
+
+Compositor::Compositor(const rays::CompiledPicture& picture, PictureRays rays, TileTracer tracer)
+    : picture_(&picture),
+      rays_(std::move(rays)),
+      tracer_(std::move(tracer)),
+      counts_(picture.layers().size()) {}
+
+// Rays first, from the front to the back, since what is hidden needs none; then the colours, from
+// the back to the front.
+TileImage Compositor::sample(const TilePoints& points, const Region& counted, bool with_data) {
+    const std::size_t size = points.size();
+    Work work{points, counted, rays_.coverages(points.grid),
+              std::vector<std::vector<Drawn>>(picture_->layers().size()),
+              std::vector<PointData>(with_data ? size : 0)};
+    Veil veil{Mask(size, 0), std::vector<float>(size, 1.0F)};
+    trace(picture_->elements(), veil, work);
+    const Blender blend(work.coverages, work.layers);
+    TileImage image{points.region, {}, std::move(work.data)};
+    image.colors.reserve(size);
+    for (std::size_t i = 0; i < size; ++i) {
+        const Drawn all = blend(picture_->elements(), i);
+        image.colors.push_back(all.color);
+        invalid_pixels_ +=
+            points.pass == 0 && all.presence <= 0.0F && points.in(counted, i) ? 1 : 0;
+    }
+    return image;
+}
+
+// The front one first; what each hides is marked in the veil.
+void Compositor::trace(const std::vector<Element>& elements, Veil& veil, Work& work) {
+    for (auto element = elements.rbegin(); element != elements.rend(); ++element) {
+        const bool hides = element->blend == camera::BlendMode::normal;
+        if (!element->group.empty()) {
+            trace_group(*element, veil, work);
+        } else if (element->layer) {
+            trace_layer(*element, veil, work);
+            const std::vector<Drawn>& layer = work.layers[*element->layer];
+            for (std::size_t i = 0; hides && i < layer.size(); ++i) {
+                mark(veil.hidden[i],
+                     layer[i].presence > 0.0F && work.coverages.coverage(*element, i) >= 1.0F);
+            }
+        } else {
+            for (std::size_t i = 0; hides && i < work.points.size(); ++i) {
+                mark(veil.hidden[i], work.coverages.coverage(*element, i) >= 1.0F);
+            }
+        }
+    }
+}
+
+void Compositor::trace_group(const Element& element, Veil& veil, Work& work) {
+    Veil inside = veil;
+    bool shows = false;
+    for (std::size_t i = 0; i < work.points.size(); ++i) {
+        const float part = work.coverages.coverage(element, i);
+        mark(inside.hidden[i], part <= 0.0F);
+        inside.share[i] *= part;
+        shows = shows || inside.hidden[i] == 0;
+    }
+    if (!shows) {
+        return;
+    }
+    trace(element.group, inside, work);
+    if (element.blend == camera::BlendMode::normal) {
+        for (std::size_t i = 0; i < work.points.size(); ++i) {
+            mark(veil.hidden[i],
+                 inside.hidden[i] != 0 && work.coverages.coverage(element, i) >= 1.0F);
+        }
+    }
+}
+
+void Compositor::trace_layer(const Element& element, const Veil& veil, Work& work) {
+    const TilePoints& points = work.points;
+    const std::size_t layer = *element.layer;
+    Mask wanted(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        mark(wanted[i], veil.hidden[i] == 0 && work.coverages.coverage(element, i) > 0.0F);
+    }
+    if (std::find(wanted.begin(), wanted.end(), 1) == wanted.end()) {
+        return;
+    }
+    const TileRays rays = rays_.rays(layer, points.grid);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const bool counts = wanted[i] != 0 && points.in(work.counted, i);
+        counts_[layer].camera_rays += counts ? 1 : 0;
+        counts_[layer].invalid_rays += counts && rays.valid[i] == 0 ? 1 : 0;
+        wanted[i] &= rays.valid[i];
+    }
+    const std::vector<Seen> seen = tracer_.trace(points, rays, wanted);
+    work.layers[layer].resize(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (wanted[i] == 0) {
+            continue;
+        }
+        work.layers[layer][i] = {seen[i].radiance, 1.0F};
+        if (!work.data.empty() && !work.data[i].valid &&
+            veil.share[i] * work.coverages.coverage(element, i) >= 0.5F) {
+            work.data[i] = {true,
+                            static_cast<std::uint16_t>(layer + 1),
+                            rays.all.origin(i),
+                            rays.all.direction(i),
+                            parameters(rays.all, i),
+                            seen[i].visible};
+        }
+    }
+}
+
+}  // namespace balcony::render

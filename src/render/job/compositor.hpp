@@ -1,0 +1,52 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// How the layers of a picture join in a tile.
+
+#include <cstdint>
+#include <vector>
+
+#include "render/film/blend.hpp"
+#include "render/job/picture_rays.hpp"
+#include "render/job/tile_tracer.hpp"
+
+namespace balcony::render {
+
+struct RayCounts {
+    std::uint64_t camera_rays = 0;
+    std::uint64_t invalid_rays = 0;
+};
+
+/// Samples pictures, tile by tile; belongs to one thread.
+class Compositor {
+public:
+    Compositor(const rays::CompiledPicture& picture, PictureRays rays, TileTracer tracer);
+
+    /// One sample at each point, with its data if asked for. Only points in the region `counted`
+    /// take part in the counts.
+    [[nodiscard]] TileImage sample(const TilePoints& points, const Region& counted, bool with_data);
+
+    [[nodiscard]] const std::vector<RayCounts>& ray_counts() const { return counts_; }
+    /// Points of pass 0 where nothing is drawn.
+    [[nodiscard]] std::uint64_t invalid_pixels() const { return invalid_pixels_; }
+    [[nodiscard]] std::uint64_t repaired() const { return tracer_.repaired(); }
+    [[nodiscard]] double camera_seconds() const { return rays_.seconds(); }
+
+private:
+    using Element = rays::CompiledPicture::Element;
+    struct Work;
+    struct Veil;
+
+    void trace(const std::vector<Element>& elements, Veil& veil, Work& work);
+    void trace_group(const Element& element, Veil& veil, Work& work);
+    void trace_layer(const Element& element, const Veil& veil, Work& work);
+
+    const rays::CompiledPicture* picture_;
+    PictureRays rays_;
+    TileTracer tracer_;
+    std::vector<RayCounts> counts_;  // By camera layer.
+    std::uint64_t invalid_pixels_ = 0;
+};
+
+}  // namespace balcony::render

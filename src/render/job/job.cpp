@@ -1,0 +1,265 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+#include <new>
+
+#include <fmt/format.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include "render/job/fork_and_join.hpp"
+#include "render/job/renderer_state.hpp"
+#include "render/job/stopwatch.hpp"
+#include "render/job/tile_worker.hpp"
+
+namespace balcony::render {
+
+namespace {
+
+constexpr std::size_t max_samples = std::size_t{1} << 24;
+constexpr std::size_t max_threads = 4096;
+
+bool is_finite(const Color3f& c) {
+    return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z);
+}
+
+Diagnostic unknown_integrator(const std::string& name) {
+    std::vector<std::string> names;
+    std::string list;
+    for (const IntegratorInfo& info : integrators()) {
+        names.emplace_back(info.name);
+        list += fmt::format("{}{}", list.empty() ? "" : ", ", info.name);
+    }
+    const auto nearest = nearest_name(name, names);
+    return error(fmt::format("there is no integrator named '{}'", name), {},
+                 nearest ? fmt::format("did you mean '{}'?", *nearest)
+                         : fmt::format("use one of these: {}", list));
+}
+
+Diagnostics check(const Settings& settings) {
+    Diagnostics found;
+    const auto within = [&](std::size_t value, std::size_t minimum, std::size_t maximum,
+                            std::string_view what) {
+        if (value < minimum || value > maximum) {
+            found.push_back(error(fmt::format("{} {} is out of range", what, value), {},
+                                  fmt::format("give a number from {} to {}", minimum, maximum)));
+        }
+    };
+    within(settings.samples, 1, max_samples, "the number of samples");
+    within(settings.threads, 0, max_threads, "the number of threads");
+    if (!std::isfinite(settings.time) || !is_finite(settings.ambient) ||
+        !is_finite(settings.background.value_or(Color3f(0.0F)))) {
+        found.push_back(error("time, ambient light and background must be finite numbers"));
+    }
+    if (find_integrator(settings.integrator) == nullptr) {
+        found.push_back(unknown_integrator(settings.integrator));
+    }
+    return found;
+}
+
+// Whether the vectors of a film have the sizes that it says.
+bool holds_together(const Film& film) {
+    const std::size_t pixels = film.window.size();
+    const bool layers = !film.layers || film.layers->valid.size() == pixels;
+    const bool squares = film.sum_of_squares.empty() || film.sum_of_squares.size() == pixels;
+    return pixels > 0 && film.sum.size() == pixels && layers && squares &&
+           film.window.x + film.window.width <= film.width &&
+           film.window.y + film.window.height <= film.height &&
+           film.passes.size() == film.tile_count();
+}
+
+// All passes over all tiles on a number of threads.
+class Run {
+public:
+    Run(const JobParts& parts, Film& film, std::span<const std::uint32_t> passes,
+        const ProgressCallback& progress, std::stop_token stop)
+        : parts_(parts),
+          film_(film),
+          passes_(passes),
+          last_pass_(*std::max_element(passes.begin(), passes.end())),
+          tiles_(tiles_missing()),
+          workers_([&parts, &film] { return TileWorker(parts, film); }),
+          progress_(progress),
+          stop_(std::move(stop)) {}
+
+    Summary operator()() {
+        // More threads than the machine has would not run at once.
+        const auto all = static_cast<std::size_t>(tbb::info::default_concurrency());
+        const std::size_t asked = parts_.settings.threads;
+        tbb::task_arena arena(static_cast<int>(asked == 0 ? all : std::min(asked, all)));
+        bool complete = true;
+        for (std::uint32_t pass = fewest_passes(); complete && pass < last_pass_; ++pass) {
+            complete = add_pass(arena, pass);
+        }
+        return summary(complete);
+    }
+
+private:
+    [[nodiscard]] std::size_t tiles_missing() const {
+        std::size_t missing = 0;
+        for (std::size_t tile = 0; tile < passes_.size(); ++tile) {
+            missing += passes_[tile] - std::min(passes_[tile], film_.passes[tile]);
+        }
+        return missing;
+    }
+
+    [[nodiscard]] std::uint32_t fewest_passes() const {
+        return *std::min_element(film_.passes.begin(), film_.passes.end());
+    }
+
+    // Gives one more pass to the tiles that have so many and are to have more. Whether the pass was
+    // completed.
+    bool add_pass(tbb::task_arena& arena, std::uint32_t pass) {
+        std::vector<std::size_t> tiles;
+        for (std::size_t tile = 0; tile < passes_.size(); ++tile) {
+            if (film_.passes[tile] == pass && passes_[tile] > pass) {
+                tiles.push_back(tile);
+            }
+        }
+        std::atomic<bool> complete = true;
+        const auto render_tile = [&](std::size_t i) {
+            fork_and_join::before_each();
+            if (stop_.stop_requested()) {
+                complete = false;
+            } else {
+                workers_.local().render(tiles[i]);
+                report(pass);
+            }
+            fork_and_join::after_each();
+        };
+        fork_and_join::before_all();
+        arena.execute([&] { tbb::parallel_for(std::size_t{0}, tiles.size(), render_tile); });
+        fork_and_join::after_all();
+        return complete;
+    }
+
+    void report(std::size_t pass) {
+        if (!progress_) {
+            return;
+        }
+        const std::lock_guard lock(progress_mutex_);
+        ++tiles_done_;
+        progress_({film_.first_pass + pass, film_.first_pass + last_pass_, tiles_done_, tiles_,
+                   watch_.seconds()});
+    }
+
+    [[nodiscard]] Summary summary(bool complete) const {
+        WorkCounts counts;
+        for (const TileWorker& worker : workers_) {
+            counts.add(worker.counts());
+        }
+        Summary summary;
+        counts.layers.resize(parts_.picture.layers().size());
+        for (std::size_t i = 0; i < counts.layers.size(); ++i) {
+            const RayCounts& layer = counts.layers[i];
+            summary.layers.push_back(
+                {parts_.picture.layers()[i].name, layer.camera_rays, layer.invalid_rays});
+            summary.camera_rays += layer.camera_rays;
+            summary.invalid_rays += layer.invalid_rays;
+        }
+        summary.invalid_pixels = counts.invalid_pixels;
+        summary.repaired = counts.repaired;
+        summary.passes = fewest_passes();
+        summary.interrupted = !complete;
+        summary.seconds = watch_.seconds();
+        summary.compile_seconds = parts_.compile_seconds;
+        summary.camera_share = counts.seconds > 0.0 ? counts.camera_seconds / counts.seconds : 0.0;
+        return summary;
+    }
+
+    const JobParts& parts_;
+    Film& film_;
+    std::span<const std::uint32_t> passes_;  // To reach, by tile.
+    std::uint32_t last_pass_;
+    std::size_t tiles_;  // To do, over all passes.
+    tbb::enumerable_thread_specific<TileWorker> workers_;
+    const ProgressCallback& progress_;
+    std::stop_token stop_;
+    Stopwatch watch_;
+    std::mutex progress_mutex_;
+    std::size_t tiles_done_ = 0;
+};
+
+Diagnostic out_of_memory() {
+    return error("memory ran out while rendering", {},
+                 "make the picture smaller, or leave out the data layers");
+}
+
+}  // namespace
+
+struct Job::State {
+    std::shared_ptr<const Renderer::State> renderer;
+    JobParts parts;
+    Film* film;
+};
+
+Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
+                      const Settings& settings, Film& film) {
+    if (Diagnostics found = check(settings); !found.empty()) {
+        return found;
+    }
+    if (!holds_together(film)) {
+        return error("the film's vectors do not have the size of its window", {},
+                     "make the film with make_film()");
+    }
+    try {
+        const TracedScene& traced = renderer.state_->traced;
+        const Stopwatch watch;
+        // Footprints are of use to textures alone.
+        CompiledPicture compiled =
+            compile_picture(picture, traced.scene->axes, film.width, film.height, traced.textured);
+        film.objects.clear();
+        for (const scene::Object& object : traced.scene->objects) {
+            film.objects.push_back(object.name);
+        }
+        film.picture_layers.clear();
+        for (const rays::CompiledPicture::CameraLayer& layer : compiled->layers()) {
+            film.picture_layers.push_back(layer.name);
+        }
+        return Job(std::make_shared<const State>(
+            State{renderer.state_,
+                  {traced, std::move(*compiled), settings, find_integrator(settings.integrator),
+                   watch.seconds()},
+                  &film}));
+    } catch (const std::bad_alloc&) {
+        return out_of_memory();
+    }
+}
+
+Result<Summary> Job::run(const ProgressCallback& progress, std::stop_token stop) {
+    const std::vector<std::uint32_t> passes(
+        state_->film->tile_count(), static_cast<std::uint32_t>(state_->parts.settings.samples));
+    return run(passes, progress, std::move(stop));
+}
+
+Result<Summary> Job::run(std::span<const std::uint32_t> passes, const ProgressCallback& progress,
+                         std::stop_token stop) {
+    if (!holds_together(*state_->film) || passes.size() != state_->film->tile_count()) {
+        return error(fmt::format("the film has {} tiles, and {} numbers of passes are given",
+                                 state_->film->tile_count(), passes.size()));
+    }
+    try {
+        Run run(state_->parts, *state_->film, passes, progress, std::move(stop));
+        return {run(), state_->parts.traced.textures->failures()};
+    } catch (const std::bad_alloc&) {
+        return out_of_memory();
+    }
+}
+
+Result<Summary> render(const Renderer& renderer, const camera::Picture& picture,
+                       const Settings& settings, Film& film, const ProgressCallback& progress,
+                       std::stop_token stop) {
+    Result<Job> job = Job::make(renderer, picture, settings, film);
+    if (!job) {
+        return std::move(job.diagnostics);
+    }
+    return job->run(progress, std::move(stop));
+}
+
+}  // namespace balcony::render

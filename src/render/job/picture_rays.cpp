@@ -1,0 +1,59 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "render/job/picture_rays.hpp"
+
+#include <algorithm>
+
+#include "render/job/stopwatch.hpp"
+
+namespace balcony::render {
+
+float TileCoverages::coverage(const rays::CompiledPicture::Element& element, std::size_t i) const {
+    if (!element.coverage) {
+        return 1.0F;
+    }
+    const double value = values_[*element.coverage][i];
+    return value > 0.0 ? static_cast<float>(std::min(value, 1.0)) : 0.0F;
+}
+
+Color4f TileCoverages::paint(std::size_t root, std::size_t i) const {
+    const auto channel = [&](std::size_t c) { return static_cast<float>(values_[root + c][i]); };
+    return {channel(0), channel(1), channel(2), 1.0F};
+}
+
+TileCoverages PictureRays::coverages(const rays::Tile& points) {
+    TileCoverages made;
+    if (picture_->coverage_count() == 0) {
+        return made;
+    }
+    const Stopwatch watch;
+    std::vector<double*> roots;
+    made.values_.resize(picture_->coverage_count());
+    for (std::vector<double>& values : made.values_) {
+        values.resize(points.width * points.height);
+        roots.push_back(values.data());
+    }
+    picture_->run_coverages(points, scratch_, roots);
+    seconds_ += watch.seconds();
+    return made;
+}
+
+TileRays PictureRays::rays(std::size_t layer, const rays::Tile& points) {
+    const Stopwatch watch;
+    const std::size_t count = points.width * points.height;
+    TileRays made;
+    made.valid.resize(count);
+    made.rays.resize(count);
+    picture_->layers()[layer].rays.run(points, scratch_, made.all);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (traceable(made.all, i)) {
+            made.valid[i] = 1;
+            made.rays[i] = {V3f(made.all.origin(i)), V3f(made.all.direction(i))};
+        }
+    }
+    seconds_ += watch.seconds();
+    return made;
+}
+
+}  // namespace balcony::render

@@ -1,0 +1,57 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// What a picture's formulas say of a tile: the rays of its camera layers, and what covers what.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "balcony/film.hpp"
+#include "balcony/rays.hpp"
+#include "render/job/camera_rays.hpp"
+
+namespace balcony::render {
+
+/// A flag for each point of a tile.
+using Mask = std::vector<std::uint8_t>;
+
+/// The rays of one camera layer at the points of a tile.
+struct TileRays {
+    rays::RayBatch all;
+    Mask valid;                     ///< There is a ray that can be traced.
+    std::vector<embree::Ray> rays;  ///< Where valid.
+};
+
+/// The coverages and paints of a picture at the points of a tile.
+class TileCoverages {
+public:
+    /// From 0 to 1; what is no number counts as 0.
+    [[nodiscard]] float coverage(const rays::CompiledPicture::Element& element, std::size_t i) const;
+    [[nodiscard]] Color4f paint(std::size_t root, std::size_t i) const;
+
+private:
+    friend class PictureRays;
+    std::vector<std::vector<double>> values_;  // By root.
+};
+
+/// Runs the programs of a picture; belongs to one thread.
+class PictureRays {
+public:
+    explicit PictureRays(const rays::CompiledPicture& picture) : picture_(&picture) {}
+
+    [[nodiscard]] TileCoverages coverages(const rays::Tile& points);
+    [[nodiscard]] TileRays rays(std::size_t layer, const rays::Tile& points);
+
+    /// Spent in all of these so far.
+    [[nodiscard]] double seconds() const { return seconds_; }
+
+private:
+    const rays::CompiledPicture* picture_;
+    rays::Scratch scratch_;
+    double seconds_ = 0.0;
+};
+
+}  // namespace balcony::render

@@ -1,0 +1,15 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "balcony/render.hpp"
+#include "render/shading/scene_tracer.hpp"
+
+namespace balcony::render {
+
+struct Renderer::State {
+    TracedScene traced;
+    Preparation preparation;
+};
+
+}  // namespace balcony::render

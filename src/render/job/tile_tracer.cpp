@@ -1,0 +1,53 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "render/job/tile_tracer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace balcony::render {
+
+namespace {
+
+bool is_finite(const Color4f& c) {
+    return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b) && std::isfinite(c.a);
+}
+
+}  // namespace
+
+TileTracer::TileTracer(const TracedScene& traced, const Settings& settings, IntegratorMaker make)
+    : traced_(&traced),
+      opaque_background_(settings.background.has_value()),
+      // Many samples share the work of filtering; pbrt bounds the sharing alike.
+      footprint_scale_(std::max(0.125, 1.0 / std::sqrt(static_cast<double>(settings.samples)))),
+      integrator_(make(traced, settings)) {}
+
+std::vector<Seen> TileTracer::trace(const TilePoints& points, const TileRays& rays,
+                                    const Mask& wanted) {
+    std::vector<embree::Hit> hits(points.size());
+    traced_->accelerator.intersect_grid(points.region.width, rays.rays, wanted, hits);
+    std::vector<Seen> all(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (wanted[i] == 0) {
+            continue;
+        }
+        Ray ray{rays.rays[i].origin, rays.rays[i].direction};
+        if (rays.all.has_footprints()) {
+            ray.differentials = differentials(rays.all, i, footprint_scale_);
+        }
+        const Sampler sampler(points.pixel_x(i), points.pixel_y(i), points.pass);
+        Seen seen = integrator_->trace(ray, hits[i], sampler);
+        if (opaque_background_) {
+            seen.radiance.a = 1.0F;
+        }
+        if (!is_finite(seen.radiance)) {
+            ++repaired_;
+            seen.radiance = Color4f(0.0F);
+        }
+        all[i] = seen;
+    }
+    return all;
+}
+
+}  // namespace balcony::render

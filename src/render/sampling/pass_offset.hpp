@@ -1,0 +1,18 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Where in their pixels the samples of a pass lie.
+
+#include <cstddef>
+
+#include <Imath/ImathVec.h>
+
+namespace balcony::render {
+
+/// From the pixel's centre: the centre itself in pass 0, then points of a low-discrepancy sequence,
+/// spread like a tent of radius 1. Multiples of 2^-30, so that a picture point is the same number
+/// whichever tile it is computed from.
+[[nodiscard]] Imath::V2d pass_offset(std::size_t pass);
+
+}  // namespace balcony::render

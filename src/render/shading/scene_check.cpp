@@ -1,0 +1,59 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "render/shading/scene_check.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace balcony::render {
+
+namespace {
+
+bool holds_together(const scene::Mesh& mesh) {
+    const std::size_t vertices = mesh.positions.size();
+    const auto fits = [vertices](const auto& values) {
+        return values.empty() || values.size() == vertices;
+    };
+    return fits(mesh.normals) && fits(mesh.texture_coordinates) &&
+           std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& triangle) {
+               return std::all_of(triangle.begin(), triangle.end(),
+                                  [&](std::uint32_t vertex) { return vertex < vertices; });
+           });
+}
+
+template <class Index, class Element>
+bool leads_into(Index index, const std::vector<Element>& elements) {
+    return index.value() < elements.size();
+}
+
+}  // namespace
+
+Diagnostics check(const scene::Scene& scene) {
+    Diagnostics found;
+    for (const scene::Mesh& mesh : scene.meshes) {
+        if (!holds_together(mesh) || !leads_into(mesh.material, scene.materials)) {
+            found.push_back(error(fmt::format(
+                "mesh '{}' refers to vertices or a material that are not there", mesh.name)));
+        }
+    }
+    for (const scene::Instance& instance : scene.instances) {
+        if (!leads_into(instance.mesh, scene.meshes) || instance.object >= scene.objects.size()) {
+            found.push_back(error("an instance refers to a mesh or an object that is not there"));
+        }
+    }
+    for (const scene::Material& material : scene.materials) {
+        for (const scene::TextureIndex texture :
+             {material.base_color_texture, material.emission_texture,
+              material.metallic_roughness_texture}) {
+            if (texture.valid() && !leads_into(texture, scene.textures)) {
+                found.push_back(error(fmt::format(
+                    "material '{}' refers to a texture that is not there", material.name)));
+            }
+        }
+    }
+    return found;
+}
+
+}  // namespace balcony::render

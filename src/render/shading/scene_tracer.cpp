@@ -1,0 +1,33 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "render/shading/scene_tracer.hpp"
+
+namespace balcony::render {
+
+Interaction SceneTracer::interaction(const Ray& ray, const embree::Hit& hit) const {
+    Interaction found{traced_->surfaces.find(hit, ray.direction), {}, {}};
+    TextureFootprint footprint{found.surface.texture_point, V2f(0.0F), V2f(0.0F)};
+    if (traced_->textured) {
+        found.moved = found.surface.transfer(ray);
+        footprint = found.surface.texture_footprint(found.moved);
+    }
+    found.appearance = look_up(*found.surface.material, *traced_->textures, footprint, cache_);
+    return found;
+}
+
+float SceneTracer::transmittance(const Surface& surface, const V3f& to_light,
+                                 float distance) const {
+    if (distance <= 0.0F) {
+        return 1.0F;
+    }
+    return traced_->accelerator.transmittance(
+        {surface.start(to_light), to_light, nearly_all * distance}, *this);
+}
+
+float SceneTracer::opacity(const embree::Hit& hit) const {
+    const TextureFootprint point{traced_->surfaces.texture_point(hit), V2f(0.0F), V2f(0.0F)};
+    return look_up_opacity(traced_->surfaces.material(hit), *traced_->textures, point, cache_);
+}
+
+}  // namespace balcony::render
