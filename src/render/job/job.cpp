@@ -212,8 +212,12 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
         const TracedScene& traced = renderer.state_->traced;
         const Stopwatch watch;
         // Footprints are of use to textures alone.
-        CompiledPicture compiled =
-            compile_picture(picture, traced.scene->axes, film.width, film.height, traced.textured);
+        Result<rays::CompiledPicture> compiled = rays::compile(
+            picture, static_cast<double>(film.width), static_cast<double>(film.height),
+            {.axes = traced.scene->axes, .footprints = traced.textured});
+        if (!compiled) {
+            return std::move(compiled.diagnostics);
+        }
         film.objects.clear();
         for (const scene::Object& object : traced.scene->objects) {
             film.objects.push_back(object.name);

@@ -29,7 +29,8 @@ struct TileRays {
 class TileCoverages {
 public:
     /// From 0 to 1; what is no number counts as 0.
-    [[nodiscard]] float coverage(const rays::CompiledPicture::Element& element, std::size_t i) const;
+    [[nodiscard]] float coverage(const rays::CompiledPicture::Element& element,
+                                 std::size_t i) const;
     [[nodiscard]] Color4f paint(std::size_t root, std::size_t i) const;
 
 private:
