@@ -35,8 +35,16 @@ using MeshIndex = StrongIndex<struct MeshTag>;
 using MaterialIndex = StrongIndex<struct MaterialTag>;
 using TextureIndex = StrongIndex<struct TextureTag>;
 
+/// The range of what load() lets through, in scene units. Tracing uses floats: the test of a ray
+/// against a triangle multiplies three lengths, which overflows where they are near 1e13.
+inline constexpr double max_coordinate = 1e12;
+/// A transform scales lengths by at most this and at least its reciprocal.
+inline constexpr double max_scale = 1e9;
+/// Of colours, emission and intensities, which are not negative.
+inline constexpr double max_quantity = 1e30;
+
 /// Triangles with one material. Normals and texture co-ordinates are empty or one a vertex; load()
-/// makes normals where a file has none. All positions are finite and at most 1e18 in size.
+/// makes normals where a file has none. All positions are within max_coordinate.
 struct Mesh {
     std::string name;
     std::vector<V3f> positions;
@@ -47,7 +55,8 @@ struct Mesh {
 };
 
 /// A mesh placed in the world. Normals go by the inverse transpose of world_from_mesh, which is
-/// finite and invertible; a negative determinant (a mirror image) turns the winding round.
+/// affine and invertible; its scale is within max_scale, and the mesh in the world within
+/// max_coordinate. A negative determinant (a mirror image) turns the winding round.
 struct Instance {
     MeshIndex mesh;
     M44d world_from_mesh;      ///< Imath's convention: row vectors, p_world = p_mesh * M.
@@ -119,7 +128,9 @@ struct Scene {
     bool default_light = false;  ///< The file lights nothing: use a light at the ray origin.
 
     [[nodiscard]] std::size_t triangle_count() const;  ///< Instances counted each.
-    [[nodiscard]] Box3f bounds() const;                ///< Of all instances, in the world.
+    /// Of all instances, in the world: exact, unless instances have so many vertices in all (2^28)
+    /// that the boxes of their meshes stand for them.
+    [[nodiscard]] Box3f bounds() const;
 };
 
 /// Reads a scene file (.glb, .gltf, .obj). A part that cannot be used (a missing texture, a vertex

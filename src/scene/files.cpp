@@ -14,7 +14,15 @@ namespace balcony::scene {
 namespace fs = std::filesystem;
 
 void Import::warn(std::string message, std::string remedy) {
-    diagnostics.push_back(warning(std::move(message), {}, std::move(remedy)));
+    if (adds_warnings()) {
+        diagnostics.push_back(warning(std::move(message), {}, std::move(remedy)));
+    } else {
+        ++further_warnings;
+    }
+}
+
+std::string Import::advice_on(const fs::path& missing) const {
+    return adds_warnings() ? similar_file(missing) : "";
 }
 
 std::vector<std::uint8_t> Import::bytes() const {

@@ -144,8 +144,7 @@ void normalize_normals(Mesh& mesh, Import& import) {
 }  // namespace
 
 bool usable(const V3f& position) {
-    constexpr float farthest = 1e18F;
-    const auto fits = [](float value) { return std::abs(value) <= farthest; };
+    const auto fits = [](float value) { return std::abs(double{value}) <= max_coordinate; };
     return fits(position.x) && fits(position.y) && fits(position.z);
 }
 

@@ -19,8 +19,7 @@ namespace balcony::scene {
 /// Normals and texture co-ordinates must be empty or one a vertex. Nothing if no triangle is left.
 [[nodiscard]] std::optional<Mesh> finish_mesh(Mesh mesh, Import& import);
 
-/// Whether co-ordinates are finite and small enough for single precision ray tracing: Embree
-/// ignores geometry beyond 1.8e18.
+/// Whether coordinates are finite and within max_coordinate.
 [[nodiscard]] bool usable(const V3f& position);
 
 }  // namespace balcony::scene

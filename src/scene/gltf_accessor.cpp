@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <cstring>
 
 #include <fmt/format.h>
@@ -81,138 +83,102 @@ std::uint32_t decode_integer(const std::uint8_t* bytes, std::size_t component) {
     throw PartError{"its indices are not unsigned integers"};
 }
 
-// Elements without bytes are zero; only sparse accessors have a use for them, and a few bytes of
-// JSON must not ask for the whole memory.
-constexpr std::size_t max_elements_without_bytes = std::size_t{1} << 24U;
-
 }  // namespace
 
-// Where the elements of an accessor lie: all of them are inside the bytes.
-struct GltfDocument::Elements {
-    std::span<const std::uint8_t> bytes;
-    std::size_t count = 0;
-    std::size_t stride = 0;
-    std::size_t component = 0;
-    std::size_t component_size = 0;
-    std::size_t components = 0;
+GltfAccessor::GltfAccessor(std::size_t component, std::size_t components, std::size_t count,
+                           bool normalized)
+    : count_(count),
+      component_(component),
+      component_size_(size_of(component)),
+      components_(components),
+      normalized_(normalized) {}
 
-    // Throws PartError unless every element lies in the bytes.
-    void check() const {
-        const std::size_t size = component_size * components;
-        const bool fits =
-            count == 0 || (size <= bytes.size() && (count - 1) <= (bytes.size() - size) / stride);
-        if (!fits) {
-            throw PartError{"an accessor reaches past the end of its buffer view"};
-        }
-    }
-
-    [[nodiscard]] const std::uint8_t* at(std::size_t element, std::size_t part) const {
-        assert(element < count && part < components);
-        return bytes.data() + element * stride + part * component_size;
-    }
-};
-
-GltfDocument::Elements GltfDocument::elements(const Json& accessor) const {
-    Elements elements;
-    elements.count = count_in(accessor, "count", 0);
-    elements.component = count_in(accessor, "componentType", 0);
-    elements.component_size = size_of(elements.component);
-    elements.components = components_of(text_in(accessor, "type"));
-    elements.stride = elements.component_size * elements.components;
-    const auto view_index = index_in(accessor, "bufferView");
-    if (!view_index) {
-        if (elements.count > max_elements_without_bytes) {
-            throw PartError{"an accessor has no buffer view"};
-        }
-        return elements;
-    }
-    elements.bytes = view(*view_index);
-    const Json& view_json = element(root_, "bufferViews", *view_index);
-    elements.stride = std::max<std::size_t>(count_in(view_json, "byteStride", elements.stride), 1);
-    const std::size_t offset = count_in(accessor, "byteOffset", 0);
-    if (offset > elements.bytes.size()) {
+void GltfAccessor::place(std::span<const std::uint8_t> bytes, std::size_t offset,
+                         std::size_t stride) {
+    const std::size_t size = element_size();
+    const bool fits = offset <= bytes.size() &&
+                      (count_ == 0 || (size <= bytes.size() - offset &&
+                                       count_ - 1 <= (bytes.size() - offset - size) / stride));
+    if (!fits) {
         throw PartError{"an accessor reaches past the end of its buffer view"};
     }
-    elements.bytes = elements.bytes.subspan(offset);
-    elements.check();
-    return elements;
+    bytes_ = bytes.subspan(offset);
+    stride_ = stride;
 }
 
-// Calls sink(index, bytes, component type) for every component that the sparse part replaces.
-template <class Sink>
-void GltfDocument::replace_sparse(const Json& accessor, std::size_t components,
-                                  const Sink& sink) const {
-    const Json& sparse = member(accessor, "sparse");
-    if (!sparse.is_object()) {
-        return;
-    }
-    const auto part = [&](const char* key, std::size_t component, std::size_t size) {
-        const Json& place = member(sparse, key);
-        Elements found;
-        found.count = count_in(sparse, "count", 0);
-        found.component = component;
-        found.component_size = size_of(component);
-        found.components = size;
-        found.stride = found.component_size * size;
-        const auto bytes = view(count_in(place, "bufferView", SIZE_MAX));
-        found.bytes = bytes.subspan(std::min(count_in(place, "byteOffset", 0), bytes.size()));
-        found.check();
-        return found;
-    };
-    const Elements places =
-        part("indices", count_in(member(sparse, "indices"), "componentType", 0), 1);
-    const Elements values = part("values", count_in(accessor, "componentType", 0), components);
-    const std::size_t count = count_in(accessor, "count", 0);
-    for (std::size_t i = 0; i < places.count; ++i) {
-        const std::size_t place = decode_integer(places.at(i, 0), places.component);
-        if (place >= count) {
+void GltfAccessor::replace(const GltfAccessor& indices, const GltfAccessor& values) {
+    for (std::size_t i = 0; i < indices.count(); ++i) {
+        const std::size_t element = indices.integer(i);
+        if (element >= count_) {
             throw PartError{"a sparse accessor replaces an element past its end"};
         }
-        for (std::size_t k = 0; k < components; ++k) {
-            sink(place * components + k, values.at(i, k), values.component);
-        }
+        replaced_[element] = values.at(i);
     }
 }
 
-template <class Sink>
-void GltfDocument::for_each_component(const Json& accessor, std::size_t components,
-                                      const Sink& sink) const {
-    const Elements found = elements(accessor);
-    if (found.components != components) {
+const std::uint8_t* GltfAccessor::at(std::size_t element) const {
+    assert(element < count_);
+    // What has no bytes is zero.
+    static constexpr std::array<std::uint8_t, 16> zero{};
+    if (!replaced_.empty()) {
+        if (const auto found = replaced_.find(element); found != replaced_.end()) {
+            return found->second;
+        }
+    }
+    return bytes_.empty() ? zero.data() : bytes_.data() + element * stride_;
+}
+
+float GltfAccessor::number(std::size_t element, std::size_t component) const {
+    assert(component < components_);
+    return decode(at(element) + component * component_size_, component_, normalized_);
+}
+
+std::uint32_t GltfAccessor::integer(std::size_t element) const {
+    return decode_integer(at(element), component_);
+}
+
+// Where the parts of a file's accessors lie is in the file's JSON.
+
+GltfAccessor GltfDocument::read_accessor(const Json& json) {
+    const std::size_t count = count_in(json, "count", 0);
+    GltfAccessor accessor(count_in(json, "componentType", 0), components_of(text_in(json, "type")),
+                          count, flag_in(json, "normalized"));
+    if (const auto view_index = index_in(json, "bufferView")) {
+        const Json& view_json = element(root_, "bufferViews", *view_index);
+        const std::size_t stride = count_in(view_json, "byteStride", accessor.element_size());
+        accessor.place(view(*view_index), count_in(json, "byteOffset", 0),
+                       std::max<std::size_t>(stride, 1));
+    } else if (count > size_) {
+        throw PartError{"an accessor without a buffer view has more elements than the file bytes"};
+    }
+    const Json& sparse = member(json, "sparse");
+    if (sparse.is_object()) {
+        const std::size_t replaced = count_in(sparse, "count", 0);
+        sparse_elements_.take(replaced);
+        const auto part = [&](const char* key, std::size_t component, std::size_t components) {
+            const Json& place = member(sparse, key);
+            GltfAccessor found(component, components, replaced, accessor.is_normalized());
+            found.place(view(count_in(place, "bufferView", SIZE_MAX)),
+                        count_in(place, "byteOffset", 0), found.element_size());
+            return found;
+        };
+        accessor.replace(
+            part("indices", count_in(member(sparse, "indices"), "componentType", 0), 1),
+            part("values", count_in(json, "componentType", 0), accessor.components()));
+    }
+    return accessor;
+}
+
+const GltfAccessor& GltfDocument::accessor(std::size_t index, std::size_t components) {
+    auto known = accessors_.find(index);
+    if (known == accessors_.end()) {
+        known = accessors_.emplace(index, read_accessor(element(root_, "accessors", index))).first;
+    }
+    if (known->second.components() != components) {
         throw PartError{fmt::format("an accessor has {} where {} belong",
-                                    counted(found.components, "component"), components)};
+                                    counted(known->second.components(), "component"), components)};
     }
-    for (std::size_t i = 0; i < found.count && !found.bytes.empty(); ++i) {
-        for (std::size_t k = 0; k < components; ++k) {
-            sink(i * components + k, found.at(i, k), found.component);
-        }
-    }
-    replace_sparse(accessor, components, sink);
-}
-
-std::size_t GltfDocument::count(std::size_t accessor) const {
-    return elements(element(root_, "accessors", accessor)).count;
-}
-
-std::vector<float> GltfDocument::floats(std::size_t accessor, std::size_t components) const {
-    const Json& json = element(root_, "accessors", accessor);
-    const bool normalized = flag_in(json, "normalized");
-    std::vector<float> values(count(accessor) * components);
-    for_each_component(json, components,
-                       [&](std::size_t at, const std::uint8_t* bytes, std::size_t component) {
-                           values[at] = decode(bytes, component, normalized);
-                       });
-    return values;
-}
-
-std::vector<std::uint32_t> GltfDocument::integers(std::size_t accessor) const {
-    const Json& json = element(root_, "accessors", accessor);
-    std::vector<std::uint32_t> values(count(accessor));
-    for_each_component(json, 1,
-                       [&](std::size_t at, const std::uint8_t* bytes, std::size_t component) {
-                           values[at] = decode_integer(bytes, component);
-                       });
-    return values;
+    return known->second;
 }
 
 }  // namespace balcony::scene

@@ -137,8 +137,8 @@ std::string decode_percent(std::string_view uri) {
 
 GltfDocument::GltfDocument(const Import& import) : file_(import.file) {
     const std::string name = in_quotes(file_.string());
-    const std::vector<std::uint8_t> bytes = import.bytes();
-    const Bytes all(bytes);
+    bytes_ = import.bytes();
+    const Bytes all(bytes_);
     is_binary_ = begins_with(all, "glTF");
     if (is_binary_) {
         const GlbChunks chunks = split_glb(all, name);
@@ -152,7 +152,7 @@ GltfDocument::GltfDocument(const Import& import) : file_(import.file) {
                               begins_with(all, "{") ? "it looks like JSON: name it .gltf"
                                                     : "export it again as binary glTF (.glb)")};
     }
-    parse({bytes.begin(), bytes.end()});
+    parse({bytes_.begin(), bytes_.end()});
     read_buffers({});
 }
 
@@ -183,29 +183,37 @@ void GltfDocument::parse(std::string text) {
     }
 }
 
+// A file that several buffers name is read once.
+GltfDocument::Bytes GltfDocument::buffer_bytes(const std::string& uri) {
+    if (uri.starts_with("data:")) {
+        return embedded_.emplace_back(decode_data_uri(uri));
+    }
+    const std::filesystem::path path = beside(file_, decode_percent(uri));
+    auto known = files_.find(path);
+    if (known == files_.end()) {
+        known = files_.emplace(path, read_bytes(path)).first;
+    }
+    return known->second;
+}
+
 void GltfDocument::read_buffers(Bytes binary) {
     const std::string name = in_quotes(file_.string());
-    const std::size_t size = array_size(root_, "buffers");
-    for (std::size_t i = 0; i < size; ++i) {
+    const std::size_t count = array_size(root_, "buffers");
+    for (std::size_t i = 0; i < count; ++i) {
         const Json& buffer = root_["buffers"][i];
         const std::string uri = text_in(buffer, "uri");
-        std::vector<std::uint8_t> bytes;
-        std::string what = fmt::format("buffer {}", i);
+        const bool is_in_file = !uri.empty() && !uri.starts_with("data:");
+        const std::string what =
+            is_in_file ? in_quotes(decode_percent(uri)) : fmt::format("buffer {}", i);
+        const bool is_chunk = uri.empty() && i == 0;
         try {
-            if (uri.starts_with("data:")) {
-                bytes = decode_data_uri(uri);
-            } else if (!uri.empty()) {
-                what = in_quotes(decode_percent(uri));
-                bytes = read_bytes(beside(file_, decode_percent(uri)));
-            } else if (i == 0) {
-                bytes.assign(binary.begin(), binary.end());
-            }
+            const Bytes bytes = is_chunk ? binary : uri.empty() ? Bytes() : buffer_bytes(uri);
             const std::size_t stated = count_in(buffer, "byteLength", 0);
-            if (bytes.size() < stated && !(uri.empty() && i > 0)) {
+            if (bytes.size() < stated && (!uri.empty() || is_chunk)) {
                 throw PartError{
                     fmt::format("it holds {} of {}", bytes.size(), counted(stated, "byte"))};
             }
-            bytes.resize(std::min(bytes.size(), stated));
+            buffers_.push_back(bytes.first(std::min(bytes.size(), stated)));
         } catch (const PartError& fault) {
             throw ReadError{
                 error(fmt::format("{} of {} cannot be used: {}", what, name, fault.reason), {},
@@ -214,11 +222,15 @@ void GltfDocument::read_buffers(Bytes binary) {
             fault.diagnostic.message += fmt::format(", where {} keeps its geometry", name);
             throw;
         }
-        buffers_.push_back(std::move(bytes));
     }
+    size_ = bytes_.size();
+    for (const auto& [path, content] : files_) {
+        size_ += content.size();
+    }
+    sparse_elements_ = Budget(size_, "the sparse accessors have more elements than the file bytes");
 }
 
-std::span<const std::uint8_t> GltfDocument::view(std::size_t index) const {
+GltfDocument::Bytes GltfDocument::view(std::size_t index) const {
     const Json& view = element(root_, "bufferViews", index);
     const std::size_t buffer = count_in(view, "buffer", buffers_.size());
     if (buffer >= buffers_.size()) {
@@ -226,12 +238,12 @@ std::span<const std::uint8_t> GltfDocument::view(std::size_t index) const {
     }
     const std::size_t offset = count_in(view, "byteOffset", 0);
     const std::size_t length = count_in(view, "byteLength", 0);
-    const std::vector<std::uint8_t>& bytes = buffers_[buffer];
+    const Bytes bytes = buffers_[buffer];
     if (offset > bytes.size() || length > bytes.size() - offset) {
         throw PartError{
             fmt::format("buffer view {} reaches past the end of buffer {}", index, buffer)};
     }
-    return Bytes(bytes).subspan(offset, length);
+    return bytes.subspan(offset, length);
 }
 
 }  // namespace balcony::scene

@@ -4,11 +4,15 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "scene/budget.hpp"
+#include "scene/gltf_accessor.hpp"
 #include "scene/gltf_json.hpp"
 #include "scene/import.hpp"
 
@@ -24,34 +28,34 @@ public:
     [[nodiscard]] const Json& root() const { return root_; }
     [[nodiscard]] bool is_binary() const { return is_binary_; }
 
+    /// How many bytes the file has, with its buffers in other files.
+    [[nodiscard]] std::size_t size() const { return size_; }
+
     /// The bytes of a buffer view.
     [[nodiscard]] std::span<const std::uint8_t> view(std::size_t index) const;
 
-    /// How many elements an accessor has.
-    [[nodiscard]] std::size_t count(std::size_t accessor) const;
-
-    /// An accessor's elements one after the other, as floats; normalised integers in 0..1 or -1..1.
-    /// Its type must have this number of components.
-    [[nodiscard]] std::vector<float> floats(std::size_t accessor, std::size_t components) const;
-
-    /// An accessor of unsigned scalars.
-    [[nodiscard]] std::vector<std::uint32_t> integers(std::size_t accessor) const;
+    /// An accessor, which must have this number of components. It is read once and stays where it
+    /// is.
+    [[nodiscard]] const GltfAccessor& accessor(std::size_t index, std::size_t components);
 
 private:
-    struct Elements;
+    using Bytes = std::span<const std::uint8_t>;
 
     void parse(std::string text);
-    void read_buffers(std::span<const std::uint8_t> binary_chunk);
-    [[nodiscard]] Elements elements(const Json& accessor) const;
-    template <class Sink>
-    void for_each_component(const Json& accessor, std::size_t components, const Sink& sink) const;
-    template <class Sink>
-    void replace_sparse(const Json& accessor, std::size_t components, const Sink& sink) const;
+    void read_buffers(Bytes binary_chunk);
+    [[nodiscard]] Bytes buffer_bytes(const std::string& uri);
+    [[nodiscard]] GltfAccessor read_accessor(const Json& json);
 
     std::filesystem::path file_;
+    std::vector<std::uint8_t> bytes_;
     Json root_;
     bool is_binary_ = false;
-    std::vector<std::vector<std::uint8_t>> buffers_;
+    std::map<std::filesystem::path, std::vector<std::uint8_t>> files_;  // Beside this one.
+    std::deque<std::vector<std::uint8_t>> embedded_;                    // As data URIs.
+    std::vector<Bytes> buffers_;
+    std::size_t size_ = 0;
+    Budget sparse_elements_{0, ""};
+    std::map<std::size_t, GltfAccessor> accessors_;
 };
 
 /// The bytes of a "data:" URI in base 64. Throws PartError if it is not one.

@@ -26,6 +26,20 @@ enum class Mode : std::uint8_t {
     triangle_fan = 6,
 };
 
+// glTF 2.0, section 3.5.3: matrices have no perspective. Writers round what is 0 or 1.
+M44d affine(M44d matrix) {
+    constexpr double rounding = 1e-6;
+    const bool is_affine =
+        std::abs(matrix[0][3]) <= rounding && std::abs(matrix[1][3]) <= rounding &&
+        std::abs(matrix[2][3]) <= rounding && std::abs(matrix[3][3] - 1.0) <= rounding;
+    if (!is_affine) {
+        throw PartError{"its 'matrix' is not affine: the last row must be 0, 0, 0, 1"};
+    }
+    matrix[0][3] = matrix[1][3] = matrix[2][3] = 0.0;
+    matrix[3][3] = 1.0;
+    return matrix;
+}
+
 // A node's own transform. glTF stores matrices for column vectors column by column, which read row
 // by row is the matrix for row vectors.
 M44d local_transform(const Json& node) {
@@ -35,13 +49,13 @@ M44d local_transform(const Json& node) {
         for (std::size_t i = 0; i < 16; ++i) {
             local[static_cast<int>(i / 4)][i % 4] = numbers[i];
         }
-        return local;
+        return affine(local);
     }
     const auto scale = numbers_in(node, "scale", {1.0, 1.0, 1.0});
     const auto rotation = numbers_in(node, "rotation", {0.0, 0.0, 0.0, 1.0});
     const auto translation = numbers_in(node, "translation", {0.0, 0.0, 0.0});
     const Imath::Quatd turn(rotation[3], rotation[0], rotation[1], rotation[2]);
-    if (!(turn.length() > 0.0)) {
+    if (!(turn.length() > 0.0 && std::isfinite(turn.length()))) {
         throw PartError{"its 'rotation' has no length"};
     }
     local.setScale(V3d(scale[0], scale[1], scale[2]));
@@ -62,6 +76,52 @@ bool invertible(const M44d& matrix) {
     const V3d z(matrix[2][0], matrix[2][1], matrix[2][2]);
     constexpr double flattest = 1e-12;
     return std::abs(x.cross(y).dot(z)) > flattest * x.length() * y.length() * z.length();
+}
+
+// Whether the linear part of an affine matrix is within max_scale.
+bool scale_fits(const M44d& matrix) {
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            if (!(std::abs(matrix[row][column]) <= max_scale)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+bool is_within_range(const V3d& point) {
+    const auto fits = [](double value) { return std::abs(value) <= max_coordinate; };
+    return fits(point.x) && fits(point.y) && fits(point.z);
+}
+
+// Throws PartError unless a mesh with these bounds can be placed so.
+void check_placement(const Box3f& box, const M44d& world_from_mesh) {
+    if (!invertible(world_from_mesh)) {
+        throw PartError{"its transform flattens it"};
+    }
+    if (!scale_fits(world_from_mesh) || !scale_fits(world_from_mesh.inverse())) {
+        throw PartError{
+            fmt::format("its transform scales beyond {:g} .. {:g}", 1.0 / max_scale, max_scale)};
+    }
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        const auto side = [&](unsigned axis) {
+            const V3f& end = (corner >> axis & 1U) != 0 ? box.max : box.min;
+            return double{end[static_cast<int>(axis)]};
+        };
+        if (!is_within_range(V3d(side(0), side(1), side(2)) * world_from_mesh)) {
+            throw PartError{
+                fmt::format("it reaches further than {:g} from the origin", max_coordinate)};
+        }
+    }
+}
+
+Box3f box_of(const Mesh& mesh) {
+    Box3f box;
+    for (const V3f& position : mesh.positions) {
+        box.extendBy(position);
+    }
+    return box;
 }
 
 std::string node_name(const Json& node, std::size_t index) {
@@ -102,11 +162,26 @@ void refuse_compressed(const Json& root, const std::filesystem::path& file) {
 }  // namespace
 
 void read_gltf(Import& import) {
-    const GltfDocument document(import);
+    GltfDocument document(import);
     refuse_compressed(document.root(), import.file);
     import.scene.format = document.is_binary() ? "glTF 2.0 binary" : "glTF 2.0";
     GltfReader(document, import).read();
 }
+
+// Each byte of a file may be an index of its own, and small files may share more than that; small
+// models are instantiated more often than they have bytes. An image may have two textures of its
+// own, and is copied for each.
+GltfReader::GltfReader(GltfDocument& document, Import& import)
+    : document_(document),
+      root_(document.root()),
+      import_(import),
+      scene_(import.scene),
+      corners_(document.size() + (std::size_t{1} << 22U),
+               "the file's meshes have more corners than a file of its size may have"),
+      instances_(std::clamp<std::size_t>(document.size(), 1U << 16U, 1U << 22U),
+                 "the file has more instances than a file of its size may have"),
+      image_bytes_(2 * document.size(),
+                   "the file's images have more bytes than a file of its size may have") {}
 
 void GltfReader::read() {
     std::vector<Node> pending;
@@ -180,13 +255,14 @@ void GltfReader::place_mesh(const Json& node, std::size_t node_index, const M44d
     if (!gltf_mesh) {
         return;
     }
-    if (!invertible(world_from_node)) {
-        throw PartError{"its transform flattens it"};
-    }
     const std::vector<MeshIndex>& parts = meshes(*gltf_mesh);
     if (parts.empty()) {
         return;
     }
+    for (const MeshIndex part : parts) {
+        check_placement(boxes_[part.value()], world_from_node);
+    }
+    instances_.take(parts.size());
     skinned_ += member(node, "skin").is_null() ? 0 : 1;
     std::string name = text_in(node, "name");
     if (name.empty()) {
@@ -232,76 +308,110 @@ void GltfReader::read_primitive(const Json& primitive, const std::string& name,
         throw PartError{"it is compressed with Draco"};
     }
     const GltfMaterial& shaded = material(index_in(primitive, "material"));
-    Mesh mesh = read_vertices(member(primitive, "attributes"), shaded);
+    Mesh mesh = read_mesh(primitive, mode, shaded);
     mesh.name = name;
     mesh.material = shaded.index;
-    mesh.triangles = read_triangles(primitive, mode, mesh.positions.size());
     if (auto finished = finish_mesh(std::move(mesh), import_)) {
+        boxes_.push_back(box_of(*finished));
         scene_.meshes.push_back(std::move(*finished));
         made.emplace_back(scene_.meshes.size() - 1);
     }
 }
 
-Mesh GltfReader::read_vertices(const Json& attributes, const GltfMaterial& shaded) const {
-    Mesh mesh;
+// Only the vertices that the triangles use: primitives may share accessors much larger than they
+// need.
+Mesh GltfReader::read_mesh(const Json& primitive, std::size_t mode, const GltfMaterial& shaded) {
+    const Json& attributes = member(primitive, "attributes");
     const auto position = index_in(attributes, "POSITION");
     if (!position) {
         throw PartError{"it has no positions"};
     }
-    const std::vector<float> positions = document_.floats(*position, 3);
-    for (std::size_t i = 0; i < positions.size(); i += 3) {
-        mesh.positions.emplace_back(positions[i], positions[i + 1], positions[i + 2]);
-    }
-    const auto check_count = [&](std::size_t count) {
-        if (count != mesh.positions.size()) {
+    const GltfAccessor& positions = document_.accessor(*position, 3);
+    const auto attribute = [&](const std::string& key,
+                               std::size_t components) -> const GltfAccessor* {
+        const auto index = index_in(attributes, key);
+        if (!index) {
+            return nullptr;
+        }
+        const GltfAccessor& found = document_.accessor(*index, components);
+        if (found.count() != positions.count()) {
             throw PartError{fmt::format("it has {} and {} of another attribute",
-                                        counted(mesh.positions.size(), "position"), count)};
+                                        counted(positions.count(), "position"), found.count())};
         }
+        return &found;
     };
-    if (const auto normal = index_in(attributes, "NORMAL")) {
-        const std::vector<float> normals = document_.floats(*normal, 3);
-        check_count(normals.size() / 3);
-        for (std::size_t i = 0; i < normals.size(); i += 3) {
-            mesh.normals.emplace_back(normals[i], normals[i + 1], normals[i + 2]);
+    const GltfAccessor* const normals = attribute("NORMAL", 3);
+    const GltfAccessor* const coordinates =
+        attribute(fmt::format("TEXCOORD_{}", shaded.texture_coordinate_set), 2);
+
+    Mesh mesh;
+    mesh.triangles = read_triangles(primitive, mode, positions.count());
+    for (const std::uint32_t vertex : number_vertices(mesh.triangles, positions.count())) {
+        const auto vector = [vertex](const GltfAccessor& from) {
+            return V3f(from.number(vertex, 0), from.number(vertex, 1), from.number(vertex, 2));
+        };
+        mesh.positions.push_back(vector(positions));
+        if (normals != nullptr) {
+            mesh.normals.push_back(vector(*normals));
         }
-    }
-    const std::string set = fmt::format("TEXCOORD_{}", shaded.texture_coordinate_set);
-    if (const auto coordinate = index_in(attributes, set)) {
-        const std::vector<float> coordinates = document_.floats(*coordinate, 2);
-        check_count(coordinates.size() / 2);
-        for (std::size_t i = 0; i < coordinates.size(); i += 2) {
-            mesh.texture_coordinates.push_back(V2f(coordinates[i], coordinates[i + 1]) *
-                                               shaded.texture_transform);
+        if (coordinates != nullptr) {
+            mesh.texture_coordinates.push_back(
+                V2f(coordinates->number(vertex, 0), coordinates->number(vertex, 1)) *
+                shaded.texture_transform);
         }
     }
     return mesh;
 }
 
-std::vector<std::array<std::uint32_t, 3>> GltfReader::read_triangles(const Json& primitive,
-                                                                     std::size_t mode,
-                                                                     std::size_t vertices) const {
-    std::vector<std::uint32_t> indices;
-    if (const auto accessor = index_in(primitive, "indices")) {
-        indices = document_.integers(*accessor);
-    } else {
-        indices.resize(vertices);
-        for (std::size_t i = 0; i < vertices; ++i) {
-            indices[i] = static_cast<std::uint32_t>(i);
+// Numbers the vertices that triangles use by their first use; one that is out of range stays so.
+std::vector<std::uint32_t> GltfReader::number_vertices(
+    std::vector<std::array<std::uint32_t, 3>>& triangles, std::size_t count) {
+    constexpr std::uint32_t none = 0xffffffffU;
+    std::vector<std::uint32_t> used;
+    vertex_numbers_.resize(std::max(vertex_numbers_.size(), count), none);
+    for (auto& triangle : triangles) {
+        for (std::uint32_t& vertex : triangle) {
+            if (vertex >= count) {
+                vertex = none;
+                continue;
+            }
+            std::uint32_t& number = vertex_numbers_[vertex];
+            if (number == none) {
+                number = static_cast<std::uint32_t>(used.size());
+                used.push_back(vertex);
+            }
+            vertex = number;
         }
     }
+    for (const std::uint32_t vertex : used) {
+        vertex_numbers_[vertex] = none;
+    }
+    return used;
+}
+
+std::vector<std::array<std::uint32_t, 3>> GltfReader::read_triangles(const Json& primitive,
+                                                                     std::size_t mode,
+                                                                     std::size_t vertices) {
+    const auto accessor = index_in(primitive, "indices");
+    const GltfAccessor* const indices = accessor ? &document_.accessor(*accessor, 1) : nullptr;
+    const std::size_t count = indices != nullptr ? indices->count() : vertices;
+    corners_.take(count);
+    const auto index = [&](std::size_t i) {
+        return indices != nullptr ? indices->integer(i) : static_cast<std::uint32_t>(i);
+    };
     std::vector<std::array<std::uint32_t, 3>> triangles;
     const std::size_t step = mode == static_cast<std::size_t>(Mode::triangles) ? 3 : 1;
-    for (std::size_t i = 0; i + 2 < indices.size(); i += step) {
+    for (std::size_t i = 0; i + 2 < count; i += step) {
         switch (static_cast<Mode>(std::min<std::size_t>(mode, 255))) {
             case Mode::triangles:
-                triangles.push_back({indices[i], indices[i + 1], indices[i + 2]});
+                triangles.push_back({index(i), index(i + 1), index(i + 2)});
                 break;
             case Mode::triangle_strip:
                 // Every second triangle of a strip is turned round to face the same side.
-                triangles.push_back({indices[i], indices[i + 1 + i % 2], indices[i + 2 - i % 2]});
+                triangles.push_back({index(i), index(i + 1 + i % 2), index(i + 2 - i % 2)});
                 break;
             case Mode::triangle_fan:
-                triangles.push_back({indices[i + 1], indices[i + 2], indices[0]});
+                triangles.push_back({index(i + 1), index(i + 2), index(0)});
                 break;
             default: throw PartError{fmt::format("its mode {} is unknown", mode)};
         }

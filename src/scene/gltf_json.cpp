@@ -95,10 +95,33 @@ std::vector<double> numbers_in(const Json& value, std::string_view key,
     return fallback;
 }
 
+float to_quantity(double number, std::string_view key) {
+    if (!(number >= 0.0 && number <= max_quantity)) {
+        throw PartError{fmt::format("its '{}' is not in the range 0 .. {:g}", key, max_quantity)};
+    }
+    return static_cast<float>(number);
+}
+
+float quantity_in(const Json& value, std::string_view key, float fallback) {
+    return to_quantity(number_in(value, key, double{fallback}), key);
+}
+
+Color3f to_color(const std::array<double, 3>& numbers, std::string_view key) {
+    return {to_quantity(numbers[0], key), to_quantity(numbers[1], key),
+            to_quantity(numbers[2], key)};
+}
+
 Color3f color_in(const Json& value, std::string_view key, const Color3f& fallback) {
     const auto numbers = numbers_in(value, key, {fallback.x, fallback.y, fallback.z});
-    return {static_cast<float>(numbers[0]), static_cast<float>(numbers[1]),
-            static_cast<float>(numbers[2])};
+    return to_color({numbers[0], numbers[1], numbers[2]}, key);
+}
+
+Color3f scaled(const Color3f& color, float intensity, std::string_view key) {
+    const auto channel = [&](float part) {
+        static_cast<void>(to_quantity(double{part} * double{intensity}, key));
+        return part * intensity;
+    };
+    return {channel(color.x), channel(color.y), channel(color.z)};
 }
 
 std::string text_in(const Json& value, std::string_view key, std::string_view fallback) {

@@ -5,6 +5,7 @@
 // Reading members of a glTF file's JSON, which may hold anything anywhere. A member that is absent
 // gives the fallback; one of the wrong kind throws PartError.
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -44,7 +45,15 @@ struct PartError {
 [[nodiscard]] double number_in(const Json& value, std::string_view key, double fallback);
 [[nodiscard]] std::vector<double> numbers_in(const Json& value, std::string_view key,
                                              std::vector<double> fallback);
+
+/// Quantities of light are in 0 .. max_quantity; PartError names the key of one that is not.
+[[nodiscard]] float to_quantity(double number, std::string_view key);
+[[nodiscard]] float quantity_in(const Json& value, std::string_view key, float fallback);
+[[nodiscard]] Color3f to_color(const std::array<double, 3>& numbers, std::string_view key);
 [[nodiscard]] Color3f color_in(const Json& value, std::string_view key, const Color3f& fallback);
+/// A colour times an intensity.
+[[nodiscard]] Color3f scaled(const Color3f& color, float intensity, std::string_view key);
+
 [[nodiscard]] std::string text_in(const Json& value, std::string_view key,
                                   std::string_view fallback = {});
 [[nodiscard]] bool flag_in(const Json& value, std::string_view key);

@@ -26,13 +26,6 @@ LightKind kind_of(const std::string& type) {
     throw PartError{fmt::format("its type {} is unknown", in_quotes(type))};
 }
 
-float not_negative(double value, const char* what) {
-    if (value < 0.0) {
-        throw PartError{fmt::format("its {} is negative", what)};
-    }
-    return static_cast<float>(value);
-}
-
 // KHR_lights_punctual: a light stands at its node's origin and shines along the node's -z; the
 // node's scale changes neither its intensity nor its range.
 Light read_light(const Json& json, const M44d& world_from_node) {
@@ -41,16 +34,18 @@ Light read_light(const Json& json, const M44d& world_from_node) {
     light.position = V3d(0.0) * world_from_node;
     V3d direction;
     world_from_node.multDirMatrix(V3d(0.0, 0.0, -1.0), direction);
-    if (!(direction.length() > 0.0)) {
+    if (!(direction.length() > 0.0 && std::isfinite(direction.length()))) {
         throw PartError{"its node's transform leaves it no direction"};
     }
     light.direction = direction.normalized();
-    light.intensity = color_in(json, "color", Color3f(1.0F)) *
-                      not_negative(number_in(json, "intensity", 1.0), "intensity");
-    if (!(light.intensity.x >= 0.0F && light.intensity.y >= 0.0F && light.intensity.z >= 0.0F)) {
-        throw PartError{"its colour is negative"};
+    for (const double coordinate : {light.position.x, light.position.y, light.position.z}) {
+        if (std::abs(coordinate) > max_coordinate) {
+            throw PartError{fmt::format("it is further than {:g} from the origin", max_coordinate)};
+        }
     }
-    light.range = not_negative(number_in(json, "range", 0.0), "range");
+    light.intensity = scaled(color_in(json, "color", Color3f(1.0F)),
+                             quantity_in(json, "intensity", 1.0F), "intensity");
+    light.range = quantity_in(json, "range", 0.0F);
 
     constexpr double quarter = std::numbers::pi / 2.0;
     const Json& spot = member(json, "spot");

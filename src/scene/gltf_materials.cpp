@@ -37,6 +37,11 @@ Imath::M33f transform_of(const Json& json) {
     const auto offset = numbers_in(json, "offset", {0.0, 0.0});
     const auto scale = numbers_in(json, "scale", {1.0, 1.0});
     const double angle = number_in(json, "rotation", 0.0);
+    for (const double number : {offset[0], offset[1], scale[0], scale[1]}) {
+        if (std::abs(number) > max_coordinate) {
+            throw PartError{fmt::format("its transform is beyond {:g}", max_coordinate)};
+        }
+    }
     const auto c = static_cast<float>(std::cos(angle));
     const auto s = static_cast<float>(std::sin(angle));
     const auto x = static_cast<float>(scale[0]);
@@ -57,8 +62,7 @@ Material read_factors(const Json& json) {
     made.name = text_in(json, "name");
     const Json& surface = member(json, "pbrMetallicRoughness");
     const auto base = numbers_in(surface, "baseColorFactor", {1.0, 1.0, 1.0, 1.0});
-    made.base_color = Color3f(static_cast<float>(base[0]), static_cast<float>(base[1]),
-                              static_cast<float>(base[2]));
+    made.base_color = to_color({base[0], base[1], base[2]}, "baseColorFactor");
     made.metallic = unit_interval(surface, "metallicFactor", 1.0);
     made.roughness = unit_interval(surface, "roughnessFactor", 1.0);
     made.alpha_mode = alpha_mode_of(text_in(json, "alphaMode", "OPAQUE"));
@@ -66,11 +70,11 @@ Material read_factors(const Json& json) {
         made.alpha = static_cast<float>(std::clamp(base[3], 0.0, 1.0));
     }
     if (made.alpha_mode == AlphaMode::mask) {
-        made.alpha_cutoff = static_cast<float>(number_in(json, "alphaCutoff", 0.5));
+        made.alpha_cutoff = quantity_in(json, "alphaCutoff", 0.5F);
     }
     const Json& strength = member(member(json, "extensions"), "KHR_materials_emissive_strength");
-    made.emission = color_in(json, "emissiveFactor", Color3f(0.0F)) *
-                    static_cast<float>(number_in(strength, "emissiveStrength", 1.0));
+    made.emission = scaled(color_in(json, "emissiveFactor", Color3f(0.0F)),
+                           quantity_in(strength, "emissiveStrength", 1.0F), "emission");
     made.double_sided = flag_in(json, "doubleSided");
     return made;
 }
@@ -145,14 +149,7 @@ GltfReader::TextureUse GltfReader::texture_use(const Json& owner, const char* ke
         use.set = count_in(transform, "texCoord", count_in(json, "texCoord", 0));
         use.transform = transform_of(transform);
         const std::size_t number = count_in(json, "index", SIZE_MAX);
-        const auto [known, is_new] = textures_.try_emplace(number);
-        if (is_new) {
-            if (auto read = read_texture(element(root_, "textures", number), material_name)) {
-                scene_.textures.push_back(std::move(*read));
-                known->second = TextureIndex(scene_.textures.size() - 1);
-            }
-        }
-        use.index = known->second;
+        use.index = texture(element(root_, "textures", number), material_name);
     } catch (const PartError& fault) {
         import_.warn(fmt::format("material {}: its '{}' is left out: {}", in_quotes(material_name),
                                  key, fault.reason));
@@ -160,37 +157,45 @@ GltfReader::TextureUse GltfReader::texture_use(const Json& owner, const char* ke
     return use;
 }
 
-std::optional<Texture> GltfReader::read_texture(const Json& json,
-                                                const std::string& material_name) {
+// Textures that show one image in one way are one.
+TextureIndex GltfReader::texture(const Json& json, const std::string& material_name) {
     const auto source = index_in(json, "source");
     if (!source) {
         throw PartError{"its image is of a kind that is not read"};
     }
     Texture texture;
-    const Json& image = element(root_, "images", *source);
-    texture.name = text_in(image, "name", fmt::format("image {}", *source));
     if (const auto sampler = index_in(json, "sampler")) {
         const Json& wraps = element(root_, "samplers", *sampler);
         texture.wrap_u = wrap_of(count_in(wraps, "wrapS", 0));
         texture.wrap_v = wrap_of(count_in(wraps, "wrapT", 0));
     }
+    const auto [known, is_new] = textures_.try_emplace({*source, texture.wrap_u, texture.wrap_v});
+    if (!is_new) {
+        return known->second;
+    }
+    const Json& image = element(root_, "images", *source);
+    texture.name = text_in(image, "name", fmt::format("image {}", *source));
     read_image(image, texture);
     std::error_code code;
     if (texture.bytes.empty() && !std::filesystem::is_regular_file(texture.file, code)) {
         import_.warn(fmt::format("material {}: there is no texture file {}",
                                  in_quotes(material_name), in_quotes(texture.file.string())),
-                     similar_file(texture.file));
-        return std::nullopt;
+                     import_.advice_on(texture.file));
+        return {};
     }
-    return texture;
+    scene_.textures.push_back(std::move(texture));
+    known->second = TextureIndex(scene_.textures.size() - 1);
+    return known->second;
 }
 
-void GltfReader::read_image(const Json& image, Texture& texture) const {
+void GltfReader::read_image(const Json& image, Texture& texture) {
     const std::string uri = text_in(image, "uri");
     if (const auto view = index_in(image, "bufferView")) {
         const auto bytes = document_.view(*view);
+        image_bytes_.take(bytes.size());
         texture.bytes.assign(bytes.begin(), bytes.end());
     } else if (uri.starts_with("data:")) {
+        image_bytes_.take(uri.size());
         texture.bytes = decode_data_uri(uri);
     } else if (!uri.empty()) {
         texture.file = beside(import_.file, decode_percent(uri));

@@ -25,8 +25,7 @@ struct GltfMaterial {
 /// Makes a Scene of a glTF document: what the nodes of its scene use, and nothing else.
 class GltfReader {
 public:
-    GltfReader(const GltfDocument& document, Import& import)
-        : document_(document), root_(document.root()), import_(import), scene_(import.scene) {}
+    GltfReader(GltfDocument& document, Import& import);
 
     void read();
 
@@ -48,9 +47,13 @@ private:
     const std::vector<MeshIndex>& meshes(std::size_t gltf_mesh);
     void read_primitive(const Json& primitive, const std::string& name,
                         std::vector<MeshIndex>& made);
-    [[nodiscard]] Mesh read_vertices(const Json& attributes, const GltfMaterial& material) const;
-    [[nodiscard]] std::vector<std::array<std::uint32_t, 3>> read_triangles(
-        const Json& primitive, std::size_t mode, std::size_t vertices) const;
+    [[nodiscard]] Mesh read_mesh(const Json& primitive, std::size_t mode,
+                                 const GltfMaterial& material);
+    [[nodiscard]] std::vector<std::array<std::uint32_t, 3>> read_triangles(const Json& primitive,
+                                                                           std::size_t mode,
+                                                                           std::size_t vertices);
+    std::vector<std::uint32_t> number_vertices(std::vector<std::array<std::uint32_t, 3>>& triangles,
+                                               std::size_t count);
     void warn_of_what_is_not_read();
 
     // gltf_materials.cpp
@@ -58,19 +61,31 @@ private:
     GltfMaterial read_material(const Json& json);
     void choose_texture_coordinates(const std::vector<TextureUse>& uses, GltfMaterial& made);
     TextureUse texture_use(const Json& owner, const char* key, const std::string& material_name);
-    std::optional<Texture> read_texture(const Json& texture, const std::string& material_name);
-    void read_image(const Json& image, Texture& texture) const;
+    TextureIndex texture(const Json& texture, const std::string& material_name);
+    void read_image(const Json& image, Texture& texture);
 
     // gltf_lights.cpp
     void place_light(const Json& node, const M44d& world_from_node);
 
-    const GltfDocument& document_;
+    struct Image {
+        std::size_t image = 0;
+        Wrap wrap_u = Wrap::repeat;
+        Wrap wrap_v = Wrap::repeat;
+        auto operator<=>(const Image&) const = default;
+    };
+
+    GltfDocument& document_;
     const Json& root_;
     Import& import_;
     Scene& scene_;
+    Budget corners_;
+    Budget instances_;
+    Budget image_bytes_;
     std::map<std::size_t, std::vector<MeshIndex>> meshes_;
     std::map<std::optional<std::size_t>, GltfMaterial> materials_;
-    std::map<std::size_t, TextureIndex> textures_;
+    std::map<Image, TextureIndex> textures_;
+    std::vector<Box3f> boxes_;                   // Of the scene's meshes.
+    std::vector<std::uint32_t> vertex_numbers_;  // Scratch of number_vertices.
     std::set<std::size_t> visited_nodes_;
     std::size_t dropped_points_ = 0;
     std::size_t dropped_lines_ = 0;

@@ -28,8 +28,15 @@ struct Import {
     std::optional<std::span<const std::uint8_t>> given;  ///< Its bytes, if they need no reading.
     Scene scene;
     Diagnostics diagnostics;
+    std::size_t further_warnings = 0;
 
+    static constexpr std::size_t max_warnings = 50;
+
+    /// Adds a warning, or counts it if there are so many that one more would bury the others.
     void warn(std::string message, std::string remedy = {});
+    /// similar_file() while warnings are added, since it looks through a directory.
+    [[nodiscard]] std::string advice_on(const std::filesystem::path& missing) const;
+    [[nodiscard]] bool adds_warnings() const { return diagnostics.size() < max_warnings; }
     /// The bytes of the file. Throws ReadError if it cannot be read.
     [[nodiscard]] std::vector<std::uint8_t> bytes() const;
 };

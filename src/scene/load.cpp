@@ -58,17 +58,6 @@ bool lights_itself(const Scene& scene) {
                        });
 }
 
-// A file with ten thousand faults would bury the one that matters.
-void limit_warnings(Diagnostics& diagnostics) {
-    constexpr std::size_t maximum = 50;
-    if (diagnostics.size() > maximum) {
-        const std::size_t left_out = diagnostics.size() - maximum;
-        diagnostics.resize(maximum);
-        diagnostics.push_back(
-            warning(fmt::format("{} more like these", counted(left_out, "warning"))));
-    }
-}
-
 void read(Import& import) {
     const fs::path& file = import.file;
     if (!import.given) {
@@ -81,7 +70,10 @@ void read(Import& import) {
                   "scenes are read from .glb, .gltf and .obj files")};
     }
     format->read(import);
-    limit_warnings(import.diagnostics);
+    if (import.further_warnings > 0) {
+        import.diagnostics.push_back(warning(
+            fmt::format("{} more like these", counted(import.further_warnings, "warning"))));
+    }
     if (import.scene.instances.empty()) {
         throw ReadError{error(
             fmt::format("nothing to render in {}: it has no triangles", in_quotes(file.string())),

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -24,7 +25,9 @@ void read_color(std::string_view arguments, Color3f& color) {
     if (!to_float(take_word(arguments), read.y) || !to_float(take_word(arguments), read.z)) {
         read = Color3f(read.x);
     }
-    color = {std::max(read.x, 0.0F), std::max(read.y, 0.0F), std::max(read.z, 0.0F)};
+    constexpr auto maximum = static_cast<float>(max_quantity);
+    color = {std::clamp(read.x, 0.0F, maximum), std::clamp(read.y, 0.0F, maximum),
+             std::clamp(read.z, 0.0F, maximum)};
 }
 
 void read_unit_interval(std::string_view arguments, float& value) {
@@ -81,16 +84,20 @@ Map parse_map(std::string_view arguments) {
 
 ObjMaterials::ObjMaterials(const std::vector<std::string>& libraries, Import& import)
     : import_(import) {
-    std::vector<std::string> read;
+    std::set<std::filesystem::path> read;
     for (const std::string& library : libraries) {
-        if (std::find(read.begin(), read.end(), library) == read.end()) {
-            read.push_back(library);
-            read_library(beside(import.file, library));
+        const std::filesystem::path file = beside(import.file, library);
+        if (read.insert(file).second) {
+            read_library(file);
         }
     }
 }
 
 void ObjMaterials::read_library(const std::filesystem::path& file) {
+    if (!import_.adds_warnings() && !std::filesystem::exists(file)) {
+        import_.warn("");
+        return;
+    }
     std::vector<std::uint8_t> bytes;
     try {
         bytes = read_bytes(file);
@@ -101,15 +108,15 @@ void ObjMaterials::read_library(const std::filesystem::path& file) {
     }
     std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     std::string joined;
-    const std::size_t first = sources_.size();
+    Source* source = nullptr;
     while (!text.empty()) {
         const auto [keyword, arguments] = take_statement(text, joined);
         if (keyword == "newmtl") {
-            sources_.emplace_back();
-            sources_.back().material.name = arguments;
-            sources_.back().library = file;
-        } else if (sources_.size() > first) {
-            read_line(sources_.back(), keyword, arguments);
+            source = &sources_.insert_or_assign(std::string(arguments), Source()).first->second;
+            source->material.name = arguments;
+            source->library = file;
+        } else if (source != nullptr) {
+            read_line(*source, keyword, arguments);
         }
     }
 }
@@ -141,29 +148,24 @@ void ObjMaterials::read_line(Source& source, std::string_view keyword, std::stri
 }
 
 MaterialIndex ObjMaterials::add_to_scene(const std::string& name) {
-    const auto found = std::find_if(sources_.rbegin(), sources_.rend(), [&](const Source& source) {
-        return source.material.name == name;
-    });
+    const auto found = sources_.find(name);
     Material material;
     material.name = name;
-    if (found != sources_.rend()) {
-        material = found->material;
-        material.base_color_texture = add_texture(*found, found->color_map);
-        material.emission_texture = add_texture(*found, found->emission_map);
+    if (found != sources_.end()) {
+        const Source& source = found->second;
+        material = source.material;
+        material.base_color_texture = add_texture(source, source.color_map);
+        material.emission_texture = add_texture(source, source.emission_map);
         // An opacity map that is the colour's own image is its alpha channel.
-        const bool same = parse_map(found->opacity_map).file == parse_map(found->color_map).file;
-        const bool has_opacity_map = !found->opacity_map.empty();
+        const bool same = parse_map(source.opacity_map).file == parse_map(source.color_map).file;
+        const bool has_opacity_map = !source.opacity_map.empty();
         if (has_opacity_map && !same) {
             import_.warn(fmt::format("material {}: its opacity map is not read", in_quotes(name)));
         }
         const bool blends = material.alpha < 1.0F || (has_opacity_map && same);
         material.alpha_mode = blends ? AlphaMode::blend : AlphaMode::opaque;
     } else if (!name.empty()) {
-        std::vector<std::string> names;
-        for (const Source& source : sources_) {
-            names.push_back(source.material.name);
-        }
-        const auto near = nearest_name(name, names);
+        const auto near = nearest_source(name);
         import_.warn(
             fmt::format("material {} is in no material library: it is grey", in_quotes(name)),
             near ? fmt::format("did you mean {}?", in_quotes(*near)) : "");
@@ -172,32 +174,38 @@ MaterialIndex ObjMaterials::add_to_scene(const std::string& name) {
     return MaterialIndex(import_.scene.materials.size() - 1);
 }
 
+std::optional<std::string> ObjMaterials::nearest_source(const std::string& name) const {
+    if (!import_.adds_warnings()) {
+        return std::nullopt;
+    }
+    std::vector<std::string> names;
+    for (const auto& [known, source] : sources_) {
+        names.push_back(known);
+    }
+    return nearest_name(name, names);
+}
+
 TextureIndex ObjMaterials::add_texture(const Source& source, const std::string& written) {
     const Map map = parse_map(written);
     if (map.file.empty()) {
         return {};
     }
-    Texture texture;
-    texture.name = map.file;
-    texture.file = beside(source.library, map.file);
-    texture.wrap_u = map.wrap;
-    texture.wrap_v = map.wrap;
+    const std::filesystem::path file = beside(source.library, map.file);
+    const auto [known, is_new] = textures_.try_emplace({file, map.wrap});
+    if (!is_new && known->second.valid()) {
+        return known->second;
+    }
     std::error_code code;
-    if (!std::filesystem::is_regular_file(texture.file, code)) {
+    if (!std::filesystem::is_regular_file(file, code)) {
         import_.warn(fmt::format("material {}: there is no texture file {}",
-                                 in_quotes(source.material.name), in_quotes(texture.file.string())),
-                     similar_file(texture.file));
+                                 in_quotes(source.material.name), in_quotes(file.string())),
+                     import_.advice_on(file));
         return {};
     }
     std::vector<Texture>& textures = import_.scene.textures;
-    const auto known = std::find_if(textures.begin(), textures.end(), [&](const Texture& other) {
-        return other.file == texture.file && other.wrap_u == texture.wrap_u;
-    });
-    const auto index = static_cast<std::size_t>(known - textures.begin());
-    if (known == textures.end()) {
-        textures.push_back(std::move(texture));
-    }
-    return TextureIndex(index);
+    textures.push_back({std::string(map.file), file, {}, map.wrap, map.wrap});
+    known->second = TextureIndex(textures.size() - 1);
+    return known->second;
 }
 
 }  // namespace balcony::scene

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+#include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scene/import.hpp"
@@ -29,11 +33,13 @@ private:
     };
 
     void read_library(const std::filesystem::path& file);
-    void read_line(Source& source, std::string_view keyword, std::string_view arguments);
+    static void read_line(Source& source, std::string_view keyword, std::string_view arguments);
+    [[nodiscard]] std::optional<std::string> nearest_source(const std::string& name) const;
     TextureIndex add_texture(const Source& source, const std::string& map);
 
     Import& import_;
-    std::vector<Source> sources_;
+    std::map<std::string, Source, std::less<>> sources_;  // By name; the last of a name counts.
+    std::map<std::pair<std::filesystem::path, Wrap>, TextureIndex> textures_;
 };
 
 }  // namespace balcony::scene

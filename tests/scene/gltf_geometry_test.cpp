@@ -146,15 +146,21 @@ TEST_F(GltfGeometry, MissingNormalsAreFlat) {
     }
 }
 
+// The triangle is tilted, so that the normal of its face is nobody's default.
 TEST_F(GltfGeometry, NormalsWithoutLengthAreTheFaces) {
     Gltf gltf = one_triangle();
-    gltf.primitive(0)["attributes"]["NORMAL"] =
-        gltf.add_floats({0, 0, 0, 0, 0, 7, std::nanf(""), 0, 1}, 3);
+    gltf.primitive(0)["attributes"] = {
+        {"POSITION", gltf.add_floats({0, 0, 0, 3, 0, 4, 0, 1, 0}, 3)},
+        {"NORMAL", gltf.add_floats({0, 0, 0, 0, 0, 7, std::nanf(""), 0, 1}, 3)}};
     const auto scene = load_glb(gltf);
     ASSERT_TRUE(scene) << said(scene);
-    for (const V3f& normal : scene->meshes[0].normals) {
-        EXPECT_EQ(normal, V3f(0, 0, 1));
-    }
+    const std::vector<V3f>& normals = scene->meshes[0].normals;
+    ASSERT_EQ(normals.size(), 3U);
+    constexpr float single_rounding = 1e-6F;
+    const V3f faced(-0.8F, 0.0F, 0.6F);
+    EXPECT_TRUE(normals[0].equalWithAbsError(faced, single_rounding)) << normals[0];
+    EXPECT_EQ(normals[1], V3f(0, 0, 1)) << "a normal that has a length is kept";
+    EXPECT_TRUE(normals[2].equalWithAbsError(faced, single_rounding)) << normals[2];
     EXPECT_TRUE(says(scene, "mesh 'mesh': 2 normals without length replaced"));
 }
 

@@ -87,7 +87,7 @@ TEST_F(Lights, BadLightsAreLeftOut) {
     const auto negative =
         load_glb(with_light({{"type", "point"}, {"intensity", -1}}, {{"name", "lamp"}}));
     ASSERT_TRUE(negative);
-    EXPECT_TRUE(says(negative, "light 'lamp' is left out: its intensity is negative"));
+    EXPECT_TRUE(says(negative, "light 'lamp' is left out: its 'intensity' is not in the range 0"));
 }
 
 }  // namespace balcony::scene::testing

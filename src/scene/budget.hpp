@@ -1,0 +1,33 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "scene/gltf_json.hpp"
+
+namespace balcony::scene {
+
+/// How much of something a file may ask for. A few bytes can refer to the same data again and
+/// again, so what is made of a file is limited by its size; docs/scenes.md states the limits.
+class Budget {
+public:
+    /// `reason` completes a sentence about the part that goes beyond the budget.
+    Budget(std::size_t total, std::string reason) : left_(total), reason_(std::move(reason)) {}
+
+    /// Throws PartError, and takes nothing, if less is left.
+    void take(std::size_t count) {
+        if (count > left_) {
+            throw PartError{reason_};
+        }
+        left_ -= count;
+    }
+
+private:
+    std::size_t left_;
+    std::string reason_;
+};
+
+}  // namespace balcony::scene

@@ -1,0 +1,49 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+
+namespace balcony::scene {
+
+/// The elements of an accessor, decoded where they lie: all of them are inside the file's bytes.
+class GltfAccessor {
+public:
+    /// The kind of the components, by glTF's number for it. Throws PartError if there is none such.
+    GltfAccessor(std::size_t component, std::size_t components, std::size_t count, bool normalized);
+
+    /// Places the elements; without this all are zero. Throws PartError unless they fit.
+    void place(std::span<const std::uint8_t> bytes, std::size_t offset, std::size_t stride);
+
+    /// Elements of `values` take the place of those that `indices` names. Throws PartError if one
+    /// is past the end.
+    void replace(const GltfAccessor& indices, const GltfAccessor& values);
+
+    [[nodiscard]] std::size_t count() const { return count_; }
+    [[nodiscard]] std::size_t components() const { return components_; }
+    [[nodiscard]] bool is_normalized() const { return normalized_; }
+    [[nodiscard]] std::size_t element_size() const { return component_size_ * components_; }
+
+    /// A component of an element; normalised integers in 0 .. 1 or -1 .. 1.
+    [[nodiscard]] float number(std::size_t element, std::size_t component) const;
+
+    /// An element of unsigned scalars. Throws PartError if they are none.
+    [[nodiscard]] std::uint32_t integer(std::size_t element) const;
+
+private:
+    [[nodiscard]] const std::uint8_t* at(std::size_t element) const;
+
+    std::span<const std::uint8_t> bytes_;
+    std::size_t count_;
+    std::size_t stride_ = 0;
+    std::size_t component_;
+    std::size_t component_size_;
+    std::size_t components_;
+    bool normalized_;
+    std::unordered_map<std::size_t, const std::uint8_t*> replaced_;
+};
+
+}  // namespace balcony::scene
