@@ -2,15 +2,15 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # Finds OpenImageIO and defines OpenImageIO_FOUND, OpenImageIO_VERSION and the target
-# OpenImageIO::OpenImageIO. Stands in for the CMake package of Debian's libopenimageio-dev, which
-# refers to a viewer (and with it Qt) and to OpenCV's headers, neither of which it brings along.
-# Installed beside balcony's own package file, which needs it too.
+# OpenImageIO::OpenImageIO. Replaces the CMake package of Debian's libopenimageio-dev, which
+# requires a viewer (and with it Qt) and OpenCV's headers without depending on their packages.
+# Installed with balcony's own package file, which needs it too.
 find_path(OpenImageIO_INCLUDE_DIR NAMES OpenImageIO/imageio.h)
 find_library(OpenImageIO_LIBRARY NAMES OpenImageIO)
 find_library(OpenImageIO_UTIL_LIBRARY NAMES OpenImageIO_Util)
 mark_as_advanced(OpenImageIO_INCLUDE_DIR OpenImageIO_LIBRARY OpenImageIO_UTIL_LIBRARY)
 
-# The header states its version as three macros.
+# The header defines its version as three macros.
 if(OpenImageIO_INCLUDE_DIR)
     set(OpenImageIO_VERSION "")
     foreach(part IN ITEMS MAJOR MINOR PATCH)

@@ -7,7 +7,7 @@ find_path(SLEEF_INCLUDE_DIR NAMES sleef.h)
 find_library(SLEEF_LIBRARY NAMES sleef)
 mark_as_advanced(SLEEF_INCLUDE_DIR SLEEF_LIBRARY)
 
-# The header states its version as three macros.
+# The header defines its version as three macros.
 if(SLEEF_INCLUDE_DIR)
     set(SLEEF_VERSION "")
     foreach(part IN ITEMS MAJOR MINOR PATCHLEVEL)

@@ -1,5 +1,5 @@
-# Every library from outside, found in one place. docs/dependencies.md says what each is for;
-# scripts/packages.txt names the Debian package that brings it.
+# Finds all external libraries. docs/dependencies.md explains the purpose of each;
+# scripts/packages.txt lists the Debian packages.
 list(APPEND CMAKE_MODULE_PATH "${CMAKE_CURRENT_LIST_DIR}")
 include("${CMAKE_CURRENT_LIST_DIR}/library_dependencies.cmake")
 

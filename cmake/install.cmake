@@ -1,12 +1,12 @@
-# cmake --install: the command, the public headers, one static library a layer, and what
-# find_package(balcony) needs. Headers in src/ are private and stay here.
+# cmake --install: the command, the public headers, one static library per layer, and the files that
+# find_package(balcony) needs. Headers in src/ are private and not installed.
 include(CMakePackageConfigHelpers)
 set(package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/balcony")
 
 get_property(layers GLOBAL PROPERTY BALCONY_LAYERS)
 list(REMOVE_ITEM layers balcony_cli)
 
-# balcony::balcony stands for all layers.
+# balcony::balcony is all layers.
 add_library(balcony_all INTERFACE)
 add_library(balcony::balcony ALIAS balcony_all)
 set_target_properties(balcony_all PROPERTIES EXPORT_NAME balcony)

@@ -1,7 +1,7 @@
 # balcony_layer(NAME SOURCES file... [USES layer...] [PRIVATE library...])
 #
 # One static library for one folder of src/. USES names the layers below that it may include;
-# PRIVATE names libraries from outside. tests/architecture holds the table of what is allowed.
+# PRIVATE names external libraries. tests/architecture has the table of allowed dependencies.
 function(balcony_layer name)
     cmake_parse_arguments(layer "" "" "SOURCES;USES;PRIVATE" ${ARGN})
     set(target balcony_${name})

@@ -1,6 +1,6 @@
-# The outside libraries that the layers are linked to, as find_package takes them, with the target
-# that each brings. The build reads this list, and so does an installed balcony: a static library
-# needs at link time what it was made of.
+# The external libraries of the layers, with their names for find_package and the target
+# that each defines. The build uses this list, and so does an installed balcony: a static library
+# needs its dependencies at link time.
 set(BALCONY_LIBRARY_DEPENDENCIES
     "Threads"             # Threads::Threads
     "fmt 9"               # fmt::fmt

@@ -1,5 +1,5 @@
-# How every target is compiled. Contraction of a*b + c into one rounding is off, so that the scalar
-# and the SIMD runner compute the same products and sums.
+# Compiler options of all targets. Contraction of a*b + c to a fused multiply-add is off, so that
+# the scalar and the SIMD runner compute the same products and sums.
 option(BALCONY_WERROR "Treat warnings as errors" OFF)
 option(BALCONY_BENCH "Build the benchmarks" ON)
 option(BALCONY_PCH "Precompile headers from outside" ON)
@@ -19,7 +19,7 @@ if(BALCONY_SANITIZE)
     target_link_options(balcony_options INTERFACE -fsanitize=${BALCONY_SANITIZE})
 endif()
 
-# ccache takes a precompiled header for what its text is, if told that this is enough.
+# Lets ccache identify a precompiled header by its text.
 find_program(BALCONY_CCACHE_PROGRAM ccache)
 mark_as_advanced(BALCONY_CCACHE_PROGRAM)
 if(BALCONY_CCACHE AND BALCONY_CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)

@@ -1,9 +1,9 @@
-# Headers from outside that most files include are read once, and not again for every file. A file
-# still includes what it uses: without them (BALCONY_PCH=OFF) everything compiles the same.
+# External headers that most files include are compiled once, not for every file. A file
+# still includes what it uses, so that everything compiles without them (BALCONY_PCH=OFF).
 
 # balcony_precompiled_headers(NAME HEADERS header... [LINKS library...] [POSITION_INDEPENDENT])
 #
-# Names a set of headers, which come from the libraries in LINKS. Targets that use a set are compiled
+# Defines a set of headers from the libraries in LINKS. Targets that use a set are compiled
 # with its flags: POSITION_INDEPENDENT as all layers are, or not, as programs are.
 function(balcony_precompiled_headers name)
     cmake_parse_arguments(set "POSITION_INDEPENDENT" "" "HEADERS;LINKS" ${ARGN})
@@ -19,11 +19,11 @@ function(balcony_precompiled_headers name)
     endif()
 endfunction()
 
-# balcony_use_precompiled_headers(TARGET NAME): the target takes the headers of that set.
+# balcony_use_precompiled_headers(TARGET NAME): the target uses that set.
 function(balcony_use_precompiled_headers target name)
     if(BALCONY_PCH)
         target_precompile_headers(${target} REUSE_FROM ${name}_headers)
-        # Defined here as there, or the compiler turns the set down.
+        # The definitions must match, or the compiler rejects the set.
         target_compile_definitions(${target} PRIVATE
             $<TARGET_PROPERTY:${name}_headers,COMPILE_DEFINITIONS>)
     endif()

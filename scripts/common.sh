@@ -1,7 +1,7 @@
 # Balcony: rendering through extended cameras.
 # SPDX-License-Identifier: Apache-2.0
 #
-# What every script starts with: strict mode, the repository as working folder, --help.
+# The common start of all scripts: strict mode, the repository as working folder, --help.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -10,7 +10,7 @@ say() {
     printf '%s: %s\n' "$(basename "$0")" "$*" >&2
 }
 
-# The help of a script is the comment that opens it.
+# The help of a script is the comment at its top.
 for argument in "$@"; do
     if [[ $argument == --help || $argument == -h ]]; then
         awk 'NR > 4 && !/^#/ { exit } NR > 4 { sub(/^# ?/, ""); print }' "scripts/$(basename "$0")"

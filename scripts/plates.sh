@@ -5,16 +5,16 @@
 #   camera.cam   its camera, unless the plate file names another
 #   README.md    a heading and a paragraph on what it shows
 #   plate        lines of a key and its value; a # opens a comment:
-#       scene   PROGRAM [OPTION...]   a program of plates/ that writes the scene to the file named last
+#       scene   PROGRAM [OPTION...]   a program in plates/ that writes the scene to a file
 #       render  [--OPTION VALUE...]   options for balcony render, each with a value
 build=build/release
 
-# plate_folder NUMBER: the folder of a plate, whether it was called 2 or 02.
+# plate_folder NUMBER: the folder of a plate, given as 2 or 02.
 plate_folder() {
     compgen -G "plates/$(printf '%02d' "$((10#$1))")-*"
 }
 
-# plate_value FOLDER KEY: what the plate file says of the key; empty if nothing.
+# plate_value FOLDER KEY: the value of a key in the plate file; empty if missing.
 plate_value() {
     sed -n "s/[[:space:]]*#.*//; s/^$2[[:space:]]\{1,\}//p" "$1/plate"
 }
@@ -36,7 +36,8 @@ plate_camera() {
     realpath --relative-to=. "$1/${camera:-camera.cam}"
 }
 
-# build_scene FOLDER: writes the scene of a plate, once for all plates that share it, and says where.
+# build_scene FOLDER: writes the scene of a plate, once for all plates that share it, and prints
+# its path.
 build_scene() {
     local words file
     read -ra words <<< "$(plate_value "$1" scene)"
@@ -48,7 +49,7 @@ build_scene() {
     printf '%s\n' "$file"
 }
 
-# render_plate FOLDER PICTURE [OPTION...]: renders a plate; the options replace its own of that name.
+# render_plate FOLDER PICTURE [OPTION...]: renders a plate; the options override its own.
 render_plate() {
     local folder=$1 picture=$2 given=("${@:3}") own options=() scene i
     read -ra own <<< "$(plate_value "$folder" render)"

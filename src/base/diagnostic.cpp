@@ -20,7 +20,7 @@ std::size_t columns(std::string_view text) {
         std::count_if(text.begin(), text.end(), [](char c) { return !continues_code_point(c); }));
 }
 
-// The place at or before an offset where a code point begins; among bytes that are no UTF-8, the
+// The start of the code point at or before an offset; for invalid UTF-8, the
 // offset itself.
 std::size_t code_point_begin(std::string_view text, std::size_t offset) {
     for (std::size_t back = 0; back < 4 && back <= offset; ++back) {
@@ -33,7 +33,7 @@ std::size_t code_point_begin(std::string_view text, std::size_t offset) {
 }
 
 // The line of a span with the span underlined; a span over several lines is underlined to the end
-// of its first. Only a window of a very long line is shown.
+// of its first. Of a very long line, only a part is shown.
 std::string excerpt(const SourceSpan& span) {
     const LineColumn place = span.source->locate(span.begin);
     const std::string_view line = span.source->line(place.line);

@@ -17,16 +17,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Process numbers are no help: processes in two containers that share a folder may have the same.
+// Process ids are not unique: processes in two containers that share a folder may have the same
+// one.
 std::uint64_t random_number() {
     static std::atomic<std::uint64_t> last = 0;
     std::uint64_t number = 0;
-    // Without a source of randomness each name is tried in turn.
+    // Without a source of randomness, tries names in sequence.
     return ::getentropy(&number, sizeof number) == 0 ? number : ++last;
 }
 
-// Makes a file that was not there before, so that no other writer has it, in this process, another
-// or on another machine. An empty name if it cannot be made, with the reason in errno.
+// Creates a file that did not exist before, so that no other writer has it, in this process,
+// another one or on another machine. Returns an empty name if this fails, with the reason in errno.
 fs::path make_beside(const fs::path& file) {
     constexpr int max_attempts = 1000;
     constexpr mode_t what_the_user_allows = 0666;
@@ -46,7 +47,7 @@ fs::path make_beside(const fs::path& file) {
     return {};
 }
 
-// A link is followed, so that what it points to is replaced and not the link.
+// Follows links, so that the target is replaced and not the link.
 fs::path resolved(const fs::path& file) {
     std::error_code failed;
     fs::path real = fs::weakly_canonical(file, failed);
@@ -58,8 +59,8 @@ fs::path folder_of(const fs::path& file) {
 }
 
 Diagnostic not_a_file(const fs::path& file) {
-    return error(fmt::format("'{}' is there and is not a file", file.string()), {},
-                 "name another file to write");
+    return error(fmt::format("'{}' exists and is not a regular file", file.string()), {},
+                 "choose another file name");
 }
 
 }  // namespace
@@ -71,14 +72,14 @@ Diagnostics OutputFile::check(const fs::path& file) {
     if (!fs::is_directory(folder, failed)) {
         return {error(
             fmt::format("there is no folder '{}' to write '{}' to", folder.string(), file.string()),
-            {}, "make the folder first, or name another one")};
+            {}, "create the folder first, or choose another one")};
     }
     if (fs::exists(real, failed) && !fs::is_regular_file(real, failed)) {
         return {not_a_file(file)};
     }
     if (::access(folder.c_str(), W_OK) != 0) {
         return {error(fmt::format("the folder '{}' cannot be written to", folder.string()), {},
-                      "name a file in a folder where you may write")};
+                      "choose a folder with write permission")};
     }
     return {};
 }

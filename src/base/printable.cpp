@@ -13,7 +13,7 @@ namespace {
 bool continues_code_point(char byte) { return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U; }
 
 struct CodePoint {
-    std::size_t length = 0;  // In bytes; 0 if the bytes are no UTF-8.
+    std::size_t length = 0;  // In bytes; 0 for invalid UTF-8.
     char32_t value = 0;
 };
 
@@ -43,8 +43,9 @@ struct CodeRange {
     char32_t first, last;
 };
 
-// What acts on a terminal, reorders or hides what it shows: control codes, and of Unicode's format
-// characters (general category Cf) and separators (Zl, Zp) those that have no glyph of their own.
+// Characters that control a terminal, or reorder or hide its text: control codes, and of Unicode's
+// format characters (general category Cf) and separators (Zl, Zp) those that have no glyph of their
+// own.
 constexpr std::array<CodeRange, 13> unprintable{{
     {0x0000, 0x001f},    // C0 controls, escape among them
     {0x007f, 0x009f},    // delete, C1 controls

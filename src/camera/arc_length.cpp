@@ -56,8 +56,8 @@ std::vector<double> lengths_up_to(const Speeds& speeds, std::span<const double> 
     return lengths;
 }
 
-// A slope that lets a cubic increase over a cell of that mean slope (Fritsch and Carlson 1980); it
-// may have been infinite.
+// Limits a slope so that a cubic increases over a cell of that mean slope (Fritsch and Carlson
+// 1980); it may have been infinite.
 double monotone(double slope, double mean_slope) { return std::min(slope, 3.0 * mean_slope); }
 
 }  // namespace
@@ -72,8 +72,8 @@ Knots parameter_by_length(const Speeds& speeds, double parameter_last, const End
     }
     const std::vector<double> length = lengths_up_to(speeds, parameter);
     const std::vector<double> speed = speeds(parameter);
-    // ... turned round: in each step the parameter is a cubic in the length, whose slopes at the
-    // ends are known, and the wanted knots are read off it.
+    // ... inverted: in each step the parameter is a cubic in the length, whose slopes at the
+    // ends are known. The requested knots are evaluated from it.
     Knots knots;
     std::size_t i = 0;
     for (std::size_t knot = 0; knot <= cells; ++knot) {

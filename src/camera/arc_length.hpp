@@ -9,7 +9,7 @@
 
 namespace balcony::camera {
 
-/// A smooth map of [0, 1] onto itself that spreads what lies near both ends, so that equal steps of
+/// A smooth map of [0, 1] onto itself that expands the parts near both ends, so that equal steps of
 /// the position are finest there: position = (1 + atanh(k (2 fraction - 1)) / atanh(k)) / 2 with
 /// the crowding k in [0, 1); 0 gives the identity.
 class EndGrading {
@@ -37,10 +37,10 @@ struct Knots {
 /// The speeds |dC/dparameter| of a curve at many parameters, none negative.
 using Speeds = std::function<std::vector<double>(std::span<const double> parameters)>;
 
-/// The parameter of the curve that runs over [0, parameter_last] with the given speeds, as a
-/// function of the graded fraction of its length; it increases throughout. Where the speed is
-/// smooth and not 0 the error falls with the fourth power of the number of cells; at the ends the
-/// speed may be singular if the grading crowds there.
+/// The parameter in [0, parameter_last] of a curve with the given speeds, as a
+/// monotonic function of the graded fraction of its length. Where the speed is
+/// smooth and not 0, the error decreases with the fourth power of the number of cells; at the ends
+/// the speed may be singular if the grading concentrates there.
 [[nodiscard]] Knots parameter_by_length(const Speeds& speeds, double parameter_last,
                                         const EndGrading& grading, std::size_t cells);
 

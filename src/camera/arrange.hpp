@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Points of pictures on their way through picture arrangers.
+// Applies picture arrangers to points of pictures.
 
 #include <array>
 #include <span>
@@ -14,7 +14,7 @@ namespace balcony::camera {
 /// Picture x and y in a picture of the given size in pixels.
 [[nodiscard]] PicturePoint whole_picture(Graph& graph, double width, double height);
 
-/// A point of the whole picture in the picture that the arrangers, outermost first, lead to.
+/// Maps a point of the whole picture to the image inside the arrangers, outermost first.
 [[nodiscard]] PicturePoint arranged(PicturePoint whole,
                                     std::span<const PictureArrangerPointer> arrangers,
                                     Emitter& emit);
@@ -23,14 +23,14 @@ namespace balcony::camera {
 [[nodiscard]] std::array<double, 2> arranged_size(std::span<const PictureArrangerPointer> arrangers,
                                                   double width, double height, double time);
 
-/// Whether a point lies in its picture, the border included.
+/// Whether a point is in its picture, including the border.
 [[nodiscard]] Expr inside(const PicturePoint& picture);
 
 /// The point of the picture that is nearest.
 [[nodiscard]] PicturePoint clamped(const PicturePoint& picture);
 
-/// Where a point of the arranged picture, in fractions of it from its top left corner, lies in the
-/// whole: arrange() inverted by Newton's method from the middle of the whole, which is exact where
+/// The position of a point of the arranged image, in fractions from its top left corner, in the
+/// whole picture: inverts arrange() by Newton's method from the centre, which is exact if
 /// the arrangers are affine.
 [[nodiscard]] DevicePoint find_arranged(const PictureSize& whole,
                                         std::span<const PictureArrangerPointer> arrangers,

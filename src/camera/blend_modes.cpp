@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// The names of the blend modes, and what they do. The meanings take colours from 0, black, to 1.
+// Names and descriptions of the blend modes, for colours from 0 (black) to 1.
 
 #include <algorithm>
 
@@ -18,28 +18,28 @@ struct BlendModeRow {
 };
 
 constexpr std::array rows = {
-    BlendModeRow{BlendMode::normal, "normal", "the layer covers what is below"},
+    BlendModeRow{BlendMode::normal, "normal", "the layer covers the backdrop"},
     BlendModeRow{BlendMode::multiply, "multiply",
-                 "the product with what is below, never lighter than either"},
+                 "the product of layer and backdrop, never lighter than either"},
     BlendModeRow{BlendMode::screen, "screen",
-                 "the two as lights on one screen, never darker than either"},
+                 "the inverse of the product of the inverses, never darker than either"},
     BlendModeRow{BlendMode::overlay, "overlay",
-                 "multiplies where it is dark below, screens where it is light"},
+                 "multiplies where the backdrop is dark, screens where it is light"},
     BlendModeRow{BlendMode::darken, "darken", "the darker of the two, channel by channel"},
     BlendModeRow{BlendMode::lighten, "lighten", "the lighter of the two, channel by channel"},
     BlendModeRow{BlendMode::color_dodge, "color_dodge",
-                 "what is below made brighter, the more so the lighter the layer"},
+                 "brightens the backdrop, more strongly for a lighter layer"},
     BlendModeRow{BlendMode::color_burn, "color_burn",
-                 "what is below made darker, the more so the darker the layer"},
+                 "darkens the backdrop, more strongly for a darker layer"},
     BlendModeRow{BlendMode::hard_light, "hard_light",
                  "multiplies where the layer is dark, screens where it is light"},
     BlendModeRow{BlendMode::soft_light, "soft_light",
-                 "makes what is below a little darker or lighter, as the layer is dark or light"},
+                 "slightly darkens or lightens the backdrop, depending on the layer"},
     BlendModeRow{BlendMode::difference, "difference",
-                 "how far the two lie apart, channel by channel"},
-    BlendModeRow{BlendMode::exclusion, "exclusion", "as difference, with less contrast"},
+                 "the absolute difference of the two, channel by channel"},
+    BlendModeRow{BlendMode::exclusion, "exclusion", "like difference, with less contrast"},
     BlendModeRow{BlendMode::add, "add", "the sum of the two"},
-    BlendModeRow{BlendMode::subtract, "subtract", "what is below less the layer"},
+    BlendModeRow{BlendMode::subtract, "subtract", "the backdrop minus the layer"},
 };
 
 }  // namespace

@@ -41,14 +41,14 @@ ObjectVector cross(const ObjectVector& a, const ObjectVector& b) {
 namespace {
 
 void check_path(const Path& path, std::string_view object, const std::string& camera,
-                Diagnostics& said) {
+                Diagnostics& diagnostics) {
     if (!path.mapper) {
-        said.push_back(error(
+        diagnostics.push_back(error(
             fmt::format("camera '{}' has no picture mapper for its {} object", camera, object), {},
             "add: map u = ... .. ..., v = ... .. ..."));
     }
     if (!path.generator) {
-        said.push_back(error(fmt::format("camera '{}' has no {} object", camera, object)));
+        diagnostics.push_back(error(fmt::format("camera '{}' has no {} object", camera, object)));
     }
 }
 
@@ -75,44 +75,45 @@ RayFootprint footprint(const RayExpressions& ray) {
 
 Result<Camera> Camera::make(Parts parts) {
     const std::string name = parts.name;
-    Diagnostics said;
-    check_path(parts.eye, "eye", parts.name, said);
+    Diagnostics diagnostics;
+    check_path(parts.eye, "eye", parts.name, diagnostics);
     if (parts.toward) {
-        check_path(*parts.toward, "direction", parts.name, said);
+        check_path(*parts.toward, "direction", parts.name, diagnostics);
     }
     if (!parts.look) {
-        said.push_back(error(fmt::format("camera '{}' has no direction rule", parts.name)));
+        diagnostics.push_back(error(fmt::format("camera '{}' has no direction rule", parts.name)));
     } else {
         const int minimum = parts.look->min_eye_dimension();
         if (parts.eye.generator && parts.eye.generator->dimension() < minimum) {
-            said.push_back(error(
+            diagnostics.push_back(error(
                 fmt::format("the direction rule of camera '{}' needs a {} as eye object, but has "
                             "a {}",
                             parts.name, minimum == 2 ? "surface" : "curve or surface",
                             parts.eye.generator->dimension() == 1 ? "curve" : "point"),
-                {}, "take another eye object, or add a direction object with: toward ..."));
+                {}, "use another eye object, or add a direction object with: toward ..."));
         }
         if (parts.look->needs_direction_object() && !parts.toward) {
-            said.push_back(error(fmt::format("camera '{}' has no direction object", parts.name), {},
-                                 "add: toward ..."));
+            diagnostics.push_back(
+                error(fmt::format("camera '{}' has no direction object", parts.name), {},
+                      "add: toward ..."));
         }
         if (parts.toward && !parts.look->needs_direction_object()) {
-            said.push_back(warning(
+            diagnostics.push_back(warning(
                 fmt::format(
                     "camera '{}' has a direction object that its direction rule does not use",
                     parts.name),
-                {}, "leave out toward, or take: look relative"));
+                {}, "remove toward, or use: look relative"));
             parts.toward.reset();
         }
     }
     if (!(parts.aspect > 0.0 && std::isfinite(parts.aspect))) {
-        said.push_back(
-            error(fmt::format("camera '{}' has the aspect {}, which is no positive number",
+        diagnostics.push_back(
+            error(fmt::format("camera '{}' has the aspect {}, which is not a positive number",
                               parts.name, parts.aspect),
-                  {}, "write width by height of the picture, such as 16/9"));
+                  {}, "write the width of the picture divided by its height, such as 16/9"));
     }
-    if (has_errors(said)) {
-        return said;
+    if (has_errors(diagnostics)) {
+        return diagnostics;
     }
     std::shared_ptr<const Emitted> emitted;
     try {
@@ -121,10 +122,10 @@ Result<Camera> Camera::make(Parts parts) {
         // It did not even fit into a graph.
     }
     if (!emitted || emitted->graph.size() > max_operations_of_camera) {
-        said.push_back(too_large("camera", name, max_operations_of_camera));
-        return said;
+        diagnostics.push_back(too_large("camera", name, max_operations_of_camera));
+        return diagnostics;
     }
-    return {Camera(std::move(emitted)), std::move(said)};
+    return {Camera(std::move(emitted)), std::move(diagnostics)};
 }
 
 namespace {
@@ -171,7 +172,7 @@ RayExpressions Camera::emit(const PicturePoint& whole) const {
     Graph& graph = whole.size.width.graph();
     Emitter emit(graph);
     const PicturePoint picture = arranged(whole, parts().arrangers, emit);
-    // In a layer with a soft edge the camera goes on beyond its picture, as far as it fills it.
+    // In a layer with a soft edge, the camera extends beyond its image where it is defined.
     if (!parts().arrangers.empty()) {
         emit.require(inside(arranged(clamped(whole), parts().arrangers, emit)));
     }

@@ -59,7 +59,7 @@ const Arguments::Value* Arguments::find(std::string_view name) const {
 
 const Arguments::Value& Arguments::value(std::string_view name) const {
     const Value* given = find(name);
-    assert(given != nullptr && "a maker asks only for parameters of its row");
+    assert(given != nullptr && "a maker uses only parameters of its row");
     return *given;
 }
 

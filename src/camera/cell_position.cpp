@@ -11,7 +11,7 @@ namespace balcony::camera {
 bool CellPosition::equally_spaced(std::span<const double> breaks) {
     const auto cells = static_cast<double>(breaks.size() - 1);
     for (std::size_t i = 0; i < breaks.size(); ++i) {
-        // Knots that were meant to be equal are off by the rounding of their sum.
+        // Equally spaced knots differ by the rounding of their sums.
         if (std::fabs(breaks[i] * cells - static_cast<double>(i)) > 1e-12 * cells) {
             return false;
         }

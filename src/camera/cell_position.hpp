@@ -9,10 +9,10 @@
 
 namespace balcony::camera {
 
-/// From a parameter in [0, 1] to the position among cells of any widths: the number of the cell and
-/// the fraction of it. Tables have equal cells; this is what puts a spline with unequal knots into
-/// them. Piecewise linear and exact, and so are its derivatives. It costs a search by table, the
-/// same for any number of cells.
+/// Maps a parameter in [0, 1] to the position among cells of any widths: the number of the cell and
+/// the fraction of it. Tables have equal cells; this map allows a spline with unequal knots in
+/// them. It is piecewise linear and exact, and so are its derivatives. Its cost is a table look-up,
+/// the same for any number of cells.
 class CellPosition {
 public:
     /// The breaks increase from 0 to 1. Unless they are equally spaced, no cell may be narrower
@@ -20,7 +20,7 @@ public:
     CellPosition(std::span<const double> breaks, bool closed);
     static constexpr double narrowest_cell = 1.0 / 16384.0;
 
-    /// Where the parameter goes round; outside an open range there is no ray.
+    /// Wraps a periodic parameter; outside an open range there is no ray.
     [[nodiscard]] Expr operator()(Expr parameter, Emitter& emit) const;
 
     /// Whether the breaks are equal up to rounding.
@@ -32,12 +32,12 @@ private:
 
     double cells_;
     bool closed_;
-    // For unequal cells, over buckets so narrow that none holds two breaks: the break in the
+    // For unequal cells, over buckets so narrow that none contains two breaks: the break in the
     // bucket, and the position on either side of it. Null for equal cells.
     TablePointer break_, before_, behind_;
 };
 
-/// `parameter` minus its whole part if closed; else itself, and no ray outside [0, 1].
+/// `parameter` minus its integer part if closed; otherwise itself, with no ray outside [0, 1].
 [[nodiscard]] Expr within_unit_range(Expr parameter, bool closed, Emitter& emit);
 
 }  // namespace balcony::camera

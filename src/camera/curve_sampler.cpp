@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t batch = 64;
 
-// The value of a node that is no leaf for `count` points, each of whose arguments stands at the
+// Computes a node that is not a leaf for `count` points, with its arguments at the
 // pointers.
 void evaluate(const Graph& graph, const expr::Node& node, const double* const* arguments,
               std::size_t count, double* results) {
@@ -40,7 +40,7 @@ double norm(const Vector3& v) { return std::hypot(v[0], v[1], v[2]); }
 
 bool at_same_point(const CurveSample& a, const CurveSample& b) {
     const Vector3 apart{b.point[0] - a.point[0], b.point[1] - a.point[1], b.point[2] - a.point[2]};
-    // Parameters such as 360deg are off by a rounding, and so is what is computed from them.
+    // Parameters such as 360deg have a rounding error, and so have values computed from them.
     return norm(apart) <= 1e-9 * (norm(a.point) + norm(a.velocity));
 }
 
@@ -63,8 +63,8 @@ Result<CurveSampler> CurveSampler::make(const ObjectGenerator& curve, Derivative
     for (std::size_t i = 0; i < made.nodes_.size(); ++i) {
         made.places_[made.nodes_[i].value()] = i;
         if (graph[made.nodes_[i]].op == expr::Op::input) {
-            return error("a curve whose course is tabulated cannot change with time", {},
-                         "take t out of the curve; what stands outside of it may use t");
+            return error("a tabulated curve cannot change with time", {},
+                         "remove t from the curve; use it outside of the curve");
         }
     }
     return made;

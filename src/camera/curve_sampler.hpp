@@ -12,18 +12,18 @@ namespace balcony::camera {
 
 using Vector3 = std::array<double, 3>;
 
-/// A point of a curve with derivatives by its parameter. Not a number where there is no point.
+/// A point of a curve with derivatives by its parameter. NaN where there is no point.
 struct CurveSample {
     Vector3 point{};
     Vector3 velocity{};
-    Vector3 acceleration{};  ///< Only if asked for.
+    Vector3 acceleration{};  ///< Only if requested.
 };
 
 [[nodiscard]] double norm(const Vector3& v);
-/// Whether two samples are at the same point, but for rounding.
+/// Whether two samples are at the same point, up to rounding.
 [[nodiscard]] bool at_same_point(const CurveSample& a, const CurveSample& b);
 
-/// A curve as numbers, for stages that make tables from it.
+/// Samples a curve, for stages that make tables from it.
 class CurveSampler {
 public:
     enum class Derivatives : std::uint8_t { first, second };
@@ -39,9 +39,9 @@ private:
     void run(std::span<const double> parameters, std::span<double> values) const;
 
     std::shared_ptr<Graph> graph_ = std::make_shared<Graph>();
-    std::vector<Expr> roots_;  ///< Point, velocity, acceleration; last, whether it is there.
+    std::vector<Expr> roots_;          ///< Point, velocity, acceleration, and last the validity.
     std::vector<expr::NodeId> nodes_;  ///< All that the roots need, arguments first.
-    std::vector<std::size_t> places_;  ///< By node: where it stands in nodes_.
+    std::vector<std::size_t> places_;  ///< By node: its index in nodes_.
 };
 
 }  // namespace balcony::camera

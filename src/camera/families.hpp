@@ -25,8 +25,8 @@ Result<std::shared_ptr<const Stage>> as_stage(Result<std::shared_ptr<const Port>
     return {std::move(*made), std::move(made.diagnostics)};
 }
 
-// Each family of stages stands in a file of its own with the rows of the catalogue that make them.
-// A new stage is a class and a row in its family's file; a new family is a line here as well.
+// Each family of stages has its own file, with its rows of the catalogue.
+// A new stage needs a class and a row in its family's file; a new family also needs a line here.
 [[nodiscard]] std::vector<StageEntry> picture_affine();
 [[nodiscard]] std::vector<StageEntry> picture_warps();
 [[nodiscard]] std::vector<StageEntry> clip_shapes();

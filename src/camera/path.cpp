@@ -31,8 +31,8 @@ ObjectVector differentiate(const ObjectPoint& p, Expr leaf) {
     return {slopes[0], slopes[1], slopes[2]};
 }
 
-// Normals are moved by the cofactors of the object transformers' derivative, as cross products of
-// tangents are: n' = (Jy x Jz, Jz x Jx, Jx x Jy) n, with Jx the derivative by x.
+// Normals are transformed by the cofactors of the object transformers' Jacobian, like cross
+// products of tangents are: n' = (Jy x Jz, Jz x Jx, Jx x Jy) n, with Jx the derivative by x.
 ObjectVector moved_normal(const Path& path, const ObjectPoint& at, const ObjectVector& normal,
                           Emitter& emit) {
     Graph& graph = emit.graph();
@@ -53,8 +53,9 @@ ObjectVector moved_normal(const Path& path, const ObjectPoint& at, const ObjectV
 
 }  // namespace
 
-// The object is made on free parameters (u, v) first, so that its tangents are derivatives by its
-// own parameters, whatever the mapper and the parameter transformers do; then these are put in.
+// The object is first emitted with free parameters (u, v), so that its tangents are derivatives
+// with respect to its own parameters, independent of the mapper and the parameter transformers;
+// then these are substituted.
 PathPoint Path::emit(const PicturePoint& picture, Emitter& emit) const {
     Graph& graph = emit.graph();
     const Expr u = graph.fresh_variable();

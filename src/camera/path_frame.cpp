@@ -33,7 +33,7 @@ Vector3 reflected(const Vector3& a, const Vector3& mirror_normal) {
     return a - (2.0 * dot(mirror_normal, a) / dot(mirror_normal, mirror_normal)) * mirror_normal;
 }
 
-/// A place on the path, with derivatives by the part of the way.
+/// A point on the path, with derivatives with respect to the fraction of the way.
 struct Place {
     Vector3 point;
     Vector3 tangent;  ///< Unit length.
@@ -42,7 +42,7 @@ struct Place {
 
 constexpr std::size_t min_cells = 256;
 constexpr std::size_t max_cells = 4096;
-/// Up to this angle in radians between its ends a cubic follows the frame in a cell to 1e-6.
+/// Up to this angle in radians between its ends, a cubic approximates the frame in a cell to 1e-6.
 constexpr double max_turn = 0.1;
 constexpr std::size_t max_corners = max_cells / 16;
 
@@ -62,12 +62,12 @@ Result<std::vector<Place>> places_on(const CurveSampler& path, double from, doub
         const double speed = norm(sample.velocity);
         if (std::isnan(norm(sample.point))) {
             return error(fmt::format("the path has no point at its parameter {:.6g}", parameter),
-                         {}, "let from and to be parameters between which the path is defined");
+                         {}, "choose from and to such that the path is defined between them");
         }
         if (!(speed > 0.0) || !std::isfinite(norm(sample.acceleration) / speed)) {
             return error(
                 fmt::format("the path has no direction at its parameter {:.6g}", parameter), {},
-                "take another parametrisation of it, or one that avoids the place");
+                "use another parametrisation, or a range without this point");
         }
         const Vector3 tangent = unit(sample.velocity);
         places.push_back(
@@ -80,8 +80,8 @@ double angle_between(const Vector3& unit_a, const Vector3& unit_b) {
     return 2.0 * std::asin(std::min(1.0, 0.5 * norm(unit_b - unit_a)));
 }
 
-/// Places so close that the path hardly turns between two of them. Corners, where it always does,
-/// are borne as long as they are few.
+/// Samples so dense that the path hardly turns between two of them. Corners, where it always does,
+/// are accepted if there are few.
 Result<std::vector<Place>> fine_places_on(const CurveSampler& path, double from, double to) {
     for (std::size_t cells = min_cells;; cells *= 2) {
         Result<std::vector<Place>> places = places_on(path, from, to, cells);
@@ -98,7 +98,7 @@ Result<std::vector<Place>> fine_places_on(const CurveSampler& path, double from,
         }
         if (cells == max_cells) {
             return error(fmt::format("the path turns too much for a frame of {} steps", max_cells),
-                         {}, "sweep along parts of it, with from and to");
+                         {}, "sweep along parts of the path, with from and to");
         }
     }
 }
@@ -113,12 +113,13 @@ Vector3 transported(const Vector3& up, const Place& here, const Place& next) {
     return unit(across(reflected(up_half, next.tangent - tangent_half), next.tangent));
 }
 
-/// The angle about the tangent that leads from one vector across it to another.
+/// The angle about the tangent from one perpendicular vector to another.
 double angle_about(const Vector3& tangent, const Vector3& from, const Vector3& to) {
     return std::atan2(dot(cross(from, to), tangent), dot(from, to));
 }
 
-/// The part of `wished` across the path, or of another axis if the path goes along that one.
+/// The component of `wished` perpendicular to the path, or of another axis if the path is parallel
+/// to it.
 Vector3 first_up(const Vector3& wished, const Vector3& tangent) {
     Vector3 up = across(unit(wished), tangent);
     for (const Vector3& axis : {Vector3{1.0, 0.0, 0.0}, Vector3{0.0, 1.0, 0.0}}) {
@@ -146,9 +147,9 @@ Result<PathFrame> rotation_minimising_frame(const ObjectGenerator& path, double 
     std::vector<Vector3> ups{first_up(up, places->front().tangent)};
     for (std::size_t i = 0; i < cells; ++i) {
         if ((*places)[i + 1].point == (*places)[i].point) {
-            return error(fmt::format("the path stands still at its parameter {:.6g}",
+            return error(fmt::format("the path has no velocity at its parameter {:.6g}",
                                      std::lerp(from, to, part(i, cells))),
-                         {}, "let from and to be parameters between which the path goes on");
+                         {}, "choose from and to such that the path moves between them");
         }
         ups.push_back(transported(ups.back(), (*places)[i], (*places)[i + 1]));
     }

@@ -46,64 +46,67 @@ Extent extent(const Picture::Parts& parts) {
     return all;
 }
 
-// What is known of a number before there is a time.
+// The value of a number if it does not depend on time.
 bool known_outside(const Scalar& value, double minimum, double maximum) {
     const auto known = value.constant();
     return known && !(minimum <= *known && *known <= maximum);
 }
 
-void check_stroke(const Stroke& stroke, const std::string& layer, Diagnostics& said) {
+void check_stroke(const Stroke& stroke, const std::string& layer, Diagnostics& diagnostics) {
     if (known_outside(stroke.width, 0.0, 1.0)) {
-        said.push_back(error(fmt::format("a line of layer '{}' is not from 0 to 1 wide", layer), {},
-                             "its width is a fraction of the picture's height, such as 0.004"));
+        diagnostics.push_back(
+            error(fmt::format("the width of a line of layer '{}' is not from 0 to 1", layer), {},
+                  "the width is a fraction of the picture's height, such as 0.004"));
     }
 }
 
-void check_layer(const Layer& layer, Diagnostics& said) {
+void check_layer(const Layer& layer, Diagnostics& diagnostics) {
     if (known_outside(layer.alpha, 0.0, 1.0)) {
-        said.push_back(error(fmt::format("the alpha of layer '{}' is not from 0 to 1", layer.name),
-                             {}, "0 is transparent, 1 opaque"));
+        diagnostics.push_back(
+            error(fmt::format("the alpha of layer '{}' is not from 0 to 1", layer.name), {},
+                  "0 is transparent, 1 is opaque"));
     }
     if (known_outside(layer.softness, 0.0, 1.0)) {
-        said.push_back(
-            error(fmt::format("the soft edge of layer '{}' is not from 0 to 1 wide", layer.name),
-                  {}, "it is a fraction of the layer's height, such as 0.05"));
+        diagnostics.push_back(error(
+            fmt::format("the width of the soft edge of layer '{}' is not from 0 to 1", layer.name),
+            {}, "the width is a fraction of the layer's height, such as 0.05"));
     }
     if (layer.frame) {
-        check_stroke(*layer.frame, layer.name, said);
+        check_stroke(*layer.frame, layer.name, diagnostics);
     }
     for (const Leader& leader : layer.leaders) {
-        check_stroke(leader.stroke, layer.name, said);
+        check_stroke(leader.stroke, layer.name, diagnostics);
     }
 }
 
-void check_extent(const Picture::Parts& parts, Diagnostics& said) {
+void check_extent(const Picture::Parts& parts, Diagnostics& diagnostics) {
     const Extent all = extent(parts);
     if (all.layers == 0) {
-        said.push_back(error(fmt::format("picture '{}' has no layers", parts.name), {},
-                             "add one with: layer NAME"));
+        diagnostics.push_back(error(fmt::format("picture '{}' has no layers", parts.name), {},
+                                    "add one with: layer NAME"));
     }
     if (all.layers > max_layers) {
-        said.push_back(
-            error(fmt::format("picture '{}' has {} layers, those of its pictures "
-                              "included; {} are allowed",
+        diagnostics.push_back(
+            error(fmt::format("picture '{}' has {} layers, including those of nested pictures; "
+                              "the maximum is {}",
                               parts.name, all.layers, max_layers)));
     }
     if (all.depth > max_nested_pictures) {
-        said.push_back(error(fmt::format("picture '{}' nests pictures {} deep; {} are allowed",
-                                         parts.name, all.depth, max_nested_pictures)));
+        diagnostics.push_back(
+            error(fmt::format("picture '{}' nests pictures {} levels deep; the maximum is {}",
+                              parts.name, all.depth, max_nested_pictures)));
     }
 }
 
 // ----------------------------------------------------------------------------------- elements
 
-/// From 0 to 1, a pixel wide, where a distance in pixels passes 0.
+/// A ramp from 0 to 1, one pixel wide, centred where a distance in pixels is 0.
 Expr antialiased(Expr distance, const Emitter& emit) {
     return min(max(0.5 - distance, emit(0.0)), emit(1.0));
 }
 
-/// A distance as measured in the layer's picture in pixels of the whole one: to first order, the
-/// distance by the length of its gradient. Where there is none it stays.
+/// Converts a distance in the layer's image to pixels of the whole picture: to first order, the
+/// distance divided by the length of its gradient. Without a gradient it is unchanged.
 Expr in_device_pixels(Expr distance, const PicturePoint& layer, Emitter& emit) {
     Graph& graph = emit.graph();
     const std::array leaves{graph.picture_x(), graph.picture_y()};
@@ -130,7 +133,7 @@ Element painted(Expr coverage, const Stroke& stroke, const Emitter& emit) {
     return element;
 }
 
-/// The four corners of a rectangle, with the side they lie on: -1 for left and top, 1 for right and
+/// The four corners of a rectangle, with their sides: -1 for left and top, 1 for right and
 /// bottom.
 struct Corner {
     double side_x, side_y;
@@ -138,7 +141,7 @@ struct Corner {
 constexpr std::array corners = {Corner{-1.0, -1.0}, Corner{1.0, -1.0}, Corner{-1.0, 1.0},
                                 Corner{1.0, 1.0}};
 
-/// The distance of a point from the line between two others, which ends at them.
+/// The distance of a point from the segment between two others.
 Expr segment_distance(const DevicePoint& p, const DevicePoint& a, const DevicePoint& b,
                       const Emitter& emit) {
     const Expr to_x = b.x - a.x;
@@ -206,7 +209,7 @@ private:
         }
     }
 
-    // A layer that nothing clips or moves covers all, and costs nothing to tell so.
+    // A layer without clip and arrangers covers everything; its coverage is the constant 1.
     static Expr coverage(const Layer& layer, const ClipShape& clip, const PicturePoint& own,
                          Emitter& emit) {
         if (!layer.clip && layer.arrangers.empty() && layer.softness.constant() == 0.0) {
@@ -216,7 +219,7 @@ private:
         return select(emit.valid(), shape, emit(0.0));
     }
 
-    // The frame of the region and the lines to it, which end where the layer begins.
+    // The outline of the region and the lines to it, which end at the layer.
     static Element leader_element(const Leader& leader, const Layer& layer, const ClipShape& clip,
                                   Expr layer_edge, const PicturePoint& whole, Emitter& emit) {
         const auto& [point, size] = whole;
@@ -277,33 +280,33 @@ bool is_too_large(const Picture& picture) {
 }  // namespace
 
 Result<Picture> Picture::make(Parts parts) {
-    Diagnostics said;
-    check_extent(parts, said);
+    Diagnostics diagnostics;
+    check_extent(parts, diagnostics);
     for (const Layer& layer : parts.layers) {
-        check_layer(layer, said);
+        check_layer(layer, diagnostics);
     }
     if (parts.size && ((*parts.size)[0] == 0 || (*parts.size)[1] == 0)) {
-        said.push_back(error(fmt::format("picture '{}' has no pixels", parts.name), {},
-                             "write its width and height, such as 1920 x 1080"));
+        diagnostics.push_back(error(fmt::format("picture '{}' has no pixels", parts.name), {},
+                                    "write its width and height, such as 1920 x 1080"));
     } else if (parts.size) {
         parts.aspect =
             static_cast<double>((*parts.size)[0]) / static_cast<double>((*parts.size)[1]);
     }
     if (!(parts.aspect > 0.0 && std::isfinite(parts.aspect))) {
-        said.push_back(
-            error(fmt::format("picture '{}' has the aspect {}, which is no positive number",
+        diagnostics.push_back(
+            error(fmt::format("picture '{}' has the aspect {}, which is not a positive number",
                               parts.name, parts.aspect),
-                  {}, "write width by height of the picture, such as 16/9"));
+                  {}, "write the width of the picture divided by its height, such as 16/9"));
     }
-    if (has_errors(said)) {
-        return said;
+    if (has_errors(diagnostics)) {
+        return diagnostics;
     }
     Picture made(std::move(parts));
     if (is_too_large(made)) {
-        said.push_back(too_large("picture", made.name(), max_operations_of_picture));
-        return said;
+        diagnostics.push_back(too_large("picture", made.name(), max_operations_of_picture));
+        return diagnostics;
     }
-    return {std::move(made), std::move(said)};
+    return {std::move(made), std::move(diagnostics)};
 }
 
 const Camera* Picture::only_camera() const {

@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// Picture mappers, DCS → PCS: what the picture covers of the parameters.
+// Picture mappers, DCS → PCS: the part of parameter space that the picture covers.
 
 #include "camera/families.hpp"
 
@@ -33,8 +33,8 @@ private:
     Scalar u_first_, u_last_, v_first_, v_last_;
 };
 
-/// One parameter over its range, the other symmetric about 0 and as many units a pixel, so that
-/// the parameter plane is not stretched in a picture of any proportion. It counts to the right or
+/// One parameter over its range, the other symmetric about 0 with the same units per pixel, so that
+/// the parameter plane is not stretched for any aspect ratio. It increases to the right or
 /// upwards.
 class SquareMapper final : public PictureMapper {
 public:
@@ -91,7 +91,8 @@ camera temperate {
 )"},
         {kind,
          "square_v",
-         "u = a .. b, v = square: v is 0 in the middle and grows upwards, with u's units a pixel",
+         "u = a .. b, v = square: v is 0 in the middle and increases upwards, with u's units per "
+         "pixel",
          {edge("u_first", "u at the left edge"), edge("u_last", "u at the right edge")},
          [](const Arguments& a) {
              return made<SquareMapper>(SquareMapper::Given::u, a.number("u_first"),
@@ -100,7 +101,7 @@ camera temperate {
          {},
          0,
          R"(
-// 90 degrees in width, and in height as many as make a degree one size in both.
+// 90 degrees in width, and the same number of pixels per degree in height.
 camera wide {
     map    u = 45deg .. -45deg, v = square
     eye    point
@@ -109,7 +110,8 @@ camera wide {
 )"},
         {kind,
          "square_u",
-         "u = square, v = a .. b: u is 0 in the middle and grows to the right, with v's units a "
+         "u = square, v = a .. b: u is 0 in the middle and increases to the right, with v's units "
+         "per "
          "pixel",
          {edge("v_first", "v at the bottom edge"), edge("v_last", "v at the top edge")},
          [](const Arguments& a) {
@@ -119,8 +121,8 @@ camera wide {
          {},
          0,
          R"(
-// 60 degrees in height, and in width as many as make a degree one size in both. Longitudes grow to
-// the left, so u is turned round.
+// 60 degrees in height, and the same number of pixels per degree in width. Longitudes increase to
+// the left, so u is reversed.
 camera high {
     map    u = square, v = -30deg .. 30deg
     warp   scale((-1, 1))

@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// Which cameras a picture shows, and where.
+// The cameras that a picture shows, and their positions.
 
 #include <algorithm>
 
@@ -14,7 +14,7 @@ namespace balcony::camera {
 
 namespace {
 
-// `count` is of all camera layers so far.
+// `count` is the number of camera layers so far.
 void add_layers(const Picture& picture, const ShownCamera::Place& whole, std::size_t& count,
                 std::vector<ShownCamera>& made) {
     std::size_t number = 0;

@@ -57,8 +57,9 @@ Local powers_from_bernstein(Local b, std::size_t degree) {
 
 class BSpline final : public Spline {
 public:
-    /// From knot number `degree` on, the spline is defined up to the knot that has as many behind
-    /// it; there it is brought to [0, 1]. Points go round, beginning with the one of that number.
+    /// The spline is defined from knot number `degree` to the knot with the same number of knots
+    /// after it; this range is mapped to [0, 1]. Points are used periodically, starting with that
+    /// number.
     BSpline(std::vector<double> knots, std::size_t degree, bool closed, std::size_t first_point = 0)
         : Spline(breaks_of(knots, degree), degree, closed),
           knots_(std::move(knots)),
@@ -90,7 +91,7 @@ private:
         return breaks;
     }
 
-    // The Bernstein coefficients of a span are its blossom at the two ends in every mixture.
+    // The Bernstein coefficients of a span are its blossom at all combinations of its two ends.
     Local cell_coefficients(std::span<const double> values, std::size_t span) const {
         Local points{};
         for (std::size_t i = 0; i <= degree(); ++i) {
@@ -110,7 +111,7 @@ private:
     std::size_t first_point_;
 };
 
-/// How many knots there are for points that do not go round.
+/// The number of knots for an open spline.
 std::size_t knot_count(std::size_t points, std::size_t degree) { return points + degree + 1; }
 
 std::vector<double> equal_knots(std::size_t points, std::size_t degree, SplineEnds ends) {
@@ -123,26 +124,26 @@ std::vector<double> equal_knots(std::size_t points, std::size_t degree, SplineEn
     return knots;
 }
 
-/// What is wrong with knots that a user gave, if anything.
+/// The error of knots given by a user, if any.
 std::optional<Diagnostic> fault_of(std::span<const double> knots, std::size_t points,
                                    std::size_t degree) {
     const std::size_t count = knot_count(points, degree);
     if (knots.size() != count) {
-        return error(fmt::format("{} points of degree {} have {} knots, not {}", points, degree,
+        return error(fmt::format("{} points of degree {} need {} knots, not {}", points, degree,
                                  count, knots.size()),
-                     {}, "give as many knots as there are points, and the degree and 1 more");
+                     {}, "the number of knots is the number of points plus the degree plus 1");
     }
     if (!std::is_sorted(knots.begin(), knots.end())) {
-        return error("knots must not decrease", {}, "put them in order");
+        return error("knots must not decrease", {}, "sort them");
     }
     for (std::size_t i = 1; i + degree + 1 < knots.size(); ++i) {
         if (knots[i] == knots[i + degree]) {
-            return error(fmt::format("the knot {} stands more than {} times, which would break the "
-                                     "spline there",
-                                     knots[i], degree),
-                         {},
-                         fmt::format("let a knot stand at most {} times, and once more at the ends",
-                                     degree));
+            return error(
+                fmt::format("the knot {} occurs more than {} times, which would break the "
+                            "spline there",
+                            knots[i], degree),
+                {},
+                fmt::format("repeat a knot at most {} times, or once more at the ends", degree));
         }
     }
     return std::nullopt;
@@ -161,7 +162,7 @@ Result<SplinePointer> make_bspline(std::size_t points, std::size_t degree, Splin
     const bool closed = ends == SplineEnds::closed;
     if (!knots.empty() && closed) {
         return error("a closed spline has equally spaced knots", {},
-                     "leave out the knots, or repeat the first points at the end and take ends = "
+                     "remove the knots, or repeat the first points at the end and use ends = "
                      "open");
     }
     if (!knots.empty()) {
@@ -171,22 +172,22 @@ Result<SplinePointer> make_bspline(std::size_t points, std::size_t degree, Splin
     }
     std::vector<double> all = knots.empty() ? equal_knots(points, degree, ends)
                                             : std::vector<double>(knots.begin(), knots.end());
-    // A closed one begins where the first point weighs most, or as much as the second.
+    // A closed one starts where the first point has the largest weight, or the same as the second.
     const std::size_t first_point = closed ? points - (degree - 1) / 2 : 0;
     return SplinePointer(
         std::make_shared<const BSpline>(std::move(all), degree, closed, first_point));
 }
 
-// Bézier pieces are a B-spline whose every knot stands as often as the degree says.
+// Bézier pieces are a B-spline in which the multiplicity of each knot is the degree.
 Result<SplinePointer> make_bezier(std::size_t points, std::size_t degree, bool closed) {
     assert(1 <= degree && degree <= expr::Table::max_degree);
     const std::size_t steps = closed ? points : points - 1;
     if (points == 0 || steps == 0 || steps % degree != 0) {
-        return error(fmt::format("{} points make no {}Bézier pieces of degree {}", points,
+        return error(fmt::format("{} points do not form {}Bézier pieces of degree {}", points,
                                  closed ? "closed " : "", degree),
                      {},
                      closed ? fmt::format("give a multiple of {} points", degree)
-                            : fmt::format("give a multiple of {} points and one more", degree));
+                            : fmt::format("give a multiple of {} points plus one", degree));
     }
     const std::size_t pieces = steps / degree;
     std::vector<double> knots{0.0};
@@ -201,7 +202,7 @@ Result<SplinePointer> make_bezier(std::size_t points, std::size_t degree, bool c
 
 namespace {
 
-/// Solves a system whose row i is lower[i], diagonal[i], upper[i] round the diagonal, by Gauss's
+/// Solves a system whose row i is lower[i], diagonal[i], upper[i] around the diagonal, by Gaussian
 /// elimination without pivoting: the diagonal must dominate.
 std::vector<double> solve_tridiagonal(std::span<const double> lower, std::vector<double> diagonal,
                                       std::span<const double> upper, std::vector<double> right) {
@@ -218,8 +219,8 @@ std::vector<double> solve_tridiagonal(std::span<const double> lower, std::vector
     return right;
 }
 
-/// The same where the first row goes on with lower[0] in the last column, and the last with
-/// upper[n - 1] in the first (Sherman and Morrison's formula).
+/// The cyclic system: the first row also has lower[0] in the last column, and the last row
+/// upper[n - 1] in the first column (by the Sherman-Morrison formula).
 std::vector<double> solve_cyclic(std::span<const double> lower, std::vector<double> diagonal,
                                  std::span<const double> upper, const std::vector<double>& right) {
     const std::size_t n = right.size();
@@ -240,7 +241,7 @@ std::vector<double> solve_cyclic(std::span<const double> lower, std::vector<doub
 }
 
 /// The cells on both sides of each value: their widths and the slopes of their chords. The cell
-/// before the first value of an open spline, and that behind the last, have no width.
+/// before the first value of an open spline, and the one after the last, have no width.
 struct Neighbours {
     std::vector<double> width_before, width_after, chord_before, chord_after;
 
@@ -288,7 +289,7 @@ std::vector<double> natural_slopes(const Neighbours& at, bool closed, const EndS
     const std::size_t n = at.width_after.size();
     std::vector<double> lower(n), diagonal(n), upper(n), right(n);
     for (std::size_t i = 0; i < n; ++i) {
-        // Of an open end the cell that is not there drops out, which leaves the natural condition.
+        // At an open end the missing cell has no terms, which leaves the natural condition.
         lower[i] = at.width_before[i] > 0.0 ? 1.0 / at.width_before[i] : 0.0;
         upper[i] = at.width_after[i] > 0.0 ? 1.0 / at.width_after[i] : 0.0;
         diagonal[i] = 2.0 * (lower[i] + upper[i]);

@@ -3,7 +3,7 @@
 #pragma once
 
 // Splines in one variable, for curves and, applied along both axes of a net, for surfaces. A spline
-// is linear in its control values, so one spline serves all co-ordinates of its points.
+// is linear in its control values, so one spline is used for all coordinates of its points.
 
 #include <cstddef>
 #include <memory>
@@ -24,14 +24,14 @@ public:
     Spline& operator=(const Spline&) = delete;
     virtual ~Spline() = default;
 
-    /// Where cells begin and end: increasing, from 0 to 1, at least two.
+    /// The limits of the cells: increasing, from 0 to 1, at least two.
     [[nodiscard]] const std::vector<double>& breaks() const { return breaks_; }
     [[nodiscard]] std::size_t cells() const { return breaks_.size() - 1; }
     [[nodiscard]] std::size_t degree() const { return degree_; }
-    /// It has the period 1.
+    /// Whether it has period 1.
     [[nodiscard]] bool closed() const { return closed_; }
 
-    /// The polynomials, cell by cell and in a cell power by power of r, which goes from 0 to 1 in
+    /// The polynomials, by cell and power of r, which runs from 0 to 1 in
     /// every cell.
     [[nodiscard]] virtual std::vector<double> coefficients(
         std::span<const double> values) const = 0;
@@ -44,8 +44,8 @@ private:
 
 using SplinePointer = std::shared_ptr<const Spline>;
 
-/// What a B-spline does at its ends: it touches the end points; it begins and ends within them, as
-/// every knot is single; it goes round.
+/// The ends of a B-spline: it interpolates the end points; it does not reach them, because
+/// every knot is single; it is periodic.
 enum class SplineEnds : std::uint8_t { clamped, open, closed };
 
 /// The B-spline of a degree from 1 to Table::max_degree for a number of points above the degree.
@@ -54,23 +54,23 @@ enum class SplineEnds : std::uint8_t { clamped, open, closed };
                                                  SplineEnds ends,
                                                  std::span<const double> knots = {});
 
-/// Bézier pieces of a degree, each beginning with the last point of the one before; a closed one
+/// Bézier pieces of a degree, each starting at the last point of the previous one; a closed one
 /// ends with the first point, which is not repeated.
 [[nodiscard]] Result<SplinePointer> make_bezier(std::size_t points, std::size_t degree,
                                                 bool closed);
 
-/// How an interpolating cubic goes through its points: with slopes from each point's neighbours,
-/// or so that its second derivative is continuous, and 0 at open ends.
+/// The slopes of an interpolating cubic: from each point's neighbours,
+/// or such that its second derivative is continuous, and 0 at open ends.
 enum class Interpolation : std::uint8_t { catmull_rom, natural };
 
-/// Slopes by the parameter that a spline shall have at its open ends.
+/// The slopes of a spline at its open ends, with respect to the parameter.
 struct EndSlopes {
     std::optional<double> first{};
     std::optional<double> last{};
 };
 
-/// The cubic through given values, two at least, at its breaks. A closed one has one break more
-/// than values, as it comes back to the first.
+/// The cubic through at least two given values at its breaks. A closed one has one break more
+/// than values, because it returns to the first.
 class InterpolatingSpline final : public Spline {
 public:
     InterpolatingSpline(Interpolation interpolation, std::vector<double> breaks, bool closed);

@@ -31,9 +31,9 @@ std::optional<Diagnostic> fault_of_breaks(std::span<const double> breaks) {
         CellPosition::narrowest(breaks) >= CellPosition::narrowest_cell) {
         return std::nullopt;
     }
-    return error(fmt::format("one piece of the spline takes less than 1/{} of its parameter",
+    return error(fmt::format("one piece of the spline covers less than 1/{} of its parameter",
                              1.0 / CellPosition::narrowest_cell),
-                 {}, "leave out points that nearly coincide, or space points or knots more evenly");
+                 {}, "remove points that nearly coincide, or space points or knots more evenly");
 }
 
 std::vector<double> coordinate(const PointList& points, std::size_t k) {
@@ -49,8 +49,8 @@ Result<WeightedPoints> weighted_points(const Arguments& a, std::size_t with_weig
     const PointList& points = a.points("points");
     const bool among_points = points.coordinates == with_weight;
     if (among_points && a.has("weights")) {
-        return error("weights are given twice, with the points and as a list", {},
-                     "leave out one of the two");
+        return error("weights are given both with the points and as a list", {},
+                     "remove one of them");
     }
     WeightedPoints made;
     made.weights = a.has("weights") ? a.points("weights").values
@@ -64,7 +64,7 @@ Result<WeightedPoints> weighted_points(const Arguments& a, std::size_t with_weig
     for (const double weight : made.weights) {
         if (!(weight > 0.0)) {
             return error(fmt::format("a weight must be above 0, not {}", weight), {},
-                         "a point of little weight has hardly any influence");
+                         "a point with a small weight has hardly any influence");
         }
     }
     for (std::size_t k = 0; k < points.coordinates - (among_points ? 1 : 0); ++k) {
@@ -99,7 +99,7 @@ Result<SplinePointer> bezier_spline(std::size_t points, std::optional<std::size_
     const std::size_t one_piece = closed ? points : points - 1;
     if (!degree && one_piece > expr::Table::max_degree) {
         return error(fmt::format("{} control points are too many for one piece", points), {},
-                     fmt::format("say the degree of the pieces, such as degree = 3, or give at "
+                     fmt::format("give the degree of the pieces, such as degree = 3, or at "
                                  "most {} points",
                                  expr::Table::max_degree + (closed ? 0 : 1)));
     }
@@ -120,7 +120,7 @@ StageParameter weights_parameter() {
             .type = ParameterType::points,
             .coordinates = {1},
             .optional = true,
-            .meaning = "how much each point attracts, above 0; 1 if not given"};
+            .meaning = "weight of each point, above 0; 1 by default"};
 }
 
 StageParameter knots_parameter(std::string_view name) {
@@ -130,8 +130,8 @@ StageParameter knots_parameter(std::string_view name) {
             .min_points = 4,
             .optional = true,
             .meaning =
-                "as many as points, and the degree and 1 more, in order; the part of them "
-                "where the spline is defined becomes 0 to 1"};
+                "the knots in order: the number of points plus the degree plus 1; the range "
+                "where the spline is defined is mapped to 0 to 1"};
 }
 
 StageParameter optional_degree_parameter(std::string_view meaning, std::string_view name) {

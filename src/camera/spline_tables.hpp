@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What curves and surfaces from points have in common: their parameters in the catalogue, what is
-// made of these, and the tables that hold their polynomials.
+// Common parts of curves and surfaces from points: their parameters in the catalogue, the values
+// made of these, and the tables of their polynomials.
 
 #include <string_view>
 #include <vector>
@@ -16,35 +16,35 @@ namespace balcony::camera {
 
 using TablePointer = std::shared_ptr<const expr::Table>;
 
-/// An axis over cells 0, 1, ...: what a CellPosition leads to.
+/// An axis over cells 0, 1, ...: the result of a CellPosition.
 [[nodiscard]] expr::Table::Axis cells_axis(std::size_t cells, std::size_t degree);
 [[nodiscard]] TablePointer table_of(std::span<const expr::Table::Axis> axes,
                                     std::vector<double> coefficients);
 
 /// 0, 1/n, 2/n, ..., 1.
 [[nodiscard]] std::vector<double> equal_breaks(std::size_t cells);
-/// What hinders a CellPosition.
+/// The error that prevents a CellPosition, if any.
 [[nodiscard]] std::optional<Diagnostic> fault_of_breaks(std::span<const double> breaks);
 
-/// The co-ordinate numbered k of every point.
+/// The coordinate numbered k of every point.
 [[nodiscard]] std::vector<double> coordinate(const PointList& points, std::size_t k);
 
-/// Points times their weights, co-ordinate by co-ordinate, and the weights.
+/// Points times their weights, by coordinate, and the weights.
 struct WeightedPoints {
     std::vector<std::vector<double>> coordinates;
     std::vector<double> weights;
 };
-/// From the parameters points and weights. Points of `with_weight` co-ordinates have theirs in the
+/// From the parameters points and weights. Points of `with_weight` coordinates have theirs in the
 /// last.
 [[nodiscard]] Result<WeightedPoints> weighted_points(const Arguments& a, std::size_t with_weight);
 
 [[nodiscard]] std::optional<std::size_t> optional_count(const Arguments& a, std::string_view name);
 [[nodiscard]] std::span<const double> optional_numbers(const Arguments& a, std::string_view name);
 
-/// Without a degree given, 3 or as much as there are points for.
+/// By default 3, or the maximum for the number of points.
 [[nodiscard]] std::size_t degree_for(std::size_t points, std::optional<std::size_t> given);
 [[nodiscard]] SplineEnds ends_of(std::string_view choice);
-/// Without a degree given, one piece.
+/// By default, one piece.
 [[nodiscard]] Result<SplinePointer> bezier_spline(std::size_t points,
                                                   std::optional<std::size_t> degree, bool closed);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Parameters that stages of several families have: their rows in the catalogue, and what is made of
+// Parameters of several families of stages: their rows in the catalogue, and the values made of
 // the numbers.
 
 #include <string_view>
@@ -28,16 +28,16 @@ inline ObjectVector vector_of(const Triple& t, const Emitter& emit) {
     return {emit(t[0]), emit(t[1]), emit(t[2])};
 }
 
-/// The numbers x, y and z of a stage that has them as three parameters.
+/// The numbers x, y and z of a stage with these three parameters.
 inline Triple xyz_of(const Arguments& a) { return {a.number("x"), a.number("y"), a.number("z")}; }
 
-/// A number that may be left out.
+/// An optional number.
 inline StageParameter number_parameter(std::string_view name, double value,
                                        std::string_view meaning) {
     return {.name = name, .default_value = {value}, .meaning = meaning};
 }
 
-/// A number above 0 that may be left out.
+/// An optional number above 0.
 inline StageParameter positive_parameter(std::string_view name, double value,
                                          std::string_view meaning) {
     return {.name = name,
@@ -47,7 +47,7 @@ inline StageParameter positive_parameter(std::string_view name, double value,
             .meaning = meaning};
 }
 
-/// A point or vector of PCS that may be left out.
+/// An optional point or vector in PCS.
 inline StageParameter pair_parameter(std::string_view name, std::vector<double> value,
                                      std::string_view meaning) {
     return {.name = name,
@@ -57,7 +57,7 @@ inline StageParameter pair_parameter(std::string_view name, std::vector<double> 
             .meaning = meaning};
 }
 
-/// A point or vector of OCS that may be left out.
+/// An optional point or vector in OCS.
 inline StageParameter triple_parameter(std::string_view name, std::vector<double> value,
                                        std::string_view meaning) {
     return {.name = name,

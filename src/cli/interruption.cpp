@@ -17,7 +17,7 @@ namespace {
 std::mutex job_mutex;
 std::stop_source* job = nullptr;
 
-// Tells the watcher that it is done.
+// Asks the watcher to end.
 int wake_signal() { return SIGRTMIN; }
 
 bool is_ignored(int signal) {
@@ -37,7 +37,7 @@ sigset_t watched_signals() {
     return signals;
 }
 
-// On a terminal whatever stands in the line stays there and the prompt begins a new one.
+// On a terminal, keeps the current line and starts a new one for the prompt.
 [[noreturn]] void end_at_once() {
     if (isatty(STDERR_FILENO) != 0) {
         [[maybe_unused]] const auto written = write(STDERR_FILENO, "\n", 1);

@@ -7,10 +7,10 @@
 
 namespace balcony::cli {
 
-/// Takes Ctrl-C, SIGTERM and SIGHUP away from all threads that are started later and answers them
-/// on a thread of its own: a job that watches the token is asked to stop; without one, or at the
-/// second signal, the process ends at once with exit code 130. A signal that whoever started the
-/// process wants ignored (nohup) stays ignored.
+/// Blocks SIGINT (Ctrl-C), SIGTERM and SIGHUP in all threads started later and handles them on a
+/// separate thread. The first signal asks a job that watches the token to stop. Without such a job,
+/// and at the second signal, the process ends at once with exit code 130. Signals that the parent
+/// process ignores (nohup) remain ignored.
 class Interruption {
 public:
     Interruption();
@@ -22,7 +22,7 @@ private:
     std::jthread watcher_;
 };
 
-/// What a first signal asks to stop, from making to destruction; there is one at a time.
+/// During its lifetime, the first signal requests a stop through it. Only one may exist at a time.
 class Job {
 public:
     Job();

@@ -23,12 +23,13 @@ namespace {
 namespace cli = balcony::cli;
 using cli::ExitCode;
 
-// A stream that is closed would lend its number to the next file opened, and what is written to the
-// stream would go there. Results cannot be written to what takes its place, the rest is dropped.
+// If a standard stream is closed, the next file opened would get its descriptor and receive the
+// stream's output. A substitute prevents this: writing results to it fails, other output is
+// dropped.
 void open_closed_streams() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (fcntl(stream, F_GETFD) < 0) {
-            // The lowest free number is given, which is this stream's.
+            // open() returns the lowest free descriptor, which is this stream's.
             [[maybe_unused]] const int opened =
                 open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY);
         }
@@ -37,30 +38,30 @@ void open_closed_streams() {
 
 void describe(CLI::App& app) {
     app.formatter(cli::help_layout());
-    app.set_help_flag("-h,--help", "show this and end");
-    app.set_version_flag("-V,--version", "balcony " BALCONY_VERSION, "show the version and end");
+    app.set_help_flag("-h,--help", "show this help and exit");
+    app.set_version_flag("-V,--version", "balcony " BALCONY_VERSION, "show the version and exit");
     app.option_defaults()->take_last();
     app.require_subcommand(1);
     app.footer(
         "First steps:\n"
-        "  balcony info scene.glb                         what is in a scene\n"
-        "  balcony render scene.glb -o picture.png        a picture of it\n"
+        "  balcony info scene.glb                         describe a scene\n"
+        "  balcony render scene.glb -o picture.png        render it\n"
         "  balcony render scene.glb --camera superelliptic -o walls.png\n"
-        "  balcony list cameras                           the cameras that come along\n"
+        "  balcony list cameras                           list the built-in cameras\n"
         "\n"
-        "Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 environment (disk full, ...),\n"
-        "130 interrupted, with what was rendered so far saved.");
+        "Exit codes: 0 success, 1 bad input, 2 wrong usage, 3 environment (disk full, ...),\n"
+        "130 interrupted (the partial picture is saved).");
 }
 
-void tell(const balcony::Diagnostic& said, bool as_json) {
+void report_error(const balcony::Diagnostic& diagnostic, bool as_json) {
     if (as_json) {
-        cli::print_json(nlohmann::json::object({{"diagnostics", cli::to_json({said})}}));
+        cli::print_json(nlohmann::json::object({{"diagnostics", cli::to_json({diagnostic})}}));
     } else {
-        cli::report({said});
+        cli::report({diagnostic});
     }
 }
 
-// CLI11 takes the last word first. `help render` is `render --help`.
+// Translates `help render` to `render --help`. CLI11 expects the arguments in reverse order.
 std::vector<std::string> words_from_the_last(int argc, char** argv) {
     std::vector<std::string> words(argv + 1, argv + argc);
     if (words.front() == "help") {
@@ -81,7 +82,7 @@ ExitCode run(CLI::App& app, int argc, char** argv) {
     cli::add_locate_command(app, code);
     cli::add_info_command(app, code);
     cli::add_draw_command(app, code);
-    // Asked for before the command line is understood, since that may fail.
+    // Looked up before the command line is parsed, since parsing may fail.
     const bool as_json = std::any_of(
         argv, argv + argc, [](const char* word) { return std::string_view(word) == "--json"; });
     if (argc < 2) {
@@ -95,10 +96,10 @@ ExitCode run(CLI::App& app, int argc, char** argv) {
     } catch (const CLI::CallForVersion& version) {
         cli::print_result(std::string(version.what()) + "\n");
     } catch (const CLI::ParseError& problem) {
-        tell(cli::usage_error(app, problem), as_json);
+        report_error(cli::usage_error(app, problem), as_json);
         return ExitCode::wrong_usage;
     } catch (const std::exception& problem) {
-        tell(balcony::error(problem.what()), as_json);
+        report_error(balcony::error(problem.what()), as_json);
         return ExitCode::environment;
     }
     return code;
@@ -108,14 +109,14 @@ ExitCode run(CLI::App& app, int argc, char** argv) {
 
 int main(int argc, char** argv) {
     open_closed_streams();
-    // Whoever reads no further from a pipe does not end a render.
+    // A closed pipe must not end a render.
     std::signal(SIGPIPE, SIG_IGN);
-    // Before any thread exists, so that all of them leave the signals to one.
+    // Before any thread exists, so that all threads inherit the blocked signals.
     const cli::Interruption interruption;
 
     CLI::App app{
-        "Balcony renders 3D scenes through extended cameras: any function from a point of\n"
-        "the picture to a ray, described in a .cam file.",
+        "Balcony renders 3D scenes through extended cameras. A camera is any function from\n"
+        "a point of the picture to a ray, described in a .cam file.",
         "balcony"};
     describe(app);
     ExitCode code = run(app, argc, argv);

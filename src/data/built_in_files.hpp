@@ -8,13 +8,13 @@
 
 namespace balcony::data {
 
-/// A file of cameras/data/ as it was when the library was built.
+/// A file of cameras/data/, compiled into the library.
 struct BuiltInFile {
     std::string_view name;
     std::span<const std::uint8_t> bytes;
 };
 
-/// All of them in the order of their names; CMake writes the definition.
+/// All built-in files, sorted by name; CMake generates the definition.
 [[nodiscard]] std::span<const BuiltInFile> embedded_files();
 
 }  // namespace balcony::data

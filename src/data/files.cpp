@@ -23,7 +23,7 @@ const BuiltInFile* find_built_in_file(std::string_view name) {
     return found == all.end() ? nullptr : &*found;
 }
 
-// The names beside a file that is not there, in their order.
+// The sorted names in the folder of a missing file.
 std::vector<std::string> names_in(const fs::path& folder) {
     std::vector<std::string> names;
     std::error_code failure;
@@ -44,9 +44,8 @@ Diagnostic not_found(std::string_view name, const std::optional<fs::path>& folde
     known.insert(known.end(), built_in.begin(), built_in.end());
     const fs::path path = folder ? (*folder / name).lexically_normal() : fs::path();
     std::string message =
-        folder ? fmt::format("there is no file '{}' and none of that name comes with Balcony",
-                             path.string())
-               : fmt::format("no file '{}' comes with Balcony", name);
+        folder ? fmt::format("there is no file and no built-in file named '{}'", path.string())
+               : fmt::format("there is no built-in file named '{}'", name);
     const std::string wanted = fs::path(name).filename().string();
     auto nearest = nearest_name(wanted, known);
     // vase for vase.obj.
@@ -58,7 +57,7 @@ Diagnostic not_found(std::string_view name, const std::optional<fs::path>& folde
     }
     return error(std::move(message), {},
                  nearest ? fmt::format("did you mean '{}'?", *nearest)
-                         : "a file is looked for in the folder of the camera file that names it");
+                         : "the search folder is that of the camera file");
 }
 
 }  // namespace
@@ -73,8 +72,7 @@ std::vector<std::string> built_in_files() {
 
 Result<File> find_file(std::string_view name, const std::optional<fs::path>& folder) {
     if (name.empty()) {
-        return error("the name of this file is empty", {},
-                     "name a file in the folder of the camera file");
+        return error("this file name is empty", {}, "name a file in the folder of the camera file");
     }
     std::error_code failure;
     if (folder) {
@@ -84,10 +82,10 @@ Result<File> find_file(std::string_view name, const std::optional<fs::path>& fol
             return error(fmt::format("'{}' is a folder, not a file", path.string()), {},
                          "name a file in it");
         }
-        // A pipe or a device could make us wait for ever.
+        // Reading a pipe or a device could block forever.
         if (fs::exists(status) && !fs::is_regular_file(status)) {
             return error(fmt::format("'{}' is not a regular file", path.string()), {},
-                         "save what comes from it in a file");
+                         "save its output to a file");
         }
         if (fs::exists(status)) {
             return File{path.string(), std::move(path), std::nullopt};
@@ -115,7 +113,7 @@ Result<std::string> read_text(const File& file, std::size_t largest) {
     }
     if (*size > largest) {
         return error(fmt::format("'{}' is larger than {} MB", file.name, largest / 1'000'000), {},
-                     "check that it is the file you mean");
+                     "check that it is the right file");
     }
     if (file.built_in) {
         return std::string(file.built_in->begin(), file.built_in->end());
@@ -130,8 +128,7 @@ Result<std::string> read_text(const File& file, std::size_t largest) {
 }
 
 Diagnostic cannot_read(const File& file) {
-    return error(fmt::format("'{}' cannot be read", file.name), {},
-                 "check that you have the right to read it");
+    return error(fmt::format("'{}' cannot be read", file.name), {}, "check its read permission");
 }
 
 }  // namespace balcony::data

@@ -6,9 +6,9 @@
 
 namespace balcony::data {
 
-/// How many bytes a file has.
+/// The size of a file in bytes.
 [[nodiscard]] Result<std::uintmax_t> size_of(const File& file);
-/// All of a file of at most `largest` bytes.
+/// The contents of a file of at most `largest` bytes.
 [[nodiscard]] Result<std::string> read_text(const File& file, std::size_t largest);
 [[nodiscard]] Diagnostic cannot_read(const File& file);
 

@@ -22,7 +22,7 @@ Diagnostic no_image(const File& file, const Diagnostic& reason) {
                  reason.remedy);
 }
 
-/// Rec. 709 luma, or the first channel, times an alpha that it is not multiplied with. Written so
+/// Rec. 709 luma, or the first channel, times straight alpha. Written so
 /// that a NaN becomes 0.
 float grey(std::span<const float> pixel, const std::optional<std::size_t>& alpha) {
     const float luma =

@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// Tables of numbers as spreadsheets and scripts write them: CSV and what goes by that name.
+// Tables of numbers as spreadsheets and scripts write them: CSV and its variants.
 
 #include <algorithm>
 #include <charconv>
@@ -32,7 +32,7 @@ public:
 
     Result<Table> run() {
         if (const std::size_t zero = text_.find('\0'); zero != text_.npos) {
-            return balcony::error(fmt::format("'{}' is not a text file: byte {} of it is zero",
+            return balcony::error(fmt::format("'{}' is not a text file: its byte {} is zero",
                                               table_.source->name(), zero + 1),
                                   {}, "export the table as CSV, plain text in UTF-8");
         }
@@ -43,7 +43,7 @@ public:
         }
         if (diagnostics_.empty() && table_.rows.empty()) {
             error({table_.source, 0, 0}, fmt::format("'{}' has no numbers", table_.source->name()),
-                  "write a point a line, its numbers separated by commas");
+                  "write one point per line, with its numbers separated by commas");
         }
         return diagnostics_.empty() ? Result<Table>(std::move(table_))
                                     : Result<Table>(std::move(diagnostics_));
@@ -85,7 +85,7 @@ private:
 
     void line(std::size_t begin, std::size_t end) {
         const Field all = trimmed({begin, end});
-        // A row of empty cells, as spreadsheets write it, is as good as a blank line.
+        // A row of empty cells, as spreadsheets write it, is treated like a blank line.
         if (text(all).find_first_not_of(",; \t\"") == std::string_view::npos) {
             return;
         }
@@ -99,7 +99,7 @@ private:
         }
     }
 
-    // A line keeps to one separator: with two, one of them is likely a decimal comma.
+    // A line must use a single separator: with two kinds, one of them is probably a decimal comma.
     std::vector<Field> split(Field all) {
         const std::string_view line = text(all);
         char separator = ' ';
@@ -110,8 +110,8 @@ private:
             }
             if (separator != ' ') {
                 const std::size_t begin = all.begin + place;
-                error(at({begin, begin + 1}), "this line has separators of two kinds",
-                      "numbers are written with a point, 0.5, and separated by commas");
+                error(at({begin, begin + 1}), "this line has two kinds of separators",
+                      "write numbers with a decimal point, 0.5, and separate them by commas");
                 return {};
             }
             separator = candidate;
@@ -140,7 +140,7 @@ private:
         if (numbers_ > max_numbers) {
             error(at({fields.front().begin, fields.back().end}),
                   fmt::format("this table has more than {} numbers", max_numbers),
-                  "keep one line in several, or spread them over several files");
+                  "keep only some of the lines, or split the table into several files");
         } else if (!numbers.empty()) {
             table_.rows.push_back(std::move(numbers));
         }
@@ -153,7 +153,7 @@ private:
         if (written.empty()) {
             error(at({field.begin, std::min(field.begin + 1, text_.size())}),
                   "there is no number between these separators",
-                  "write one, or take a separator away");
+                  "write one, or remove a separator");
             return std::nullopt;
         }
         double factor = 1.0;
@@ -170,7 +170,7 @@ private:
         made.value *= factor;
         if (status != std::errc() || stop != end || !std::isfinite(made.value)) {
             error(at(field), "this is not a number",
-                  "a table holds numbers such as -0.5, 2e-3 or 30deg; '#' begins a comment");
+                  "a table contains numbers such as -0.5, 2e-3 or 30deg; '#' starts a comment");
             return std::nullopt;
         }
         return made;

@@ -36,7 +36,7 @@ bool has_area_in_space(const Triangle& t) {
     return std::isfinite(area) && area > 0.0;
 }
 
-/// Puts the meshes of a scene together.
+/// Combines the meshes of a scene.
 class Merger {
 public:
     explicit Merger(const scene::Scene& scene) : scene_(scene) {}
@@ -50,21 +50,21 @@ public:
             const bool none = without_texture_ > 0 && flat_in_texture_ + flat_in_space_ == 0;
             return error(
                 fmt::format("'{}' has no triangle {}", file.name,
-                            none ? "with texture co-ordinates" : "that a point (u, v) lies in"),
-                {}, "unwrap the mesh in the program that made it and export it again");
+                            none ? "with texture coordinates" : "that contains a point (u, v)"),
+                {}, "unwrap the mesh in the modelling program and export it again");
         }
-        Diagnostics said;
+        Diagnostics diagnostics;
         const auto warn = [&](std::size_t count, std::string_view which) {
             if (count > 0) {
-                said.push_back(
-                    warning(fmt::format("{} of {} triangles of '{}' {} and are left out", count,
+                diagnostics.push_back(
+                    warning(fmt::format("{} of {} triangles of '{}' {} and are skipped", count,
                                         scene_.triangle_count(), file.name, which)));
             }
         };
-        warn(without_texture_, "have no texture co-ordinates");
-        warn(flat_in_texture_, "have no area in texture co-ordinates");
+        warn(without_texture_, "have no texture coordinates");
+        warn(flat_in_texture_, "have no area in texture coordinates");
         warn(flat_in_space_, "have no area in space");
-        return {std::make_shared<const TexturedMesh>(std::move(made_)), std::move(said)};
+        return {std::make_shared<const TexturedMesh>(std::move(made_)), std::move(diagnostics)};
     }
 
 private:
@@ -80,7 +80,7 @@ private:
         for (const auto& indices : mesh.triangles) {
             Triangle made;
             for (std::size_t i = 0; i < 3; ++i) {
-                // A mirror image is wound the other way round.
+                // Mirroring reverses the winding.
                 const std::uint32_t index = indices[mirrored ? 2 - i : i];
                 made[i] = corner(mesh, index, world_from_mesh, for_normals);
             }
@@ -124,7 +124,7 @@ Result<std::shared_ptr<const TexturedMesh>> read_mesh(const File& file) {
     }
     if (*size > max_mesh_file) {
         return error(fmt::format("'{}' is larger than {} MB", file.name, max_mesh_file / 1'000'000),
-                     {}, "reduce the mesh: a camera needs its shape, not its details");
+                     {}, "simplify the mesh: a camera needs its shape, not its details");
     }
     const Result<scene::Scene> scene =
         file.built_in ? scene::load(file.path, *file.built_in) : scene::load(file.path);
@@ -134,7 +134,7 @@ Result<std::shared_ptr<const TexturedMesh>> read_mesh(const File& file) {
     if (scene->triangle_count() > max_triangles) {
         return error(fmt::format("'{}' has {} triangles, more than {} million", file.name,
                                  scene->triangle_count(), max_triangles / 1'000'000),
-                     {}, "reduce the mesh: a camera needs its shape, not its details");
+                     {}, "simplify the mesh: a camera needs its shape, not its details");
     }
     return Merger(*scene).run(file);
 }

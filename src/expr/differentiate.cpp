@@ -36,7 +36,7 @@ std::vector<NodeId> reachable(const Graph& graph, std::span<const Expr> expressi
     return nodes;
 }
 
-// Forward mode: one walk from the leaf up gives every node its slope.
+// Forward mode: one pass from the leaf up computes the derivative of every node.
 std::vector<Expr> differentiate(std::span<const Expr> expressions, Expr leaf) {
     assert(operation(leaf.op()).arity == 0 && !leaf.is_constant());
     Graph& graph = leaf.graph();

@@ -12,7 +12,7 @@ namespace balcony::expr {
 GraphTooLarge::GraphTooLarge()
     : std::length_error("an expression graph of more than 4 million nodes") {}
 
-// Constants are the same if their bits are, so that 0 and -0 stay apart and a NaN equals itself.
+// Constants are equal if their bits are, so that 0 and -0 are distinct and a NaN equals itself.
 bool Node::operator==(const Node& other) const {
     return op == other.op && detail == other.detail && arguments == other.arguments &&
            std::bit_cast<std::uint64_t>(value) == std::bit_cast<std::uint64_t>(other.value);
@@ -98,7 +98,7 @@ Expr Graph::fresh_variable() { return variable(variables_); }
 
 namespace {
 
-// The place of a shared value in a list, added if it is not there.
+// The index of a shared value in a list; adds it if missing.
 template <class Value>
 std::size_t place_in(std::vector<std::shared_ptr<const Value>>& list,
                      std::shared_ptr<const Value> value) {

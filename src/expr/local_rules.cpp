@@ -11,7 +11,7 @@ namespace {
 
 using Arguments = std::span<const Expr>;
 
-// A constant times something, where the node is that product.
+// The constant and the other factor, if the node is such a product.
 struct Scaled {
     double factor = 0.0;
     Expr rest;
@@ -109,12 +109,12 @@ Expr multiply_rules(Graph& graph, Expr a, Expr b) {
         if (other.op() == Op::negate) {
             return -c * other.argument(0);
         }
-        // Not where the joined factors would overflow or lose digits.
+        // Not if the combined factors would overflow or lose precision.
         if (is_scaled(other, scaled) && std::isnormal(c * scaled.factor)) {
             return (c * scaled.factor) * scaled.rest;
         }
     }
-    // A sign goes to the outside unless it is changed less often where it is.
+    // A sign moves to the outside unless it is computed less often where it is.
     const Rate rate = Rates()(a.dependence() | b.dependence());
     if (a.op() == Op::negate && a.rate() == rate) {
         return -(a.argument(0) * b);
@@ -125,7 +125,7 @@ Expr multiply_rules(Graph& graph, Expr a, Expr b) {
     if (a.same(b) && a.op() == Op::absolute) {
         return a.argument(0) * a.argument(0);
     }
-    // Left as it is, a signed power of exponent 1 would have the slope 0 at 0.
+    // Without this rule, a signed power with exponent 1 would have the slope 0 at 0.
     for (const auto& [sign, size] : {std::pair(a, b), std::pair(b, a)}) {
         if (sign.op() == Op::sign && size.op() == Op::absolute &&
             sign.argument(0).same(size.argument(0))) {
@@ -139,7 +139,7 @@ Expr divide_rules(Graph& graph, Expr a, Expr b) {
     if (a.is_constant(0.0)) {
         return a;
     }
-    // Not where the reciprocal would overflow or lose digits.
+    // Not if the reciprocal would overflow or lose precision.
     if (b.is_constant() && std::isnormal(1.0 / b.node().value)) {
         return a * graph.constant(1.0 / b.node().value);
     }
@@ -149,7 +149,7 @@ Expr divide_rules(Graph& graph, Expr a, Expr b) {
     if (b.op() == Op::negate) {
         return -(a / b.argument(0));
     }
-    // Derivatives of nested roots are full of these; a product costs a fraction of a quotient.
+    // Derivatives of nested roots contain many of these; a product is much cheaper than a quotient.
     if (a.op() == Op::divide) {
         return a.argument(0) / (a.argument(1) * b);
     }
@@ -161,7 +161,7 @@ Expr divide_rules(Graph& graph, Expr a, Expr b) {
 }
 
 // x^p for p a multiple of 1/8 by squarings and square roots. Each product rounds once and doubles
-// what a square carries on, which sums up to |p| + 3 units in the last place at most: 64 keeps it
+// the relative error of a square, which gives at most |p| + 3 units in the last place: 64 keeps it
 // below 1.5e-14.
 constexpr double max_expanded_exponent = 64.0;
 
@@ -238,7 +238,8 @@ Expr select_rules(Expr condition, Expr a, Expr b) {
     return {};
 }
 
-// A condition joined with a constant or with itself; `absorbing` is the constant that decides.
+// A condition combined with a constant or with itself; `absorbing` is the constant that determines
+// the result.
 Expr logical_rules(Graph& graph, Expr a, Expr b, bool absorbing) {
     for (const auto& [constant, other] : {std::pair(a, b), std::pair(b, a)}) {
         if (constant.is_constant()) {

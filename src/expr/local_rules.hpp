@@ -8,8 +8,8 @@
 
 namespace balcony::expr {
 
-/// What an operation on these arguments can be written as more simply, looking no further than
-/// the arguments' own arguments; no node if nothing applies.
+/// A simpler form of an operation on these arguments, using only
+/// the arguments' own arguments; an invalid node if no rule applies.
 [[nodiscard]] Expr apply_local_rules(Graph& graph, Op op, std::span<const Expr> arguments);
 
 }  // namespace balcony::expr

@@ -29,7 +29,7 @@ Expr power_by_squaring(Expr base, unsigned times) {
     return product;
 }
 
-// What factoring looks at in a term of a sum: coefficient * column * row, if it has that shape.
+// A term of a sum as coefficient * column * row, if it has that form, for factoring.
 struct SeparatedTerm {
     Expr column;
     Expr row;
@@ -52,8 +52,8 @@ std::optional<SeparatedTerm> separate(Expr term, const Rates& rates) {
 
 Expr scale(double coefficient, Expr value, const Rates& rates);
 
-// coefficient * value with the coefficient in a factor that is computed less often, if there is
-// one among the factors or, that many levels down, among their factors.
+// coefficient * value with the coefficient moved to a factor that is computed less often, if there
+// is one among the factors or, that many levels down, among their factors.
 Expr scaled_within(double coefficient, Expr value, const Rates& rates, int levels) {
     if (value.op() != Op::multiply || levels == 0) {
         return {};
@@ -81,7 +81,7 @@ Expr scale(double coefficient, Expr value, const Rates& rates) {
 
 constexpr std::size_t rate_count = static_cast<std::size_t>(Rate::pixel) + 1;
 
-// A running sum that writes a - b where it can.
+// A running sum that uses a - b where possible.
 class Sum {
 public:
     Sum(Graph& graph, const Rates& rates) : graph_(&graph), rates_(&rates) {}
@@ -230,8 +230,8 @@ bool LinearForm::has_normal_coefficients() const {
 
 LinearForm LinearForm::scaled(double factor) const { return sum(LinearForm(), factor, *this); }
 
-// Terms c*C*R with one R are summed as (c*C + ...)*R, which leaves one product a point for any
-// number of them; likewise for one C.
+// Terms c*C*R with the same R are summed as (c*C + ...)*R, which leaves one product per point for
+// any number of them; likewise for one C.
 std::vector<LinearForm::Term> LinearForm::factored_terms(Graph& graph, const Rates& rates,
                                                          bool by_row) const {
     std::vector<Term> rest = terms_;
@@ -266,7 +266,8 @@ Expr LinearForm::build(Graph& graph, const Rates& rates) const {
     LinearForm factored;
     factored.terms_ = factored_terms(graph, rates, true);
     factored.terms_ = factored.factored_terms(graph, rates, false);
-    // One sum for each rate, the constant with the slowest, where it costs least; then these.
+    // One sum per rate, with the constant in the slowest, where it is cheapest; then the sum of
+    // these.
     const Sum none(graph, rates);
     std::array<Sum, rate_count> sums{none, none, none, none};
     std::size_t slowest = rate_count;

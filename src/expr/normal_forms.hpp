@@ -9,7 +9,7 @@
 namespace balcony::expr {
 
 /// A coefficient times factors sorted by rate, so that everything that depends on the column alone
-/// is multiplied once a column, and likewise for rows.
+/// is multiplied once per column, and likewise for rows.
 class ProductForm {
 public:
     /// The product of one factor.
@@ -17,7 +17,7 @@ public:
 
     [[nodiscard]] static ProductForm product(const ProductForm& a, const ProductForm& b);
     [[nodiscard]] std::size_t factor_count() const;
-    /// The multiplications that build() spends at every point.
+    /// The number of multiplications per point in the result of build().
     [[nodiscard]] std::size_t pixel_cost() const;
 
     [[nodiscard]] double coefficient() const { return coefficient_; }
@@ -36,7 +36,7 @@ private:
     double coefficient_ = 1.0;
 };
 
-/// c0 + c1 t1 + c2 t2 + ...: what chains of affine maps collapse into.
+/// c0 + c1 t1 + c2 t2 + ...: the form to which chains of affine maps collapse.
 class LinearForm {
 public:
     LinearForm() = default;
@@ -47,7 +47,7 @@ public:
     [[nodiscard]] static LinearForm sum(const LinearForm& a, double factor, const LinearForm& b);
     [[nodiscard]] LinearForm scaled(double factor) const;
     [[nodiscard]] std::size_t term_count() const { return terms_.size(); }
-    /// None is infinite, subnormal or, by underflow, 0.
+    /// Whether no coefficient is infinite, subnormal or, by underflow, 0.
     [[nodiscard]] bool has_normal_coefficients() const;
 
     /// The sum, with common row and column factors of its terms taken out.

@@ -14,10 +14,10 @@ using Arguments = std::span<const Expr>;
 
 double truth(bool condition) { return condition ? 1.0 : 0.0; }
 
-// Every operation but the leaves and the look-up: its definition, its derivative by the chain
-// rule (a: arguments, da: their derivatives, f: the expression itself) and what runners owe it.
-// IEEE 754 rounds + - * / and sqrt correctly, so these are exact to every runner (0 ULP); glibc
-// and SLEEF each stay within 1 ULP of the true value, so that they may differ by 2.
+// Every operation except leaves and look-ups: its definition, its derivative by the chain
+// rule (a: arguments, da: their derivatives, f: the expression itself) and its error bound for
+// runners. IEEE 754 rounds + - * / and sqrt correctly, so these are exact to every runner (0 ULP);
+// glibc and SLEEF each stay within 1 ULP of the true value, so that they may differ by 2.
 constexpr double exact = 0.0;
 constexpr double two_libraries = 2.0;
 
@@ -72,11 +72,11 @@ const std::array<Operation, operation_count> table{{
     {Op::minimum, "min", "", 2, false, false, exact,
      [](const double* a) { return a[1] < a[0] ? a[1] : a[0]; },
      [](Expr, Arguments a, Arguments da) { return select(a[1] < a[0], da[1], da[0]); },
-     "the lesser of a and b"},
+     "the smaller of a and b"},
     {Op::maximum, "max", "", 2, false, false, exact,
      [](const double* a) { return a[0] < a[1] ? a[1] : a[0]; },
      [](Expr, Arguments a, Arguments da) { return select(a[0] < a[1], da[1], da[0]); },
-     "the greater of a and b"},
+     "the larger of a and b"},
     {Op::absolute, "abs", "", 1, false, false, exact,
      [](const double* a) { return std::fabs(a[0]); },
      [](Expr, Arguments a, Arguments da) { return sign(a[0]) * da[0]; }, "|a|"},
@@ -173,7 +173,7 @@ const std::array<Operation, operation_count> table{{
     {Op::select, "select", "", 3, false, false, exact,
      [](const double* a) { return a[0] != 0.0 ? a[1] : a[2]; },
      [](Expr, Arguments a, Arguments da) { return select(a[0], da[1], da[2]); },
-     "b where a holds, else c"},
+     "b where a is true, otherwise c"},
 
     {Op::lookup, "lookup", "", 1, false, false, exact, nullptr, derivative_of_lookup,
      "value of a tabulated function"},

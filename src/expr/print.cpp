@@ -11,7 +11,7 @@ namespace balcony::expr {
 
 namespace {
 
-// How tightly a text binds, so that only needed parentheses are written.
+// The precedence of a text, so that only necessary parentheses are written.
 enum class Binding : std::uint8_t {
     disjunction,
     conjunction,
@@ -65,7 +65,7 @@ Text print_node(const Graph& graph, const Node& node, std::span<const Text> argu
     }
     if (!row.infix.empty()) {
         const Binding binding = binding_of(node.op);
-        // Only sums and products of what commutes may lose their right parentheses.
+        // Only sums and products of commuting operands may omit the right parentheses.
         const bool associative = row.commutative && binding >= Binding::sum;
         return {fmt::format("{} {} {}", enclosed(arguments[0], arguments[0].binding < binding),
                             row.infix,
@@ -102,7 +102,7 @@ std::string print(std::span<const Expr> expressions, std::span<const std::string
     for (const Expr root : expressions) {
         ++uses[root.id().value()];
     }
-    // A long single formula is cut as well: nobody reads more than a line.
+    // A long single formula is split as well, for readability.
     constexpr std::size_t longest = 160;
     std::vector<Text> texts(graph.size());
     std::string result;

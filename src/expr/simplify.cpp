@@ -11,11 +11,11 @@ namespace balcony::expr {
 
 namespace {
 
-// Longer sums and products are cut into pieces, so that the work stays linear in the graph.
+// Longer sums and products are split, so that the work is linear in the size of the graph.
 constexpr std::size_t max_sum = 16;
 constexpr std::size_t max_product = 8;
 
-/// One walk over the graph that rewrites every node on rewritten arguments.
+/// One pass over the graph that rewrites every node with rewritten arguments.
 class Pass {
 public:
     Pass(Graph& graph, const Rates& rates, std::span<const Expr> roots)
@@ -75,8 +75,8 @@ private:
         return graph_.remake(graph_, node, std::span(arguments).first(arity));
     }
 
-    // A sum may dissolve the sums it is made of: one that nothing else needs always, a shared one
-    // only where the dissolved sum is no longer than the sum that keeps it.
+    // A sum may be merged into an enclosing sum: always if nothing else uses it, if shared
+    // only if the merged sum is not longer than the sum that keeps it.
     Expr rewrite_sum(NodeId id, const Node& node, double sign) {
         const NodeId a = node.arguments[0];
         const NodeId b = node.arguments[1];
@@ -94,8 +94,8 @@ private:
         return built;
     }
 
-    // A multiple of a sum that others need too is made from that sum, but a sum above may dissolve
-    // it all the same. Coefficients that would overflow or lose digits stay apart here and in
+    // A multiple of a shared sum is built from that sum, but an enclosing sum may still merge
+    // it. Coefficients that would overflow or lose precision stay separate here and in
     // products, so that no term vanishes.
     Expr rewrite_multiple(NodeId id, NodeId of, double factor) {
         LinearForm form = linear(of).scaled(factor);
@@ -138,7 +138,7 @@ private:
         return keep_linear(id, std::move(term));
     }
 
-    // Where the divisor changes seldom, one division a row or column and a product are cheaper.
+    // If the divisor changes rarely, one division per row or column and a product are cheaper.
     Expr rewrite_quotient(NodeId id, const Node& node) {
         const Expr numerator = made(node.arguments[0]);
         const Expr divisor = made(node.arguments[1]);
@@ -181,7 +181,8 @@ private:
     std::vector<Expr> made_;
     std::vector<std::uint32_t> uses_;
     std::vector<std::optional<LinearForm>> linear_;
-    std::vector<std::optional<LinearForm>> built_from_;  ///< Where the node was made from another.
+    std::vector<std::optional<LinearForm>>
+        built_from_;  ///< The node from which another node was built.
     std::vector<std::optional<ProductForm>> product_;
 };
 
@@ -201,7 +202,7 @@ std::vector<Expr> simplify(std::span<const Expr> expressions, const Rates& rates
     if (expressions.empty()) {
         return result;
     }
-    // A rewriting can open the way for another; a few passes reach the end.
+    // A rewriting can enable another; a few passes reach a fixed point.
     constexpr int max_passes = 8;
     for (int pass = 0; pass < max_passes; ++pass) {
         std::vector<Expr> next = Pass(expressions.front().graph(), rates, result).run(result);

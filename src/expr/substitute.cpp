@@ -21,7 +21,7 @@ std::vector<Expr> substitute(Graph& target, std::span<const Expr> expressions,
         if (made[id.value()].valid()) {
             continue;
         }
-        // A copy: building into the same graph moves its nodes.
+        // A copy, because building in the same graph may move its nodes.
         const Node node = source[id];
         std::array<Expr, 3> arguments;
         std::size_t arity = 0;

@@ -28,14 +28,14 @@ double Table::operator()(std::span<const double> at) const {
     for (std::size_t i = 0; i < axes.size(); ++i) {
         const auto count = static_cast<double>(axes[i].cells);
         const double position = (at[i] - axes[i].first) * (count / (axes[i].last - axes[i].first));
-        // Written so that a NaN takes cell 0 and stays a NaN through s.
+        // A NaN selects cell 0 and remains NaN through s.
         const double floored = std::floor(position);
         const double cell = floored > 0.0 ? std::min(floored, count - 1.0) : 0.0;
         s[i] = position - cell;
         degree[i] = axes[i].degree;
         cell_number = cell_number * axes[i].cells + static_cast<std::size_t>(cell);
     }
-    // Horner's rule along each axis; axes that are not there have degree 0.
+    // Horner's rule along each axis; missing axes have degree 0.
     const double* c = coefficients.data() + cell_number * coefficients_in_cell(axes);
     const auto along_2 = [&](const double* row) {
         double value = row[degree[2]];
@@ -65,8 +65,8 @@ Table Table::derivative(std::size_t axis) const {
     Table slopes{axes, {}};
     slopes.axes[axis].degree = by.degree == 0 ? 0 : by.degree - 1;
     const double scale = static_cast<double>(by.cells) / (by.last - by.first);
-    // The coefficients are a list of blocks, each holding the powers of this axis one after
-    // another, each power a run over the axes behind it.
+    // The coefficients are a list of blocks, each with the powers of this axis in
+    // sequence, each power a run over the following axes.
     const std::size_t run = coefficients_in_cell(std::span(axes).subspan(axis + 1));
     const std::size_t block = (by.degree + 1) * run;
     for (std::size_t begin = 0; begin < coefficients.size(); begin += block) {

@@ -7,15 +7,15 @@
 
 namespace balcony::lang {
 
-/// A file of cameras/ as it was when the library was built.
+/// A file of cameras/, compiled into the library.
 struct BuiltInCamera {
     std::string_view name;  ///< Without .cam.
     std::string_view text;
 };
 
-/// All of them in the order of their names; CMake writes the definition.
+/// All built-in cameras, sorted by name; CMake generates the definition.
 [[nodiscard]] std::span<const BuiltInCamera> built_in_camera_files();
-/// One by its name, with or without .cam; null if there is none.
+/// A built-in camera by its name, with or without .cam; null if there is none.
 [[nodiscard]] const BuiltInCamera* find_built_in_camera(std::string_view name);
 
 }  // namespace balcony::lang

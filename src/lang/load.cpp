@@ -16,7 +16,7 @@ namespace balcony::lang {
 
 namespace {
 
-// A file without a camera is an error wherever one is wanted.
+// A file without a camera is an error if a camera is needed.
 bool require_cameras(const Module& module, Reporter& reporter) {
     if (!own_definitions(module).empty() || reporter.error_count() > 0) {
         return !own_definitions(module).empty();
@@ -27,13 +27,13 @@ bool require_cameras(const Module& module, Reporter& reporter) {
     for (const LocatedDefinition& place : visible_definitions(module)) {
         imported.emplace_back(place.camera->name.text);
     }
-    // Where one would be written: behind the last that is there.
+    // The position where a camera could be added: the end of the text.
     const std::size_t end = blank ? 0 : source.text().find_last_not_of(" \t\r\n") + 1;
-    reporter.error(
-        module.tree.at({end, end}),
-        fmt::format("'{}' {}", source.name(), blank ? "is empty" : "has no camera of its own"),
-        imported.empty() ? "a camera is written camera name { ... }"
-                         : fmt::format("name one that it imports: {}", one_of(imported)));
+    reporter.error(module.tree.at({end, end}),
+                   fmt::format("'{}' {}", source.name(), blank ? "is empty" : "contains no camera"),
+                   imported.empty()
+                       ? "the syntax is camera name { ... }"
+                       : fmt::format("name one of its imported cameras: {}", one_of(imported)));
     return false;
 }
 
@@ -48,12 +48,12 @@ const LocatedDefinition* choose(const std::vector<LocatedDefinition>& cameras,
     }
     reporter.error(
         {}, fmt::format("'{}' has no camera or picture '{}'", module.tree.source->name(), name),
-        suggestion(name, known, "it has"));
+        suggestion(name, known, "it contains"));
     return nullptr;
 }
 
-// Lets outside of cameras, of which some may be for files that import this one: those are warned of
-// only if nothing in this file uses them though it has cameras that could.
+// Warns about unused lets outside of cameras. They may be for files that import this one, so only
+// a file with cameras is checked.
 void warn_of_unused_lets(const Module& module, Reporter& reporter) {
     std::set<std::string_view> used;
     for (const Expression& node : module.tree.expressions) {
@@ -65,13 +65,13 @@ void warn_of_unused_lets(const Module& module, Reporter& reporter) {
         const auto* let = std::get_if<Statement>(&item);
         if (let != nullptr && !used.contains(let->name.text)) {
             reporter.warning(module.tree.at(let->name.span),
-                             fmt::format("the let '{}' is not used", let->name.text));
+                             fmt::format("the let '{}' is unused", let->name.text));
         }
     }
 }
 
-// What is meant; an empty name means the file's last one, of the cameras if one is wanted and there
-// is one. Nothing, with the reason reported, if there is none.
+// The selected camera or picture. An empty name selects the last one of the file, or the last
+// camera if a camera is needed. Nothing after an error, which is reported.
 std::optional<LocatedDefinition> find(const Module* module, std::string_view name,
                                       bool camera_wanted, Reporter& reporter) {
     if (module == nullptr || (name.empty() && !require_cameras(*module, reporter))) {
@@ -96,22 +96,23 @@ std::optional<LocatedDefinition> find_camera(const Module* module, std::string_v
     if (place && place->camera->is_picture) {
         const Identifier& found = place->camera->name;
         reporter.error(place->module->tree.at(found.span),
-                       fmt::format("'{}' is a picture, but a camera is wanted", found.text),
-                       "name a camera, such as one of its layers");
+                       fmt::format("'{}' is a picture, but a camera is needed", found.text),
+                       "name a camera, for example one of its layers");
         return std::nullopt;
     }
     return place;
 }
 
-// What was made of a place, with what there is to say.
+// The result for a camera or picture, with its diagnostics.
 template <class Made>
 Result<Made> finish(std::optional<Made> made, const Module* module, Reporter& reporter) {
     const bool failed = reporter.error_count() > 0;
     if (!failed) {
         warn_of_unused_lets(*module, reporter);
     }
-    Diagnostics said = reporter.take();
-    return failed ? Result<Made>(std::move(said)) : Result<Made>(std::move(*made), std::move(said));
+    Diagnostics diagnostics = reporter.take();
+    return failed ? Result<Made>(std::move(diagnostics))
+                  : Result<Made>(std::move(*made), std::move(diagnostics));
 }
 
 Result<camera::Camera> make_camera(Session& session, const Module* module, std::string_view name,
@@ -128,7 +129,7 @@ Result<camera::Picture> make_picture(Session& session, const Module* module, std
                   session.reporter());
 }
 
-// A comment as text: without its marks, and without the space behind // of each line.
+// The text of a comment, without its delimiters and the space after // of each line.
 std::string comment_text(std::string_view comment) {
     if (comment.starts_with("//")) {
         comment.remove_prefix(comment.starts_with("// ") ? 3 : 2);
@@ -142,7 +143,7 @@ std::string comment_text(std::string_view comment) {
                                            : std::string(comment.substr(begin, end + 1 - begin));
 }
 
-// The comments that stand directly above an offset, with nothing but a line break between.
+// The comments directly above an offset, separated by a line break only.
 std::string comment_above(const SyntaxTree& tree, std::size_t offset) {
     std::vector<std::string> lines;
     const std::string_view text = tree.source->text();

@@ -22,7 +22,7 @@ void Reporter::add(Diagnostic diagnostic) {
     const bool is_error = diagnostic.severity == Severity::error;
     errors_ += is_error ? 1 : 0;
     if (std::any_of(diagnostics_.begin(), diagnostics_.end(),
-                    [&](const Diagnostic& said) { return same(said, diagnostic); })) {
+                    [&](const Diagnostic& reported) { return same(reported, diagnostic); })) {
         return;
     }
     if (is_error) {
@@ -50,7 +50,7 @@ void Reporter::warning(SourceSpan span, std::string message, std::string remedy)
 }
 
 Diagnostics Reporter::take() {
-    // Sources stay in the order in which they were first spoken of.
+    // Sources are sorted by their first diagnostic.
     std::vector<const SourceText*> sources;
     const auto rank = [&sources](const Diagnostic& diagnostic) {
         const SourceText* source = diagnostic.span.source.get();
@@ -75,7 +75,7 @@ Diagnostics Reporter::take() {
     }
     if (left_out_) {
         sorted.push_back(balcony::error(
-            fmt::format("there are more errors; these are the first {}", max_errors)));
+            fmt::format("there are more errors; only the first {} are shown", max_errors)));
     }
     diagnostics_.clear();
     return sorted;

@@ -6,8 +6,8 @@
 
 namespace balcony::lang {
 
-/// Collects what there is to say, up to a bound: more errors than fit a screen help nobody. What a
-/// camera that is used twice has to say is said once.
+/// Collects diagnostics up to a limit. Identical diagnostics of a camera that is used twice are
+/// reported once.
 class Reporter {
 public:
     static constexpr std::size_t max_errors = 20;
@@ -17,12 +17,12 @@ public:
     void error(SourceSpan span, std::string message, std::string remedy = {});
     void warning(SourceSpan span, std::string message, std::string remedy = {});
 
-    /// All errors, also those that are said already or left out: no part of the work in which it
-    /// grew has succeeded.
+    /// The number of all errors, including repeated and omitted ones. If it has increased during a
+    /// piece of work, that work has failed.
     [[nodiscard]] std::size_t error_count() const { return errors_; }
-    /// So many errors that reading on is in vain.
+    /// Whether the limit is reached, so that further reading is useless.
     [[nodiscard]] bool full() const { return errors_said_ >= max_errors; }
-    /// Everything in the order of the sources, with a closing line if something was left out.
+    /// All diagnostics, sorted by source, with a final note if some were omitted.
     [[nodiscard]] Diagnostics take();
 
 private:
@@ -37,7 +37,7 @@ private:
 /// 'a', 'b' and 'c'.
 [[nodiscard]] std::string all_of(const std::vector<std::string>& names);
 
-/// What to say when a name is unknown: the nearest one there is, or `otherwise` and all of them.
+/// A suggested fix for an unknown name: the nearest known name, or `otherwise` and all names.
 [[nodiscard]] std::string suggestion(std::string_view name, const std::vector<std::string>& known,
                                      std::string_view otherwise);
 

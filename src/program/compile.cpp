@@ -18,7 +18,7 @@ using expr::Op;
 
 std::size_t index(Rate rate) { return static_cast<std::size_t>(rate); }
 
-// Doubles that one register of a rate takes.
+// The size of a register of a rate, in doubles.
 constexpr std::array<std::uint32_t, 4> register_doubles{register_alignment, max_tile_width,
                                                         max_tile_height, max_tile_width};
 static_assert(max_points <= max_tile_width && max_points <= max_tile_height);
@@ -26,7 +26,7 @@ static_assert(max_points <= max_tile_width && max_points <= max_tile_height);
 bool is_leaf(Op op) { return op == Op::constant || op == Op::input; }
 
 // The nodes below the roots in depth-first order, arguments first, so that a value is used soon
-// after it is made and few registers are alive at a time.
+// after it is computed and few registers are live at a time.
 std::vector<NodeId> schedule(const Graph& graph, std::span<const Expr> roots) {
     struct Visit {
         NodeId id;
@@ -57,7 +57,7 @@ std::vector<NodeId> schedule(const Graph& graph, std::span<const Expr> roots) {
     return order;
 }
 
-// Registers of one rate: the number in use at once is kept small by taking back the free ones.
+// Registers of one rate; freed registers are reused to keep their number small.
 class RegisterPool {
 public:
     std::uint32_t take() {
@@ -100,11 +100,12 @@ private:
 
     struct Value {
         Rate rate = Rate::uniform;
-        std::size_t last_use = 0;   ///< Position in order_; never if the register is kept for good.
-        std::uint32_t number = 0;   ///< Among the registers of its rate.
-        std::uint32_t uses = 0;     ///< Instructions that read it and roots that are it.
-        std::int32_t root = -1;     ///< The last root that is it.
-        std::uint32_t replica = 0;  ///< Of a row value that pixel instructions read, from 1.
+        std::size_t last_use = 0;  ///< Position in order_; `never` if the register is never freed.
+        std::uint32_t number = 0;  ///< Index among the registers of its rate.
+        std::uint32_t uses = 0;    ///< Number of instructions and roots that use it.
+        std::int32_t root = -1;    ///< The last root with this value.
+        std::uint32_t replica =
+            0;  ///< For a row value that pixel instructions read, counted from 1.
     };
 
     Value& value(NodeId id) { return values_[id.value()]; }
@@ -124,8 +125,8 @@ private:
         }
     }
 
-    // A value read at another rate than its own, by a root, or filled in by the runner, keeps its
-    // register for good; any other is dead after its last reader.
+    // A value that is read at another rate or by a root, or is written by the runner, keeps its
+    // register permanently; any other is dead after its last use.
     void find_last_uses() {
         for (std::size_t step = 0; step < order_.size(); ++step) {
             const NodeId id = order_[step];
@@ -152,7 +153,7 @@ private:
 
     // Every kernel reads a point of its arguments before it writes that point of its result, so a
     // result may take the register of an argument that dies with it. Leaves are filled in before
-    // the first instruction runs, so theirs are taken before any is given back.
+    // the first instruction runs, so their registers are allocated before any is freed.
     void assign_registers() {
         for (const NodeId id : order_) {
             if (is_leaf(graph_[id].op)) {
@@ -166,7 +167,7 @@ private:
                 Value& read = value(argument);
                 if (read.last_use == step) {
                     pools_[index(read.rate)].give_back(read.number);
-                    read.last_use = never;  // an argument used twice is given back once
+                    read.last_use = never;  // an argument used twice is freed once
                 }
                 if (made.rate == Rate::pixel && read.rate == Rate::row && read.replica == 0) {
                     read.replica = ++replicas_;
@@ -178,7 +179,7 @@ private:
         }
     }
 
-    // Lays the registers out: first those that are read all the time while pixels are computed.
+    // Arranges the registers: first those that are read most often while pixels are computed.
     void place_registers() {
         std::uint32_t at = replicas_ * static_cast<std::uint32_t>(register_alignment);
         for (const Rate rate : {Rate::uniform, Rate::column, Rate::pixel, Rate::row}) {
@@ -241,7 +242,7 @@ private:
         return Tape::Input::first_declared + static_cast<std::uint32_t>(found - declared.begin());
     }
 
-    // A pixel value that is one root and serves nothing else needs no register.
+    // A pixel value that is one root and has no other use needs no register.
     bool made_in_place(NodeId id) {
         const Value& made = value(id);
         return made.rate == Rate::pixel && !is_leaf(graph_[id].op) && made.root >= 0 &&

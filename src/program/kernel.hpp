@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What a compiled instruction looks like to the code that runs it, in plain structs that any
+// Compiled instructions as seen by the code that runs them, in plain structs that any
 // instruction set can be compiled against (kernels.inl says why they must be plain).
 
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace balcony::program {
 /// value that does not vary along a run of points is stored this many times.
 inline constexpr std::size_t register_alignment = 8;
 
-/// A table as the look-up kernels read it; owned by the tape. Axes that it has not have degree 0.
+/// A table for the look-up kernels; owned by the tape. Missing axes have degree 0.
 struct TableView {
     struct Axis {
         double first = 0.0;
@@ -38,8 +38,8 @@ struct NativeCall {
     std::size_t arity = 0;
 };
 
-/// Where an argument stands. Point i of it is at offset + (i & mask): the mask is all ones for a
-/// value that varies along the run and 0 for one that does not, so that loading needs no branch.
+/// The location of an argument. Its point i is at offset + (i & mask): the mask is all ones for a
+/// value that varies along the run and 0 for a constant one, so that loading needs no branch.
 struct Operand {
     std::uint32_t offset = 0;
     std::uint32_t mask = 0;
@@ -47,12 +47,13 @@ struct Operand {
 
 struct Instruction {
     expr::Op op = expr::Op::constant;
-    std::uint32_t result = 0;  ///< Offset of the register that is written.
-    std::int32_t root = -1;    ///< The one root that is this value if nothing reads it, else -1.
+    std::uint32_t result = 0;  ///< Offset of the result register.
+    std::int32_t root =
+        -1;  ///< The only root with this value if nothing else reads it, otherwise -1.
     Operand arguments[3];
     double (*scalar)(const double* arguments) = nullptr;  ///< The operation's definition.
-    const TableView* table = nullptr;                     ///< Of a look-up.
-    const NativeCall* native = nullptr;                   ///< Of a native function.
+    const TableView* table = nullptr;                     ///< The table of a look-up.
+    const NativeCall* native = nullptr;                   ///< The native function.
 };
 
 /// Runs one instruction over `count` points, a multiple of register_alignment. The results go to

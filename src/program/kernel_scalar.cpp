@@ -21,7 +21,7 @@ void by_definition(const Instruction& in, const double* registers, double* to, s
     }
 }
 
-// Horner's rule along an axis and those behind it; the last one's coefficients are numbers.
+// Horner's rule along an axis and the following ones; the coefficients of the last are numbers.
 double horner(const TableView& table, const double* c, const double* s, std::size_t axis) {
     if (axis == 3) {
         return *c;

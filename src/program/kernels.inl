@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // The kernels, one for each operation, for the instruction set that the including file is compiled
-// for. That file defines BALCONY_KERNEL, the name of the function that hands them out.
+// for. That file defines BALCONY_KERNEL, the name of the function that returns them.
 //
-// Rule: nothing here may leave code behind that other files share. The linker keeps one copy of an
+// Rule: nothing here may emit code that other files share. The linker keeps one copy of an
 // inline function or template that several files emit; if it kept the one compiled for AVX-512, the
-// library would crash on a lesser machine. So everything is in an unnamed namespace, no container,
+// library would crash on machines without it. So everything is in an unnamed namespace, no container,
 // algorithm or inline function of another header is used, and Highway's functions are all forced
 // inline. A test looks for shared symbols in the object files.
 
@@ -16,7 +16,7 @@
 
 #include "program/kernel.hpp"
 
-// An operation that has no kernel does not compile.
+// An operation without a kernel does not compile.
 #pragma GCC diagnostic error "-Wswitch"
 
 HWY_BEFORE_NAMESPACE();
@@ -50,9 +50,9 @@ static_assert(lanes::MaxLanes(tag) > 1 && register_alignment % lanes::MaxLanes(t
 #define BALCONY_SLEEF_2(function) \
     [](Vector a, Vector b) { return Vector{BALCONY_SLEEF(function)(a.raw, b.raw)}; }
 
-// Arguments during a run of points: one that varies, one that does not, one that may be either.
-// They are made before the loop over the points, as the compiler must take each store of a vector
-// for one that may change the instruction.
+// Arguments during a run of points: varying, constant, or either.
+// They are created before the loop over the points, because the compiler must assume that each store of a vector
+// may change the instruction.
 struct Varying {
     const double* from;
     Vector operator()(std::size_t i) const { return lanes::Load(tag, from + i); }
@@ -73,7 +73,7 @@ inline Masked argument(const Instruction& in, std::size_t number, const double* 
 
 enum class Overflow { as_defined, too_early };
 
-// Puts the scalar definition in place of every infinite result. For SLEEF's functions that overflow
+// Replaces every infinite result by the scalar definition. For SLEEF's functions that overflow
 // too early: exp and pow from 1.79766e308 on, sinh and cosh from half of that, asinh and acosh
 // where the square of the argument overflows.
 HWY_NOINLINE void redefine_infinite(const Instruction& in, Vector a, Vector b, double* results) {
@@ -89,7 +89,7 @@ HWY_NOINLINE void redefine_infinite(const Instruction& in, Vector a, Vector b, d
     }
 }
 
-// Writes a result; the arguments are those that made it.
+// Writes a result; the arguments are those of the operation.
 template <Overflow overflow>
 inline void finish(const Instruction& in, Vector a, Vector b, Vector result, double* to) {
     lanes::StoreU(result, tag, to);
@@ -101,7 +101,7 @@ inline void finish(const Instruction& in, Vector a, Vector b, Vector result, dou
     }
 }
 
-// If no argument varies, this is the uniform section: a run is one register, of equal values.
+// If no argument varies, this is the uniform section: a run is one register of equal values.
 template <auto function, Overflow overflow = Overflow::as_defined>
 void unary(const Instruction& in, const double* registers, double* to, std::size_t count) {
     const Varying first{argument(in, 0, registers).from};
@@ -136,7 +136,7 @@ inline Vector truth(Mask condition) {
     return lanes::IfThenElseZero(condition, lanes::Set(tag, 1.0));
 }
 
-// As in C, where a NaN counts as true.
+// As in C, NaN is true.
 inline Mask holds(Vector condition) { return lanes::Not(lanes::Eq(condition, lanes::Zero(tag))); }
 
 inline Vector sign(Vector a) {
@@ -184,7 +184,7 @@ inline Vector horner(const TableView& table, const double* c, Index start, const
     }
 }
 
-// The steps of expr::Table, so that no cell outside the table is read and a NaN stays one.
+// The steps of expr::Table: no cell outside the table is read, and NaN gives NaN.
 template <int count_of_axes>
 void lookup(const Instruction& in, const double* registers, double* to, std::size_t count) {
     using IndexTag = lanes::RebindToSigned<Tag>;

@@ -7,7 +7,7 @@ namespace balcony::program {
 
 namespace {
 
-// One value for each register, at its first double.
+// One value per register, in its first double.
 void run_section(const Tape& tape, Rate rate, std::vector<double>& registers) {
     for (const Instruction& instruction : tape.section(rate)) {
         std::array<double, 3> arguments{};

@@ -56,7 +56,7 @@ std::size_t padded(std::size_t count) {
 }
 
 // One tile or list of points on one instruction set. Registers are padded to whole vectors, so
-// kernels never have a rest to deal with; the caller's arrays only ever receive what was asked for.
+// kernels never handle a remainder; the caller's arrays receive only the requested points.
 class TapeRun {
 public:
     TapeRun(const Tape& tape, const Kernels& kernels, Scratch& scratch,
@@ -112,7 +112,7 @@ private:
         std::fill_n(registers_ + offset, register_alignment, value);
     }
 
-    // The rest of the last vector repeats the last value, so that no point is made up.
+    // The rest of the last vector repeats the last value, so that only given points are evaluated.
     void fill_padded(std::uint32_t offset, std::span<const double> values) {
         double* end = std::copy(values.begin(), values.end(), registers_ + offset);
         std::fill_n(end, padded(values.size()) - values.size(), values.back());

@@ -37,7 +37,7 @@ struct Tape {
     struct Root {
         Rate rate;
         std::uint32_t offset;
-        bool made_in_place;  ///< Its instruction can write to the caller's array.
+        bool made_in_place;  ///< Whether its instruction writes directly to the caller's array.
     };
 
     Interface interface;
@@ -58,7 +58,7 @@ struct Tape {
     }
 };
 
-/// Compiles roots as they stand, without simplifying them. They have no free variable, and the
+/// Compiles roots without simplifying them. They have no free variable, and the
 /// interface declares every input that they depend on.
 [[nodiscard]] std::shared_ptr<const Tape> compile(std::span<const expr::Expr> roots,
                                                   const Interface& interface);

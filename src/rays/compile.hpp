@@ -14,7 +14,7 @@
 
 namespace balcony::rays {
 
-/// The value of a result, if it has one; its diagnostics go to the others.
+/// The value of a result, if it has one; its diagnostics are appended to the others.
 template <class Value>
 [[nodiscard]] std::optional<Value> take(Result<Value> result, Diagnostics& diagnostics) {
     std::move(result.diagnostics.begin(), result.diagnostics.end(),
@@ -22,7 +22,7 @@ template <class Value>
     return std::move(result.value);
 }
 
-/// The result of `make()`, or an error if it writes more operations than a graph holds.
+/// The result of `make()`, or an error if it writes more operations than a graph can contain.
 template <class Made, class Make>
 [[nodiscard]] Result<Made> within_limits(std::string_view what, const std::string& name,
                                          const Make& make) {
@@ -30,9 +30,9 @@ template <class Made, class Make>
         return make();
     } catch (const expr::GraphTooLarge&) {
         return error(fmt::format("{} '{}' is too large: its formulas and their derivatives have "
-                                 "more operations than a graph holds",
+                                 "more operations than a graph can contain",
                                  what, name),
-                     {}, "repeat fewer stages, or take simpler ones");
+                     {}, "repeat fewer stages, or use simpler ones");
     }
 }
 

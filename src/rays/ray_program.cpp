@@ -9,7 +9,7 @@ namespace balcony::rays {
 
 namespace {
 
-// In the order in which RayBatch has them.
+// In the order of RayBatch.
 std::vector<expr::Expr> roots_of(const camera::RayExpressions& ray, Axes from, Axes to,
                                  bool footprints) {
     std::vector<expr::Expr> roots;

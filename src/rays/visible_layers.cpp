@@ -9,7 +9,7 @@
 
 namespace balcony::rays {
 
-// Goes through elements from the front to the back and gathers what hides those behind.
+// Visits elements from front to back and collects what hides those behind.
 class LayerFinder {
 public:
     using Element = camera::PictureExpressions::Element;
@@ -33,7 +33,7 @@ public:
     }
 
 private:
-    // `hidden` is where elements in front hide these, `shown` where the groups round them cover
+    // `hidden` is where elements in front hide these, `shown` where the enclosing groups cover
     // something. Returns where these elements and those in front hide what is behind.
     expr::Expr find(const std::vector<Element>& elements, expr::Expr hidden, expr::Expr shown) {
         for (auto element = elements.rbegin(); element != elements.rend(); ++element) {
@@ -45,7 +45,7 @@ private:
         return hidden;
     }
 
-    // Where there is anything that could hide: a ray, paint, or a group without a gap.
+    // Where there is something that can hide others: a ray, paint, or a group without a gap.
     expr::Expr contents(const Element& element, expr::Expr hidden, expr::Expr shown) {
         if (!element.group.empty()) {
             return find(element.group, hidden, shown);

@@ -37,7 +37,7 @@ std::string in_quotes(std::string_view name) {
         shown += code < 0x20 || code == 0x7f ? '?' : byte;
     }
     if (name.size() > longest) {
-        // No half of a character at the cut.
+        // Do not cut a character in half.
         while (!shown.empty() && (static_cast<unsigned char>(shown.back()) & 0x80U) != 0) {
             shown.pop_back();
         }
@@ -76,19 +76,19 @@ std::vector<std::uint8_t> read_bytes(const fs::path& file) {
         throw ReadError{error(fmt::format("{} is a directory", name), {}, "name a file in it")};
     }
     if (!fs::is_regular_file(status)) {
-        throw ReadError{error(fmt::format("{} is not a regular file", name), {},
-                              "save what comes from it in a file")};
+        throw ReadError{
+            error(fmt::format("{} is not a regular file", name), {}, "save its output to a file")};
     }
     const std::uintmax_t size = fs::file_size(file, code);
     std::ifstream stream(file, std::ios::binary);
     if (code || !stream) {
         throw ReadError{
-            error(fmt::format("{} cannot be opened", name), {}, "check that you may read it")};
+            error(fmt::format("{} cannot be opened", name), {}, "check its read permission")};
     }
     std::vector<std::uint8_t> bytes(size);
     stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
     if (stream.gcount() != static_cast<std::streamsize>(size)) {
-        throw ReadError{error(fmt::format("{} could not be read to its end", name))};
+        throw ReadError{error(fmt::format("{} could not be read completely", name))};
     }
     return bytes;
 }

@@ -20,7 +20,7 @@ V3d area_normal(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle) 
     return (b - a).cross(c - a);
 }
 
-// A vector of unit length, or zero if the vector has no direction.
+// Normalises a vector; zero if it has no direction.
 V3f unit(const V3d& vector) {
     const double length = vector.length();
     return std::isfinite(length) && length > 0.0 ? V3f(vector / length) : V3f(0.0F);
@@ -46,12 +46,13 @@ void drop_bad_triangles(Mesh& mesh, Import& import) {
                triangle[2] == triangle[0];
     });
     if (out_of_range > 0) {
-        import.warn(fmt::format("mesh {}: {} left out that name a vertex the mesh does not have",
+        import.warn(fmt::format("mesh {}: {} skipped because of a vertex index out of range",
                                 in_quotes(mesh.name), counted(out_of_range, "triangle")));
     }
     if (not_usable > 0) {
-        import.warn(fmt::format("mesh {}: {} left out with a vertex that is no usable number",
-                                in_quotes(mesh.name), counted(not_usable, "triangle")));
+        import.warn(
+            fmt::format("mesh {}: {} skipped because of a vertex that is not finite or too large",
+                        in_quotes(mesh.name), counted(not_usable, "triangle")));
     }
 }
 
@@ -88,12 +89,12 @@ void clean_texture_coordinates(Mesh& mesh, Import& import) {
         }
     }
     if (bad > 0) {
-        import.warn(fmt::format("mesh {}: {} replaced by (0, 0), being no number",
-                                in_quotes(mesh.name), counted(bad, "texture co-ordinate")));
+        import.warn(fmt::format("mesh {}: {} replaced by (0, 0) because not finite",
+                                in_quotes(mesh.name), counted(bad, "texture coordinate")));
     }
 }
 
-// Every triangle gets corners of its own, with its normal.
+// Gives every triangle separate vertices, with its normal.
 void make_flat(Mesh& mesh) {
     Mesh flat;
     flat.positions.reserve(mesh.triangles.size() * 3);
@@ -137,7 +138,7 @@ void normalize_normals(Mesh& mesh, Import& import) {
             mesh.normals[i] = normal == V3f(0.0F) ? any_normal : normal;
         }
     }
-    import.warn(fmt::format("mesh {}: {} without length replaced by the normal of the faces",
+    import.warn(fmt::format("mesh {}: {} of length 0 replaced by the normal of the faces",
                             in_quotes(mesh.name), counted(without_length, "normal")));
 }
 

@@ -12,11 +12,11 @@
 
 namespace balcony::scene {
 
-/// Turns a mesh as a file gives it, with any numbers at all, into one that keeps Mesh's promises:
-/// leaves out triangles with an index out of range or a corner that is no usable number, and
-/// vertices that no triangle uses; gives flat normals to a mesh that has none; makes normals unit
-/// length, with that of the faces where one has no length. Warns with counts and the mesh's name.
-/// Normals and texture co-ordinates must be empty or one a vertex. Nothing if no triangle is left.
+/// Converts a mesh from a file, with arbitrary numbers, into one that satisfies the invariants of
+/// Mesh: skips triangles with an index out of range or a vertex that is not finite or too large,
+/// and unused vertices; adds flat normals to a mesh without normals; normalises normals, replacing
+/// those of length 0 by that of the faces. Warns with counts and the mesh's name. Normals and
+/// texture coordinates must be empty or one per vertex. Nothing if no triangle remains.
 [[nodiscard]] std::optional<Mesh> finish_mesh(Mesh mesh, Import& import);
 
 /// Whether coordinates are finite and within max_coordinate.

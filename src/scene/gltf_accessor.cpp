@@ -14,7 +14,7 @@ namespace balcony::scene {
 
 namespace {
 
-// The numbers that glTF gives to the kinds of components.
+// glTF's numbers of the component types.
 enum class Component : std::uint16_t {
     signed_byte = 5120,
     unsigned_byte = 5121,
@@ -43,7 +43,8 @@ std::size_t components_of(const std::string& type) {
     const bool vector =
         type.size() == 4 && type.starts_with("VEC") && type[3] >= '2' && type[3] <= '4';
     if (!vector) {
-        throw PartError{fmt::format("its accessor type {} is none for a vertex", in_quotes(type))};
+        throw PartError{
+            fmt::format("its accessor type {} is not valid for a vertex", in_quotes(type))};
     }
     return static_cast<std::size_t>(type[3] - '0');
 }
@@ -55,8 +56,8 @@ T value_at(const std::uint8_t* bytes) {
     return value;
 }
 
-// glTF 2.0, section 3.11: the integers of a normalised accessor stand for value / maximum, and the
-// most negative one for -1 as well.
+// glTF 2.0, section 3.11: the integers of a normalised accessor represent value / maximum, and the
+// most negative one also represents -1.
 float decode(const std::uint8_t* bytes, std::size_t component, bool normalized) {
     const auto scaled = [&](auto value, float maximum) {
         const auto number = static_cast<float>(value);
@@ -100,7 +101,7 @@ void GltfAccessor::place(std::span<const std::uint8_t> bytes, std::size_t offset
                       (count_ == 0 || (size <= bytes.size() - offset &&
                                        count_ - 1 <= (bytes.size() - offset - size) / stride));
     if (!fits) {
-        throw PartError{"an accessor reaches past the end of its buffer view"};
+        throw PartError{"an accessor extends past the end of its buffer view"};
     }
     bytes_ = bytes.subspan(offset);
     stride_ = stride;
@@ -175,7 +176,7 @@ const GltfAccessor& GltfDocument::accessor(std::size_t index, std::size_t compon
         known = accessors_.emplace(index, read_accessor(element(root_, "accessors", index))).first;
     }
     if (known->second.components() != components) {
-        throw PartError{fmt::format("an accessor has {} where {} belong",
+        throw PartError{fmt::format("an accessor has {} where {} are required",
                                     counted(known->second.components(), "component"), components)};
     }
     return known->second;

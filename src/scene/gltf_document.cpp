@@ -40,7 +40,7 @@ struct GlbChunks {
 // Splits a GLB into its two chunks, with all lengths checked against the file's.
 GlbChunks split_glb(Bytes bytes, const std::string& name) {
     const auto cut_off = [&](std::size_t expected) {
-        return ReadError{error(fmt::format("{} is cut off: it says {} and has {}", name,
+        return ReadError{error(fmt::format("{} is truncated: it declares {} and has {}", name,
                                            counted(expected, "byte"), bytes.size()),
                                {}, "copy or download it again")};
     };
@@ -49,7 +49,7 @@ GlbChunks split_glb(Bytes bytes, const std::string& name) {
     }
     if (const std::uint32_t version = word_at(bytes, 4); version != 2) {
         throw ReadError{error(fmt::format("{} is glTF version {}", name, version), {},
-                              "only glTF 2.0 is read")};
+                              "only glTF 2.0 is supported")};
     }
     const std::size_t length = word_at(bytes, 8);
     if (length > bytes.size()) {
@@ -147,7 +147,7 @@ GltfDocument::GltfDocument(const Import& import) : file_(import.file) {
         return;
     }
     if (file_.extension() != ".gltf") {
-        throw ReadError{error(fmt::format("{} is not a GLB: it does not begin with 'glTF'", name),
+        throw ReadError{error(fmt::format("{} is not a GLB: it does not start with 'glTF'", name),
                               {},
                               begins_with(all, "{") ? "it looks like JSON: name it .gltf"
                                                     : "export it again as binary glTF (.glb)")};
@@ -161,7 +161,7 @@ void GltfDocument::parse(std::string text) {
     try {
         root_ = Json::parse(text);
     } catch (const Json::exception& failure) {
-        // A number too large for a double is thrown without a place.
+        // The exception for a number too large for a double has no position.
         const auto* syntax = dynamic_cast<const Json::parse_error*>(&failure);
         const std::size_t end = syntax != nullptr ? std::min(syntax->byte, text.size()) : 0;
         const std::string reason = failure.what();
@@ -179,7 +179,7 @@ void GltfDocument::parse(std::string text) {
             version.empty()
                 ? fmt::format("{} is not a glTF file: it has no 'asset' with a 'version'", name)
                 : fmt::format("{} is glTF version {}", name, in_quotes(version)),
-            {}, "only glTF 2.0 is read")};
+            {}, "only glTF 2.0 is supported")};
     }
 }
 
@@ -211,7 +211,7 @@ void GltfDocument::read_buffers(Bytes binary) {
             const std::size_t stated = count_in(buffer, "byteLength", 0);
             if (bytes.size() < stated && (!uri.empty() || is_chunk)) {
                 throw PartError{
-                    fmt::format("it holds {} of {}", bytes.size(), counted(stated, "byte"))};
+                    fmt::format("it contains {} of {}", bytes.size(), counted(stated, "byte"))};
             }
             buffers_.push_back(bytes.first(std::min(bytes.size(), stated)));
         } catch (const PartError& fault) {
@@ -219,7 +219,7 @@ void GltfDocument::read_buffers(Bytes binary) {
                 error(fmt::format("{} of {} cannot be used: {}", what, name, fault.reason), {},
                       "copy or export the file again")};
         } catch (ReadError& fault) {
-            fault.diagnostic.message += fmt::format(", where {} keeps its geometry", name);
+            fault.diagnostic.message += fmt::format(", which contains the geometry of {}", name);
             throw;
         }
     }
@@ -234,14 +234,14 @@ GltfDocument::Bytes GltfDocument::view(std::size_t index) const {
     const Json& view = element(root_, "bufferViews", index);
     const std::size_t buffer = count_in(view, "buffer", buffers_.size());
     if (buffer >= buffers_.size()) {
-        throw PartError{fmt::format("buffer view {} is in a buffer that is not there", index)};
+        throw PartError{fmt::format("buffer view {} refers to a missing buffer", index)};
     }
     const std::size_t offset = count_in(view, "byteOffset", 0);
     const std::size_t length = count_in(view, "byteLength", 0);
     const Bytes bytes = buffers_[buffer];
     if (offset > bytes.size() || length > bytes.size() - offset) {
         throw PartError{
-            fmt::format("buffer view {} reaches past the end of buffer {}", index, buffer)};
+            fmt::format("buffer view {} extends past the end of buffer {}", index, buffer)};
     }
     return bytes.subspan(offset, length);
 }

@@ -18,11 +18,11 @@
 
 namespace balcony::scene {
 
-/// The JSON of a glTF 2.0 file with its buffers. Every access is checked against what is there, so
-/// that no file can make us read what it does not hold. Part accesses throw PartError.
+/// The JSON of a glTF 2.0 file with its buffers. Every access is checked against the actual sizes,
+/// so no file can cause an out-of-bounds read. Part accesses throw PartError.
 class GltfDocument {
 public:
-    /// Reads a .glb or .gltf file and the buffers beside it. Throws ReadError.
+    /// Reads a .glb or .gltf file and its external buffers. Throws ReadError.
     explicit GltfDocument(const Import& import);
 
     [[nodiscard]] const Json& root() const { return root_; }

@@ -56,7 +56,7 @@ M44d local_transform(const Json& node) {
     const auto translation = numbers_in(node, "translation", {0.0, 0.0, 0.0});
     const Imath::Quatd turn(rotation[3], rotation[0], rotation[1], rotation[2]);
     if (!(turn.length() > 0.0 && std::isfinite(turn.length()))) {
-        throw PartError{"its 'rotation' has no length"};
+        throw PartError{"its 'rotation' has length 0"};
     }
     local.setScale(V3d(scale[0], scale[1], scale[2]));
     M44d moved;
@@ -69,7 +69,8 @@ bool finite(const M44d& matrix) {
     return std::all_of(numbers, numbers + 16, [](double number) { return std::isfinite(number); });
 }
 
-// Whether a matrix keeps volume: relative to the lengths of its rows, so that units do not matter.
+// Whether a matrix is not singular: relative to the lengths of its rows, so that units do not
+// matter.
 bool invertible(const M44d& matrix) {
     const V3d x(matrix[0][0], matrix[0][1], matrix[0][2]);
     const V3d y(matrix[1][0], matrix[1][1], matrix[1][2]);
@@ -98,7 +99,7 @@ bool is_within_range(const V3d& point) {
 // Throws PartError unless a mesh with these bounds can be placed so.
 void check_placement(const Box3f& box, const M44d& world_from_mesh) {
     if (!invertible(world_from_mesh)) {
-        throw PartError{"its transform flattens it"};
+        throw PartError{"its transform is singular"};
     }
     if (!scale_fits(world_from_mesh) || !scale_fits(world_from_mesh.inverse())) {
         throw PartError{
@@ -152,9 +153,10 @@ void refuse_compressed(const Json& root, const std::filesystem::path& file) {
     for (const std::string& extension : unread_extensions(root, "extensionsRequired")) {
         if (extension == "'KHR_draco_mesh_compression'" ||
             extension == "'EXT_meshopt_compression'") {
-            throw ReadError{error(fmt::format("{} needs the extension {}, which is not read",
-                                              in_quotes(file.string()), extension),
-                                  {}, "export the file without mesh compression")};
+            throw ReadError{
+                error(fmt::format("{} requires the extension {}, which is not supported",
+                                  in_quotes(file.string()), extension),
+                      {}, "export the file without mesh compression")};
         }
     }
 }
@@ -204,10 +206,10 @@ std::vector<std::size_t> GltfReader::root_nodes() const {
             return indices_in(element(root_, "scenes", count_in(root_, "scene", 0)), "nodes");
         }
     } catch (const PartError& fault) {
-        import_.warn(
-            fmt::format("the file's scene cannot be used: {}; all nodes are shown", fault.reason));
+        import_.warn(fmt::format("the file's scene cannot be used: {}; all nodes are used instead",
+                                 fault.reason));
     }
-    // A library of parts without a scene: whatever has no parent.
+    // Without a scene, uses all nodes without a parent.
     std::vector<bool> is_child(nodes, false);
     for (std::size_t i = 0; i < nodes; ++i) {
         const Json& children = member(member(root_, "nodes")[i], "children");
@@ -231,13 +233,13 @@ void GltfReader::read_node(const Node& visit, std::vector<Node>& pending) {
     try {
         const Json& node = element(root_, "nodes", visit.index);
         name = node_name(node, visit.index);
-        // The nodes are a tree; one reached twice would be a cycle or a shared child.
+        // The nodes form a tree; a node reached twice would be a cycle or a shared child.
         if (!visited_nodes_.insert(visit.index).second) {
-            throw PartError{"it has more than one parent, or is its own"};
+            throw PartError{"it has more than one parent, or is its own parent"};
         }
         const M44d world_from_node = local_transform(node) * visit.world_from_parent;
         if (!finite(world_from_node)) {
-            throw PartError{"its transform is no finite matrix"};
+            throw PartError{"its transform is not finite"};
         }
         const std::vector<std::size_t> children = indices_in(node, "children");
         for (auto child = children.rbegin(); child != children.rend(); ++child) {
@@ -246,7 +248,7 @@ void GltfReader::read_node(const Node& visit, std::vector<Node>& pending) {
         place_light(node, world_from_node);
         place_mesh(node, visit.index, world_from_node);
     } catch (const PartError& fault) {
-        import_.warn(fmt::format("node {} is left out: {}", in_quotes(name), fault.reason));
+        import_.warn(fmt::format("node {} is skipped: {}", in_quotes(name), fault.reason));
     }
 }
 
@@ -284,8 +286,8 @@ const std::vector<MeshIndex>& GltfReader::meshes(std::size_t gltf_mesh) {
             try {
                 read_primitive(mesh["primitives"][i], name, known->second);
             } catch (const PartError& fault) {
-                import_.warn(fmt::format("mesh {}: primitive {} is left out: {}", in_quotes(name),
-                                         i, fault.reason));
+                import_.warn(fmt::format("mesh {}: primitive {} is skipped: {}", in_quotes(name), i,
+                                         fault.reason));
             }
         }
     }
@@ -407,7 +409,7 @@ std::vector<std::array<std::uint32_t, 3>> GltfReader::read_triangles(const Json&
                 triangles.push_back({index(i), index(i + 1), index(i + 2)});
                 break;
             case Mode::triangle_strip:
-                // Every second triangle of a strip is turned round to face the same side.
+                // Every second triangle of a strip is reversed to face the same side.
                 triangles.push_back({index(i), index(i + 1 + i % 2), index(i + 2 - i % 2)});
                 break;
             case Mode::triangle_fan:
@@ -422,20 +424,20 @@ std::vector<std::array<std::uint32_t, 3>> GltfReader::read_triangles(const Json&
 void GltfReader::warn_of_what_is_not_read() {
     const auto dropped = [&](std::size_t count, const char* kind) {
         if (count > 0) {
-            import_.warn(fmt::format("{} of {} left out: only triangles are rendered",
+            import_.warn(fmt::format("{} of {} skipped: only triangles are rendered",
                                      counted(count, "primitive"), kind));
         }
     };
     dropped(dropped_points_, "points");
     dropped(dropped_lines_, "lines");
     if (skinned_ > 0) {
-        import_.warn(fmt::format("{} shown as stored, without the skeleton's pose",
+        import_.warn(fmt::format("{} shown as stored, without skinning",
                                  counted(skinned_, "skinned object")));
     }
     const std::vector<std::string> unread = unread_extensions(root_, "extensionsUsed");
     if (!unread.empty()) {
-        import_.warn(
-            fmt::format("the file uses extensions that are not read: {}", fmt::join(unread, ", ")));
+        import_.warn(fmt::format("the file uses extensions that are not supported: {}",
+                                 fmt::join(unread, ", ")));
     }
 }
 

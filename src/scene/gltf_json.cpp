@@ -15,7 +15,7 @@ std::size_t to_index(const Json& value, std::string_view key) {
     if (value.is_number_unsigned()) {
         return value.get<std::size_t>();
     }
-    throw PartError{fmt::format("its '{}' is not a whole number from 0", key)};
+    throw PartError{fmt::format("its '{}' is not a non-negative integer", key)};
 }
 
 double to_number(const Json& value, std::string_view key) {
@@ -47,7 +47,7 @@ const Json& member(const Json& value, std::string_view key) {
 const Json& element(const Json& root, std::string_view array, std::size_t index) {
     const Json& elements = member(root, array);
     if (!elements.is_array() || index >= elements.size()) {
-        throw PartError{fmt::format("the file has no '{}' with number {}", array, index)};
+        throw PartError{fmt::format("the file has no '{}' with index {}", array, index)};
     }
     return elements[index];
 }
@@ -86,8 +86,8 @@ std::vector<double> numbers_in(const Json& value, std::string_view key,
         return fallback;
     }
     if (array.size() != fallback.size()) {
-        throw PartError{fmt::format("its '{}' has {} numbers where {} belong", key, array.size(),
-                                    fallback.size())};
+        throw PartError{fmt::format("its '{}' has {} numbers where {} are required", key,
+                                    array.size(), fallback.size())};
     }
     for (std::size_t i = 0; i < fallback.size(); ++i) {
         fallback[i] = to_number(array[i], key);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Reading members of a glTF file's JSON, which may hold anything anywhere. A member that is absent
+// Reads members of a glTF file's JSON, which may contain anything anywhere. An absent member
 // gives the fallback; one of the wrong kind throws PartError.
 
 #include <array>
@@ -20,22 +20,22 @@ namespace balcony::scene {
 
 using Json = nlohmann::json;
 
-/// Why a part of a file (a mesh, a texture, a light) cannot be used. The reader of the part turns
-/// it into a warning that names the part, and goes on without it.
+/// The reason why a part of a file (a mesh, a texture, a light) cannot be used. The reader of the
+/// part converts it into a warning that names the part, and continues without it.
 struct PartError {
     std::string reason;
 };
 
-/// Null if the value is no object or has no such member.
+/// Null if the value is not an object or has no such member.
 [[nodiscard]] const Json& member(const Json& value, std::string_view key);
 
 /// The element of a top-level array such as "meshes". Throws PartError past its end.
 [[nodiscard]] const Json& element(const Json& root, std::string_view array, std::size_t index);
 
-/// How many elements a member that should be an array has; 0 if it is none.
+/// The number of elements of an array member; 0 if it is not an array.
 [[nodiscard]] std::size_t array_size(const Json& value, std::string_view key);
 
-/// A whole number that is not negative: an index, a count, an offset.
+/// A non-negative integer: an index, a count, an offset.
 [[nodiscard]] std::optional<std::size_t> index_in(const Json& value, std::string_view key);
 [[nodiscard]] std::size_t count_in(const Json& value, std::string_view key, std::size_t fallback);
 

@@ -26,7 +26,7 @@ LightKind kind_of(const std::string& type) {
     throw PartError{fmt::format("its type {} is unknown", in_quotes(type))};
 }
 
-// KHR_lights_punctual: a light stands at its node's origin and shines along the node's -z; the
+// KHR_lights_punctual: a light is at its node's origin and shines along the node's -z; the
 // node's scale changes neither its intensity nor its range.
 Light read_light(const Json& json, const M44d& world_from_node) {
     Light light;
@@ -35,7 +35,7 @@ Light read_light(const Json& json, const M44d& world_from_node) {
     V3d direction;
     world_from_node.multDirMatrix(V3d(0.0, 0.0, -1.0), direction);
     if (!(direction.length() > 0.0 && std::isfinite(direction.length()))) {
-        throw PartError{"its node's transform leaves it no direction"};
+        throw PartError{"its node's transform gives it no direction"};
     }
     light.direction = direction.normalized();
     for (const double coordinate : {light.position.x, light.position.y, light.position.z}) {
@@ -74,7 +74,7 @@ void GltfReader::place_light(const Json& node, const M44d& world_from_node) {
         light.name = name;
         scene_.lights.push_back(std::move(light));
     } catch (const PartError& fault) {
-        import_.warn(fmt::format("light {} is left out: {}", in_quotes(name), fault.reason));
+        import_.warn(fmt::format("light {} is skipped: {}", in_quotes(name), fault.reason));
     }
 }
 

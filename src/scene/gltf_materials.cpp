@@ -32,7 +32,7 @@ Wrap wrap_of(std::size_t opengl_name) {
 }
 
 // KHR_texture_transform: uv' = translation * rotation * scale * (u, v, 1), here for row vectors.
-// The turn is counter-clockwise on the image, where v goes down, as Khronos's viewer has it.
+// The rotation is counter-clockwise on the image, where v points down, as in Khronos's viewer.
 Imath::M33f transform_of(const Json& json) {
     const auto offset = numbers_in(json, "offset", {0.0, 0.0});
     const auto scale = numbers_in(json, "scale", {1.0, 1.0});
@@ -91,8 +91,8 @@ const GltfMaterial& GltfReader::material(std::optional<std::size_t> gltf_materia
     try {
         made = read_material(gltf_material ? element(root_, "materials", *gltf_material) : nothing);
     } catch (const PartError& fault) {
-        import_.warn(fmt::format("material {} is replaced by glTF's default: {}", *gltf_material,
-                                 fault.reason));
+        import_.warn(fmt::format("material {} is replaced by glTF's default material: {}",
+                                 *gltf_material, fault.reason));
         made = read_material(nothing);
     }
     return materials_.emplace(gltf_material, made).first->second;
@@ -108,7 +108,8 @@ GltfMaterial GltfReader::read_material(const Json& json) {
     read.metallic_roughness_texture = shine.index;
     read.emission_texture = glow.index;
     if (member(json, "normalTexture").is_object()) {
-        import_.warn(fmt::format("material {}: its normal map is not read", in_quotes(read.name)));
+        import_.warn(
+            fmt::format("material {}: normal maps are not supported", in_quotes(read.name)));
     }
     GltfMaterial made;
     choose_texture_coordinates({base, shine, glow}, made);
@@ -117,7 +118,7 @@ GltfMaterial GltfReader::read_material(const Json& json) {
     return made;
 }
 
-// The first texture there is decides; another that wants other co-ordinates gets those as well.
+// The first texture determines the coordinates; other textures use the same ones.
 void GltfReader::choose_texture_coordinates(const std::vector<TextureUse>& uses,
                                             GltfMaterial& made) {
     const auto first = std::find_if(uses.begin(), uses.end(),
@@ -130,7 +131,7 @@ void GltfReader::choose_texture_coordinates(const std::vector<TextureUse>& uses,
     for (const TextureUse& use : uses) {
         if (use.index.valid() && (use.set != first->set || use.transform != first->transform)) {
             import_.warn(fmt::format(
-                "texture {} is placed by the co-ordinates of texture {}: one material has one set",
+                "texture {} uses the coordinates of texture {}: a material has only one set",
                 in_quotes(scene_.textures[use.index.value()].name),
                 in_quotes(scene_.textures[first->index.value()].name)));
         }
@@ -151,7 +152,7 @@ GltfReader::TextureUse GltfReader::texture_use(const Json& owner, const char* ke
         const std::size_t number = count_in(json, "index", SIZE_MAX);
         use.index = texture(element(root_, "textures", number), material_name);
     } catch (const PartError& fault) {
-        import_.warn(fmt::format("material {}: its '{}' is left out: {}", in_quotes(material_name),
+        import_.warn(fmt::format("material {}: its '{}' is skipped: {}", in_quotes(material_name),
                                  key, fault.reason));
     }
     return use;
@@ -161,7 +162,7 @@ GltfReader::TextureUse GltfReader::texture_use(const Json& owner, const char* ke
 TextureIndex GltfReader::texture(const Json& json, const std::string& material_name) {
     const auto source = index_in(json, "source");
     if (!source) {
-        throw PartError{"its image is of a kind that is not read"};
+        throw PartError{"its image format is not supported"};
     }
     Texture texture;
     if (const auto sampler = index_in(json, "sampler")) {

@@ -14,7 +14,7 @@
 
 namespace balcony::scene {
 
-/// A material with the texture co-ordinates it wants: our meshes have one set, so it is chosen and
+/// A material with its texture coordinate set: a Mesh has only one set, which is chosen and
 /// transformed (KHR_texture_transform) when a mesh is made for the material.
 struct GltfMaterial {
     MaterialIndex index;
@@ -22,7 +22,7 @@ struct GltfMaterial {
     Imath::M33f texture_transform;
 };
 
-/// Makes a Scene of a glTF document: what the nodes of its scene use, and nothing else.
+/// Makes a Scene from a glTF document: only the parts that the nodes of its scene use.
 class GltfReader {
 public:
     GltfReader(GltfDocument& document, Import& import);

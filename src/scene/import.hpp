@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What the readers of the scene layer share: the scene in the making, files, names in messages.
+// Common parts of the scene readers: the scene under construction, files, names in messages.
 
 #include <cstddef>
 #include <cstdint>
@@ -22,10 +22,11 @@ struct ReadError {
     Diagnostic diagnostic;
 };
 
-/// A scene in the making, with what there is to say about it.
+/// A scene under construction, with its diagnostics.
 struct Import {
     std::filesystem::path file;
-    std::optional<std::span<const std::uint8_t>> given;  ///< Its bytes, if they need no reading.
+    std::optional<std::span<const std::uint8_t>>
+        given;  ///< The bytes of the file, if given in memory.
     Scene scene;
     Diagnostics diagnostics;
     std::size_t further_warnings = 0;
@@ -45,7 +46,7 @@ struct Import {
 void read_gltf(Import& import);
 void read_obj(Import& import);
 
-/// A name in quotes, fit for a message: no control characters, shortened if very long.
+/// A name in quotes for a message: without control characters, shortened if very long.
 [[nodiscard]] std::string in_quotes(std::string_view name);
 
 /// "1 triangle", "12 triangles"
@@ -54,11 +55,11 @@ void read_obj(Import& import);
 /// All bytes of a regular file. Throws ReadError if there is none, or if it cannot be read.
 [[nodiscard]] std::vector<std::uint8_t> read_bytes(const std::filesystem::path& file);
 
-/// "did you mean 'x.glb'?" if the directory of a missing file has a similar name, else a general
+/// "did you mean 'x.glb'?" if the directory of a missing file has a similar name, otherwise general
 /// advice.
 [[nodiscard]] std::string similar_file(const std::filesystem::path& file);
 
-/// A path written in a scene file, made relative to the directory of the file that says it.
+/// A path in a scene file, resolved relative to the directory of that file.
 [[nodiscard]] std::filesystem::path beside(const std::filesystem::path& file,
                                            std::string_view written);
 

@@ -66,8 +66,8 @@ void read(Import& import) {
     const Format* format = format_of(file);
     if (format == nullptr) {
         throw ReadError{
-            error(fmt::format("{} is of no format that is read here", in_quotes(file.string())), {},
-                  "scenes are read from .glb, .gltf and .obj files")};
+            error(fmt::format("the format of {} is not supported", in_quotes(file.string())), {},
+                  "use a .glb, .gltf or .obj file")};
     }
     format->read(import);
     if (import.further_warnings > 0) {
@@ -77,7 +77,7 @@ void read(Import& import) {
     if (import.scene.instances.empty()) {
         throw ReadError{error(
             fmt::format("nothing to render in {}: it has no triangles", in_quotes(file.string())),
-            {}, "check that it is the file you mean; points and lines alone cannot be seen")};
+            {}, "check that it is the right file; points and lines are not rendered")};
     }
     import.scene.default_light = !lights_itself(import.scene);
 }
@@ -89,7 +89,7 @@ Result<Scene> load(Import import) {
         import.diagnostics.push_back(std::move(reason));
         return std::move(import.diagnostics);
     };
-    // The boundary to libraries that throw: whatever they meet, the caller gets a diagnostic.
+    // The boundary to libraries that throw: any exception becomes a diagnostic.
     try {
         read(import);
         return {std::move(import.scene), std::move(import.diagnostics)};
@@ -97,7 +97,7 @@ Result<Scene> load(Import import) {
         return failed(reason.diagnostic);
     } catch (const std::bad_alloc&) {
         return failed(
-            error(fmt::format("{} needs more memory than there is", in_quotes(file.string()))));
+            error(fmt::format("{} needs more memory than available", in_quotes(file.string()))));
     } catch (const std::exception& reason) {
         return failed(
             error(fmt::format("{} cannot be read: {}", in_quotes(file.string()), reason.what())));

@@ -19,10 +19,10 @@ namespace balcony::scene {
 
 namespace {
 
-// Faces that meet at a sharper angle keep an edge where the file gives no normals.
+// Faces that meet at a sharper angle have an edge if the file has no normals.
 constexpr float smoothing_angle_in_degrees = 45.0F;
 
-// The number that a name in the checked text is; nothing for a name of Assimp's own.
+// The number in a section name of the checked text; nothing for a name from Assimp.
 std::optional<std::size_t> number_of(const aiString& name) {
     std::size_t number = 0;
     const char* end = name.data + name.length;
@@ -31,7 +31,7 @@ std::optional<std::size_t> number_of(const aiString& name) {
                                                                  : std::nullopt;
 }
 
-// OBJ counts v from the bottom of the image, we from its top.
+// OBJ counts v from the bottom of the image, Scene from its top.
 Mesh to_mesh(const aiMesh& source) {
     Mesh mesh;
     for (unsigned i = 0; i < source.mNumVertices; ++i) {

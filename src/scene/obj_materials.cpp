@@ -21,7 +21,7 @@ void read_color(std::string_view arguments, Color3f& color) {
     if (!to_float(take_word(arguments), read.x)) {
         return;
     }
-    // One number stands for a grey.
+    // A single number is a grey.
     if (!to_float(take_word(arguments), read.y) || !to_float(take_word(arguments), read.z)) {
         read = Color3f(read.x);
     }
@@ -37,8 +37,8 @@ void read_unit_interval(std::string_view arguments, float& value) {
     }
 }
 
-// A Phong exponent n has the spread of a microfacet surface with alpha = sqrt(2 / (n + 2)) (Walter
-// and others 2007), and glTF's alpha is the square of its roughness.
+// A Phong exponent n has the highlight width of a microfacet surface with alpha = sqrt(2 / (n + 2))
+// (Walter and others 2007), and glTF's alpha is the square of its roughness.
 float roughness_of_exponent(float exponent) {
     return std::pow(2.0F / (std::max(exponent, 0.0F) + 2.0F), 0.25F);
 }
@@ -102,7 +102,7 @@ void ObjMaterials::read_library(const std::filesystem::path& file) {
     try {
         bytes = read_bytes(file);
     } catch (const ReadError& fault) {
-        import_.warn(fmt::format("material library left out: {}", fault.diagnostic.message),
+        import_.warn(fmt::format("material library skipped: {}", fault.diagnostic.message),
                      fault.diagnostic.remedy);
         return;
     }
@@ -156,19 +156,20 @@ MaterialIndex ObjMaterials::add_to_scene(const std::string& name) {
         material = source.material;
         material.base_color_texture = add_texture(source, source.color_map);
         material.emission_texture = add_texture(source, source.emission_map);
-        // An opacity map that is the colour's own image is its alpha channel.
+        // If the opacity map is the colour's own image, its alpha channel is the opacity.
         const bool same = parse_map(source.opacity_map).file == parse_map(source.color_map).file;
         const bool has_opacity_map = !source.opacity_map.empty();
         if (has_opacity_map && !same) {
-            import_.warn(fmt::format("material {}: its opacity map is not read", in_quotes(name)));
+            import_.warn(fmt::format("material {}: separate opacity maps are not supported",
+                                     in_quotes(name)));
         }
         const bool blends = material.alpha < 1.0F || (has_opacity_map && same);
         material.alpha_mode = blends ? AlphaMode::blend : AlphaMode::opaque;
     } else if (!name.empty()) {
         const auto near = nearest_source(name);
-        import_.warn(
-            fmt::format("material {} is in no material library: it is grey", in_quotes(name)),
-            near ? fmt::format("did you mean {}?", in_quotes(*near)) : "");
+        import_.warn(fmt::format("material {} is in no material library; grey is used instead",
+                                 in_quotes(name)),
+                     near ? fmt::format("did you mean {}?", in_quotes(*near)) : "");
     }
     import_.scene.materials.push_back(std::move(material));
     return MaterialIndex(import_.scene.materials.size() - 1);

@@ -13,13 +13,13 @@
 
 namespace balcony::scene {
 
-/// The materials that an OBJ file's material libraries hold, by name.
+/// The materials in an OBJ file's material libraries, by name.
 class ObjMaterials {
 public:
-    /// Reads the libraries beside the OBJ file; warns of what is missing.
+    /// Reads the libraries next to the OBJ file; warns about missing ones.
     ObjMaterials(const std::vector<std::string>& libraries, Import& import);
 
-    /// Adds a material with its textures to the scene. One that no library has is grey, with a
+    /// Adds a material with its textures to the scene. A material in no library is grey, with a
     /// warning. An empty name means faces without a material: grey without a warning.
     MaterialIndex add_to_scene(const std::string& name);
 

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r\f\v";
 
-// Which entry of a list an index means: from 1, or backwards from the end if negative; 0 if none.
+// The list entry of an index: from 1, or backwards from the end if negative; 0 if out of range.
 std::size_t resolve(std::string_view word, std::size_t size) {
     long long index = 0;
     const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), index);
@@ -49,7 +49,7 @@ private:
     void write_sections();
     void warn();
 
-    // Assimp triangulates a polygon in a time that grows with the square of its corners.
+    // Assimp needs quadratic time to triangulate a polygon.
     static constexpr std::size_t max_corners = 4096;
 
     struct Corner {
@@ -60,7 +60,7 @@ private:
 
     ObjText& result_;
     Import& import_;
-    bool has_objects_ = false;  // "o" names objects if there is any, else "g" does.
+    bool has_objects_ = false;  // "o" names objects if there is any, otherwise "g" does.
     std::vector<bool> usable_;
     std::size_t texture_coordinates_ = 0;
     std::size_t normals_ = 0;
@@ -73,7 +73,7 @@ private:
     std::string material_;
     std::map<std::pair<std::string, std::string>, std::size_t> section_numbers_;
     std::vector<std::string> faces_;      // Text by section.
-    std::optional<std::size_t> section_;  // Where the next face goes, if that is known.
+    std::optional<std::size_t> section_;  // The section of the next face, if known.
 };
 
 void Checker::read(std::string_view text, std::string_view unnamed) {
@@ -110,7 +110,7 @@ void Checker::read_statement(const Statement& statement) {
     }
 }
 
-// A vertex that is no usable number keeps its place in the count, and faces with it are left out.
+// A vertex that is not finite or too large keeps its index, and faces that use it are skipped.
 void Checker::read_vertex(std::string_view arguments) {
     V3f position(0.0F);
     bool good = true;
@@ -228,11 +228,11 @@ void Checker::write_sections() {
 void Checker::warn() {
     const auto left_out = [&](std::size_t count, const char* noun, const char* reason) {
         if (count > 0) {
-            import_.warn(fmt::format("{} left out {}", counted(count, noun), reason));
+            import_.warn(fmt::format("{} skipped {}", counted(count, noun), reason));
         }
     };
-    left_out(out_of_range_, "face", "that name a vertex the file does not have");
-    left_out(not_usable_, "face", "with a vertex that is no usable number");
+    left_out(out_of_range_, "face", "because of a vertex index out of range");
+    left_out(not_usable_, "face", "because of a vertex that is not finite or too large");
     left_out(malformed_, "face",
              fmt::format("with fewer than 3 or more than {} corners", max_corners).c_str());
     left_out(not_faces_, "point, line or curve statement", "(only faces are rendered)");
@@ -290,7 +290,7 @@ bool to_float(std::string_view word, float& number) {
     if (word.starts_with('+')) {
         word.remove_prefix(1);
     }
-    // By way of double: a number too small for a float is zero, not an error.
+    // Converts via double: a number too small for a float is zero, not an error.
     double value = 0.0;
     const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (code != std::errc() || end != word.data() + word.size() || word.empty()) {

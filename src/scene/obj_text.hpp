@@ -12,10 +12,10 @@
 
 namespace balcony::scene {
 
-/// The geometry of an OBJ file, checked and written anew for Assimp, whose OBJ importer reads and
+/// The geometry of an OBJ file, checked and rewritten for Assimp, whose OBJ importer reads and
 /// writes out of bounds when an index or a statement is malformed. In the text every number is
 /// finite, every index counts from 1 and is in range, and all faces of one object with one material
-/// stand together, in a section "o 3" that Assimp makes a mesh of. There is nothing else.
+/// are together, in a section "o 3" that Assimp converts to one mesh. It contains nothing else.
 struct ObjText {
     struct Section {
         std::string object;    ///< The name in the file.
@@ -27,24 +27,24 @@ struct ObjText {
     std::vector<std::string> material_libraries;  ///< As the file names them.
 };
 
-/// Warns of what is left out. `unnamed` names faces that come before any object.
+/// Warns about skipped parts. `unnamed` is the name for faces before any object.
 [[nodiscard]] ObjText check_obj(std::string_view file_text, std::string_view unnamed,
                                 Import& import);
 
-/// A line without the blanks around it, split into the first word and the rest.
+/// A trimmed line, split into the first word and the rest.
 struct Statement {
     std::string_view keyword;
     std::string_view arguments;
 };
 
-/// Takes the next line off a text of OBJ or MTL; comments give an empty statement. A backslash at
+/// Removes the next line from an OBJ or MTL text; comments give an empty statement. A backslash at
 /// the end of a line continues it on the next, for which `joined` is the storage.
 [[nodiscard]] Statement take_statement(std::string_view& text, std::string& joined);
 
-/// Takes the next word off a list of arguments; empty at its end.
+/// Removes the next word from a list of arguments; empty at its end.
 [[nodiscard]] std::string_view take_word(std::string_view& arguments);
 
-/// A finite number in single precision; false if the word is none.
+/// Parses a finite number in single precision; false if the word is not one.
 [[nodiscard]] bool to_float(std::string_view word, float& number);
 
 }  // namespace balcony::scene

@@ -191,8 +191,8 @@ private:
         append("meshes", {{"name", mesh.name}, {"primitives", json::array({primitive})}});
     }
 
-    // glTF keeps matrices column by column for column vectors, which is the order in which Imath
-    // keeps them row by row for row vectors.
+    // glTF stores matrices in column-major order for column vectors, which is the order in which
+    // Imath stores them in row-major order for row vectors.
     std::size_t add_instance(const scene::Instance& instance) {
         const M44d placed = turned_.transposed() * instance.world_from_mesh * turned_;
         json node = {{"name", scene_.objects[instance.object].name},
@@ -237,8 +237,8 @@ private:
         return append("nodes", std::move(node));
     }
 
-    // The shortest rotation, as a quaternion (x, y, z, w), that turns -z, where glTF's lights
-    // shine, to a direction of the scene.
+    // The shortest rotation, as a quaternion (x, y, z, w), from -z, the direction of glTF's
+    // lights, to a direction of the scene.
     json rotation_towards(const V3d& direction) const {
         V3d turned;
         turned_.multDirMatrix(direction, turned);

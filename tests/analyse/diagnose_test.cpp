@@ -74,7 +74,7 @@ TEST(Measures, EquirectangularIsAsAnisotropicAsTheSecantOfLatitude) {
     EXPECT_EQ(words(report), "");
 }
 
-TEST(Measures, TheGridHasNoMoreSamplesThanAskedFor) {
+TEST(Measures, TheGridHasAtMostTheRequestedSamples) {
     DiagnoseSettings settings;
     settings.width = 60;
     settings.height = 40;
@@ -249,7 +249,7 @@ TEST(Findings, SeamsAreFoundInAnyUnitOfLength) {
     }
 }
 
-TEST(Findings, WhatIsSteepIsNoSeam) {
+TEST(Findings, SteepChangesAreNotSeams) {
     const camera::Camera steep = camera_of(
         "camera s { map u = 1 .. -1, v = -1 .. 1 eye surface(u, v) = [0, u, v]\n"
         "toward surface(u, v) = [1, u + tanh(300*(u - 0.3)) + sqrt(abs(v)), v]\n"
@@ -263,7 +263,7 @@ TEST(Findings, WhatIsSteepIsNoSeam) {
 }
 
 // Nobody sees a jump by less than what a tenth of a pixel changes beside it.
-TEST(Findings, AJumpWithinWhatIsSteepIsASeamIfItShows) {
+TEST(Findings, AVisibleJumpInASteepChangeIsASeam) {
     const auto seams = [](const std::string& jump) {
         const Report report = report_on(
             camera_of("camera s { map u = 1 .. -1, v = -1 .. 1 eye surface(u, v) = [0, u, v]\n"
@@ -300,7 +300,7 @@ TEST(Findings, TwoTurnsShowAllTwice) {
 }
 
 // Its normals turn wildly from pixel to pixel, so that any two rays are near in pixels.
-TEST(Findings, ARockRepeatsNothing) {
+TEST(Findings, FractalRockHasNoRepeatedViews) {
     const camera::Camera rock = camera_of(
         "camera rock { map u = 3 .. -3, v = -3 .. 3 eye fractal_plane(octaves = 12) look normal }");
     const Report report = report_on(rock, 320, 320);
@@ -330,7 +330,7 @@ TEST(Findings, NoRayAtAll) {
     EXPECT_EQ(words(report), "no point of the picture has a ray\n");
 }
 
-TEST(Findings, AMirroredPictureIsSaidToBeOne) {
+TEST(Findings, AMirroredPictureIsReported) {
     const Report report = report_on(
         camera_of(
             "camera m { map u = -1 .. 1, v = -1 .. 1 eye point(0,0,0) toward plane((1, 0, 0)) }"),

@@ -53,7 +53,7 @@ TEST(DrawingItems, OnlyTheScreenHasAFrameOnAllItsSides) {
     EXPECT_EQ(count(items_of(between_planes), DrawingPart::frame, is_any), 2U * (24U + 14U) + 1U);
 }
 
-TEST(DrawingItems, AreThoseAskedFor) {
+TEST(DrawingItems, AreTheRequestedOnes) {
     const auto items = items_of(between_planes, {.toward = false});
     EXPECT_EQ(count(items, DrawingPart::toward, is_any), 0U);
     EXPECT_GT(count(items, DrawingPart::eye, is_any), 0U);
@@ -122,7 +122,7 @@ TEST(Drawing, OfAPointIsADot) {
     EXPECT_EQ(drawing->shapes[0].points.size(), 1U);
 }
 
-TEST(Drawing, PaintsWhatIsNearLast) {
+TEST(Drawing, PaintsNearShapesLast) {
     for (const double azimuth : {0.0, 3.14}) {
         const auto drawing = draw(test::camera_of(between_planes), {.rays = 0},
                                   {.azimuth = azimuth, .elevation = 0.0});
@@ -147,7 +147,7 @@ TEST(Drawing, HasAHeadOnEveryArrow) {
               8 * 5);
 }
 
-TEST(DrawnAxes, StandBesideObjectsFarFromTheOrigin) {
+TEST(DrawnAxes, AreBesideObjectsFarFromTheOrigin) {
     const auto geometry = measure_geometry(camera::Picture(test::camera_of(R"(camera far {
         map  u = 180deg .. -180deg, v = -80deg .. 80deg
         eye  sphere(2)
@@ -186,7 +186,7 @@ int grey(const std::vector<V2d>& outline, std::size_t x, double opacity = 1.0) {
     return rasterise(drawing).samples[(8 * 16 + x) * 3];
 }
 
-TEST(DrawingRaster, FillsWhatAnOutlineWindsRound) {
+TEST(DrawingRaster, FillsByTheWindingRule) {
     // Two arms with nothing between them.
     const std::vector<V2d> arms{{2, 2}, {5, 2},  {5, 12},  {9, 12},
                                 {9, 2}, {12, 2}, {12, 14}, {2, 14}};

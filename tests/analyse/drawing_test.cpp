@@ -51,7 +51,7 @@ std::size_t count(const Drawing& drawing, DrawingPart part) {
                       [part](const DrawingShape& shape) { return shape.part == part; }));
 }
 
-TEST(Drawing, OfEveryCameraThatComesAlongIsOnThePage) {
+TEST(Drawing, OfEveryBuiltInCameraIsOnThePage) {
     for (const std::string& name : lang::built_in_cameras()) {
         const auto drawing = draw(test::standard(name));
         ASSERT_TRUE(drawing) << name;
@@ -87,7 +87,7 @@ TEST(Drawing, FillsThePageInOneDirection) {
     EXPECT_NEAR(top + bottom, 720.0, 1.0);
 }
 
-TEST(Drawing, ShowsWhatIsAskedFor) {
+TEST(Drawing, ShowsTheRequestedParts) {
     const Drawing all = drawn(ball);
     EXPECT_EQ(count(all, DrawingPart::toward), 0U);
     // Three axes, each a line in six parts with a head, and the letters' six strokes.
@@ -105,7 +105,7 @@ TEST(Drawing, IsTheSameEachTime) {
     EXPECT_EQ(rasterise(drawn(ball)).samples, rasterise(drawn(ball)).samples);
 }
 
-TEST(Drawing, OfNothingIsRefused) {
+TEST(Drawing, OfNothingIsAnError) {
     const auto camera = test::camera_of(R"(camera nowhere {
         map u = 1 .. -1, v = square
         eye surface(u, v) = [u, v, sqrt(-1 - u^2)]

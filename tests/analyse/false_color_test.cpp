@@ -59,7 +59,7 @@ TEST(ColorScale, BrightnessGrowsEvenly) {
     }
 }
 
-TEST(Bitmap, EveryCharacterIsOneOfItsOwn) {
+TEST(Bitmap, CharactersAreDistinct) {
     EXPECT_EQ(std::set<Glyph>(glyphs.begin(), glyphs.end()).size(), glyphs.size());
     for (const Glyph& glyph : glyphs) {
         for (const std::uint8_t row : glyph) {
@@ -101,7 +101,7 @@ TEST(FalseColor, EveryMapOfEveryKindOfCameraCanBeDrawn) {
     EXPECT_FALSE(find_map_kind("none"));
 }
 
-TEST(FalseColor, ColoursStandWhereTheSamplesAre) {
+TEST(FalseColor, ColoursAreAtTheirSamples) {
     DiagnoseSettings settings;
     settings.width = 100;
     settings.height = 100;
@@ -137,7 +137,7 @@ Color color_of(const Image& image, std::size_t sample) {
     return {image.samples[at], image.samples[at + 1], image.samples[at + 2]};
 }
 
-TEST(FalseColor, AHundredthAtEitherEndGoesWithoutColoursOfItsOwn) {
+TEST(FalseColor, TheScaleExcludesOnePercentAtEachEnd) {
     const Report report = report_of([](std::size_t i, Sample& sample) {
         sample.anisotropy = static_cast<double>(i + 1);
         sample.magnification = 5.0;

@@ -52,7 +52,7 @@ TEST(Mirrored, PartsAreCountedByTheSeamsBetweenThem) {
     EXPECT_EQ(report.findings.back().kind, FindingKind::mirrored);
 }
 
-TEST(Mirrored, MostOfThePictureIsSaidOnce) {
+TEST(Mirrored, MostOfThePictureIsReportedOnce) {
     const Report report = report_on(camera_to("if(u > 0.3, u, 4 - u)"), 100, 40);
     const auto mirrored = findings(report, FindingKind::mirrored);
     ASSERT_EQ(mirrored.size(), 1U) << words(report);
@@ -66,8 +66,9 @@ TEST(Mirrored, BehindWhereRaysCross) {
         "camera c { map u = 1 .. -1, v = -1 .. 1 eye surface(u, v) = [0, u, v]\n"
         "toward surface(u, v) = [1, 0, v] look relative }");
     EXPECT_EQ(words(report_on(crossing, 40, 40, 0.9)), "");
-    EXPECT_EQ(words(report_on(crossing, 40, 40, 3.0)),
-              "the picture is mirrored at a distance of 3, behind where its rays cross\n");
+    EXPECT_EQ(
+        words(report_on(crossing, 40, 40, 3.0)),
+        "the picture is mirrored at a distance of 3, beyond the point where its rays cross\n");
     const camera::Camera mirrored =
         camera_of("camera m { map u = -1 .. 1, v = -1 .. 1 eye plane((0, 0, 0)) look normal }");
     EXPECT_EQ(words(report_on(mirrored, 40, 40, 3.0)), "the picture is mirrored\n");
@@ -99,7 +100,7 @@ TEST(Seams, BeyondTheEighthAreOneFinding) {
         EXPECT_NEAR(seams[i].length, 40.0, 1e-9);
     }
     EXPECT_EQ(seams[8].count, 2U);
-    EXPECT_EQ(seams[8].message, "rays jump along 2 more lines, together 80 pixels");
+    EXPECT_EQ(seams[8].message, "rays jump along 2 more lines, 80 pixels in total");
 }
 
 TEST(Seams, SayTheLargestAngle) {

@@ -229,7 +229,7 @@ TEST(InverseOfPictures, HoldsForLayersOfAllKinds) {
 
 // A pinhole of 400 x 200 pixels in the right half of the picture: (4, 1, -0.5) is in its own
 // picture at (150, 125), as the textbook has it.
-TEST(InverseOfPictures, PlacesALayerAsTheTextbookSays) {
+TEST(InverseOfPictures, PlacesALayerByTheTextbookFormula) {
     const auto locator = Locator::make(picture_of(R"(
         picture halves {
             aspect 4
@@ -253,7 +253,7 @@ TEST(InverseOfPictures, PlacesALayerAsTheTextbookSays) {
 }
 
 // The fish-eye shows a point in the middle of a picture that something else covers.
-TEST(InverseOfPictures, LeavesOutWhatIsHidden) {
+TEST(InverseOfPictures, OmitsHiddenPoints) {
     const auto layers_that_see = [](const std::string& in_front, const V3d& point) {
         const auto locator =
             Locator::make(picture_of("camera left { map u = 1 .. -1, v = square eye point(0, 0, 0) "
@@ -302,7 +302,7 @@ TEST(InverseOfPictures, FindsALayerOfAFewPixels) {
     }
 }
 
-TEST(InverseOfPictures, TakesPointsInTheAxesThatAreSaid) {
+TEST(InverseOfPictures, TakesPointsInTheGivenAxes) {
     const std::string cameras = R"(
         camera z { map u = 1 .. -1, v = square eye point(0, 0, 0) toward plane((1, 0, 0)) }
         camera y {

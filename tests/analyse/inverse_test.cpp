@@ -51,7 +51,7 @@ void expect_at(const Sighting& sighting, const V2d& place) {
 
 }  // namespace
 
-TEST(InverseLaw, HoldsForEveryCameraThatComesAlong) {
+TEST(InverseLaw, HoldsForEveryBuiltInCamera) {
     for (const std::string& name : lang::built_in_cameras()) {
         EXPECT_EQ(lost(test::standard(name), 500, 10'000), 0U) << name;
     }
@@ -296,7 +296,7 @@ TEST(Locate, HearsTheTime) {
     EXPECT_NEAR(at(2.0), 650.0, 1e-6);
 }
 
-TEST(Locate, ManyPointsAreAsOneAndThreadsAgree) {
+TEST(Locate, ManyPointsAgreeWithSinglePointsAndThreads) {
     const camera::Camera camera = test::standard("superelliptic");
     const auto locator = Locator::make(camera, 750, 150);
     const RandomPoints random(camera, 750, 150, 300);
@@ -318,7 +318,7 @@ TEST(Locate, ManyPointsAreAsOneAndThreadsAgree) {
     }
 }
 
-TEST(Locate, FindsWhatIsFarBeyondMeasure) {
+TEST(Locate, FindsExtremelyDistantPoints) {
     for (const char* name : {"pinhole", "panorama", "fisheye"}) {
         const auto locator = Locator::make(test::standard(name), 800, 400);
         const V3d direction(4, 1, -0.5);

@@ -153,7 +153,7 @@ TEST(Model, TurnsDepthWithTheCamerasAxes) {
     EXPECT_NEAR(scene.bounds().max.z, 4.0, 0.02);
 }
 
-TEST(Model, TrianglesOfASurfaceAllFaceAsItsNormalsDo) {
+TEST(Model, TrianglesFaceLikeTheirNormals) {
     const scene::Scene scene = modelled(ball(), {.rays = 0, .frame = false});
     const scene::Mesh& surface = *parts_of(scene).at("surface");
     int with = 0;

@@ -91,13 +91,13 @@ TEST(Diagnostic, SeveralComeOneAfterTheOther) {
     EXPECT_FALSE(has_errors({}));
 }
 
-TEST(Diagnostic, TheMarkStandsBelowItsTextAfterWideBytes) {
+TEST(Diagnostic, TheMarkIsBelowItsTextAfterWideBytes) {
     const std::string text = "\u03b3 = \u03b1\u03b2 + \u20ac\U0001d11e wrong\n";
     EXPECT_EQ(marked(error("x", span_of(text, "wrong"))), "wrong");
     EXPECT_EQ(marked(error("x", span_of(text, "\u03b1\u03b2"))), "\u03b1\u03b2");
 }
 
-TEST(Diagnostic, TheMarkStandsBelowItsTextAfterTabs) {
+TEST(Diagnostic, TheMarkIsBelowItsTextAfterTabs) {
     const std::string text = "\t\teye\twrong\n";
     EXPECT_EQ(marked(error("x", span_of(text, "wrong"))), "wrong");
     EXPECT_EQ(to_text(error("x", span_of(text, "wrong"))).find('\t'), std::string::npos);

@@ -34,7 +34,7 @@ TEST(NearestName, AThirdOfTheLettersMayBeWrong) {
     EXPECT_EQ(nearest_name("ux", stages), "uv");
 }
 
-TEST(NearestName, NothingIsNearToAWordThatIsAllWrong) {
+TEST(NearestName, NothingIsNearACompletelyDifferentName) {
     EXPECT_EQ(nearest_name("x", {"y"}), std::nullopt);
     EXPECT_EQ(nearest_name("", {"y"}), std::nullopt);
     EXPECT_EQ(nearest_name("hyperboloid", stages), std::nullopt);

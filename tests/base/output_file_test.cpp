@@ -88,7 +88,7 @@ TEST(WriteWhole, ReplacesAFileAndLeavesNothingElse) {
     fs::remove_all(folder);
 }
 
-TEST(OutputFile, WritersWithOneProcessNumberHaveFilesOfTheirOwn) {
+TEST(OutputFile, WritersWithTheSameProcessIdHaveDifferentFiles) {
     const fs::path folder = new_folder("balcony_containers");
     const Channel channel;
     std::array<pid_t, 2> writers{};
@@ -129,7 +129,7 @@ TEST(OutputFile, ANewFileHasThePermissionsThatTheUserAllows) {
     fs::remove_all(folder);
 }
 
-TEST(WriteWhole, SaysWhatCannotBeWrittenAndWhy) {
+TEST(WriteWhole, ReportsWhyAFileCannotBeWritten) {
     const Diagnostics said = write_whole("/nonexistent/folder/file.glb", "x");
     ASSERT_EQ(said.size(), 1U);
     EXPECT_NE(said[0].message.find("/nonexistent/folder/file.glb"), std::string::npos);
@@ -146,7 +146,7 @@ TEST(WriteWhole, KeepsThePermissionsOfTheFileItReplaces) {
     fs::remove(file);
 }
 
-TEST(WriteWhole, DoesNotReplaceWhatIsNoFile) {
+TEST(WriteWhole, DoesNotReplaceDevicesOrPipes) {
     const fs::path pipe = fs::path(testing::TempDir()) / "balcony_pipe";
     fs::remove(pipe);
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);

@@ -10,14 +10,14 @@
 namespace balcony {
 namespace {
 
-TEST(Printable, TextStaysAsItIs) {
+TEST(Printable, TextIsUnchanged) {
     for (const char* text : {"", "wall", "Wände, стены, 壁", "e\u0301", "\U0001d11e", "\u00a0",
                              "\u200a", "\u2027", "\u202f", "\u205f", "\u2070", "\ufffd"}) {
         EXPECT_EQ(printable(text), text);
     }
 }
 
-TEST(Printable, WhatIsNoTextBecomesAQuestionMark) {
+TEST(Printable, InvalidTextBecomesAQuestionMark) {
     for (const char* text :
          {"\x1b",   "\x7f",   "\a",         "\r",     "\u0085", "\u009b", "\u00ad",
           "\u061c", "\u180e", "\u200b",     "\u200d", "\u200e", "\u200f", "\u2028",
@@ -33,7 +33,7 @@ TEST(Printable, WhatIsNoTextBecomesAQuestionMark) {
     EXPECT_EQ(printable("\xe2\x80"), "??");
 }
 
-TEST(Printable, LineFeedsStayWhereLinesAreMeant) {
+TEST(Printable, LineFeedsAreKeptOnRequest) {
     EXPECT_EQ(printable("a\tb\nc"), "a b?c");
     EXPECT_EQ(printable("a\tb\nc", LineFeeds::keep), "a b\nc");
     EXPECT_EQ(printable("a\r\nb", LineFeeds::keep), "a?\nb");

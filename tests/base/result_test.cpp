@@ -28,7 +28,7 @@ TEST(Result, AValueMayComeWithWarnings) {
     EXPECT_FALSE(has_errors(result.diagnostics));
 }
 
-TEST(Result, AFailureSaysWhy) {
+TEST(Result, AFailureHasADiagnostic) {
     const Result<int> one = error("not this");
     EXPECT_FALSE(one);
     EXPECT_TRUE(has_errors(one.diagnostics));

@@ -30,7 +30,7 @@ TEST(SourceText, ALineBreakBelongsToTheLineItEnds) {
     expect_place(source, 3, 1, 4);
 }
 
-TEST(SourceText, AnOffsetPastTheEndCountsAsTheEnd) {
+TEST(SourceText, AnOffsetPastTheEndIsClamped) {
     const SourceText source("a.cam", "one\ntwo");
     expect_place(source, 7, 2, 4);
     expect_place(source, 1000, 2, 4);

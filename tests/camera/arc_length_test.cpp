@@ -73,7 +73,7 @@ TEST(ArcLength, EqualStepsOfUAreEqualLengths) {
     }
 }
 
-TEST(ArcLength, GoesRoundAndIsSymmetric) {
+TEST(ArcLength, IsPeriodicAndSymmetric) {
     for (const double gamma : {0.25, 1.5}) {
         const GeneratorProbe curve(object("superellipse", parts(3.0, 2.0, gamma, "arc_length")));
         for (double u = 0.01; u < quarter; u += 0.1) {

@@ -130,7 +130,7 @@ TEST(Deformations, DoNotJumpWhereTheyEnd) {
     }
 }
 
-TEST(Deformations, SayWhatCannotBe) {
+TEST(Deformations, ReportErrors) {
     const auto message = [](const char* name, const Given& given) {
         const auto made = try_stage(StageKind::object_transformer, name, given);
         EXPECT_FALSE(made);
@@ -143,7 +143,7 @@ TEST(Deformations, SayWhatCannotBe) {
         EXPECT_NE(message(name, null).find("no direction"), std::string::npos);
     }
     EXPECT_NE(message("bend", along(z_axis, {{"toward", numbers({0.0, 0.0, -2.0})}}))
-                  .find("runs along the axis"),
+                  .find("is parallel to the axis"),
               std::string::npos);
 }
 

@@ -105,7 +105,7 @@ TEST(ParameterGrid, OfAnAffineLatticeIsThatMapInTheBox) {
     }
 }
 
-TEST(ParameterGrid, InterpolatesIfToldSoAndElseAtItsCorners) {
+TEST(ParameterGrid, InterpolatesOnRequestAndOtherwiseAtItsCorners) {
     const PointList list = random_offsets(columns * rows, 2);
     for (const char* basis : bases) {
         const auto warp = grid(list, "offsets", basis);
@@ -151,7 +151,7 @@ TEST(ParameterGrid, IsTheSumOfItsBasisFunctions) {
     }
 }
 
-TEST(ParameterGrid, GoesOnOutsideItsBoxWithTheNearestOffset) {
+TEST(ParameterGrid, UsesTheNearestOffsetOutsideItsBox) {
     for (const char* basis : bases) {
         const auto warp = grid(random_offsets(columns * rows, 2), "offsets", basis);
         const auto border = warped(warp, 2.0, 0.3);
@@ -237,7 +237,7 @@ TEST(ObjectGrid, IsTheTrivariateBernsteinSumOfSederbergAndParry) {
     }
 }
 
-TEST(Grids, SayWhatCannotBe) {
+TEST(Grids, ReportErrors) {
     const auto message = [](const Given& given) {
         const auto made = try_stage(StageKind::parameter_transformer, "grid", given);
         EXPECT_FALSE(made);

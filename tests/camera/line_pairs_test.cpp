@@ -123,7 +123,7 @@ TEST(LinePairs, WithASmallAGoWhereTheyShall) {
     }
 }
 
-TEST(LinePairs, SayWhatCannotBe) {
+TEST(LinePairs, ReportErrors) {
     const auto message = [](const PointList& lines) {
         const auto made =
             try_stage(StageKind::parameter_transformer, "line_pairs", {{"lines", lines}});

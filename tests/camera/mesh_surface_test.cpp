@@ -178,7 +178,7 @@ TEST(MeshSurface, SmoothNormalsAreThoseOfTheCorners) {
 
 TEST(MeshSurface, FlatNormalsAreAcrossTheFaceOnTheSideOfTheCorners) {
     std::vector<Triangle> triangles = square(6, on_cylinder);
-    // Winding does not matter, here or in texture co-ordinates.
+    // Winding does not matter, here or in texture coordinates.
     std::swap(triangles[5][0], triangles[5][2]);
     const MeshProbe mesh(mesh_of(triangles, "flat"));
     for (const Triangle& t : triangles) {

@@ -25,7 +25,7 @@ void at_random_parameters(const std::function<void(double u, double v)>& check) 
 
 }  // namespace
 
-TEST(Point, StandsStill) {
+TEST(Point, IsConstant) {
     const GeneratorProbe point(
         object("point", {{"x", numbers({1.0})}, {"y", numbers({2.0})}, {"z", numbers({-3.0})}}));
     at_random_parameters([&](double u, double v) {
@@ -33,7 +33,7 @@ TEST(Point, StandsStill) {
     });
 }
 
-TEST(Line, GoesFromItsPointAlongItsStep) {
+TEST(Line, StartsAtItsPointAndFollowsItsStep) {
     const GeneratorProbe line(
         object("line", {{"at", numbers({1.0, 2.0, 3.0})}, {"along", numbers({0.5, -1.0, 2.0})}}));
     at_random_parameters([&](double u, double v) {

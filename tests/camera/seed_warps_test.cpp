@@ -230,7 +230,7 @@ TEST(SeedWarps, NameTwinsAndTakeThemIfSmoothed) {
     }
 }
 
-TEST(SeedWarps, SayWhatCannotBe) {
+TEST(SeedWarps, ReportErrors) {
     EXPECT_NE(message_of("thin_plate", {{"seeds", points(4, {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 3})}})
                   .find("lie on one line"),
               std::string::npos);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double radius = 3.0;
-constexpr double tolerance = 1e-13;  // a handful of roundings of co-ordinates up to 3
+constexpr double tolerance = 1e-13;  // a handful of roundings of coordinates up to 3
 
 GeneratorProbe sphere(std::string_view by) {
     return GeneratorProbe(

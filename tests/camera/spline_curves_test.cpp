@@ -147,7 +147,7 @@ TEST(SplineCurves, MoveWithTheirPoints) {
     }
 }
 
-TEST(SplineCurves, PassTheirPointsWhereTheSpacingSays) {
+TEST(SplineCurves, InterpolateTheirPointsByTheSpacing) {
     const PointList& list = std::get<PointList>(seven());
     for (const std::string_view name : {"polyline", "catmull_rom", "natural_spline"}) {
         for (const auto& [spacing, power] :
@@ -213,7 +213,7 @@ TEST(SplineCurves, ARationalCurveCanBeACircle) {
     expect_near(circle(0.125).point, {w, w, 2.0}, 1e-14);
 }
 
-TEST(SplineCurves, SayWhatIsWrong) {
+TEST(SplineCurves, ReportErrors) {
     const auto said = [](std::string_view name, const Given& given) {
         const auto made = try_stage(StageKind::object_generator, name, given);
         return made ? std::string() : to_text(made.diagnostics);
@@ -227,7 +227,7 @@ TEST(SplineCurves, SayWhatIsWrong) {
                   .find("less than 1/16384"),
               std::string::npos);
     EXPECT_NE(said("catmull_rom", {{"points", seven()}, {"end_tangent", numbers({0, 0, 1})}})
-                  .find("leaves the plane"),
+                  .find("is not in the plane"),
               std::string::npos);
     EXPECT_NE(
         said("catmull_rom",

@@ -244,18 +244,18 @@ TEST(SplineSurfaces, ARationalPatchCanBeASphere) {
     }
 }
 
-TEST(SplineSurfaces, SayWhatIsWrong) {
+TEST(SplineSurfaces, ReportErrors) {
     const auto said = [](std::string_view name, const Given& given) {
         const auto made = try_stage(StageKind::object_generator, name, given);
         return made ? std::string() : to_text(made.diagnostics);
     };
     const Arguments::Value net = random_net(5, 4);
     EXPECT_NE(said("bspline_patch", {{"points", net}, {"columns", numbers({6})}})
-                  .find("20 points make no rows of 6 columns"),
+                  .find("20 points do not form rows of 6 columns"),
               std::string::npos);
-    EXPECT_NE(
-        said("bspline_patch", {{"points", net}, {"columns", numbers({20})}}).find("make no rows"),
-        std::string::npos);
+    EXPECT_NE(said("bspline_patch", {{"points", net}, {"columns", numbers({20})}})
+                  .find("do not form rows"),
+              std::string::npos);
     EXPECT_NE(said("bspline_patch",
                    {{"points", net}, {"columns", numbers({5})}, {"degree_v", numbers({4})}})
                   .find("degree 4 needs at least 5 points"),

@@ -23,7 +23,7 @@ Vector operator*(double factor, const Vector& a) {
 
 void expect_near(const Vector& found, const Vector& wanted, double tolerance) {
     for (std::size_t i = 0; i < 3; ++i) {
-        EXPECT_NEAR(found[i], wanted[i], tolerance) << "co-ordinate " << i;
+        EXPECT_NEAR(found[i], wanted[i], tolerance) << "coordinate " << i;
     }
 }
 
@@ -33,7 +33,7 @@ Arguments::Value numbers(std::vector<double> values) {
 
 namespace {
 
-// As many as there must be, on a grid in their first two co-ordinates, the others small and varied.
+// As many as there must be, on a grid in their first two coordinates, the others small and varied.
 PointList some_points(const StageParameter& parameter) {
     PointList points{parameter.coordinates.front(), {}};
     for (std::size_t i = 0; i < parameter.min_points; ++i) {
@@ -64,7 +64,7 @@ std::shared_ptr<const GreyImage> some_image() {
         GreyImage{4, 2, {0.0F, 0.25F, 0.5F, 1.0F, 1.0F, 0.75F, 0.5F, 0.0F}});
 }
 
-// Two triangles over the unit square of texture co-ordinates, bent along its diagonal.
+// Two triangles over the unit square of texture coordinates, bent along its diagonal.
 std::shared_ptr<const TexturedMesh> some_mesh() {
     const TexturedMesh::Corner a{{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, {0.0, 0.0}};
     const TexturedMesh::Corner b{{2.0, 0.0, 0.0}, {0.0, 0.6, 0.8}, {1.0, 0.0}};

@@ -60,7 +60,7 @@ Formula formula(std::size_t parameters, const Build& build) {
     return {graph, variables, results};
 }
 
-/// The results of a stage as a function of its co-ordinates, with partial derivatives.
+/// The results of a stage as a function of its coordinates, with partial derivatives.
 struct Sample {
     Vector point{};
     Vector along_u{};

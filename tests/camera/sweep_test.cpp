@@ -178,7 +178,7 @@ TEST(Sweep, SaysWhatItCannotSweepAlong) {
         const auto made = try_stage(StageKind::object_generator, "sweep", given);
         return made ? std::string() : to_text(made.diagnostics);
     };
-    EXPECT_NE(said(along(helix(), 1.0, 1.0)).find("leaves nothing"), std::string::npos);
+    EXPECT_NE(said(along(helix(), 1.0, 1.0)).find("the path is empty"), std::string::npos);
     EXPECT_NE(said(along(curve([](Graph& graph, Expr u) {
                              return std::vector{u * graph.time(), u};
                          }),

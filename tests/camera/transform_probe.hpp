@@ -45,7 +45,7 @@ private:
     std::vector<Expr> roots_;
 };
 
-/// A list of points, by their number of co-ordinates.
+/// A list of points, by their number of coordinates.
 PointList points(std::size_t coordinates, std::vector<double> values);
 
 }  // namespace balcony::camera

@@ -73,11 +73,11 @@ class Check(support.CommandTest):
         self.assertEqual(err, "")
         front, folded = out.split("\ncamera ")[1:]
         self.assertTrue(front.startswith("front: "), out)
-        self.assertIn("all is well", front)
+        self.assertIn("no defects", front)
         self.assertRegex(folded, r"fold +the picture folds over: \S+ % of it, in one region")
         self.assertRegex(folded, r"at \(\S+, \S+\), u = \S+, v = ")
         self.assertIn("help: ", folded)
-        self.assertNotIn("all is well", folded)
+        self.assertNotIn("no defects", folded)
 
     def test_one_camera_with_parameters(self):
         (report,) = self.reports("two.cam:front")
@@ -166,22 +166,22 @@ camera unused { map u = 30deg .. -30deg, v = -60 .. 60 eye circle(1) look tangen
 """)
         for words, says in (
                 (("turns", "--set", "u=180*1rad", "--set", "v=90*1rad"),
-                 "u goes round 57.3 times and v goes round 28.6 times"),
-                (("turns", "--set", "u=180*1rad"), "u goes round 57.3 times"),
-                (("turns", "--set", "v=90*1rad"), "v goes round 28.6 times"),
-                (("seen",), "u goes round 14.3 times and v goes round 8.06 times"),
-                (("formula",), "u goes round 57.3 times")):
+                 "u covers 57.3 turns and v covers 28.6 turns"),
+                (("turns", "--set", "u=180*1rad"), "u covers 57.3 turns"),
+                (("turns", "--set", "v=90*1rad"), "v covers 28.6 turns"),
+                (("seen",), "u covers 14.3 turns and v covers 8.06 turns"),
+                (("formula",), "u covers 57.3 turns")):
             (report,) = self.reports(f"round.cam:{words[0]}", *words[1:])
             first, *others = report["findings"]
             self.assertEqual((first["kind"], first["message"]), ("repeated", says))
             self.assertTrue(first["defect"])
-            self.assertIn("write deg", first["remedy"])
+            self.assertIn("append deg", first["remedy"])
             self.assertNotIn("repeated", [finding["kind"] for finding in others])
         # Lengths are none, nor what the rays do not depend on, nor a turn or four.
         for words in (("turns",), ("turns", "--set", "u=720deg"), ("seen", "--set", "u=3"),
                       ("tall",), ("flat",), ("unused",)):
             (report,) = self.reports(f"round.cam:{words[0]}", *words[1:])
-            self.assertNotIn("write deg", str(report["findings"]), words)
+            self.assertNotIn("append deg", str(report["findings"]), words)
 
     def test_rays_in_the_plane_that_they_start_from(self):
         (self.folder / "planes.cam").write_text("""
@@ -189,9 +189,9 @@ camera inside { map u = 1 .. -1, v = square eye point(3, 2, 1) toward plane((3, 
 camera slide { map u = 1 .. -1, v = square eye plane((3, 0, 0)) toward plane((3, 5, 1)) }
 camera unused { map u = 1 .. -1, v = square eye circle(1) look tangent }
 """)
-        for name, says in (("inside", "lies in the plane it starts from"),
-                           ("slide", "lies in the plane it starts from"),
-                           ("unused", "make no use of")):
+        for name, says in (("inside", "all rays lie in one plane"),
+                           ("slide", "all rays lie in one plane"),
+                           ("unused", "do not use")):
             (report,) = self.reports(f"planes.cam:{name}")
             (finding,) = report["findings"]
             self.assertEqual((finding["kind"], finding["share"]), ("singular", 1))
@@ -242,7 +242,7 @@ camera unused { map u = 1 .. -1, v = square eye circle(1) look tangent }
         for again in ("a.png", "./a.png", "../" + self.folder.name + "/a.png",
                       str(self.folder / "a.png")):
             self.refused(*one, "--map", "seams", "a.png", "--map", "origins", again, code=2,
-                         says=f"'{again}'", helps="a file for each")
+                         says=f"'{again}'", helps="a different file for each")
         self.assertNotIn("a.png", self.files())
         os.mkfifo(self.folder / "pipe.png")
         self.run_command(*one, "--map", "seams", "pipe.png", code=3)

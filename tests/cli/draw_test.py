@@ -55,7 +55,7 @@ class Draw(support.CommandTest):
             "picture two { layer closeup layer above(size = 1) layer inner }\n")
         _, err = self.run_command("draw", "two.cam", "-o", "two.svg", "-q")
         # What cannot be drawn is said, and the rest is drawn: once for the same parameters.
-        self.assertIn("warning: camera 'nowhere' has no point anywhere", err)
+        self.assertIn("warning: camera 'nowhere' has no valid point", err)
         parts = self.parts("two.svg")
         self.assertEqual({name for name in parts if name.startswith("ray")},
                          {"ray camera-1", "ray camera-2"})
@@ -89,13 +89,13 @@ class Draw(support.CommandTest):
     def test_refusals(self):
         before = self.files()
         for words, code, says in (
-                (("pinhole", "-o", "p.gif"), 2, "has no ending"),
+                (("pinhole", "-o", "p.gif"), 2, "is not a drawing format"),
                 (("pinhole", "-o", "no/p.svg"), 3, "there is no folder"),
                 (("pinhole", "-o", "p.svg", "--rays", "many"), 2, "--rays cannot be 'many'"),
                 (("pinhole", "-o", "p.svg", "--view", "90"), 2, "--view cannot be '90'"),
                 (("pinhole", "-o", "p.svg", "--size", "5x5"), 2, "--size cannot be '5x5'"),
                 (("pinhole", "-o", "p.svg", "--length", "0"), 2, "--length cannot be '0'"),
-                (("my.cam:nowhere", "-o", "p.svg"), 1, "no point anywhere"),
+                (("my.cam:nowhere", "-o", "p.svg"), 1, "no valid point"),
                 (("pinhole", "-o", "p.svg", "--set", "fov"), 1, "--set fov sets nothing"),
                 (("pinhole",), 2, "")):
             with self.subTest(words=words):

@@ -1,6 +1,6 @@
 # Balcony: rendering through extended cameras.
 # SPDX-License-Identifier: Apache-2.0
-"""balcony fmt: lays out camera files."""
+"""balcony fmt: formats camera files."""
 
 import json
 import os
@@ -18,13 +18,13 @@ class Fmt(support.CommandTest):
         self.file.write_text(UGLY)
 
     def test_in_place_and_then_never_again(self):
-        self.assertEqual(self.run_command("fmt", "ugly.cam"), ("ugly.cam: laid out\n", ""))
+        self.assertEqual(self.run_command("fmt", "ugly.cam"), ("ugly.cam: formatted\n", ""))
         self.assertEqual(self.file.read_text(), NEAT)
         self.assertEqual(self.run_command("fmt", "ugly.cam"), ("", ""))
         self.assertEqual(self.file.read_text(), NEAT)
 
     def test_check_changes_nothing(self):
-        self.refused("fmt", "--check", "ugly.cam", code=1, says="'ugly.cam' is not in layout",
+        self.refused("fmt", "--check", "ugly.cam", code=1, says="'ugly.cam' is not formatted",
                      helps="balcony fmt ugly.cam")
         self.assertEqual(self.file.read_text(), UGLY)
         self.file.write_text(NEAT)
@@ -44,7 +44,7 @@ class Fmt(support.CommandTest):
         with self.file.open() as text:
             out, err = self.run_command("fmt", "--check", "-", code=1, stdin=text)
         self.assertEqual(out, "")
-        self.assertIn("'standard input' is not in layout", err)
+        self.assertIn("'standard input' is not formatted", err)
 
     def test_errors_leave_the_file_alone(self):
         self.file.write_text("camera a {")

@@ -35,7 +35,7 @@ class Interruption(support.CommandTest):
                 seconds, out, _ = self.end(process)
                 self.assertEqual(process.returncode, 130)
                 self.assertLess(seconds, 3.0)
-                self.assertIn(f"interrupted; what was done is in p.{ending}", out)
+                self.assertIn(f"interrupted; the partial picture is p.{ending}", out)
         self.assertEqual(support.png_pixels(self.folder / "p.png")[:2], (600, 400))
         self.assertGreater(support.opaque_share(self.folder / "p.png"), 0.2)
         self.assertEqual([name for name in self.files() if "partial" in name], [])

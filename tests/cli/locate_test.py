@@ -141,7 +141,7 @@ class Locate(support.CommandTest):
         text = "x,y,z\n5,0,0\n# a comment\n\n5 1 0.5\n"
         (self.folder / "points.csv").write_text(text)
         from_file = self.run_command("locate", "pinhole", "--points", "points.csv")[0]
-        self.assertEqual(from_file.count("is seen at"), 2)
+        self.assertEqual(from_file.count("is visible at"), 2)
         with self.start("locate", "pinhole", "--points", "-", stdin=subprocess.PIPE) as process:
             out, _ = process.communicate(text.encode(), timeout=60)
         self.assertEqual(out.decode(), from_file)

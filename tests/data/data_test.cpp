@@ -87,13 +87,12 @@ TEST_F(Data, AMissingFileGetsThePathAndTheNearestName) {
     (void)write("seeds.csv", "");
     const auto missing = find_file("seed.csv", folder_);
     ASSERT_FALSE(missing);
-    EXPECT_EQ(first_message(missing.diagnostics), "there is no file '" +
-                                                      (folder_ / "seed.csv").string() +
-                                                      "' and none of that name comes with Balcony");
+    EXPECT_EQ(first_message(missing.diagnostics), "there is no file and no built-in file named '" +
+                                                      (folder_ / "seed.csv").string() + "'");
     EXPECT_EQ(missing.diagnostics[0].remedy, "did you mean 'seeds.csv'?");
     EXPECT_EQ(find_file("vsae.obj", folder_).diagnostics[0].remedy, "did you mean 'vase.obj'?");
     EXPECT_EQ(first_message(find_file("vsae.obj", std::nullopt).diagnostics),
-              "no file 'vsae.obj' comes with Balcony");
+              "there is no built-in file named 'vsae.obj'");
 }
 
 TEST_F(Data, AMissingEndingIsFound) {
@@ -102,8 +101,8 @@ TEST_F(Data, AMissingEndingIsFound) {
               "did you mean 'corners.csv'?");
 }
 
-TEST_F(Data, WhatIsNoFileIsAnError) {
-    EXPECT_EQ(first_message(find_file("", folder_).diagnostics), "the name of this file is empty");
+TEST_F(Data, AMissingFileIsAnError) {
+    EXPECT_EQ(first_message(find_file("", folder_).diagnostics), "this file name is empty");
     EXPECT_TRUE(
         first_message(find_file(".", folder_).diagnostics).ends_with("' is a folder, not a file"));
     EXPECT_EQ(first_message(find_file("/dev/zero", folder_).diagnostics),
@@ -140,7 +139,7 @@ TEST_F(Data, ATableMayHaveQuotesEmptyRowsAndAnyLineEnds) {
 TEST_F(Data, ATableThatIsNoTextIsOneError) {
     using namespace std::string_literals;
     EXPECT_EQ(table("1\0,\0"s),
-              "error: 'table.csv' is not a text file: byte 2 of it is zero\n"
+              "error: 'table.csv' is not a text file: its byte 2 is zero\n"
               "  help: export the table as CSV, plain text in UTF-8\n");
 }
 
@@ -154,22 +153,23 @@ TEST_F(Data, OnlyAFirstLineOfWordsIsAHeader) {
 
 TEST_F(Data, AnglesHaveUnits) { EXPECT_EQ(table("180deg, 0.5rad, 1"), " <3.141 <0.500 1.000"); }
 
-TEST_F(Data, WhatIsNoNumberIsSaidWithItsPlace) {
-    EXPECT_EQ(table("x,y\n1,2\n3,four\n"),
-              "table.csv:3:3: error: this is not a number\n"
-              "    3 | 3,four\n"
-              "      |   ^~~~\n"
-              "  help: a table holds numbers such as -0.5, 2e-3 or 30deg; '#' begins a comment\n");
+TEST_F(Data, AnInvalidNumberIsReportedWithItsPosition) {
+    EXPECT_EQ(
+        table("x,y\n1,2\n3,four\n"),
+        "table.csv:3:3: error: this is not a number\n"
+        "    3 | 3,four\n"
+        "      |   ^~~~\n"
+        "  help: a table contains numbers such as -0.5, 2e-3 or 30deg; '#' starts a comment\n");
     EXPECT_EQ(table("1,,2"),
               "table.csv:1:3: error: there is no number between these separators\n"
               "    1 | 1,,2\n"
               "      |   ^\n"
-              "  help: write one, or take a separator away\n");
+              "  help: write one, or remove a separator\n");
     EXPECT_EQ(table("0,5;1,5"),
-              "table.csv:1:4: error: this line has separators of two kinds\n"
+              "table.csv:1:4: error: this line has two kinds of separators\n"
               "    1 | 0,5;1,5\n"
               "      |    ^\n"
-              "  help: numbers are written with a point, 0.5, and separated by commas\n");
+              "  help: write numbers with a decimal point, 0.5, and separate them by commas\n");
     for (const char* wrong : {"1,nan", "1,inf", "1,1e999", "1,2x", "1,0x1", "1,--2", "1,2deg3"}) {
         EXPECT_NE(table(wrong).find("1:3: error: this is not a number"), std::string::npos)
             << wrong;
@@ -224,16 +224,16 @@ TEST_F(Data, AlphaCountsOnce) {
     EXPECT_FLOAT_EQ((*multiplied)->values[0], 0.6F);
 }
 
-TEST_F(Data, WhatIsNoImageIsAnError) {
+TEST_F(Data, AnInvalidImageIsAnError) {
     const auto text = read_grey_image(write("text.png", "no image at all"));
     ASSERT_FALSE(text);
     EXPECT_TRUE(
         first_message(text.diagnostics).starts_with("'text.png' cannot be read as an image: "))
         << first_message(text.diagnostics);
     EXPECT_EQ(first_message(read_grey_image(write("unknown.xyz", "")).diagnostics),
-              "'unknown.xyz' cannot be read as an image: it is of no format that is read");
+              "'unknown.xyz' cannot be read as an image: its format is not supported");
     EXPECT_EQ(first_message(read_grey_image(write("cut.png", "\x89PNG\r\n\x1a\n")).diagnostics),
-              "'cut.png' cannot be read as an image: it is cut off");
+              "'cut.png' cannot be read as an image: it is truncated");
 }
 
 TEST_F(Data, AnImageTooLargeIsRefusedByItsHeader) {
@@ -275,7 +275,7 @@ TEST_F(Data, AMeshIsTurnedUpright) {
     }
 }
 
-TEST_F(Data, TrianglesThatNoPointLiesInAreLeftOut) {
+TEST_F(Data, DegenerateTrianglesAreSkipped) {
     const auto mesh = read_mesh(write("mixed.obj", square + "f 1/1/1 2/2/1 3/3/1\n"
                                                             "f 1/1/1 2/1/1 3/1/1\n"
                                                             "f 1/1/1 2/2/1 1/4/1\n"
@@ -283,11 +283,11 @@ TEST_F(Data, TrianglesThatNoPointLiesInAreLeftOut) {
     ASSERT_TRUE(mesh) << to_text(mesh.diagnostics);
     EXPECT_EQ((*mesh)->triangles.size(), 1U);
     EXPECT_EQ(to_text(mesh.diagnostics),
-              "warning: 1 of 4 triangles of 'mixed.obj' have no texture co-ordinates and are left "
-              "out\n"
-              "warning: 1 of 4 triangles of 'mixed.obj' have no area in texture co-ordinates and "
-              "are left out\n"
-              "warning: 1 of 4 triangles of 'mixed.obj' have no area in space and are left out\n");
+              "warning: 1 of 4 triangles of 'mixed.obj' have no texture coordinates and are "
+              "skipped\n"
+              "warning: 1 of 4 triangles of 'mixed.obj' have no area in texture coordinates and "
+              "are skipped\n"
+              "warning: 1 of 4 triangles of 'mixed.obj' have no area in space and are skipped\n");
 }
 
 // Three corners on a slanting line of the texture.
@@ -344,14 +344,14 @@ TEST_F(Data, MeshFilesAreBounded) {
 TEST_F(Data, AMeshWithoutTextureCoordinatesIsAnError) {
     const auto bare = read_mesh(write("bare.obj", square + "f 1//1 2//1 3//1\n"));
     EXPECT_EQ(first_message(bare.diagnostics),
-              "'bare.obj' has no triangle with texture co-ordinates");
+              "'bare.obj' has no triangle with texture coordinates");
     EXPECT_FALSE(read_mesh(write("empty.obj", "")));
     EXPECT_FALSE(read_mesh(write("mesh.stl", "")));
 }
 
 // The vase is a solid of revolution: its normals point away from its axis, its texture
-// co-ordinates are its angle and height.
-TEST_F(Data, TheVaseComesAlong) {
+// coordinates are its angle and height.
+TEST_F(Data, TheVaseIsBuiltIn) {
     const auto file = find_file("vase.obj", std::nullopt);
     ASSERT_TRUE(file);
     const auto mesh = read_mesh(*file);

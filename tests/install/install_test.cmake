@@ -1,4 +1,4 @@
-# Installs the build to a prefix of its own, then builds and runs a program that knows only the
+# Installs the build to a separate prefix, then builds and runs a program that uses only the
 # prefix.
 set(prefix "${FOLDER}/prefix")
 set(consumer "${FOLDER}/consumer")
@@ -21,7 +21,7 @@ run("${consumer}/consumer")
 run("${consumer}/consumer_of_cameras")
 run("${prefix}/bin/balcony" --version)
 
-# All public headers are there, and no others.
+# Exactly the public headers are installed.
 file(GLOB_RECURSE ours RELATIVE "${PUBLIC_HEADERS}" "${PUBLIC_HEADERS}/*")
 file(GLOB_RECURSE installed RELATIVE "${prefix}/include" "${prefix}/include/*")
 if(NOT ours STREQUAL installed)

@@ -74,8 +74,8 @@ TEST(StageArguments, ACountIsAWholeConstantNumber) {
     EXPECT_EQ(refused(count(), "stage(1e30)"),
               "'n' of 'stage' must be from 1 to 20, but is 1e+30; n: its use");
     EXPECT_EQ(refused(count(), "stage(1 + t)"),
-              "'n' of 'stage' cannot change with time; it decides what the stage is made of, "
-              "which is done once for all times");
+              "'n' of 'stage' cannot change with time; it determines the structure of the "
+              "stage, which is the same for all times");
 }
 
 TEST(StageArguments, AConstantParameterTakesNoTime) {
@@ -136,7 +136,7 @@ std::vector<StageParameter> points(std::vector<std::size_t> coordinates, Unit un
              .meaning = "its use"}};
 }
 
-TEST(StageArguments, WhatChangesWithTimeStaysInItsRange) {
+TEST(StageArguments, ValuesThatChangeWithTimeAreClamped) {
     const std::vector<StageParameter> row{
         {.name = "strength", .minimum = 0.0, .maximum = 0.99, .meaning = "below 1"},
         {.name = "radius", .minimum = 0.0, .excludes_minimum = true, .meaning = "above 0"},
@@ -175,31 +175,32 @@ TEST(StageArguments, PointsAreAList) {
 
 TEST(StageArguments, WrongPointsAreErrors) {
     EXPECT_EQ(refused(points({2}), "stage(3)"),
-              "'at' of 'stage' is a list of points; write it in brackets, such as "
+              "'at' of 'stage' takes a list of points; write it in brackets, for example "
               "[(0, 0), (1, 1)], or name a table, such as \"table.csv\"");
     EXPECT_EQ(refused(points({1}), "stage((1, 2))"),
-              "'at' of 'stage' is a list of numbers; write it in brackets, such as [0, 1], "
+              "'at' of 'stage' takes a list of numbers; write it in brackets, for example [0, 1], "
               "or name a table, such as \"table.csv\"");
     EXPECT_EQ(refused(points({2}), "stage([])"),
               "'at' of 'stage' needs at least 2 points, but has 0; at: its use; add 2 more");
-    EXPECT_EQ(refused(points({2, 3}), "stage([(1, 2), 3])"),
-              "a point of 'at' of 'stage' has 2 or 3 numbers, but this has 1; such as at = [(0, "
-              "0), (1, 1)]");
+    EXPECT_EQ(
+        refused(points({2, 3}), "stage([(1, 2), 3])"),
+        "a point of 'at' of 'stage' has 2 or 3 numbers, but this has 1; for example at = [(0, "
+        "0), (1, 1)]");
     EXPECT_EQ(refused(points({1}), "stage([(1, 2), 3])"),
-              "a point of 'at' of 'stage' has 1 number, but this has 2; such as at = [0, 1]");
+              "a point of 'at' of 'stage' has 1 number, but this has 2; for example at = [0, 1]");
     std::vector<StageParameter> triangle = points({1, 2, 3});
     triangle.front().min_points = 3;
     EXPECT_EQ(refused(triangle, "stage([(1, 2, 3, 4), 0, 0])"),
-              "a point of 'at' of 'stage' has 1, 2 or 3 numbers, but this has 4; such as "
+              "a point of 'at' of 'stage' has 1, 2 or 3 numbers, but this has 4; for example "
               "at = [0, 1, 2]");
     EXPECT_EQ(refused(points({2, 3}), "stage([(1, 2), (1, 2, 3)])"),
               "this point has 3 numbers, but the first has 2; give all points 2 numbers");
     EXPECT_EQ(refused(points({1}), "stage([1deg, 0])"),
-              "'at' of 'stage' is a plain number, but this is an angle; leave out deg or rad, or "
+              "'at' of 'stage' must be a plain number, but this is an angle; remove deg or rad, or "
               "divide the angle by 1rad");
     EXPECT_TRUE(refused(points({1}), "stage([1, t])").starts_with("'at' of 'stage' cannot change"));
     EXPECT_TRUE(refused(points({1}), "stage([1, [2]])")
-                    .starts_with("a list has numbers or points, but this is a list; "));
+                    .starts_with("a list contains numbers or points, but this is a list; "));
     EXPECT_TRUE(refused(points({1}), "stage([1, 1/0])").starts_with("division by 0; "));
 }
 
@@ -208,12 +209,13 @@ TEST(StageArguments, TooManyPointsAreOneError) {
     for (int i = 0; i < 65536; ++i) {
         list += ",0";
     }
-    EXPECT_EQ(refused(points({1}), "stage([" + list + "])"),
-              "'at' of 'stage' needs at most 65536 numbers, but has 65537; keep one number in 2");
+    EXPECT_EQ(
+        refused(points({1}), "stage([" + list + "])"),
+        "'at' of 'stage' needs at most 65536 numbers, but has 65537; keep one number out of 2");
     EXPECT_TRUE(read(points({1}), "stage([" + list.substr(2) + "])").arguments);
 }
 
-TEST(StageArguments, PointsMayStandInATable) {
+TEST(StageArguments, PointsMayComeFromATable) {
     const test::TemporaryFolder folder;
     folder.write("points.csv", "x,y\n0,1\n2,30deg\n");
     folder.write("numbers.csv", "0,0,0.5\n1,1\n");
@@ -227,7 +229,7 @@ TEST(StageArguments, PointsMayStandInATable) {
     // What is wrong in the table is said of the table, with the place that names it.
     const Read angle = read(points({2}), "stage(\"points.csv\")", "eye", folder.path());
     ASSERT_EQ(angle.said.size(), 1U) << to_text(angle.said);
-    EXPECT_EQ(angle.message(), "'at' of 'stage' is a plain number, but this is an angle");
+    EXPECT_EQ(angle.message(), "'at' of 'stage' must be a plain number, but this is an angle");
     EXPECT_EQ(to_text(angle.said).rfind((folder.path() / "points.csv").string() + ":3:3", 0), 0U);
     ASSERT_EQ(angle.said[0].notes.size(), 1U);
     EXPECT_EQ(angle.said[0].notes[0].span.source->name(), "test.cam");
@@ -245,10 +247,10 @@ TEST(StageArguments, ImagesAndMeshesAreFiles) {
     ASSERT_TRUE(vase.arguments) << to_text(vase.said);
     EXPECT_GT(vase.arguments->mesh("file")->triangles.size(), 1000U);
     EXPECT_EQ(refused(row, "stage(vase)"),
-              "'file' of 'stage' is a mesh; name its file in quotation marks, such as "
+              "'file' of 'stage' takes a mesh; write a file name in quotation marks, for example "
               "\"vase.obj\"");
     EXPECT_EQ(refused(row, "stage(\"vaze.obj\")"),
-              "there is no file 'vaze.obj' and none of that name comes with Balcony; did you mean "
+              "there is no file and no built-in file named 'vaze.obj'; did you mean "
               "'vase.obj'?");
     const std::vector<StageParameter> mask{
         {.name = "mask", .type = ParameterType::image, .meaning = "its use"}};
@@ -274,14 +276,14 @@ TEST(StageArguments, AStageTakesAStageOfItsKind) {
     ASSERT_TRUE(made.arguments) << to_text(made.said);
     EXPECT_NE(made.arguments->stage<camera::ParameterTransformer>("inner"), nullptr);
     EXPECT_EQ(refused(row, "stage(sphere(1))"),
-              "'sphere' is an object generator, but this is the place of a parameter transformer; "
+              "'sphere' is an object generator, but a parameter transformer is needed here; "
               "object generators belong to 'eye', 'toward' and 'object'");
     EXPECT_TRUE(refused(row, "stage(3)")
-                    .starts_with("'inner' of 'stage' is a parameter transformer, but this is a "
+                    .starts_with("'inner' of 'stage' takes a parameter transformer, but this is a "
                                  "number; write a parameter "
-                                 "transformer such as "));
+                                 "transformer, for example "));
     EXPECT_EQ(refused(row, "stage"),
-              "'stage' is not given its 'inner' (its use); it is written stage(inner)");
+              "'stage' needs its argument 'inner' (its use); the syntax is stage(inner)");
 }
 
 TEST(StageArguments, StagesTakeAllThatIsLeft) {
@@ -302,10 +304,10 @@ TEST(StageArguments, StagesTakeAllThatIsLeft) {
     EXPECT_TRUE(refused(row, "stage(3, stages = scale(2), stages = mirror(x))")
                     .starts_with("'stages' is given twice; "));
     EXPECT_EQ(refused(row, "stage(3)"),
-              "'stage' is not given its 'stages' (its use); it is written stage(n, stages, ...)");
+              "'stage' needs its argument 'stages' (its use); the syntax is stage(n, stages, ...)");
     EXPECT_EQ(refused(row, "stage(3, scale(2), 1)"),
-              "'stages' of 'stage' is an object transformer, but this is a number; write an "
-              "object transformer such as translate(x, y, z)");
+              "'stages' of 'stage' takes an object transformer, but this is a number; write an "
+              "object transformer, for example translate(x, y, z)");
 }
 
 TEST(StageArguments, AFormulaHasTheNameOfItsParameter) {
@@ -327,25 +329,26 @@ TEST(StageArguments, AFormulaHasTheNameOfItsParameter) {
 
     EXPECT_TRUE(read(row, "stage(s = 4, weight(u, v) = [1])").arguments);
     EXPECT_EQ(refused(row, "stage(weight(u) = [u])"),
-              "the formula 'weight' has 2 parameters, but this one has 1; it is written "
+              "the formula 'weight' has 2 parameters, but this one has 1; the syntax is "
               "weight(u, v) = [a]");
     EXPECT_EQ(refused(row, "stage(weight(u, v) = [u, v])"),
-              "the formula 'weight' has 1 result, but this one has 2; it is written "
+              "the formula 'weight' has 1 result, but this one has 2; the syntax is "
               "weight(u, v) = [a]");
-    EXPECT_EQ(refused(row, "stage(weight(u, v) = [30deg])"),
-              "'weight' of 'stage' is a plain number, but this is an angle; leave out deg or rad, "
-              "or divide the angle by 1rad");
+    EXPECT_EQ(
+        refused(row, "stage(weight(u, v) = [30deg])"),
+        "'weight' of 'stage' must be a plain number, but this is an angle; remove deg or rad, "
+        "or divide the angle by 1rad");
     EXPECT_EQ(refused(row, "stage(wieght(u, v) = [u])"),
               "'stage' has no argument 'wieght'; did you mean 'weight'?");
     EXPECT_EQ(refused(row, "stage(weight(pi, v) = [v])"),
-              "'pi' is taken: it is the number 3.14159...; choose another name, such as u");
+              "'pi' is reserved: it is the number 3.14159...; choose another name, for example u");
     EXPECT_EQ(refused(row, "stage(weight = 0.5)"),
-              "'weight' of 'stage' is a formula; it is written weight(u, v) = [a]");
+              "'weight' of 'stage' takes a formula; the syntax is weight(u, v) = [a]");
     EXPECT_EQ(refused(row, "stage(weight(u, v) = [u], weight(u, v) = [v])"),
-              "'weight' is given twice; leave one out; without names they come in the order of "
+              "'weight' is given twice; remove one; positional arguments have the order of "
               "stage(r, weight(u, v) = [a], s)");
     EXPECT_EQ(refused(row, "stage(1, 2, 3)"),
-              "'stage' takes 2 arguments, but is given 3; it is written "
+              "'stage' takes 2 arguments, but 3 are given; the syntax is "
               "stage(r, weight(u, v) = [a], s)");
 }
 

@@ -42,7 +42,7 @@ std::string said_of(const fs::path& file) {
 
 class BadFile : public testing::TestWithParam<fs::path> {};
 
-TEST_P(BadFile, SaysWhatIsExpected) {
+TEST_P(BadFile, HasTheExpectedDiagnostics) {
     const fs::path expected_file = fs::path(GetParam()).replace_extension(".expected");
     const std::string said = said_of(GetParam());
     EXPECT_FALSE(said.empty());
@@ -79,9 +79,10 @@ TEST(GeneratedBadFile, FiftyMegabytesAreRefusedUnread) {
     const test::TemporaryFolder folder;
     const fs::path file = folder.write("large.cam", "");
     fs::resize_file(file, 50'000'000);
-    EXPECT_EQ(to_text(check(file)), test::joined({"error: '", file.string(),
-                                                  "' is larger than 1 MB, which no camera file is\n"
-                                                  "  help: check that it is the file you mean\n"}));
+    EXPECT_EQ(to_text(check(file)),
+              test::joined({"error: '", file.string(),
+                            "' is larger than 1 MB, the maximum for camera files\n"
+                            "  help: check that it is a camera file\n"}));
 }
 
 TEST(GeneratedBadFile, ZeroBytesGiveOneError) {
@@ -91,7 +92,7 @@ TEST(GeneratedBadFile, ZeroBytesGiveOneError) {
     const Diagnostics said = check(file);
     ASSERT_EQ(said.size(), 1U);
     EXPECT_EQ(said[0].message,
-              test::joined({"'", file.string(), "' is not a text file: byte 11 of it is zero"}));
+              test::joined({"'", file.string(), "' is not a text file: its byte 11 is zero"}));
 }
 
 TEST(GeneratedBadFile, RubbishGivesOneError) {
@@ -149,7 +150,7 @@ TEST(GeneratedBadFile, ErrorsAreCountedUpToABound) {
     }
     const Diagnostics said = test::make(text).diagnostics;
     ASSERT_EQ(said.size(), 21U);
-    EXPECT_EQ(said.back().message, "there are more errors; these are the first 20");
+    EXPECT_EQ(said.back().message, "there are more errors; only the first 20 are shown");
 }
 
 // Where reading ends for too many errors, the built-in cameras are not read either.

@@ -31,7 +31,7 @@ camera::Camera standard(const char* name, const std::vector<Override>& overrides
     return *made;
 }
 
-TEST(StandardCameras, AllLoadWithoutAWord) {
+TEST(StandardCameras, AllLoadWithoutDiagnostics) {
     EXPECT_EQ(built_in_cameras(),
               (std::vector<std::string>{"cylinder", "fisheye", "hyperbolic", "orthographic",
                                         "panorama", "pinhole", "superelliptic"}));
@@ -70,7 +70,7 @@ TEST(StandardCameras, PinholeIsPerspective) {
     expect_near(corner.direction, {1 / length, 1 / length, 0.5 / length});
 }
 
-TEST(StandardCameras, PinholeTurnsAsItsCommentSays) {
+TEST(StandardCameras, PinholeTurnsAsDocumented) {
     const auto middle = [](const char* name, const char* value) {
         return test::ray(standard("pinhole", {{name, value}}), 50, 50, 100, 100).direction;
     };
@@ -131,7 +131,7 @@ TEST(StandardCameras, HyperbolicRaysEndUpAtRightAnglesToTheWalls) {
     EXPECT_NEAR(left.direction[1], half, 1e-6);
 }
 
-TEST(StandardCameras, SuperellipticSidesLookSquarely) {
+TEST(StandardCameras, SuperellipticSidesLookAtRightAngles) {
     const camera::Camera camera = standard("superelliptic");
     const Ray left = test::ray(camera, 250, 100, 1000, 200);
     expect_near(left.direction, {0, 1, 0});
@@ -167,7 +167,7 @@ TEST(Statements, AxesCanBeNegative) {
     expect_near(a.origin, {1, 0, 1});
 }
 
-TEST(Statements, ABlockHasItsOwnMapWarpsBehindAndMovesBefore) {
+TEST(Statements, ABlocksWarpsFollowAndItsMovesPrecedeTheCameras) {
     const camera::Camera camera = made(R"(
         map  u = 0 .. 2, v = 0 .. 2
         warp scale(2)
@@ -188,7 +188,7 @@ TEST(Statements, ABlockHasItsOwnMapWarpsBehindAndMovesBefore) {
     expect_near(ray.direction, {d[0] / length, d[1] / length, d[2] / length});
 }
 
-TEST(Statements, LetsStandInAnyOrder) {
+TEST(Statements, LetsMayBeInAnyOrder) {
     const Ray ray = test::ray(made("let a = b + 1 map u = 0 .. a, v = square eye plane let b = 2"),
                               10, 5, 10, 10);
     expect_near(ray.origin, {0, 3, 0});

@@ -48,7 +48,7 @@ std::vector<std::string> written(const std::vector<Explanation::Step>& steps) {
 
 }  // namespace
 
-TEST(Explain, SaysStepsInTheOrderOfTheMachineWithTheirMeanings) {
+TEST(Explain, ListsStepsInTheOrderOfTheMachine) {
     const test::TemporaryFolder folder;
     const auto file = folder.write("a.cam",
                                    "camera a(r = 2, turn = 30deg) {\n"
@@ -73,7 +73,7 @@ TEST(Explain, SaysStepsInTheOrderOfTheMachineWithTheirMeanings) {
     EXPECT_EQ(made->steps[5].meanings, std::vector{"rotate: " + std::string(row->meaning)});
 }
 
-TEST(Explain, SaysOfLayersWhatTheyShowAndHow) {
+TEST(Explain, DescribesLayers) {
     const test::TemporaryFolder folder;
     const auto made = explain(folder.write("a.cam", nested_picture), "", {{"fade", "1/4"}});
     ASSERT_TRUE(made) << to_text(made.diagnostics);
@@ -100,7 +100,7 @@ TEST(Explain, SaysOfLayersWhatTheyShowAndHow) {
     }
 }
 
-TEST(Explain, ExplainsWhatLayersShowOnceForTheSameParameters) {
+TEST(Explain, ExplainsACameraOnceForTheSameParameters) {
     const test::TemporaryFolder folder;
     const auto made = explain(folder.write("a.cam", nested_picture), "poster");
     ASSERT_TRUE(made) << to_text(made.diagnostics);
@@ -116,12 +116,12 @@ TEST(Explain, ExplainsWhatLayersShowOnceForTheSameParameters) {
     EXPECT_EQ(made->layers[2].shows, 2U);
     EXPECT_EQ(made->layers[3].shows, 3U);
     const Explanation& inset = made->shown[3];
-    EXPECT_EQ(inset.summary, "A picture in 2 layers, 2 times as wide as high.");
+    EXPECT_EQ(inset.summary, "A picture in 2 layers, with an aspect ratio of 2.");
     EXPECT_EQ(inset.layers[0].shows, 1U);
     EXPECT_EQ(inset.layers[1].shows, 2U);
 }
 
-TEST(Explain, SaysWhatIsWrongInsteadOfExplainingIt) {
+TEST(Explain, ReportsErrorsInsteadOfExplaining) {
     const auto made = explain("nothing.cam", "");
     EXPECT_FALSE(made);
     EXPECT_TRUE(has_errors(made.diagnostics));

@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(All, ValueError,
                                          "0^-1", "acos(2)/1rad", "exp(1000)", "1e308*10",
                                          "mod(1, 0)", "if(t < 1, 1/0, 2)", "(-8)^(1/3)"));
 
-TEST(Expression, AValueErrorPointsAtWhatIsWrong) {
+TEST(Expression, AValueErrorPointsAtTheCause) {
     const Result<camera::Camera> made = camera_at("1 + 2/(3 - 3)");
     ASSERT_EQ(made.diagnostics.size(), 1U);
     const SourceSpan& span = made.diagnostics[0].span;

@@ -230,13 +230,13 @@ TEST(Format, AlignsArgumentsAcrossComments) {
     EXPECT_EQ(formatted(text), text);
 }
 
-TEST(Format, LeavesTextsWithSyntaxErrorsAlone) {
+TEST(Format, DoesNotChangeTextsWithSyntaxErrors) {
     const auto made = format(source("camera a { map u = }"));
     EXPECT_FALSE(made);
     EXPECT_TRUE(has_errors(made.diagnostics));
 }
 
-TEST(Format, RefusesWhatWouldBeTooLargeToRead) {
+TEST(Format, RejectsResultsThatAreTooLargeToRead) {
     // The rows of the list stand below one another: each takes 73 bytes.
     const auto laid_out = [](int rows) {
         std::string text = "let " + std::string(62, 'a') + " = [0";
@@ -249,8 +249,9 @@ TEST(Format, RefusesWhatWouldBeTooLargeToRead) {
     const auto made = laid_out(1'000'000 / 73 + 2);
     ASSERT_FALSE(made);
     ASSERT_EQ(made.diagnostics.size(), 1U);
-    EXPECT_EQ(made.diagnostics[0].message,
-              "'test.cam' laid out would be larger than 1 MB, which no camera file is");
+    EXPECT_EQ(
+        made.diagnostics[0].message,
+        "'test.cam' would be larger than 1 MB after formatting, the maximum for camera files");
 }
 
 class FormatsFile : public testing::TestWithParam<std::filesystem::path> {};
@@ -267,7 +268,7 @@ TEST_P(FormatsFile, KeepingEveryWordAndThenChangingNothing) {
 }
 
 // What comes along shows the layout.
-TEST_P(FormatsFile, AsItIsIfItIsShipped) {
+TEST_P(FormatsFile, UnchangedIfBuiltIn) {
     if (GetParam().string().find("tests/lang") == std::string::npos) {
         const std::string text = test::read_file(GetParam());
         EXPECT_EQ(formatted(text), text) << "run: balcony fmt " << GetParam();

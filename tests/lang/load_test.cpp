@@ -22,7 +22,7 @@ double radius_of(const Result<camera::Camera>& made) {
     return made ? test::ray(*made, 0, 1, 2, 2).origin[0] : 0.0;
 }
 
-TEST(Load, AnEmptyNameMeansTheLastCamera) {
+TEST(Load, AnEmptyNameSelectsTheLastCamera) {
     const std::string text = "camera a(r = 1) " + plain + "camera b(r = 2) " + plain;
     EXPECT_EQ(test::make(text)->name(), "b");
     EXPECT_EQ(test::make(text, {}, "a")->name(), "a");
@@ -44,7 +44,8 @@ TEST(Load, AnAspectIsAPlainNumberAbove0) {
     };
     EXPECT_EQ(error_of("1/100"), "");
     EXPECT_EQ(error_of("0"), "the aspect of a camera must be above 0, but is 0");
-    EXPECT_EQ(error_of("90deg"), "the aspect of a camera is a plain number, but this is an angle");
+    EXPECT_EQ(error_of("90deg"),
+              "the aspect of a camera must be a plain number, but this is an angle");
 }
 
 TEST(Load, OverridesReplaceDefaults) {
@@ -74,30 +75,31 @@ TEST(Load, WrongOverridesAreErrors) {
               "      | ^~~~~~\n"
               "  help: did you mean 'radius'?\n");
     EXPECT_EQ(error_of("turn", "30"),
-              "--set:1:6: error: 'turn' is an angle, but this is a plain number\n"
+              "--set:1:6: error: 'turn' must be an angle, but this is a plain number\n"
               "    1 | turn=30\n"
               "      |      ^~\n"
-              "  help: attach deg or rad: 30deg, 0.5rad\n");
+              "  help: append deg or rad: 30deg, 0.5rad\n");
     EXPECT_EQ(error_of("radius", "1deg"),
-              "--set:1:8: error: 'radius' is a plain number, but this is an angle\n"
+              "--set:1:8: error: 'radius' must be a plain number, but this is an angle\n"
               "    1 | radius=1deg\n"
               "      |        ^~~~\n"
-              "  help: leave out deg or rad\n");
+              "  help: remove deg or rad\n");
     EXPECT_EQ(error_of("radius", "1/0"),
               "--set:1:10: error: division by 0\n"
               "    1 | radius=1/0\n"
               "      |          ^\n"
-              "  help: change the divisor, or keep clear of 0 with if(condition, a, b)\n");
-    EXPECT_EQ(error_of("radius", "2 3"),
-              "--set:1:10: error: expected the end of the value, but found '3'\n"
-              "    1 | radius=2 3\n"
-              "      |          ^\n"
-              "  help: join its parts by operators; another parameter takes another --set\n");
+              "  help: change the divisor, or exclude 0 with if(condition, a, b)\n");
+    EXPECT_EQ(
+        error_of("radius", "2 3"),
+        "--set:1:10: error: expected the end of the value, but found '3'\n"
+        "    1 | radius=2 3\n"
+        "      |          ^\n"
+        "  help: combine its parts with operators; use a separate --set for each parameter\n");
     EXPECT_EQ(error_of("radius", ""),
               "--set:1:8: error: expected a number, a name or '(', but the text ends here\n"
               "    1 | radius=\n"
               "      |        ^\n"
-              "  help: write a value behind '='\n");
+              "  help: write a value after '='\n");
     EXPECT_TRUE(test::make(text, {{"free", "30deg"}}));
 }
 
@@ -124,16 +126,16 @@ TEST(Load, TextsFindImportsInTheirFolder) {
     EXPECT_FALSE(make_camera(source, ""));
 }
 
-TEST(Load, AFileThatOnlyImportsNamesWhatItCould) {
+TEST(Load, AFileWithOnlyImportsSuggestsImportedCameras) {
     const Diagnostics said = test::make("import \"pinhole.cam\"").diagnostics;
     ASSERT_EQ(said.size(), 1U);
-    EXPECT_EQ(said[0].remedy, "name one that it imports: 'pinhole'");
+    EXPECT_EQ(said[0].remedy, "name one of its imported cameras: 'pinhole'");
 }
 
 TEST(Load, UnknownFilesGetASuggestion) {
     const Diagnostics said = load_camera("pinhol", "").diagnostics;
     ASSERT_EQ(said.size(), 1U);
-    EXPECT_EQ(said[0].message, "there is no file 'pinhol' and no built-in camera of that name");
+    EXPECT_EQ(said[0].message, "there is no file and no built-in camera named 'pinhol'");
     EXPECT_EQ(said[0].remedy, "did you mean 'pinhole'?");
 }
 
@@ -170,7 +172,7 @@ TEST(Load, WarningsComeWithTheCamera) {
 
 }  // namespace
 // Few words can ask for more than fits: seeds times repetitions.
-TEST(Limits, ACameraThatIsTooLargeIsSaidSo) {
+TEST(Limits, ACameraThatIsTooLargeIsReported) {
     std::string seeds;
     for (int i = 0; i < 200; ++i) {
         seeds += fmt::format("{}({}, {}, {}, {})", i == 0 ? "" : ", ", i % 20, i / 20, i % 20 + 0.1,

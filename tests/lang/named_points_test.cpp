@@ -49,7 +49,7 @@ const std::string with_parameters =
 
 }  // namespace
 
-TEST(NamedPoints, AreWhatTheyStandFor) {
+TEST(NamedPoints, AreTheirValues) {
     expect_same_rays(made(written),
                      made("let far = 2\n"
                           "let path = [(-1, 0), top, (1, 0)]\n"
@@ -78,16 +78,16 @@ TEST(NamedPoints, ParametersMayBePoints) {
 
 TEST(NamedPoints, AParameterKeepsTheFormOfItsDefault) {
     EXPECT_EQ(error_of(with_parameters, {{"at", "3"}}),
-              "'at' is 3 numbers in parentheses, but this is a number");
+              "'at' must be 3 numbers in parentheses, but this is a number");
     EXPECT_EQ(error_of(with_parameters, {{"at", "(1, 2)"}}),
-              "'at' is 3 numbers in parentheses, but this is 2 numbers in parentheses");
+              "'at' must be 3 numbers in parentheses, but this is 2 numbers in parentheses");
     EXPECT_EQ(error_of(with_parameters, {{"path", "(1, 2)"}}),
-              "'path' is a list, but this is 2 numbers in parentheses");
+              "'path' must be a list, but this is 2 numbers in parentheses");
     EXPECT_EQ(error_of(with_parameters, {{"axis", "(0, 0, 1deg)"}}),
-              "'axis' is a plain number, but this is an angle");
+              "'axis' must be a plain number, but this is an angle");
 }
 
-TEST(NamedPoints, WhereTheyDoNotFitIsSaid) {
+TEST(NamedPoints, MismatchesAreReported) {
     const auto with = [](std::string_view statements) {
         return test::joined(
             {"let two = (1, 2) let three = (1, 2, 3) let many = [two, two]\n"
@@ -95,23 +95,23 @@ TEST(NamedPoints, WhereTheyDoNotFitIsSaid) {
              statements, " }"});
     };
     EXPECT_EQ(error_of(with("eye sphere(1 + two)")),
-              "expected one number, but 'two' is 2 numbers in parentheses");
+              "expected a number, but 'two' is 2 numbers in parentheses");
     EXPECT_EQ(error_of(with("eye sphere(many)")),
-              "'radius' of 'sphere' is one number, but this is a list");
+              "'radius' of 'sphere' takes one number, but this is a list");
     EXPECT_EQ(error_of(with("eye disc(2) move translate(three, 4)")),
-              "'translate' takes 3 arguments, but is given 4");
+              "'translate' takes 3 arguments, but 4 are given");
     EXPECT_EQ(error_of(with("eye disc(2) move translate(three, x = 4)")), "'x' is given twice");
     EXPECT_EQ(error_of(with("eye disc(2) move rotate(two, 3deg)")),
-              "'axis' of 'rotate' is three numbers, (a, b, c), or x, y or z, but these are 2");
-    EXPECT_EQ(error_of(with("eye bezier(three)")), "'points' of 'bezier' is a list of points");
-    EXPECT_EQ(error_of(with("eye bezier(tow)")), "there is nothing named 'tow' here");
-    EXPECT_EQ(error_of(with("eye bezier(3)")), "'points' of 'bezier' is a list of points");
+              "'axis' of 'rotate' takes three numbers (a, b, c) or x, y or z, but there are 2");
+    EXPECT_EQ(error_of(with("eye bezier(three)")), "'points' of 'bezier' takes a list of points");
+    EXPECT_EQ(error_of(with("eye bezier(tow)")), "unknown name 'tow'");
+    EXPECT_EQ(error_of(with("eye bezier(3)")), "'points' of 'bezier' takes a list of points");
     EXPECT_EQ(error_of(with("eye bezier([two, many])")),
-              "a list has numbers or points, but this is a list");
+              "a list contains numbers or points, but this is a list");
     EXPECT_EQ(error_of(with("eye bezier([[1, 2], two])")),
-              "a list has numbers or points, but this is a list");
+              "a list contains numbers or points, but this is a list");
     EXPECT_EQ(error_of(with("eye bezier([two, (two, 1)])")),
-              "expected one number, but 'two' is 2 numbers in parentheses");
+              "expected a number, but 'two' is 2 numbers in parentheses");
 }
 
 // What is wrong with a point is shown where the point is written and where it is used.
@@ -120,23 +120,24 @@ TEST(NamedPoints, AWrongPointIsShownWithItsUse) {
         "let  path = [(0, 0), (1, 5deg)]\n"
         "camera c { map u = 0 .. 1, v = 0 .. 1 eye bezier(path) }");
     ASSERT_FALSE(camera);
-    EXPECT_EQ(to_text(camera.diagnostics),
-              "test.cam:1:26: error: 'points' of 'bezier' is a plain number, but this is an angle\n"
-              "    1 | let  path = [(0, 0), (1, 5deg)]\n"
-              "      |                          ^~~~\n"
-              "test.cam:2:50: note: it is used here\n"
-              "    2 | camera c { map u = 0 .. 1, v = 0 .. 1 eye bezier(path) }\n"
-              "      |                                                  ^~~~\n"
-              "  help: leave out deg or rad, or divide the angle by 1rad\n");
+    EXPECT_EQ(
+        to_text(camera.diagnostics),
+        "test.cam:1:26: error: 'points' of 'bezier' must be a plain number, but this is an angle\n"
+        "    1 | let  path = [(0, 0), (1, 5deg)]\n"
+        "      |                          ^~~~\n"
+        "test.cam:2:50: note: used here\n"
+        "    2 | camera c { map u = 0 .. 1, v = 0 .. 1 eye bezier(path) }\n"
+        "      |                                                  ^~~~\n"
+        "  help: remove deg or rad, or divide the angle by 1rad\n");
 }
 
-TEST(NamedPoints, ThatNothingUsesAreWarnedOf) {
+TEST(NamedPoints, CauseAWarningIfUnused) {
     const Result<camera::Camera> camera = test::make(
         "camera c(at = (1, 2, 3)) { let path = [1, 2] map u = 0 .. 1, v = square eye plane }");
     ASSERT_TRUE(camera);
     ASSERT_EQ(camera.diagnostics.size(), 2U);
-    EXPECT_EQ(camera.diagnostics[0].message, "the parameter 'at' is not used");
-    EXPECT_EQ(camera.diagnostics[1].message, "the let 'path' is not used");
+    EXPECT_EQ(camera.diagnostics[0].message, "the parameter 'at' is unused");
+    EXPECT_EQ(camera.diagnostics[1].message, "the let 'path' is unused");
 }
 
 }  // namespace balcony::lang

@@ -116,7 +116,7 @@ TEST(Pictures, LeaderLinesEndAtTheCorners) {
     EXPECT_EQ(line(70.0, 50.0), 0.0);
 }
 
-TEST(Pictures, StandInPictures) {
+TEST(Pictures, CanBeNested) {
     const std::string text =
         test::joined({cameras,
                       "picture inner { layer plain }  picture outer { layer round  layer inner { "
@@ -130,13 +130,13 @@ TEST(Pictures, StandInPictures) {
     EXPECT_EQ(all.elements[1].group[0].name, "inner/plain");
 }
 
-TEST(Pictures, TheLastCameraOrPictureIsMeant) {
+TEST(Pictures, TheLastCameraOrPictureIsTheDefault) {
     const std::string text = test::joined({cameras, "picture p { layer plain }"});
     EXPECT_EQ(made(text).name(), "p");
     EXPECT_EQ(test::make(text)->name(), "round") << "the last camera, where a camera is wanted";
     const auto refused = test::make(text, {}, "p");
     ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.diagnostics[0].message, "'p' is a picture, but a camera is wanted");
+    EXPECT_EQ(refused.diagnostics[0].message, "'p' is a picture, but a camera is needed");
 }
 
 TEST(Pictures, AreDescribed) {
@@ -163,7 +163,7 @@ TEST(Pictures, AreBounded) {
     }
     const auto deep = make(text);
     ASSERT_FALSE(deep);
-    EXPECT_EQ(deep.diagnostics[0].message, "pictures nest more than 16 deep");
+    EXPECT_EQ(deep.diagnostics[0].message, "pictures are nested more than 16 levels deep");
 
     std::string doubling = test::joined({cameras, "picture p0 { layer plain }\n"});
     for (int i = 1; i < 15; ++i) {
@@ -173,7 +173,7 @@ TEST(Pictures, AreBounded) {
     }
     const auto wide = make(doubling);
     ASSERT_FALSE(wide);
-    EXPECT_NE(wide.diagnostics[0].message.find("1000 are allowed"), std::string::npos)
+    EXPECT_NE(wide.diagnostics[0].message.find("the maximum is 1000"), std::string::npos)
         << wide.diagnostics[0].message;
 }
 

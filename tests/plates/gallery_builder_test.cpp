@@ -102,7 +102,7 @@ TEST(Gallery, IsAWellFormedGlb) {
     }
 }
 
-TEST(Gallery, MeshesAreWoundAsTheirNormalsPoint) {
+TEST(Gallery, MeshesAreWoundLikeTheirNormals) {
     const GlbFile file = gallery_file();
     for (const json& mesh : file.document["meshes"]) {
         const json& primitive = mesh["primitives"][0];
@@ -182,7 +182,7 @@ TEST(Gallery, FramesDoNotOverlap) {
     EXPECT_EQ(on, (std::map<std::string, int>{{"+y", 3}, {"+x", 1}, {"-y", 2}, {"-x", 1}}));
 }
 
-TEST(Gallery, NothingOfTheGridReachesAPicture) {
+TEST(Gallery, TheGridDoesNotTouchPictures) {
     const GlbFile file = gallery_file();
     double furthest = 0.0;
     for (const char* part : {"box ", "cylinder "}) {
@@ -299,7 +299,7 @@ int exit_code(const std::string& arguments) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-TEST(BuildGallery, TellsByItsExitCodeWhatWentWrong) {
+TEST(BuildGallery, ExitCodeTellsTheKindOfError) {
     EXPECT_EQ(exit_code("--help"), 0);
     EXPECT_EQ(exit_code(""), 2);
     EXPECT_EQ(exit_code("--no-such-option"), 2);

@@ -118,7 +118,7 @@ TEST(PointPrograms, RootsOfEveryKindAreWritten) {
     }
 }
 
-TEST(PointPrograms, WhatDependsOnThePointRunsOncePerPoint) {
+TEST(PointPrograms, NodesThatDependOnThePointRunOncePerPoint) {
     Graph graph;
     const Expr x = graph.picture_x();
     const Expr y = graph.picture_y();

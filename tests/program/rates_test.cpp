@@ -14,7 +14,7 @@ namespace balcony::program {
 using expr::Expr;
 using expr::Graph;
 
-TEST(Rates, FollowWhatARootDependsOn) {
+TEST(Rates, FollowTheInputsOfARoot) {
     Graph graph;
     const Expr x = graph.picture_x();
     const Expr y = graph.picture_y();

@@ -10,7 +10,7 @@ if(NOT found)
 endif()
 string(REGEX MATCHALL "[^\n]*:kernels_[^\n]* [WVu] [^\n]*" shared "${symbols}")
 # Highway's names carry the instruction set, so no other file has them; a reference to the handler
-# of exceptions, which unoptimised builds emit, is no code.
+# of exceptions, which unoptimised builds emit, is not code.
 list(FILTER shared EXCLUDE REGEX " hwy::N_|[^\n]* V DW\\.ref\\.")
 if(shared)
     list(JOIN shared "\n" text)

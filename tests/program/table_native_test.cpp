@@ -182,7 +182,7 @@ TEST_P(OfArity, ANativeIsCalledWithArgumentsOfEveryRate) {
     }
 }
 
-TEST_P(OfArity, ANativeRunsAsOftenAsItsArgumentsChange) {
+TEST_P(OfArity, ANativeHasTheRateOfItsArguments) {
     Graph graph;
     const std::vector<Expr> columns(GetParam(), graph.picture_x());
     const std::vector<Expr> uniforms(GetParam(), graph.time());

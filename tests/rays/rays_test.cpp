@@ -100,7 +100,7 @@ TEST(RayProgram, DerivativesAreNeighbourDifferences) {
     }
 }
 
-TEST(RayProgram, TurnsOriginsDirectionsAndDerivativesIntoTheAxesAskedFor) {
+TEST(RayProgram, ConvertsRaysAndDerivativesToTheRequestedAxes) {
     const camera::Camera camera = built_in("superelliptic");
     ASSERT_EQ(camera.parts().axes, Axes::z_up);
     const auto ray = [&](std::optional<Axes> axes) {
@@ -119,7 +119,7 @@ TEST(RayProgram, TurnsOriginsDirectionsAndDerivativesIntoTheAxesAskedFor) {
     EXPECT_EQ(y_up.parameters, own.parameters);
 }
 
-TEST(RayProgram, HasNoDerivativesUnlessAskedFor) {
+TEST(RayProgram, HasDerivativesOnlyOnRequest) {
     const RayProgram program = compiled(built_in("hyperbolic"), 160, 90, {.points = true});
     EXPECT_FALSE(program.has_footprints());
     EXPECT_EQ(ray_at(program, {80, 45}).origin_by_x, V3d(0.0));
@@ -194,7 +194,7 @@ TEST(Camera, IsEmittedOnceForPicturesOfAllSizes) {
     EXPECT_EQ(count, when_made);
 }
 
-TEST(Camera, DependsOnTheProportionOfThePictureAlone) {
+TEST(Camera, DependsOnlyOnTheAspectRatio) {
     for (const std::string& name : lang::built_in_cameras()) {
         const camera::Camera camera = built_in(name);
         const Ray small = ray_at(compiled(camera, 100, 75, {.points = true}), {33.0, 21.0});

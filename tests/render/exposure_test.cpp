@@ -23,14 +23,14 @@ Film grey_film(float median) {
     return film;
 }
 
-TEST(Exposure, LeavesPicturesAloneThatAScreenCanShow) {
+TEST(Exposure, KeepsPicturesInTheRangeOfAScreen) {
     EXPECT_EQ(automatic_exposure(grey_film(0.05F)), 0.0);
     EXPECT_EQ(automatic_exposure(grey_film(0.18F)), 0.0);
     EXPECT_EQ(automatic_exposure(grey_film(0.9F)), 0.0);
 }
 
 // Half stops: the median comes within a factor 2^(1/4) of middle grey.
-TEST(Exposure, BringsTheMedianToMiddleGrey) {
+TEST(Exposure, MakesTheMedianMiddleGrey) {
     for (const float median : {1e-6F, 0.002F, 3.0F, 700.0F, 1e6F}) {
         const double exposure = automatic_exposure(grey_film(median));
         const double shown = static_cast<double>(median) * std::exp2(exposure);
@@ -39,7 +39,7 @@ TEST(Exposure, BringsTheMedianToMiddleGrey) {
     }
 }
 
-TEST(Exposure, IsNothingForFilmsWithoutLight) {
+TEST(Exposure, IsZeroForFilmsWithoutLight) {
     EXPECT_EQ(automatic_exposure(grey_film(0.0F)), 0.0);
     Film transparent = grey_film(1.0F);
     transparent.sum.assign(6, Color4d(0.0));

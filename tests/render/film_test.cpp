@@ -143,7 +143,7 @@ TEST(Film, PointsWithoutRayAreCountedAndTransparent) {
 }
 
 // Rays exist in the picture and nowhere else, neither beyond its border nor on it.
-TEST(Film, TheFilterAsksForNothingBeyondThePicture) {
+TEST(Film, TheFilterNeverSamplesBeyondThePicture) {
     scene::Scene scene;
     add(scene, wall(-1.0F, 5.0F), white());
     const auto origin = [](const ParameterPoint& p, Emitter& emit) {
@@ -222,7 +222,7 @@ TEST(Film, ProgressCountsEveryTileOfEveryPass) {
     EXPECT_LT(summary->camera_share, 1.0);
 }
 
-TEST(Film, AStoppedRenderHoldsWhatIsDone) {
+TEST(Film, AStoppedRenderKeepsTheCompletedPart) {
     scene::Scene scene;
     add(scene, wall(-1.0F, 5.0F), white());
     const Result<Renderer> renderer = Renderer::make(std::make_shared<scene::Scene>(scene));

@@ -55,7 +55,7 @@ TEST(Geometry, PinholeOnAWallMeasuresTheLengthOfTheRay) {
     });
 }
 
-TEST(Geometry, OrthographicRaysMeetATiltedPlaneWhereTheFormulaSays) {
+TEST(Geometry, OrthographicRaysHitATiltedPlaneByTheFormula) {
     scene::Scene scene;
     // The plane z = x / 2.
     add(scene, parallelogram({-4.0F, -4.0F, -2.0F}, {8.0F, 0.0F, 4.0F}, {0.0F, 8.0F, 0.0F}),
@@ -100,7 +100,7 @@ TEST(Geometry, NormalsAreUnitAndFaceTheRayFromBothSides) {
 }
 
 // An instance's matrix has a rotation, unequal scales and a reflection.
-TEST(Geometry, SharedMeshesAreSeenAsMeshesOfTheirOwn) {
+TEST(Geometry, SharedMeshesRenderLikeSeparateMeshes) {
     scene::M44d placed;
     placed.rotate(V3d(0.3, 0.5, 0.2));
     placed.scale(V3d(0.5, -1.5, 0.75));

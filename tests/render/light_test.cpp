@@ -117,7 +117,7 @@ TEST(Light, ShadowOfAPlateEndsWhereTheLineThroughItsEdgeEnds) {
     EXPECT_EQ(radiance_at(scene, edge + close, 0.0), 0.0F);
 }
 
-TEST(Light, WhatLiesBehindTheLampOrTheWallThrowsNoShadow) {
+TEST(Light, ObjectsBehindTheLampOrTheWallCastNoShadow) {
     scene::Scene scene;
     add(scene, wall(0.0F, 10.0F), matt());
     scene.lights = {lamp_at(0.0, 0.0, 2.0)};
@@ -203,7 +203,7 @@ TEST(Light, AmbientLightAndDefaultLight) {
 }
 
 // A mirror in the plane z = -x turns rays along -z to -x... the glowing wall stands there.
-TEST(Light, AMirrorShowsWhatTheReflectedRayMeets) {
+TEST(Light, AMirrorShowsTheHitOfTheReflectedRay) {
     scene::Scene scene;
     scene::Material mirror;
     mirror.base_color = Color3f(0.8F, 0.6F, 0.4F);

@@ -59,7 +59,7 @@ test::View view_in_hall(const V3d& middle) {
 
 // The law: of what a pixel shows the point itself is seen, from any side and however flatly; what
 // is behind it is hidden by it, what is before it is seen.
-TEST(Obstacles, AreWhatTheRendererSees) {
+TEST(Obstacles, AreTheSurfacesThatTheRendererSees) {
     constexpr std::size_t side = 120;
     for (const V3d& middle : {V3d(0.0), V3d(300.0, -200.0, 1000.0)}) {
         const scene::Scene scene = hall(middle);
@@ -139,7 +139,7 @@ TEST(Obstacles, AreNamedWithTheirDistance) {
 }
 
 // From a place on a floor along it: the floor hides nothing, what stands on it does.
-TEST(Obstacles, StandOnASurfaceThatTheLineRunsIn) {
+TEST(Obstacles, AreNotTheSurfaceThatContainsTheLine) {
     scene::Scene scene;
     add(scene, test::parallelogram({-9, 0, 9}, {18, 0, 0}, {0, 0, -18}), white());
     EXPECT_FALSE(obstacles(scene, {{{0, 0, 5}, {0.3, 0, -5}}})[0]);
@@ -191,7 +191,7 @@ TEST(Obstacles, LinesMayBeInOtherAxes) {
     EXPECT_FALSE(obstacles(scene, {{V3d(0.0), {0, 0, -9}}}, Axes::z_up)[0]);
 }
 
-TEST(Obstacles, NumbersWithoutMeasureHideNothing) {
+TEST(Obstacles, NonFiniteLinesAreNotHidden) {
     scene::Scene scene;
     add(scene, wall(-3.0F, 1.0F), white());
     const double huge = 1e300;

@@ -133,7 +133,7 @@ TEST_F(Output, ExrHoldsEveryLayerUnderItsName) {
     EXPECT_EQ(names->get_string_indexed(1), "object 1");
 }
 
-TEST_F(Output, ExrWithoutLayersHasThePictureAlone) {
+TEST_F(Output, ExrWithoutLayersHasOnlyThePicture) {
     Film film = two_objects().film;
     film.layers.reset();
     ASSERT_TRUE(write(film, folder_ / "picture.EXR").empty());
@@ -142,7 +142,7 @@ TEST_F(Output, ExrWithoutLayersHasThePictureAlone) {
     EXPECT_EQ(channels, (std::vector<std::string>{"R", "G", "B", "A"}));
 }
 
-TEST_F(Output, NoFileHoldsWhatIsNoNumber) {
+TEST_F(Output, NoFileContainsNaN) {
     Film film = two_objects().film;
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     film.sum[5] = Color4f(nan, nan, nan, nan);
@@ -155,7 +155,7 @@ TEST_F(Output, NoFileHoldsWhatIsNoNumber) {
     }
 }
 
-TEST_F(Output, WhatCannotBeWrittenIsKnownBefore) {
+TEST_F(Output, UnwritableFilesAreReportedInAdvance) {
     EXPECT_TRUE(check_output(folder_ / "a.png").empty());
     EXPECT_TRUE(check_output("a.exr").empty());
     EXPECT_TRUE(has_errors(check_output(folder_ / "a.gif")));
@@ -193,7 +193,7 @@ TEST_F(Output, AFullDiskLeavesTheOldFileAndNothingElse) {
     EXPECT_EQ(files(), 2U);
 }
 
-TEST_F(Output, ALinkStaysAndWhatItPointsToIsReplaced) {
+TEST_F(Output, ALinkIsKeptAndItsTargetReplaced) {
     fs::create_directory(folder_ / "real");
     std::ofstream(folder_ / "real" / "a.png") << "old";
     fs::create_symlink(folder_ / "real" / "a.png", folder_ / "a.png");

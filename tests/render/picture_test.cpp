@@ -127,7 +127,7 @@ TEST(PictureRays, AGroupHidesWhereOneOfItsLayersDoes) {
     EXPECT_EQ(rays(made.summary, "inner/b"), pixels / 2);
 }
 
-TEST(PictureRays, WhatIsTransparentOrBlendedHidesNothing) {
+TEST(PictureRays, TransparentOrBlendedLayersHideNothing) {
     Layer half_alpha = layer("above", wall_camera());
     half_alpha.alpha = 0.5;
     EXPECT_EQ(rendered({layer("below", wall_camera()), half_alpha}).summary.camera_rays,
@@ -225,7 +225,7 @@ TEST(PictureComposition, DoesNotDependOnThreads) {
     EXPECT_EQ(one.film.sum, two.film.sum);
 }
 
-TEST(PictureBorder, LayersThatReachItAreWhole) {
+TEST(PictureBorder, LayersThatTouchItAreComplete) {
     // Mirrored, it still covers the half pixel beyond the border that filters reach.
     Layer mirrored = layer("mirrored", wall_camera());
     const auto* row = camera::find_stage(StageKind::picture_arranger, "mirror");
@@ -323,7 +323,7 @@ TEST(Blend, TwoHalvesPresentAreThreeQuarters) {
     }
 }
 
-TEST(Blend, WhatIsTransparentChangesNothing) {
+TEST(Blend, TransparentSourcesChangeNothing) {
     const Color4f below(0.2F, 0.3F, 0.1F, 0.5F);
     const Color4f nothing(0.0F);
     for (const std::string& name : camera::blend_mode_names()) {

@@ -41,7 +41,7 @@ Probe probed(const scene::Scene& scene, const camera::Camera& camera) {
     return *made;
 }
 
-TEST(Probe, SeesWhatIsNotHiddenHoweverSmall) {
+TEST(Probe, SeesSmallVisibleObjects) {
     scene::Scene scene;
     add(scene, wall(-3.0F, 20.0F), white());
     add(scene, wall(-4.0F, 1.0F), white());
@@ -60,7 +60,7 @@ TEST(Probe, SeesWhatIsNotHiddenHoweverSmall) {
     EXPECT_NEAR(*found.median_distance, 3.0, 1e-6);
 }
 
-TEST(Probe, SeesThroughWhatIsNotOpaque) {
+TEST(Probe, SeesThroughTransparentSurfaces) {
     scene::Scene scene;
     scene::Material glass = white();
     glass.alpha_mode = scene::AlphaMode::blend;
@@ -86,7 +86,7 @@ TEST(Probe, CountsRaysThatStartInside) {
     EXPECT_EQ(probed(scene, camera).objects[0].rays_from_inside, 1024U / 4);
 }
 
-TEST(Probe, OnlyWhatIsClosedAndFacesOutwardsHasAnInside) {
+TEST(Probe, OnlyClosedOutwardFacingObjectsHaveAnInside) {
     const camera::Camera camera = orthographic(view_down_z(0.0, 0.0, 0.0));
     scene::Mesh open = cube({0.0F, 0.0F, 0.0F});
     open.triangles.pop_back();

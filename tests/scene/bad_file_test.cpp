@@ -37,14 +37,14 @@ TEST_F(BadFiles, DirectoryAndUnknownExtension) {
     std::filesystem::create_directory(directory / "folder.glb");
     EXPECT_TRUE(fails(load(directory / "folder.glb"), "is a directory"));
     const auto unknown = load(write("scene.blend", "BLENDER"));
-    EXPECT_TRUE(fails(unknown, "scene.blend' is of no format that is read here"));
-    EXPECT_TRUE(says(unknown, ".glb, .gltf and .obj"));
+    EXPECT_TRUE(fails(unknown, "scene.blend' is not supported"));
+    EXPECT_TRUE(says(unknown, ".glb, .gltf or .obj"));
 }
 
-TEST_F(BadFiles, TruncatedGlbSaysBothSizes) {
+TEST_F(BadFiles, TruncatedGlbReportsBothSizes) {
     const std::string glb = one_triangle().glb();
     const auto result = load(write("cut.glb", glb.substr(0, glb.size() - 10)));
-    EXPECT_TRUE(fails(result, "cut.glb' is cut off: it says " + std::to_string(glb.size()) +
+    EXPECT_TRUE(fails(result, "cut.glb' is truncated: it declares " + std::to_string(glb.size()) +
                                   " bytes and has " + std::to_string(glb.size() - 10)));
     for (std::size_t size = 0; size < glb.size(); ++size) {
         EXPECT_FALSE(load(write("cut.glb", glb.substr(0, size)))) << size;
@@ -94,9 +94,10 @@ TEST_F(BadFiles, VerticesThatAreNoNumbers) {
         ASSERT_TRUE(scene) << said(scene);
         EXPECT_EQ(scene->triangle_count(), 1U);
         EXPECT_EQ(scene->bounds().max, V3f(1, 1, 0));
-        EXPECT_TRUE(says(scene,
-                         "mesh 'mesh': 2 triangles left out with a vertex that is no usable "
-                         "number"));
+        EXPECT_TRUE(
+            says(scene,
+                 "mesh 'mesh': 2 triangles skipped because of a vertex that is not finite or "
+                 "too large"));
     }
 }
 
@@ -106,14 +107,14 @@ TEST_F(BadFiles, IndicesOutOfRange) {
     const auto scene = load_glb(gltf);
     ASSERT_TRUE(scene) << said(scene);
     EXPECT_EQ(scene->triangle_count(), 1U);
-    EXPECT_TRUE(says(scene, "mesh 'mesh': 2 triangles left out that name a vertex"));
+    EXPECT_TRUE(says(scene, "mesh 'mesh': 2 triangles skipped because of a vertex index"));
 }
 
 TEST_F(BadFiles, AccessorsThatReachTooFar) {
     Gltf gltf = one_triangle();
     gltf.json["accessors"][0]["count"] = 4;
     EXPECT_TRUE(fails(load_glb(gltf),
-                      "mesh 'mesh': primitive 0 is left out: an accessor reaches "
+                      "mesh 'mesh': primitive 0 is skipped: an accessor extends "
                       "past the end of its buffer view"));
     // Sums of these with anything wrap around.
     for (const std::uint64_t huge : {0xffffffffffffffffULL, 0xfffffffffffffff8ULL, 1ULL << 62U}) {
@@ -174,10 +175,10 @@ TEST_F(BadFiles, NodeTransforms) {
     const auto scene = load_glb(gltf);
     ASSERT_TRUE(scene) << said(scene);
     EXPECT_EQ(scene->instances.size(), 1U);
-    EXPECT_TRUE(says(scene, "node 'none' is left out: its 'matrix' is not a number"));
-    EXPECT_TRUE(says(scene, "node 'flat' is left out: its transform flattens it"));
-    EXPECT_TRUE(says(scene, "node 'huger' is left out: its transform is no finite matrix"));
-    EXPECT_TRUE(says(scene, "node 'unturned' is left out: its 'rotation' has no length"));
+    EXPECT_TRUE(says(scene, "node 'none' is skipped: its 'matrix' is not a number"));
+    EXPECT_TRUE(says(scene, "node 'flat' is skipped: its transform is singular"));
+    EXPECT_TRUE(says(scene, "node 'huger' is skipped: its transform is not finite"));
+    EXPECT_TRUE(says(scene, "node 'unturned' is skipped: its 'rotation' has length 0"));
 }
 
 TEST_F(BadFiles, NodesInACircle) {
@@ -186,16 +187,17 @@ TEST_F(BadFiles, NodesInACircle) {
     const auto scene = load_glb(gltf);
     ASSERT_TRUE(scene) << said(scene);
     EXPECT_EQ(scene->instances.size(), 1U);
-    EXPECT_TRUE(says(scene, "node 'node' is left out: it has more than one parent, or is its own"));
+    EXPECT_TRUE(
+        says(scene, "node 'node' is skipped: it has more than one parent, or is its own parent"));
 }
 
 TEST_F(BadFiles, CompressedGeometryIsNamed) {
     Gltf gltf = one_triangle();
     gltf.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
-    EXPECT_TRUE(fails(load_glb(gltf), "needs the extension 'KHR_draco_mesh_compression'"));
+    EXPECT_TRUE(fails(load_glb(gltf), "requires the extension 'KHR_draco_mesh_compression'"));
 }
 
-TEST_F(BadFiles, ManyFaultsAreNotAllListed) {
+TEST_F(BadFiles, RepeatedWarningsAreLimited) {
     Gltf gltf = one_triangle();
     for (int i = 0; i < 500; ++i) {
         gltf.add_node({{"mesh", 0}, {"scale", {0, 1, 1}}});
@@ -211,7 +213,7 @@ TEST_F(BadFiles, NamesAreFitToPrint) {
     gltf.add_node({{"name", "\x1b[31m"}, {"mesh", 0}, {"scale", {0, 1, 1}}});
     const auto scene = load_glb(gltf);
     ASSERT_TRUE(scene);
-    EXPECT_TRUE(says(scene, "node '?[31m' is left out"));
+    EXPECT_TRUE(says(scene, "node '?[31m' is skipped"));
 }
 
 }  // namespace balcony::scene::testing

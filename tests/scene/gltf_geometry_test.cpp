@@ -123,8 +123,8 @@ TEST_F(GltfGeometry, PointsAndLinesAreCounted) {
     const auto scene = load_glb(gltf);
     ASSERT_TRUE(scene) << said(scene);
     EXPECT_EQ(scene->triangle_count(), 1U);
-    EXPECT_TRUE(says(scene, "1 primitive of points left out"));
-    EXPECT_TRUE(says(scene, "4 primitives of lines left out"));
+    EXPECT_TRUE(says(scene, "1 primitive of points skipped"));
+    EXPECT_TRUE(says(scene, "4 primitives of lines skipped"));
 }
 
 TEST_F(GltfGeometry, MissingNormalsAreFlat) {

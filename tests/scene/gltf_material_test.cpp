@@ -57,7 +57,7 @@ TEST_F(GltfMaterials, DefaultsAreThoseOfGltf) {
     EXPECT_TRUE(scene.diagnostics.empty()) << said(scene);
 }
 
-TEST_F(GltfMaterials, AlphaCountsOnlyWhereTheModeSaysSo) {
+TEST_F(GltfMaterials, AlphaIsUsedOnlyInMaskAndBlendMode) {
     const Json color = {{"baseColorFactor", {1, 1, 1, 0.3}}};
     const auto opaque = load_glb(with_material({{"pbrMetallicRoughness", color}}));
     ASSERT_TRUE(opaque);
@@ -142,22 +142,23 @@ TEST_F(GltfMaterials, TextureTransformAndSetApplyToTheMesh) {
     EXPECT_TRUE(coordinates[2].equalWithAbsError(V2f(0.6F, 0.0F), single_rounding));
 }
 
-TEST_F(GltfMaterials, WhatIsNotReadIsSaid) {
+TEST_F(GltfMaterials, UnsupportedFeaturesAreReported) {
     Gltf gltf = with_material({{"name", "wall"}, {"normalTexture", {{"index", 0}}}});
     gltf.json["extensionsUsed"] = {"KHR_materials_clearcoat", "KHR_lights_punctual"};
     const auto scene = load_glb(gltf);
     ASSERT_TRUE(scene) << said(scene);
-    EXPECT_TRUE(says(scene, "material 'wall': its normal map is not read"));
-    EXPECT_TRUE(says(scene, "extensions that are not read: 'KHR_materials_clearcoat'\n"));
+    EXPECT_TRUE(says(scene, "material 'wall': normal maps are not supported"));
+    EXPECT_TRUE(says(scene, "extensions that are not supported: 'KHR_materials_clearcoat'\n"));
 }
 
 TEST_F(GltfMaterials, ABadMaterialIsReplaced) {
     const auto scene =
         load_glb(with_material({{"pbrMetallicRoughness", {{"baseColorFactor", {1, 0, 0}}}}}));
     ASSERT_TRUE(scene) << said(scene);
-    EXPECT_TRUE(says(scene,
-                     "material 0 is replaced by glTF's default: its 'baseColorFactor' has 3 "
-                     "numbers where 4 belong"));
+    EXPECT_TRUE(
+        says(scene,
+             "material 0 is replaced by glTF's default material: its 'baseColorFactor' has 3 "
+             "numbers where 4 are required"));
     EXPECT_EQ(scene->materials[0].base_color, Color3f(1.0F));
 }
 

@@ -152,7 +152,7 @@ TEST_F(Images, TiledImagesAreReadByRows) {
 }
 
 TEST_F(Images, NoOtherFormatIsOpened) {
-    const std::string unknown = "it is of no format that is read";
+    const std::string unknown = "its format is not supported";
     for (const auto& [name, bytes] : std::initializer_list<std::pair<const char*, std::string>>{
              {"a.null?RES=0x0&CHANNELS=3", ""},
              {"image.pgm", "P5 4 4 255\n0123456789abcdef"},
@@ -183,18 +183,18 @@ TEST_F(Images, TooLargeAHeaderIsRefused) {
 
 TEST_F(Images, MorePixelsThanItsBytesCanHoldAreRefused) {
     EXPECT_EQ(reason("a.png", png(5000, 5000)),
-              "it declares 5000 x 5000 pixels, more than its 45 bytes can hold");
+              "it declares 5000 x 5000 pixels, more than its 45 bytes can contain");
     EXPECT_EQ(reason("a.jpg", jpeg(5000, 5000)),
-              "it declares 5000 x 5000 pixels, more than its 21 bytes can hold");
+              "it declares 5000 x 5000 pixels, more than its 21 bytes can contain");
     EXPECT_EQ(reason("a.tga", tga(5000, 5000)),
-              "it declares 5000 x 5000 pixels, more than its 18 bytes can hold");
+              "it declares 5000 x 5000 pixels, more than its 18 bytes can contain");
 }
 
 TEST_F(Images, ACutPngIsRecognised) {
     const std::vector<std::uint8_t> whole = bytes_of(image("image.png"));
     for (std::size_t size = 8; size < whole.size(); ++size) {
         EXPECT_EQ(reason(ImageFile::open("cut.png", std::span(whole).first(size))),
-                  "it is cut off");
+                  "it is truncated");
     }
 }
 

@@ -82,12 +82,12 @@ TEST_F(Lights, LightsOfOneNameStayApart) {
 TEST_F(Lights, BadLightsAreLeftOut) {
     const auto unknown = load_glb(with_light({{"type", "area"}}, {{"name", "lamp"}}));
     ASSERT_TRUE(unknown);
-    EXPECT_TRUE(says(unknown, "light 'lamp' is left out: its type 'area' is unknown"));
+    EXPECT_TRUE(says(unknown, "light 'lamp' is skipped: its type 'area' is unknown"));
     EXPECT_TRUE(unknown->default_light);
     const auto negative =
         load_glb(with_light({{"type", "point"}, {"intensity", -1}}, {{"name", "lamp"}}));
     ASSERT_TRUE(negative);
-    EXPECT_TRUE(says(negative, "light 'lamp' is left out: its 'intensity' is not in the range 0"));
+    EXPECT_TRUE(says(negative, "light 'lamp' is skipped: its 'intensity' is not in the range 0"));
 }
 
 }  // namespace balcony::scene::testing

@@ -180,14 +180,14 @@ TEST_F(Limits, TransformsBeyondTheRangeAreLeftOut) {
         {{{"scale", {1e-18, 1e-18, 1e-18}}}, "its transform scales beyond 1e-09 .. 1e+09"},
         {{{"scale", {1, 1, 1e-300}}}, "its transform scales beyond 1e-09 .. 1e+09"},
         {{{"scale", {1e10, 1, 1}}}, "its transform scales beyond 1e-09 .. 1e+09"},
-        {{{"scale", {1e-200, 1e-200, 1e-200}}}, "its transform flattens it"},
+        {{{"scale", {1e-200, 1e-200, 1e-200}}}, "its transform is singular"},
         {{{"translation", {2e18, 0, 0}}}, "it reaches further than 1e+12 from the origin"},
         {{{"translation", {0, -1e39, 0}}}, "it reaches further than 1e+12 from the origin"},
-        {{{"rotation", {1e200, 1e200, 0, 0}}}, "its 'rotation' has no length"}};
+        {{{"rotation", {1e200, 1e200, 0, 0}}}, "its 'rotation' has length 0"}};
     for (const auto& [node, reason] : nodes) {
         const auto scene = load_glb(with_node(node));
         ASSERT_TRUE(scene) << node;
-        EXPECT_TRUE(says(scene, std::string("node 'second' is left out: ") + reason)) << node;
+        EXPECT_TRUE(says(scene, std::string("node 'second' is skipped: ") + reason)) << node;
         EXPECT_EQ(scene->instances.size(), 1U) << node;
     }
     for (const Json& node : {Json{{"scale", {1e9, 1e9, 1e9}}}, Json{{"scale", {1e-9, 1e-9, -1e-9}}},
@@ -213,11 +213,11 @@ TEST_F(Limits, LightsBeyondTheRangeAreLeftOut) {
         {{{"intensity", 1e20}, {"color", {1e20, 1, 1}}}, Json::object(), "its 'intensity' is not"},
         {{{"color", {-1, 1, 1}}}, Json::object(), "its 'color' is not in the range"},
         {{{"range", 1e300}}, Json::object(), "its 'range' is not in the range"},
-        {Json::object(), {{"scale", {1e250, 1e250, 1e250}}}, "its node's transform leaves it"}};
+        {Json::object(), {{"scale", {1e250, 1e250, 1e250}}}, "its node's transform gives it"}};
     for (const auto& [light, node, reason] : lights) {
         const auto scene = load_glb(with_light(light, node));
         ASSERT_TRUE(scene) << light;
-        EXPECT_TRUE(says(scene, std::string("light 'lamp' is left out: ") + reason)) << light;
+        EXPECT_TRUE(says(scene, std::string("light 'lamp' is skipped: ") + reason)) << light;
         EXPECT_TRUE(scene->lights.empty()) << light;
     }
 }
@@ -234,7 +234,8 @@ TEST_F(Limits, MaterialsBeyondTheRangeAreReplaced) {
         gltf.primitive(0)["material"] = 0;
         const auto scene = load_glb(gltf);
         ASSERT_TRUE(scene) << material;
-        EXPECT_TRUE(says(scene, "material 0 is replaced by glTF's default: its '")) << material;
+        EXPECT_TRUE(says(scene, "material 0 is replaced by glTF's default material: its '"))
+            << material;
         EXPECT_EQ(scene->materials[0].emission, Color3f(0.0F));
     }
 }
@@ -244,7 +245,7 @@ TEST_F(Limits, VerticesOfObjBeyondTheRangeAreLeftOut) {
     const auto scene = load_obj(near + "v 1e18 0 0\nf 1 2 3\nf 1 2 4\n");
     ASSERT_TRUE(scene) << said(scene);
     EXPECT_EQ(scene->triangle_count(), 1U);
-    EXPECT_TRUE(says(scene, "1 face left out with a vertex that is no usable number"));
+    EXPECT_TRUE(says(scene, "1 face skipped because of a vertex that is not finite or too large"));
     EXPECT_TRUE(load_obj(near + "v 1e12 0 0\nf 1 2 4\n"));
 }
 

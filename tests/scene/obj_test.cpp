@@ -73,7 +73,7 @@ TEST_F(Obj, ObjectsAndMaterialsSplitMeshes) {
     EXPECT_FALSE(scene->default_light);
 }
 
-TEST_F(Obj, GroupsNameObjectsWhereNothingElseDoes) {
+TEST_F(Obj, GroupsNameObjectsInFilesWithoutObjectNames) {
     const auto scene = load_obj(std::string(square) + "g one\nf 1 2 3\ng two\nf 1 3 4\n");
     ASSERT_TRUE(scene) << said(scene);
     ASSERT_EQ(scene->objects.size(), 2U);
@@ -120,7 +120,7 @@ TEST_F(Obj, MissingLibraryAndMaterialAreNamed) {
     const auto scene =
         load_obj("mtllib a.mtl\nmtllib b.mtl\n" + std::string(square) + "usemtl stoen\nf 1 2 3\n");
     ASSERT_TRUE(scene) << said(scene);
-    EXPECT_TRUE(says(scene, "material library left out: there is no file '"));
+    EXPECT_TRUE(says(scene, "material library skipped: there is no file '"));
     EXPECT_TRUE(says(scene, "material 'stoen' is in no material library"));
     EXPECT_TRUE(says(scene, "did you mean 'stone'?"));
 }
@@ -131,10 +131,10 @@ TEST_F(Obj, BadFacesAreCounted) {
                                 "f 1 2 5\nf 1 2 6\nf 1 2\nl 1 2\np 1\n");
     ASSERT_TRUE(scene) << said(scene);
     EXPECT_EQ(scene->triangle_count(), 1U);
-    EXPECT_TRUE(says(scene, "3 faces left out that name a vertex the file does not have"));
-    EXPECT_TRUE(says(scene, "2 faces left out with a vertex that is no usable number"));
-    EXPECT_TRUE(says(scene, "1 face left out with fewer than 3"));
-    EXPECT_TRUE(says(scene, "2 point, line or curve statements left out"));
+    EXPECT_TRUE(says(scene, "3 faces skipped because of a vertex index out of range"));
+    EXPECT_TRUE(says(scene, "2 faces skipped because of a vertex that is not finite or too large"));
+    EXPECT_TRUE(says(scene, "1 face skipped with fewer than 3"));
+    EXPECT_TRUE(says(scene, "2 point, line or curve statements skipped"));
 }
 
 TEST_F(Obj, FacesWithAndWithoutNormalsMix) {

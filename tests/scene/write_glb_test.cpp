@@ -75,7 +75,7 @@ TEST(WriteGlb, PlacesAMeshWhereTheSceneDoes) {
     }
 }
 
-TEST(WriteGlb, LeavesYUpAsItIs) {
+TEST(WriteGlb, KeepsYUpUnchanged) {
     scene::Scene scene = small_scene();
     scene.axes = Axes::y_up;
     const GlbFile file = written(scene);

@@ -21,10 +21,11 @@ camera::Camera without_arrangers(const camera::Camera& camera) {
     return *camera::Camera::make(std::move(parts));
 }
 
-/// A ray at its place in the picture, with the length that it has by itself.
+/// A ray with its position in the picture and its natural length.
 struct Shown {
     V3d origin, direction;
-    std::optional<double> reach;  ///< To the point of the direction object, if it goes there.
+    std::optional<double>
+        reach;  ///< The distance to the point of the direction object, if it passes through that.
 };
 
 std::optional<double> reach_of(const Ray& ray, const V3d& origin, const V3d& direction,
@@ -87,9 +88,9 @@ double median_reach(const std::vector<Shown>& rays) {
 
 std::vector<Arrow> arrows(const std::vector<Shown>& rays, const Depiction& depiction,
                           double object_size) {
-    constexpr double of_object = 0.16;  // The length of an arrow that goes nowhere.
-    constexpr double beyond = 1.25;     // Through the direction object.
-    constexpr double longest = 2.5;  // Of the usual length: a few rays that go far hide the rest.
+    constexpr double of_object = 0.16;  // The length of an arrow without a target point.
+    constexpr double beyond = 1.25;     // The overshoot past the direction object.
+    constexpr double longest = 2.5;     // In usual lengths; longer arrows would hide the rest.
     const double usual = median_reach(rays);
     const double without = usual > 0.0         ? usual * beyond
                            : object_size > 0.0 ? object_size * of_object
@@ -138,9 +139,9 @@ Result<CameraGeometry> measure_geometry(const camera::Camera& camera, const Depi
     }
     geometry.bounds = geometry.eye->bounds();
     if (geometry.bounds.isEmpty()) {
-        return error(fmt::format("camera '{}' has no point anywhere, so there is nothing to draw",
+        return error(fmt::format("camera '{}' has no valid point, so there is nothing to draw",
                                  camera.name()),
-                     {}, "look at the ranges of its map, or at another --time");
+                     {}, "check the ranges of its map, or use another --time");
     }
     if (geometry.toward) {
         geometry.bounds.extendBy(geometry.toward->bounds());
@@ -161,7 +162,7 @@ Result<CameraGeometry> measure_geometry(const camera::Camera& camera, const Depi
 
 namespace {
 
-// In the proportion that its first layer has in the picture.
+// With the aspect ratio of its first layer in the picture.
 camera::Camera as_shown(const camera::ShownCamera& shown, const camera::Picture& picture,
                         double time) {
     constexpr double height = 1000.0;
@@ -188,13 +189,14 @@ std::string title_of(const camera::ShownCamera& shown) {
 Result<PictureGeometry> measure_geometry(const camera::Picture& picture,
                                          const Depiction& depiction) {
     PictureGeometry whole;
-    Diagnostics said;
+    Diagnostics diagnostics;
     const bool by_itself = picture.only_camera() != nullptr;
     for (const camera::ShownCamera& shown : shown_cameras(picture)) {
         auto geometry = by_itself
                             ? measure_geometry(shown.camera, depiction)
                             : measure_geometry(as_shown(shown, picture, depiction.time), depiction);
-        said.insert(said.end(), geometry.diagnostics.begin(), geometry.diagnostics.end());
+        diagnostics.insert(diagnostics.end(), geometry.diagnostics.begin(),
+                           geometry.diagnostics.end());
         if (!geometry) {
             continue;
         }
@@ -205,12 +207,12 @@ Result<PictureGeometry> measure_geometry(const camera::Picture& picture,
         whole.cameras.push_back({by_itself ? "" : title_of(shown), std::move(*geometry)});
     }
     if (whole.cameras.empty()) {
-        return said;
+        return diagnostics;
     }
-    for (Diagnostic& diagnostic : said) {
+    for (Diagnostic& diagnostic : diagnostics) {
         diagnostic.severity = Severity::warning;
     }
-    return {std::move(whole), std::move(said)};
+    return {std::move(whole), std::move(diagnostics)};
 }
 
 }  // namespace balcony::analyse

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What a camera is made of as geometry, with z up: what its drawing and its model have in common.
+// The geometry of a camera, with z up: the common part of its drawing and its model.
 
 #include <memory>
 #include <optional>
@@ -18,15 +18,16 @@ struct Arrow {
     V3d from, to;
 };
 
-/// A grid over the picture whose lines lie a little within its border, where pixel centres end too.
+/// A grid over the picture whose lines are slightly inside its border, like the outermost pixel
+/// centres.
 struct PictureGrid {
     std::size_t columns = 1;  ///< Of cells.
     std::size_t rows = 1;
 
-    /// About so many cells, as square as the picture allows.
+    /// A grid with about this number of cells, as square as possible.
     [[nodiscard]] static PictureGrid of_cells(double count, double aspect);
 
-    /// The crossing of the lines numbered, from 0 to columns and rows; between them for fractions.
+    /// The crossing of two lines, numbered from 0 to columns and rows; fractions interpolate.
     [[nodiscard]] V2d at(double column, double row) const;
 };
 
@@ -36,23 +37,23 @@ struct CameraGeometry {
     std::unique_ptr<ProjectionObject> eye;
     std::unique_ptr<ProjectionObject> toward;  ///< Null if there is no direction object.
     std::vector<Arrow> rays;
-    Box3d bounds;  ///< Of both objects and the rays.
+    Box3d bounds;  ///< The bounds of both objects and the rays.
 
-    /// The object that carries the picture: the eye object if it is a surface, else the direction
-    /// object if that is one, else null.
+    /// The object on which the picture is drawn: the eye object if it is a surface, else the
+    /// direction object if that is one, else null.
     [[nodiscard]] ProjectionObject* screen() const;
-    /// How large the whole is.
+    /// The size of the whole geometry.
     [[nodiscard]] double extent() const;
 };
 
-/// Parts that are not depicted are measured all the same. It is an error if there is no point.
+/// Parts that are not depicted count for the bounds too. It is an error if there is no valid point.
 [[nodiscard]] Result<CameraGeometry> measure_geometry(const camera::Camera& camera,
                                                       const Depiction& depiction);
 
-/// The cameras of a picture, or one.
+/// The cameras of a picture, or a single camera.
 struct PictureGeometry {
     struct Part {
-        std::string title;  ///< Its layers and its name; empty for a camera by itself.
+        std::string title;  ///< Its layers and its name; empty for a single camera.
         CameraGeometry geometry;
     };
     std::vector<Part> cameras;
@@ -62,7 +63,7 @@ struct PictureGeometry {
     [[nodiscard]] double extent() const { return bounds.size().length(); }
 };
 
-/// Cameras without a point are left out with a warning. It is an error if there is no other.
+/// Cameras without a valid point are omitted with a warning. It is an error if none remains.
 [[nodiscard]] Result<PictureGeometry> measure_geometry(const camera::Picture& picture,
                                                        const Depiction& depiction);
 

@@ -25,7 +25,7 @@ constexpr std::array<Color, 10> viridis = {{{0x44, 0x01, 0x54},
                                             {0xb4, 0xde, 0x2c},
                                             {0xfd, 0xe7, 0x25}}};
 
-// The round number of the form 1, 2 or 5 times a power of ten that is next above.
+// The smallest number of the form 1, 2 or 5 times a power of ten that is not below.
 double round_up(double step) {
     const double decade = std::pow(10.0, std::floor(std::log10(step)));
     for (const double digit : {1.0, 2.0, 5.0}) {
@@ -68,7 +68,7 @@ std::vector<ColorScale::Tick> ColorScale::ticks() const {
     constexpr double wanted = 5.0;
     constexpr double slack = 1e-9;
     std::vector<Tick> ticks;
-    // A decade or more: powers of ten, with twice and five times these if there is room.
+    // A decade or more: powers of ten, with two and five times these if there is room.
     if (spacing_ == Spacing::logarithmic && max_ / min_ >= 10.0) {
         const double decades = std::log10(max_ / min_);
         const double skip = std::ceil(decades / wanted);

@@ -11,18 +11,18 @@
 
 namespace balcony::analyse {
 
-/// From dark to bright in steps that look alike, also without colour vision; s from 0 to 1.
+/// A perceptually uniform scale from dark to bright, readable without colour vision; s from 0 to 1.
 [[nodiscard]] Color sequential_color(double s);
 
-/// A range of numbers that colours stand for.
+/// A range of numbers that a colour scale shows.
 class ColorScale {
 public:
     enum class Spacing : bool { linear, logarithmic };
 
-    /// least < most, both positive if logarithmic.
+    /// minimum < maximum, both positive if logarithmic.
     ColorScale(double minimum, double maximum, Spacing spacing);
 
-    /// Where a number lies on the scale, from 0 to 1; what lies outside is at the ends.
+    /// The position of a number on the scale, clamped to 0 to 1.
     [[nodiscard]] double position(double value) const;
     [[nodiscard]] Color color(double value) const { return sequential_color(position(value)); }
     /// The inverse of position().

@@ -37,7 +37,7 @@ constexpr double letter_size = 5.5;  // Half of it.
 constexpr double letter_width = 1.8;
 constexpr double label_size = 11.0;
 
-/// Without points that nobody would miss: those near the one before, and those near the line
+/// Removes redundant points: those near the previous one, and those near the line
 /// between their neighbours.
 std::vector<V2d> thinned(const std::vector<V2d>& points) {
     constexpr double visible = 0.1;
@@ -86,7 +86,7 @@ std::vector<V2d> hull_of(std::vector<V2d> points) {
     return hull;
 }
 
-/// What is to be on the page: all points that are not far outside the measured bounds, as those
+/// The points that belong on the page: those not far outside the measured bounds, as points
 /// near a pole of a formula are.
 Box2d seen(const std::vector<DrawingItem>& items, const Box3d& bounds,
            const DrawingViewer& viewer) {
@@ -115,7 +115,7 @@ public:
         }
         points = item.hull ? hull_of(std::move(points)) : thinned(points);
         const bool is_area = item.line_width == 0.0;
-        // A line that is but a dot from here is no dot, unless it is meant to be one.
+        // Omits lines that degenerate to a dot in this view, unless they are dots.
         const bool is_nothing =
             is_area ? points.size() < 3 : points.size() < 2 && item.points.size() > 1;
         if (!is_nothing) {
@@ -124,7 +124,7 @@ public:
         }
     }
 
-    // From the top left, the front layer first, as they lie on one another.
+    // From the top left, in the order of the layers, the front layer first.
     void add_labels(const PictureGeometry& geometry) {
         const std::size_t count = geometry.cameras.size();
         for (std::size_t i = 0; i < count; ++i) {
@@ -160,8 +160,9 @@ private:
 std::optional<Diagnostic> refusal(const DrawingView& view) {
     if (std::min(view.width, view.height) < min_side ||
         std::max(view.width, view.height) > max_side) {
-        return error(fmt::format("a drawing cannot have {} x {} pixels", view.width, view.height),
-                     {}, fmt::format("give each side from {} to {} pixels", min_side, max_side));
+        return error(
+            fmt::format("a drawing of {} x {} pixels is not supported", view.width, view.height),
+            {}, fmt::format("give each side from {} to {} pixels", min_side, max_side));
     }
     return std::nullopt;
 }

@@ -12,17 +12,17 @@ namespace balcony::analyse {
 
 namespace {
 
-// Colours that people tell apart whatever their colour vision: Okabe and Ito, "Color Universal
+// Colours that are distinguishable with any colour vision: Okabe and Ito, "Color Universal
 // Design", 2008. Areas are tints of them.
 struct ObjectStyle {
     DrawingColor line;
-    DrawingColor light, dark;  ///< Of areas that face the light, and of those that do not.
+    DrawingColor light, dark;  ///< For areas that face the light, and for others.
     double opacity;
 };
 constexpr ObjectStyle eye_style{{0, 90, 150}, {226, 241, 251}, {128, 184, 222}, 0.78};
 constexpr ObjectStyle toward_style{{0, 140, 105}, {222, 243, 236}, {140, 205, 184}, 0.42};
 constexpr DrawingColor ray_color{213, 94, 0};
-// Of several cameras each has one of these, and tints of it.
+// Each of several cameras has one of these colours, and tints of it.
 constexpr std::array<DrawingColor, 6> camera_colors{{
     {0, 114, 178},
     {213, 94, 0},
@@ -34,7 +34,7 @@ constexpr std::array<DrawingColor, 6> camera_colors{{
 constexpr DrawingColor frame_color{25, 25, 25};
 constexpr DrawingColor axis_color{120, 120, 120};
 
-// Widths in pixels of a page of 960 x 720.
+// Widths in pixels on a page of 960 x 720.
 constexpr double grid_width = 0.9;
 constexpr double curve_width = 5.0;
 constexpr double point_width = 13.0;
@@ -125,7 +125,7 @@ private:
         }
     }
 
-    // An area between lines of the picture. Where the object has gaps, only its whole parts.
+    // An area between grid lines of the picture. Cells with a gap in the object are omitted.
     void paint_area(const V2d& first, const V2d& last, const std::optional<double>& distance,
                     int depth) {
         const std::array<V2d, 4> corners{first, V2d(last.x, first.y), last, V2d(first.x, last.y)};
@@ -155,7 +155,7 @@ private:
         paint_area(middle, last, distance, depth + 1);
     }
 
-    // By the angle between the area and a light above the viewer's left shoulder; both sides alike.
+    // By the angle between the area and a light above the viewer's left shoulder, for both sides.
     DrawingColor shade(const std::vector<V3d>& outline) const {
         V3d normal(0.0);
         for (Index i = 0; i + 2 < outline.size(); ++i) {
@@ -194,13 +194,13 @@ private:
         }
     }
 
-    // Of the two cells that meet in a line: it is to lie on both.
+    // Of the two cells that share a line, the nearer one, so that the line is painted after both.
     std::optional<double> nearest_cell(Index column, Index row, bool along_x) const {
         std::optional<double> nearest;
         for (const Index before : {Index{0}, Index{1}}) {
             const Index c = along_x ? column : column - before;
             const Index r = along_x ? row - before : row;
-            // A column or row before the first wraps round to one that is not there.
+            // A column or row before the first wraps to an index out of range.
             if (c < grid_.columns && r < grid_.rows) {
                 if (const auto& distance = cell_distances_[r * grid_.columns + c]) {
                     nearest = std::min(nearest.value_or(*distance), *distance);
@@ -220,8 +220,8 @@ private:
         }
     }
 
-    // Along two sides of the picture, which together show what each of u and v may change. Short
-    // pieces are sorted each by itself.
+    // Along two sides of the picture, which show how the object changes with x and y. Short
+    // pieces are sorted separately.
     void paint_curve() {
         const V2d left(crossing(0, 0)), corner(crossing(grid_.columns, 0)),
             bottom(crossing(grid_.columns, grid_.rows));
@@ -255,7 +255,7 @@ private:
     const ObjectStyle& style_;
     PictureGrid grid_;
     double tolerance_;
-    double step_;  ///< By which things are painted before others at the same place.
+    double step_;  ///< Offset that determines the painting order of things at the same position.
     const DrawingViewer& viewer_;
     std::vector<std::optional<double>> cell_distances_;
     std::vector<DrawingItem> items_;
@@ -265,7 +265,7 @@ void append(std::vector<DrawingItem>& to, std::vector<DrawingItem> from) {
     to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
 }
 
-/// An arrow: a line in parts that are sorted each by itself, and a cone.
+/// An arrow: a line in separately sorted parts, and a cone.
 std::vector<DrawingItem> arrow_items(const Arrow& arrow, DrawingPart part,
                                      const DrawingColor& color, double width, double head,
                                      const DrawingViewer& viewer) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What a drawing shows, in space: what has to be painted, and in which order.
+// The contents of a drawing in space, and their painting order.
 
 #include <vector>
 
@@ -17,17 +17,17 @@ struct DrawingItem {
     DrawingPart part = DrawingPart::eye;
     std::vector<V3d> points;
     DrawingColor color{};
-    double line_width = 0.0;  ///< On a page of 960 x 720; 0 is an area.
+    double line_width = 0.0;  ///< On a page of 960 x 720; 0 for an area.
     double opacity = 1.0;
-    bool hull = false;       ///< An area round all its points, which are corners of a convex body.
+    bool hull = false;       ///< The area is the convex hull of the points.
     double distance = 0.0;   ///< Far ones are painted first.
     std::size_t camera = 0;  ///< As in DrawingShape.
 };
 
-/// The colour that tells one of several cameras, numbered from 1, from the others.
+/// The colour of one of several cameras, numbered from 1.
 [[nodiscard]] DrawingColor camera_color(std::size_t camera);
 
-/// The depicted parts of a camera in a drawing of an extent, in no order. `camera` is its number
+/// The depicted parts of a camera in a drawing of an extent, unsorted. `camera` is its number
 /// among several, 0 for the only one.
 [[nodiscard]] std::vector<DrawingItem> drawing_items(const CameraGeometry& geometry,
                                                      std::size_t camera, double extent,

@@ -15,7 +15,7 @@ namespace {
 
 // Samples along each side of a pixel.
 constexpr std::size_t fineness = 4;
-// Rows of pixels that are painted at a time, so that large pictures need little memory.
+// Rows of pixels painted at a time, so that large pictures need little memory.
 constexpr std::size_t band_height = 32;
 
 struct Paint {
@@ -23,7 +23,7 @@ struct Paint {
     float opacity;
 };
 
-/// A band of the picture at the fineness of the samples.
+/// A band of the picture at the resolution of the samples.
 class Band {
 public:
     Band(std::size_t width, std::size_t top)
@@ -31,7 +31,7 @@ public:
           top_(static_cast<double>(top)),
           samples_(columns_ * band_height * fineness, {1.0F, 1.0F, 1.0F}) {}
 
-    /// Fills what an outline winds round.
+    /// Fills an outline by the non-zero winding rule.
     void fill(const std::vector<V2d>& outline, const Paint& paint) {
         double highest = outline.front().y;
         double lowest = highest;
@@ -120,7 +120,7 @@ std::vector<V2d> disc(const V2d& center, double radius) {
     return outline;
 }
 
-// A line as areas: a rectangle a segment, and a disc wherever one ends.
+// A line as areas: a rectangle per segment, and a disc at each end of a segment.
 std::vector<std::vector<V2d>> outlines_of(const DrawingShape& shape) {
     if (shape.line_width == 0.0) {
         return {shape.points};

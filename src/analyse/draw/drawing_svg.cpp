@@ -13,13 +13,13 @@ namespace balcony::analyse {
 
 namespace {
 
-// A tenth of a pixel is what a path says.
+// Paths have a resolution of a tenth of a pixel.
 struct Tenths {
     long x, y;
 };
 
 Tenths tenths(const V2d& point) {
-    // Far outside the page anything will do.
+    // Clamps coordinates far outside the page.
     constexpr double maximum = 1e7;
     return {std::lround(std::clamp(10.0 * point.x, -maximum, maximum)),
             std::lround(std::clamp(10.0 * point.y, -maximum, maximum))};
@@ -37,7 +37,7 @@ void append_number(std::string& text, long value, bool separated) {
     }
 }
 
-// The first point, then steps from point to point, which are shorter to write.
+// The first point, then relative steps, which are shorter.
 std::string path_of(const DrawingShape& shape) {
     std::string text = "M";
     Tenths last{0, 0};
@@ -78,7 +78,7 @@ std::string element(const DrawingShape& shape) {
 }
 
 std::string element(const DrawingLabel& label) {
-    // A capital of most typefaces is 0.7 of their size high.
+    // In most typefaces, capitals have a height of 0.7 of the font size.
     return fmt::format(
         "<text x=\"{:.1f}\" y=\"{:.1f}\" font-family=\"sans-serif\" "
         "font-size=\"{:.1f}\" fill=\"#{:02x}{:02x}{:02x}\">{}</text>\n",

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Where a drawing's viewer stands, and what he sees on the page.
+// The position of a drawing's viewer, and the projection to the page.
 
 #include <algorithm>
 #include <cmath>
@@ -30,12 +30,12 @@ public:
         up_ = towards_.cross(right_);
     }
 
-    /// Along the line of sight; what is less is nearer.
+    /// Depth along the line of sight; smaller is nearer.
     [[nodiscard]] double distance(const V3d& point) const {
         return far_ - (point - center_).dot(towards_);
     }
 
-    /// On a plane through the middle of what is seen, in its units, y down.
+    /// The projection to a plane through the centre of the view, in its units, y down.
     [[nodiscard]] V2d project(const V3d& point) const {
         const V3d from_center = point - center_;
         const double nearest = 0.05 * far_;
@@ -57,7 +57,7 @@ private:
 /// From the viewer's plane to pixels.
 class Page {
 public:
-    /// The box in the middle of the page, as large as the margin (in pixels) lets it be.
+    /// Centres the box on the page, as large as the margin (in pixels) allows.
     Page(const DrawingView& view, const Box2d& box, double margin) {
         const V2d page(static_cast<double>(view.width), static_cast<double>(view.height));
         const V2d size = box.size();

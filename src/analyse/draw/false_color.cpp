@@ -20,13 +20,13 @@ constexpr Color black{0, 0, 0};
 constexpr Color no_ray_color{128, 128, 128};
 constexpr Color singular_color{200, 30, 110};
 
-/// A colour and what it stands for.
+/// A colour and its meaning.
 struct Swatch {
     Color color;
     std::string meaning;
 };
 
-/// What a map looks like: the colour of each sample, and what its legend holds.
+/// The design of a map: the colour of each sample, and the contents of the legend.
 struct Design {
     std::string title;
     std::function<Color(const Sample&)> color;
@@ -34,7 +34,7 @@ struct Design {
     std::vector<Swatch> swatches;
 };
 
-// The values of what is neither without a ray nor singular, from the least to the most.
+// The sorted values of the samples that have a ray and are not singular.
 std::vector<double> sorted_values(const Report& report, double Sample::*value) {
     std::vector<double> values;
     for (const Sample& sample : report.samples) {
@@ -46,7 +46,7 @@ std::vector<double> sorted_values(const Report& report, double Sample::*value) {
     return values;
 }
 
-// The few values at either end, which would take all the colours for themselves, go without.
+// Excludes outliers at both ends, which would occupy most of the colour scale.
 Design scaled(const Report& report, std::string title, double Sample::*value,
               ColorScale::Spacing spacing) {
     constexpr std::size_t hundredth = 100;
@@ -71,20 +71,20 @@ Design scaled(const Report& report, std::string title, double Sample::*value,
 
 Design magnification(const Report& report) {
     return scaled(report,
-                  report.distance ? fmt::format("magnification: pixels a unit at distance {:.4g}",
+                  report.distance ? fmt::format("magnification: pixels per unit at distance {:.4g}",
                                                 *report.distance)
-                                  : "magnification: pixels a degree",
+                                  : "magnification: pixels per degree",
                   &Sample::magnification, ColorScale::Spacing::logarithmic);
 }
 
 Design anisotropy(const Report& report) {
-    return scaled(report, "anisotropy: the most by the least magnification of a place",
+    return scaled(report, "anisotropy: ratio of largest to smallest magnification",
                   &Sample::anisotropy, ColorScale::Spacing::logarithmic);
 }
 
 Design origins(const Report& report) {
-    return scaled(report, "distance of the rays' origins from their middle",
-                  &Sample::origin_distance, ColorScale::Spacing::linear);
+    return scaled(report, "distance of the ray origins from their centre", &Sample::origin_distance,
+                  ColorScale::Spacing::linear);
 }
 
 Design orientation(const Report&) {
@@ -98,7 +98,7 @@ Design orientation(const Report&) {
                                                 : mirrored;
             },
             std::nullopt,
-            {{right, "as things are"},
+            {{right, "not mirrored"},
              {mirrored, "mirrored"},
              {singular_color, "singular"},
              {no_ray_color, "no ray"}}};
@@ -128,7 +128,7 @@ Design repeated(const Report& report) {
     for (const Sample& sample : report.samples) {
         maximum = std::max(maximum, int{sample.views});
     }
-    Design design{"how often the picture shows what is seen here", {}, std::nullopt, {}};
+    Design design{"how often the picture shows this view", {}, std::nullopt, {}};
     const ColorScale scale(1.0, std::max(maximum, 2), ColorScale::Spacing::linear);
     constexpr int max_swatches = 5;
     for (int views = 1; views <= std::min(maximum, max_swatches); ++views) {
@@ -160,7 +160,7 @@ Design design_of(const Report& report, MapKind kind) {
     return {};
 }
 
-// A legend does not explain what the map does not show.
+// The legend omits colours that the map does not use.
 void leave_out_unused(const Report& report, Design& design) {
     std::erase_if(design.swatches, [&](const Swatch& swatch) {
         return std::none_of(
@@ -233,12 +233,12 @@ private:
 const std::vector<MapDescription>& map_kinds() {
     static const std::vector<MapDescription> kinds = {
         {MapKind::magnification, "magnification", "how large things appear"},
-        {MapKind::anisotropy, "anisotropy", "how much they are stretched"},
-        {MapKind::orientation, "orientation", "where the picture is mirrored, and so folds over"},
+        {MapKind::anisotropy, "anisotropy", "how much things are stretched"},
+        {MapKind::orientation, "orientation", "where the picture is mirrored, which reveals folds"},
         {MapKind::validity, "validity", "where there are rays"},
         {MapKind::seams, "seams", "where rays jump"},
-        {MapKind::repeated, "repeated", "how often the same is seen"},
-        {MapKind::origins, "origins", "how far from their middle the rays start"},
+        {MapKind::repeated, "repeated", "how often the picture shows the same view"},
+        {MapKind::origins, "origins", "distance of the ray origins from their centre"},
     };
     return kinds;
 }

@@ -19,14 +19,14 @@ using scene::V2f;
 using scene::V3f;
 
 constexpr double surface_cells = 96.0 * 54.0;
-constexpr int round_sides = 10;  // Of what stands for a circle.
+constexpr int round_sides = 10;  // Number of sides that approximate a circle.
 
-/// Blunt bodies of revolution, each a closed mesh of its own within one mesh.
+/// Bodies of revolution, each a separate closed part of one mesh.
 class Solids {
 public:
     explicit Solids(Mesh& mesh) : mesh_(mesh) {}
 
-    /// Between two circles, either of which may be a point. The ends are closed.
+    /// A frustum between two circles, either of which may be a point. The ends are closed.
     void add_frustum(const V3d& from, const V3d& to, double from_radius, double to_radius) {
         const V3d along = (to - from).normalized();
         const V3d aside =
@@ -53,7 +53,7 @@ public:
         }
     }
 
-    /// Along a line, with balls for joints.
+    /// A tube along a line, with balls at the joints.
     void add_tube(const Polyline& line, double radius) {
         for (std::size_t i = 0; i + 1 < line.size(); ++i) {
             if ((line[i + 1] - line[i]).length() > 0.0) {
@@ -110,7 +110,7 @@ private:
     Mesh& mesh_;
 };
 
-/// A surface as the picture covers it: two triangles for each cell of a grid that is whole.
+/// The part of a surface that the picture covers: two triangles per complete grid cell.
 void add_surface(ProjectionObject& sheet, double aspect, Mesh& mesh) {
     const PictureGrid grid = PictureGrid::of_cells(surface_cells, aspect);
     const auto crossing = [&](std::size_t column, std::size_t row) {
@@ -130,7 +130,7 @@ void add_surface(ProjectionObject& sheet, double aspect, Mesh& mesh) {
             }
         }
     }
-    // Whether the line between neighbours is whole, to the right and downwards from each crossing.
+    // Whether the line from each crossing to its right and lower neighbour is uninterrupted.
     const std::size_t stride = grid.columns + 1;
     std::vector<std::array<bool, 2>> joined(vertices.size(), {false, false});
     for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -153,7 +153,7 @@ void add_surface(ProjectionObject& sheet, double aspect, Mesh& mesh) {
     }
 }
 
-/// Where the formula has no normal, as at the poles of a sphere, that of the triangles around.
+/// Where the formula has no normal, as at the poles of a sphere, uses the adjacent triangles.
 void complete_normals(Mesh& mesh) {
     std::vector<V3f> sums(mesh.positions.size(), V3f(0.0F));
     for (const auto& corner : mesh.triangles) {
@@ -177,7 +177,8 @@ struct CameraColors {
     scene::Color3f ray{0.66F, 0.11F, 0.005F};
 };
 
-/// Of one of several cameras, as in the drawing. A power of 2.2 stands for sRGB's curve.
+/// The colour of one of several cameras, as in the drawing. A power of 2.2 approximates sRGB's
+/// curve.
 CameraColors colors_of(std::size_t camera) {
     const DrawingColor drawn = camera_color(camera);
     const auto linear = [](std::uint8_t level) {

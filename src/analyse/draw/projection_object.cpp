@@ -11,8 +11,8 @@ namespace balcony::analyse {
 
 namespace {
 
-// Of the picture that the path is compiled for. Its objects do not depend on it but through its
-// proportion.
+// The size of the picture for which the path is compiled. Its objects depend only on its
+// aspect ratio.
 constexpr double picture_height = 1000.0;
 
 constexpr std::size_t root_count = 9;
@@ -78,14 +78,14 @@ Box3d ProjectionObject::measure() {
     return box;
 }
 
-/// Follows one line by halving its parts until each is straight, or is a jump.
+/// Traces one line by halving its parts until each is straight, or is a jump.
 class ProjectionObject::Tracer {
 public:
     Tracer(ProjectionObject& sheet, const V2d& a, const V2d& b, double tolerance)
         : sheet_(sheet), a_(a), b_(b), tolerance_(tolerance) {}
 
     std::vector<Polyline> trace() {
-        // An odd number, so that what is symmetrical about the middle is not mistaken for straight.
+        // An odd number, so that a curve symmetric about the middle is not mistaken for straight.
         constexpr int parts = 3;
         Mark from = mark(0.0);
         for (int i = 1; i <= parts; ++i) {
@@ -103,19 +103,20 @@ private:
         std::optional<V3d> point;
     };
 
-    // Halvings after which what still jumps is a jump. A root of high degree, as superconics have
-    // them at their axes, shrinks slowly.
+    // Number of halvings after which a difference counts as a jump. A root of high degree, as
+    // superconics have them at their axes, shrinks slowly.
     static constexpr int deepest = 40;
-    // Halvings that look for a small gap between two points or a small part between two gaps.
+    // Number of halvings that search for a small gap between two points or a small part between
+    // gaps.
     static constexpr int deepest_in_gap = 2;
 
     Mark mark(double where) {
-        // In this form a and b themselves are met exactly.
+        // This form gives a and b exactly.
         const auto p = sheet_.at((1.0 - where) * a_ + where * b_);
         return {where, p ? std::optional(p->position) : std::nullopt};
     }
 
-    // Both ends are there, and the middle lies between them, near their chord and not at one end.
+    // Both ends are valid, and the middle is between them, near their chord and not at one end.
     bool is_straight(const V3d& from, const V3d& to, const V3d& middle) const {
         const V3d chord = to - from;
         if (chord.length() <= tolerance_) {
@@ -152,7 +153,7 @@ private:
     ProjectionObject& sheet_;
     V2d a_, b_;
     double tolerance_;
-    double last_ = -1.0;  ///< Where the last piece ends.
+    double last_ = -1.0;  ///< The end of the last piece.
     std::vector<Polyline> pieces_;
 };
 

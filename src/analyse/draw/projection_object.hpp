@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// A projection object as the picture covers it, followed along lines of the picture.
+// A projection object, traced along lines of the picture.
 
 #include <array>
 #include <optional>
@@ -29,7 +29,7 @@ struct ProjectionObjectPoint {
     V2d parameters;  ///< (u, v)
 };
 
-/// From points of the picture, as fractions of its width and height from the top left, to points of
+/// Maps points of the picture, as fractions of its width and height from the top left, to points of
 /// the object. Belongs to one thread.
 class ProjectionObject {
 public:
@@ -37,16 +37,16 @@ public:
 
     /// 0 for a point, 1 for a curve, 2 for a surface.
     [[nodiscard]] int dimension() const { return dimension_; }
-    /// Of a grid of its points; empty if none of them is defined.
+    /// The bounds of a grid of its points; empty if none of these is defined.
     [[nodiscard]] const Box3d& bounds() const { return bounds_; }
 
     [[nodiscard]] std::optional<ProjectionObjectPoint> at(const V2d& picture);
 
-    /// The image of the straight line of the picture from a to b, in pieces: it is broken where the
-    /// object is not defined and where it jumps. Each piece keeps within the tolerance.
+    /// The image of the straight line of the picture from a to b, in pieces: it is interrupted
+    /// where the object is undefined and where it jumps. Each piece is within the tolerance.
     [[nodiscard]] std::vector<Polyline> trace(const V2d& a, const V2d& b, double tolerance);
 
-    /// Whether the image of the line from a to b is whole.
+    /// Whether the image of the line from a to b is uninterrupted.
     [[nodiscard]] bool joined(const V2d& a, const V2d& b);
 
 private:

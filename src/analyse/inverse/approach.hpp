@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// How a ray passes a point, and how that changes with the ray's place in the picture.
+// How a ray passes a point, and how this changes with the picture position.
 
 #include "analyse/measure/ray_field.hpp"
 
 namespace balcony::analyse {
 
-/// The point's offset from the ray where the ray is nearest to it, and the derivatives by picture x
-/// and y of that place on the ray; all perpendicular to the ray.
+/// The offset of the point from the nearest point of the ray, and the derivatives with respect to
+/// picture x and y of that nearest point; all perpendicular to the ray.
 struct Approach {
     double distance;  ///< Along the ray; negative behind its origin.
     V3d offset;
@@ -24,10 +24,10 @@ struct Approach {
         by_y = across(ray.origin_by_y + distance * ray.direction_by_y);
     }
 
-    /// The step in the picture that takes the ray closest to the given offset, to first order: that
-    /// of Newton's iteration. Where a step changes nothing it is short instead of arbitrary, by
-    /// a damping after Levenberg that does not show while one of the two derivatives, or what is
-    /// left of it across the other, is not ten million times smaller than the other.
+    /// The step in the picture that brings the ray closest to the given offset, to first order:
+    /// that of Newton's iteration. In singular directions, the step is short instead of arbitrary,
+    /// because of Levenberg damping. The damping is negligible unless one of the derivatives, or
+    /// its component perpendicular to the other, is ten million times smaller than the other.
     [[nodiscard]] V2d step_to(const V3d& to) const {
         const double xx = by_x.length2();
         const double yy = by_y.length2();

@@ -21,10 +21,10 @@ namespace balcony::analyse {
 
 namespace {
 
-// Sightings nearer to each other than this are one, in pixels.
+// Sightings closer to each other than this, in pixels, are merged.
 constexpr double same_place = 1e-3;
 
-// A place that rounding put outside is put back; none if it is outside indeed.
+// Clamps a position that rounding moved outside; nothing if it is really outside.
 std::optional<V2d> inside(const V2d& place, const V2d& picture) {
     constexpr double rounding = 1e-6;
     const bool is_inside =
@@ -33,8 +33,8 @@ std::optional<V2d> inside(const V2d& place, const V2d& picture) {
                      : std::nullopt;
 }
 
-// Farther away than this, in scene units, it is the direction alone that counts, and products of
-// co-ordinates come near the end of the numbers.
+// Beyond this distance, in scene units, only the direction matters, and products of
+// coordinates could overflow.
 constexpr double far_away = 1e60;
 
 double max_coordinate(const V3d& point) {
@@ -47,7 +47,7 @@ bool comes_before(const Sighting& a, const Sighting& b) {
            std::tie(b.point, b.position.x, b.position.y);
 }
 
-// Sorts what was found and leaves out what was found before.
+// Sorts the sightings and removes duplicates.
 void tidy(std::vector<Sighting>& found) {
     if (!std::is_sorted(found.begin(), found.end(), comes_before)) {
         std::sort(found.begin(), found.end(), comes_before);
@@ -69,7 +69,7 @@ void tidy(std::vector<Sighting>& found) {
     found.resize(kept);
 }
 
-// Of rays that are solved in closed form: the place, if there is a ray and it goes forward.
+// Closed-form rays: the position, if there is a ray and the point is in front of its origin.
 void solve(const PointRays& rays, const LinearRays& linear, const V2d& picture,
            std::span<const V3d> points, std::vector<Sighting>& found) {
     PointRays::Batch batch(rays);
@@ -100,7 +100,7 @@ void solve(const PointRays& rays, const LinearRays& linear, const V2d& picture,
     judge();
 }
 
-// Of any others. Points come in portions, so that what is in work at once stays small.
+// All other rays. Points are processed in batches, to limit memory.
 void search(const PointRays& rays, const RayTree& tree, const V2d& picture,
             std::span<const V3d> points, std::vector<Sighting>& found) {
     constexpr std::size_t portion = 256;
@@ -126,7 +126,7 @@ void search(const PointRays& rays, const RayTree& tree, const V2d& picture,
     });
 }
 
-// What can be found in one camera layer.
+// The search in one camera layer.
 class LayerIndex {
 public:
     LayerIndex(const rays::VisibleLayer& layer, const V2d& picture, double time)
@@ -204,7 +204,7 @@ public:
     [[nodiscard]] Axes axes() const { return visible_.layers().front().axes; }
     [[nodiscard]] const std::vector<LayerIndex>& layers() const { return layers_; }
 
-    // Points beyond far_away are looked for there.
+    // Points beyond far_away are moved to that distance.
     [[nodiscard]] std::vector<Sighting> locate(std::span<const V3d> points) const {
         const auto beyond = [](const V3d& p) { return max_coordinate(p) > far_away; };
         if (std::none_of(points.begin(), points.end(), beyond)) {
@@ -254,7 +254,7 @@ private:
 Result<Locator> Locator::make(const camera::Picture& picture, double width, double height,
                               double time, std::optional<Axes> axes) {
     if (!(width > 0.0 && height > 0.0 && std::isfinite(width) && std::isfinite(height))) {
-        return error(fmt::format("a picture of {} x {} pixels has no places", width, height), {},
+        return error(fmt::format("a picture of {} x {} pixels is empty", width, height), {},
                      "give a positive width and height");
     }
     Result<rays::VisibleLayers> visible = rays::compile_layers(
@@ -266,7 +266,7 @@ Result<Locator> Locator::make(const camera::Picture& picture, double width, doub
     const auto differs = [&](const rays::VisibleLayer& one) { return one.axes != layers[0].axes; };
     if (std::any_of(layers.begin(), layers.end(), differs)) {
         return error(fmt::format("the cameras of picture '{}' have different axes", picture.name()),
-                     {}, "say in which axes the points are: y_up or z_up");
+                     {}, "specify the axes of the points: y_up or z_up");
     }
     return Locator(std::make_shared<const Index>(std::move(*visible), V2d(width, height), time));
 }

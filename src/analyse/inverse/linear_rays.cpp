@@ -10,7 +10,7 @@ namespace balcony::analyse {
 
 namespace {
 
-// The least cosine between a ray and the normal: a picture of 178 degrees.
+// The minimum cosine between a ray and the normal: a field of view of 178 degrees.
 constexpr double min_cosine = 0.017;
 
 }  // namespace
@@ -83,7 +83,7 @@ std::optional<V2d> LinearRays::place_of(const V3d& point) const {
     const V3d by_y = foot_by_y_ + over * slope_by_y_;
     const V3d left = point - (foot_ + over * slope_);
     const double determinant = normal_.dot(by_x.cross(by_y));
-    // Rounding makes three products of a determinant that is 0.
+    // The rounding error of a determinant that is 0.
     if (std::abs(determinant) <= 1e-14 * by_x.length() * by_y.length()) {
         return std::nullopt;
     }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Rays at picture points that lie anywhere, with derivatives.
+// Rays at arbitrary picture points, with derivatives.
 
 #include <array>
 #include <cstddef>
@@ -18,7 +18,7 @@ public:
     /// `program` is compiled for points and with footprints.
     PointRays(rays::RayProgram program, double time) : program_(std::move(program)), time_(time) {}
 
-    /// Up to program::max_points points and then their rays. Belongs to one thread.
+    /// Up to program::max_points points and their rays. Belongs to one thread.
     class Batch {
     public:
         explicit Batch(const PointRays& rays) : rays_(&rays) {}

@@ -12,16 +12,16 @@ namespace balcony::analyse {
 
 namespace {
 
-// How far from the middle of its patch an iteration may start and go, in half sizes: seams may hide
-// a strip of the neighbour from the neighbour's own middle.
+// How far from the centre of its patch an iteration may start and move, in half sizes: seams may
+// hide a strip of the neighbour from the neighbour's own centre.
 constexpr double reach = 1.25;
 constexpr double farthest = 1.6;
 constexpr double position_tolerance = 1e-7;  // pixels
 constexpr int max_evaluations = 40;
-// After so many steps in a row that end at the limit, what is sought lies beyond it.
+// After this number of consecutive steps that end at the limit, the solution is outside.
 constexpr int max_steps_to_the_limit = 3;
 
-// What rounding leaves of the difference between a point and a place on a ray.
+// The rounding error of the difference between a point and a point on a ray.
 double rounding_at(const Ray& ray, const V3d& point) {
     return 1e-14 * (point.length() + ray.origin.length());
 }
@@ -33,7 +33,7 @@ double allowed_miss(const Ray& ray, const Approach& approach, const V3d& point) 
 // The step to within a rectangle after which, to first order, the ray is nearest to the point.
 struct BestStep {
     V2d step{0.0, 0.0};
-    bool limited = false;  ///< The step would have gone farther.
+    bool limited = false;  ///< The step was shortened to the limit.
 };
 
 BestStep best_step(const Approach& approach, const V2d& minimum, const V2d& maximum) {
@@ -66,8 +66,8 @@ BestStep best_step(const Approach& approach, const V2d& minimum, const V2d& maxi
 
 double max_part(const V2d& v) { return std::max(std::abs(v.x), std::abs(v.y)); }
 
-// One start on its way. A step that leads farther from the point, or to where there is no ray, is
-// halved until it does not.
+// One running iteration. A step that increases the distance from the point, or leads to an invalid
+// ray, is halved until it no longer does.
 class Search {
 public:
     explicit Search(const SearchStart& start)
@@ -80,7 +80,7 @@ public:
     [[nodiscard]] const V2d& at() const { return at_; }
     [[nodiscard]] bool ended() const { return ended_; }
 
-    // Takes the ray at the current place; true if it is a sighting.
+    // Accepts the ray at the current position; true if it is a sighting.
     [[nodiscard]] bool advance(const Ray& ray) {
         ended_ = ++evaluations_ == max_evaluations;
         if (!ray.valid) {
@@ -165,14 +165,14 @@ void add_starts(const RayPatch& patch, std::size_t number, const V3d& point,
     const V2d maximum = reach * patch.half;
     const V2d step = best_step(approach, -maximum, maximum).step;
     const double bend = patch.bend(approach.distance);
-    // Twice, as bends are estimates and reach goes beyond the patch.
+    // Twice, because bends are estimates and the range extends beyond the patch.
     if (approach.after(step).length() > 2.0 * bend + rounding_at(patch.ray, point)) {
         return;
     }
     const double miss =
         approach.distance > 0.0 ? approach.offset.length() : (point - patch.ray.origin).length();
     starts.push_back({number, point, patch.center, patch.half, patch.center, miss, step});
-    // Half the size of the patch across its narrowest, as seen at the point. If bends are as large
+    // Half the narrowest size of the patch, as seen at the point. If bends are as large,
     // the patch may be folded there.
     const V3d x = approach.by_x * patch.half.x;
     const V3d y = approach.by_y * patch.half.y;

@@ -17,31 +17,31 @@ struct SearchStart {
     std::size_t number = 0;  ///< Of the point.
     V3d point;
     V2d center, half;  ///< Of the patch.
-    V2d from;          ///< A place that is known already, and by how much its ray misses the point.
+    V2d from;          ///< A known position, and by how much its ray misses the point.
     double miss;
-    V2d step;  ///< From there to the place where to start.
+    V2d step;  ///< The step from there to the starting position.
 };
 
-/// The starts from which whatever sightings of a point a patch has are found; none if it has none.
+/// The starts that find all sightings of a point in a patch; none if it has none.
 void add_starts(const RayPatch& patch, std::size_t number, const V3d& point,
                 std::vector<SearchStart>& starts);
 
-/// Follows starts to their ends. Belongs to one thread.
+/// Runs iterations from starts. Belongs to one thread.
 class PointSearch {
 public:
     explicit PointSearch(const PointRays& rays) : batch_(rays) {}
 
-    /// Appends what is found, in no order, things found more than once included.
+    /// Appends the sightings, unsorted and with duplicates.
     void run(const std::vector<SearchStart>& starts, std::vector<Sighting>& found);
 
 private:
     PointRays::Batch batch_;
 };
 
-/// Whether a ray at a place of the picture meets a point, within rounding.
+/// Whether a ray at a picture position passes through a point, within rounding.
 [[nodiscard]] bool meets(const Ray& ray, const Approach& approach, const V3d& point);
 
-/// What there is to say of a ray that meets the point of a number.
+/// The sighting for a ray that passes through the point with a number.
 [[nodiscard]] Sighting sighting_of(std::size_t point, const V2d& place, const Ray& ray,
                                    const Approach& approach);
 

@@ -14,17 +14,17 @@ namespace balcony::analyse {
 namespace {
 
 constexpr double cells_along_the_longer_side = 96.0;
-// Half sizes under which cells are not divided, in pixels; smooth is said at Shape.
+// Minimum half sizes of divided cells, in pixels; see Shape for `smooth`.
 constexpr double min_half_size = 1.0 / 32.0;
 constexpr double min_smooth_half_size = 1.0;
 constexpr double max_bend = 0.25;
-// Bounds the memory of the patches and of the tree over them to some 50 megabytes.
+// Limits the memory of the patches and of their tree to about 50 MB.
 constexpr std::size_t max_patches = 1U << 17U;
-// Where a cell is looked at, in half sizes from its middle: near the border, so that a seam cannot
-// hide between two cells, but not on it, where seams of symmetric cameras like to be.
+// The sample positions in a cell, in half sizes from its centre: near the border, so that a seam
+// cannot hide between two cells, but not on it, where seams of symmetric cameras often are.
 constexpr double outermost = 0.9;
-// The largest error of Newton's first step from the middle, as a part of the way to the border:
-// each step then brings it nearer by half at least.
+// The maximum error of Newton's first step from the centre, as a fraction of the way to the border:
+// each step then at least halves the distance.
 constexpr double max_error = 0.5 * outermost;
 constexpr std::size_t middle = Survey::places / 2;
 
@@ -60,7 +60,7 @@ struct Part {
     [[nodiscard]] double longer_side() const { return std::max(size().x, size().y); }
 };
 
-// A part whose cells are as small as a pixel is looked at closely enough.
+// A part whose cells are as small as a pixel is sampled densely enough.
 constexpr double min_part = cells_along_the_longer_side;
 
 Survey look_over(const PointRays& rays, const Part& part) {
@@ -80,8 +80,8 @@ Survey look_over(const PointRays& rays, const Part& part) {
     return survey;
 }
 
-// Puts a part round what was known before and the cells with rays of a survey, with one cell more
-// on each side.
+// The bounding part of the previous part and the cells with rays of a survey, with a margin of one
+// cell on each side.
 void include_rays(const Survey& survey, std::optional<Part>& part) {
     for (std::size_t i = 0; i < survey.rays.size(); ++i) {
         if (!survey.rays[i].valid) {
@@ -99,8 +99,8 @@ void include_rays(const Survey& survey, std::optional<Part>& part) {
     }
 }
 
-// The part of a picture that has rays. Where a look at the whole finds none, each sixteenth of it
-// is looked at.
+// The part of a picture that has rays. If sampling the whole finds none, each sixteenth of it
+// is sampled.
 std::optional<Part> part_with_rays(const PointRays& rays, const Survey& whole, const V2d& picture) {
     std::optional<Part> part;
     include_rays(whole, part);
@@ -130,7 +130,7 @@ double extent_of_origins(const std::vector<Ray>& rays) {
 class Divider {
 public:
     Divider(const PointRays& rays, double extent) : rays_(rays) {
-        // Where origins do not move, one distance is as good as another.
+        // If all origins are equal, the distance is irrelevant.
         distances_ =
             extent > 0.0 ? std::vector{0.1 * extent, extent, 100.0 * extent} : std::vector{1.0};
     }
@@ -187,12 +187,12 @@ private:
         smaller->push_back({cell.center + shift, half});
     }
 
-    // A step as a part of the cell's half sizes.
+    // A step as a fraction of the cell's half sizes.
     [[nodiscard]] static double relative(const V2d& step, const Survey::Cell& cell) {
         return std::max(std::abs(step.x) / cell.half.x, std::abs(step.y) / cell.half.y);
     }
 
-    // Newton's iteration contracts in a linear cell. In a smooth one it does not, as the rays that
+    // Newton's iteration contracts in a linear cell. In a smooth one it does not, because rays that
     // cross somewhere, or a pole, make a derivative vanish; but the rays bend little over the cell.
     enum class Shape : std::uint8_t { linear, smooth, rough };
 
@@ -212,7 +212,7 @@ private:
         return shape;
     }
 
-    // What Newton's first step leaves, beside what the derivatives change over the cell.
+    // The error of Newton's first step, relative to the change of the derivatives over the cell.
     [[nodiscard]] static double bend(const Survey::Cell& cell, Places rays, std::size_t place,
                                      double distance) {
         const Approach approach(rays[middle],
@@ -223,7 +223,8 @@ private:
         return approach.distance > 0.0 ? left.length() / size : 1.0;
     }
 
-    // The error of Newton's first step from the middle to what another place sees at a distance.
+    // The error of Newton's first step from the centre to the point that another position sees at a
+    // distance.
     [[nodiscard]] static double error(const Survey::Cell& cell, Places rays, std::size_t place,
                                       double distance) {
         const Approach approach(rays[middle],
@@ -232,7 +233,7 @@ private:
         return approach.distance > 0.0 ? relative(approach.step_to(left), cell) : 1.0;
     }
 
-    // By how much derivatives differ between the middle and another place at a distance.
+    // The difference of the derivatives between the centre and another position at a distance.
     [[nodiscard]] static double derivative_change(const Survey::Cell& cell, Places rays,
                                                   std::size_t place, double distance) {
         const auto seen_from = [&](const Ray& ray) {
@@ -244,7 +245,7 @@ private:
                         relative(here.step_to(cell.half.y * (there.by_y - here.by_y)), cell));
     }
 
-    // By how much rays and derivatives depart from linearity along each axis.
+    // The deviation of rays and derivatives from linearity along each axis.
     [[nodiscard]] V2d changes(const Survey::Cell& cell, Places rays) const {
         const auto along = [&](std::size_t before, std::size_t behind) {
             double largest = 0.0;
@@ -259,7 +260,7 @@ private:
         return {along(middle - 1, middle + 1), along(middle - 3, middle + 3)};
     }
 
-    // How often validity changes along each axis.
+    // The number of validity changes along each axis.
     [[nodiscard]] static V2d validity_changes(Places rays) {
         V2d changes(0.0);
         for (std::size_t i = 0; i < Survey::places; ++i) {
@@ -273,7 +274,7 @@ private:
         return changes;
     }
 
-    // How far a place's ray is from where the patch's derivatives put it: origin and direction.
+    // The distance of a ray from the prediction by the patch's derivatives: origin and direction.
     static std::array<double, 2> departure(const RayPatch& patch, const V2d& at, const Ray& ray) {
         const V2d by = at - patch.center;
         const Ray& from = patch.ray;
@@ -291,7 +292,7 @@ private:
                ((half.x * ray.direction_by_x).length() + (half.y * ray.direction_by_y).length());
     }
 
-    // Bends grow with the square of the way from the middle.
+    // Bends increase with the square of the distance from the centre.
     void keep(const Survey::Cell& cell, Places rays) {
         constexpr double to_the_border = 1.0 / (outermost * outermost);
         RayPatch patch{cell.center, cell.half, rays[middle]};
@@ -347,7 +348,7 @@ V2d Survey::place(std::size_t index) const {
     return cell.center + offset_of(index % places, cell.half);
 }
 
-// An inset may be a small part of the picture, so a small part that has all rays is looked at anew.
+// An inset may be a small part of the picture, so a small part with all rays is sampled again.
 Survey survey(const PointRays& rays, const V2d& picture) {
     Part part{{0.0, 0.0}, picture};
     Survey survey = look_over(rays, part);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// A picture divided into patches over which the ray is nearly a linear function of the place.
+// A picture divided into patches in which the ray is nearly a linear function of the position.
 
 #include <vector>
 
@@ -11,28 +11,28 @@
 
 namespace balcony::analyse {
 
-/// A rectangle of the picture with the ray in its middle.
+/// A rectangle of the picture with the ray at its centre.
 struct RayPatch {
     V2d center;
     V2d half;  ///< Half its size, in pixels.
     Ray ray;
-    /// By how much, at most and estimated, origins and unit directions in the patch depart from
-    /// what the derivatives in its middle say.
+    /// The estimated maximum deviation of origins and unit directions in the patch from
+    /// the prediction by the derivatives at its centre.
     double origin_bend = 0.0;
     double direction_bend = 0.0;
 
-    /// By how much origins move along the ray of the middle, times by how much directions change:
-    /// what a point loses whose distance is measured from the middle.
+    /// How far origins move along the central ray, times the change of directions:
+    /// the error of a point whose distance is measured from the centre.
     double shear = 0.0;
 
-    /// How far the place at a distance along the ray may be from where the derivatives put it.
+    /// The maximum deviation of the point at a distance along the ray from the prediction.
     [[nodiscard]] double bend(double distance) const {
         return origin_bend + std::abs(distance) * direction_bend + shear;
     }
 };
 
 /// Rays all over the picture, or all over the part of it that has any, 9 in each cell of a grid:
-/// the first look at a camera.
+/// the initial sampling of a camera.
 struct Survey {
     struct Cell {
         V2d center;
@@ -41,19 +41,19 @@ struct Survey {
     static constexpr std::size_t places = 9;
 
     std::vector<Cell> cells;
-    std::vector<Ray> rays;  ///< Those of a cell together, row by row, its middle the fifth.
-    double extent = 0.0;    ///< The radius of a ball around all origins, about.
+    std::vector<Ray> rays;  ///< By cell, then row by row; the fifth is the cell's centre.
+    double extent = 0.0;    ///< The approximate radius of a ball around all origins.
 
     [[nodiscard]] bool any_ray() const;
-    /// Where the ray of an index comes from.
+    /// The picture position of the ray with an index.
     [[nodiscard]] V2d place(std::size_t index) const;
 };
 
 [[nodiscard]] Survey survey(const PointRays& rays, const V2d& picture);
 
-/// Divides the cells of a survey until Newton's iteration contracts from the middle of each patch
-/// towards all that the patch sees, or the patch is 1/16 pixel wide, or there are some hundred
-/// thousand of them. Parts without rays are left out.
+/// Divides the cells of a survey until Newton's iteration contracts from the centre of each patch
+/// to all points that the patch sees, or the patch is 1/16 pixel wide, or there are some hundred
+/// thousand patches. Parts without rays are omitted.
 [[nodiscard]] std::vector<RayPatch> divide(const PointRays& rays, Survey survey);
 
 }  // namespace balcony::analyse

@@ -15,11 +15,11 @@ namespace balcony::analyse {
 
 namespace {
 
-// Bounds reach a quarter of a patch beyond it, as a seam next to it may hide a strip of a
-// neighbour from that neighbour's middle.
+// Bounds extend a quarter of a patch beyond it, because a seam next to it may hide a strip of a
+// neighbour from that neighbour's centre.
 constexpr double reach = 1.25;
 
-// The radii of what a patch's own rays keep to.
+// The radii of the bounds of a patch's own rays.
 double origin_radius(const RayPatch& patch) {
     return reach * ((patch.ray.origin_by_x * patch.half.x).length() +
                     (patch.ray.origin_by_y * patch.half.y).length()) +
@@ -102,7 +102,7 @@ private:
             made.center += patches_[number].ray.origin / static_cast<double>(part.size());
             made.axis += patches_[number].ray.direction;
         }
-        // The directions of half a sphere or more may cancel out.
+        // The directions of a hemisphere or more may cancel out.
         made.axis = made.axis.length() > 1e-6 ? made.axis.normalized()
                                               : patches_[part.front()].ray.direction;
         double angle = 0.0;
@@ -141,7 +141,7 @@ bool RayTree::Bounds::sees(const V3d& point) const {
     }
     const double tangent = std::sqrt(squared);
     const bool wider_than_all = sine * tangent + cosine * radius < 0.0;
-    // A hair's breadth, as a cone may be a single direction.
+    // A small tolerance, because a cone may be a single direction.
     const double rounding = 1e-13 * (tangent + radius);
     return wider_than_all || v.dot(axis) >= cosine * tangent - sine * radius - rounding;
 }

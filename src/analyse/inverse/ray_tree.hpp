@@ -11,12 +11,12 @@
 
 namespace balcony::analyse {
 
-/// Patches are put together by their rays and not by their place in the picture, so that a seam
-/// of the picture does no harm. Each node bounds the origins of its rays by a ball and their
+/// Patches are grouped by their rays and not by their position in the picture, so that a seam
+/// of the picture has no effect. Each node bounds the origins of its rays by a ball and their
 /// directions by a cone. Immutable.
 class RayTree {
 public:
-    /// Keeps its own copy of the patches. `extent` is the radius that all origins keep to.
+    /// Copies the patches. `extent` is the radius of the bounds of all origins.
     RayTree(std::vector<RayPatch> patches, double extent);
 
     [[nodiscard]] const std::vector<RayPatch>& patches() const { return patches_; }
@@ -36,7 +36,7 @@ private:
     };
     struct Node {
         Bounds bounds;
-        std::uint32_t skip = 0;   ///< The node after all that are below this one.
+        std::uint32_t skip = 0;   ///< The next node after this subtree.
         std::uint32_t patch = 0;  ///< Of a leaf; else no_patch.
     };
     static constexpr std::uint32_t no_patch = ~std::uint32_t{0};

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double pixels_per_degree = std::numbers::pi / 180.0;
 
-// The finest grid of whole steps within the bound, at most a sample a pixel.
+// The finest grid of whole steps within the limit, at most one sample per pixel.
 SampleGrid choose_grid(const DiagnoseSettings& settings) {
     const double maximum = std::max(static_cast<double>(settings.max_samples), 1.0);
     const double step =

@@ -18,12 +18,12 @@ namespace balcony::analyse {
 
 namespace {
 
-// Less than this may come about where the picture only just grazes something.
+// Smaller shares may occur where the picture only just grazes something.
 constexpr double negligible_share = 0.001;
-// Of so few samples neither sign nor size are sure.
+// Regions with fewer samples are too uncertain.
 constexpr std::size_t fewest_samples = 4;
 
-// A map that goes round more often is rarely meant so. A field of view of 30 in radians does.
+// A map with more turns is rarely intended. A field of view of 30 in radians has more.
 constexpr double max_turns = 4.0;
 
 constexpr std::array<std::string_view, 6> kind_names = {"no_ray", "fold",     "mirrored",
@@ -38,7 +38,7 @@ std::string in_regions(std::size_t count) {
     return count == 1 ? "in one region" : fmt::format("in {} regions", count);
 }
 
-/// Looks through the evidence, one kind after another.
+/// Examines the evidence, one kind of finding after another.
 class Finder {
 public:
     explicit Finder(const Evidence& evidence)
@@ -107,16 +107,15 @@ private:
             return;
         }
         const auto round = [](char name, double turns) {
-            return turns > max_turns ? fmt::format("{} goes round {:.3g} times", name, turns) : "";
+            return turns > max_turns ? fmt::format("{} covers {:.3g} turns", name, turns) : "";
         };
         const std::string u = round('u', evidence_.turns.u);
         const std::string v = round('v', evidence_.turns.v);
         Finding& finding = add(FindingKind::repeated, all);
         finding.message = fmt::format("{}{}{}", u, u.empty() || v.empty() ? "" : " and ", v);
         finding.remedy =
-            "a number without a unit is an angle in radians; if degrees are meant, write deg "
-            "behind "
-            "it: a whole turn is 360deg";
+            "a number without a unit is an angle in radians; for degrees, append deg to "
+            "it: a full turn is 360deg";
     }
 
     void find_no_ray() {
@@ -130,7 +129,8 @@ private:
                               : fmt::format("{} of the picture has no ray, {}",
                                             percent(finding.share), in_regions(none.size()));
         finding.remedy =
-            "if that is not meant, let map cover only what the objects and formulas are defined "
+            "if this is unintended, restrict map to the range in which the objects and formulas "
+            "are defined "
             "for";
     }
 
@@ -140,7 +140,7 @@ private:
                           [=](const Sample& s) { return s.orientation == orientation; }));
     }
 
-    // Whether things go over into their mirror image somewhere at the border of a region: at the
+    // Whether the orientation changes somewhere at the border of a region: at the
     // very next sample, or at the one after if the next is singular.
     [[nodiscard]] std::optional<std::size_t> turn_at(const Region& region) const {
         const int own = report_.samples[region.samples.front()].orientation;
@@ -181,19 +181,19 @@ private:
             Finding& finding = add(FindingKind::fold, folded);
             finding.other = place(*across);
             finding.message = fmt::format(
-                "the picture folds over: {} of it, {}, is turned round "
-                "against what is beside it",
+                "the picture folds over: {} of it, {}, is mirrored "
+                "relative to its surroundings",
                 percent(finding.share), in_regions(folded.size()));
             finding.remedy =
-                "if that is not meant, make the warp or the move there weaker or wider (a zoom "
-                "folds where its strength is below 32/81)";
+                "if this is unintended, make the warp or the move there weaker or wider (a zoom "
+                "folds if its strength is below 32/81)";
         }
         if (!parts.empty() && !mostly_mirrored) {
             Finding& finding = add(FindingKind::mirrored, parts);
             finding.defect = false;
             finding.message = fmt::format("{} of the picture, {}, is mirrored",
                                           percent(finding.share), in_regions(parts.size()));
-            finding.remedy = "if that is not meant, exchange the ends of u or of v there";
+            finding.remedy = "if this is unintended, exchange the ends of u or of v there";
         }
         if (mostly_mirrored) {
             add_all_mirrored();
@@ -209,15 +209,17 @@ private:
         finding.message =
             whole ? "the picture is mirrored"
                   : fmt::format("most of the picture, {}, is mirrored", percent(finding.share));
-        finding.remedy = "if that is not meant, exchange the ends of u or of v in map";
+        finding.remedy = "if this is unintended, exchange the ends of u or of v in map";
         if (report_.distance && !report_.single_viewpoint && crosses_before()) {
-            finding.message += fmt::format(" at a distance of {:.4g}, behind where its rays cross",
-                                           *report_.distance);
-            finding.remedy = "what is nearer is not mirrored; --distance says where to measure";
+            finding.message +=
+                fmt::format(" at a distance of {:.4g}, beyond the point where its rays cross",
+                            *report_.distance);
+            finding.remedy =
+                "nearer things are not mirrored; --distance sets the distance of the measurement";
         }
     }
 
-    // Whether most rays that are mirrored where the camera is measured are not right before it.
+    // Whether most rays that are mirrored at the measured distance are not mirrored in front of it.
     [[nodiscard]] bool crosses_before() const {
         constexpr double right_before = 1e-3;
         std::size_t turned = 0;
@@ -244,7 +246,7 @@ private:
             for (std::size_t i = max_single; i < seams.size(); ++i) {
                 finding.length += seams[i].length;
             }
-            finding.message = fmt::format("rays jump along {} more lines, together {:.0f} pixels",
+            finding.message = fmt::format("rays jump along {} more lines, {:.0f} pixels in total",
                                           finding.count, finding.length);
         }
     }
@@ -267,8 +269,9 @@ private:
                                       seam.length, angle > 1e-6 ? turn : "", both ? ", " : "",
                                       both || angle <= 1e-6 ? shift : "");
         finding.remedy =
-            "if that is not meant, look for what jumps there: if(), floor(), mod(), an angle that "
-            "wraps round";
+            "if this is unintended, look for a discontinuity: if(), floor(), mod(), or an angle "
+            "that "
+            "wraps around";
         return found_.emplace_back(std::move(finding));
     }
 
@@ -286,10 +289,11 @@ private:
             percent(finding.share), in_regions(singular.size()));
         finding.remedy =
             all_in_one_plane()
-                ? "every ray lies in the plane it starts from: if that is not meant, move the eye "
-                  "out of the plane of the direction object, or that away from the eye"
-                : "if that is not meant, look for a u or v that the objects make no use of, or for "
-                  "a parametrisation that stands still there";
+                ? "all rays lie in one plane: if this is unintended, move the eye "
+                  "out of the plane of the direction object, or the direction object away from the "
+                  "eye"
+                : "if this is unintended, look for a u or v that the objects do not use, or for "
+                  "a parametrisation that is constant there";
     }
 
     // Whether all rays lie in one plane although they change with both picture x and picture y.
@@ -339,10 +343,10 @@ private:
         finding.defect = finding.share > negligible_share;
         finding.other = place(evidence_.repeats.other[repeated.front().middle]);
         finding.message = fmt::format(
-            "{} of the picture shows what another part shows too, up to "
-            "{} times in all",
+            "{} of the picture shows the same view as another part, up to "
+            "{} times in total",
             percent(finding.share), maximum);
-        finding.remedy = "if that is not meant, let map cover less: a whole turn is 360deg";
+        finding.remedy = "if this is unintended, reduce the range of map: a full turn is 360deg";
     }
 
     const Evidence& evidence_;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What a report says in words.
+// Describes findings in words.
 
 #include <vector>
 
@@ -13,7 +13,7 @@
 
 namespace balcony::analyse {
 
-/// All that findings are made of: a report whose samples are filled in, and what they came from.
+/// The input of findings: a report with its samples, and their sources.
 struct Evidence {
     const Report& report;
     const std::vector<Ray>& rays;
@@ -23,7 +23,7 @@ struct Evidence {
     RayField& program;
 };
 
-/// Defects first, then by kind; before all others a map in degrees that is read as radians, since
+/// Defects first, then by kind. A map with forgotten `deg` precedes all others, because
 /// it explains the rest.
 [[nodiscard]] std::vector<Finding> find_all(const Evidence& evidence);
 

@@ -20,9 +20,9 @@ Jacobian jacobian(const Ray& ray, const std::optional<double>& distance) {
     };
     Jacobian made{seen(ray.origin_by_x, ray.direction_by_x),
                   seen(ray.origin_by_y, ray.direction_by_y)};
-    // Of a 2 x 2 matrix with the columns a and b: the sum of the squares of both singular values is
-    // |a|^2 + |b|^2, their product is the determinant. x runs to the right and y down, so that the
-    // two and the direction make a right-handed frame where nothing is mirrored.
+    // For a 2 x 2 matrix with the columns a and b, the sum of the squares of both singular values
+    // is |a|^2 + |b|^2, their product is the determinant. x runs to the right and y down, so that
+    // the two and the direction make a right-handed frame where nothing is mirrored.
     const double sum = made.by_x.length2() + made.by_y.length2();
     const double product = made.by_x.cross(made.by_y).dot(ray.direction);
     const double plus = std::sqrt(std::max(sum + 2.0 * product, 0.0));

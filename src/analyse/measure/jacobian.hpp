@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The map from the picture to what it shows, to first order.
+// The first-order map from the picture to the visible points.
 
 #include <optional>
 
@@ -10,15 +10,15 @@
 
 namespace balcony::analyse {
 
-/// How the point that a ray reaches at a distance moves with the pixel, seen along the ray: the
-/// partial derivatives of origin + distance*direction by picture x and y, without their parts along
-/// the ray. Without a distance, those of the direction alone.
+/// The motion, seen along the ray, of the point at a distance when the pixel changes: the
+/// partial derivatives of origin + distance*direction with respect to picture x and y, without
+/// their components along the ray. Without a distance, those of the direction alone.
 struct Jacobian {
     V3d by_x, by_y;
-    double maximum = 0.0;  ///< Singular values: the largest and the least stretch.
+    double maximum = 0.0;  ///< Singular values: the largest and the smallest stretch.
     double minimum = 0.0;  ///< Negative where the picture is mirrored.
 
-    /// Finite, and far from losing a dimension, so that the sign of `least` means something.
+    /// Whether it is finite and far from singular, so that the sign of `minimum` is reliable.
     [[nodiscard]] bool regular() const;
 };
 

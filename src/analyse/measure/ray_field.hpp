@@ -23,10 +23,10 @@ public:
                                                double picture_height, double time,
                                                Derivatives derivatives);
 
-    /// Row by row. Without derivatives those of the rays are 0.
+    /// Row by row. Without derivatives, those of the rays are 0.
     [[nodiscard]] std::vector<Ray> run(const SampleGrid& grid);
     [[nodiscard]] Ray at(const V2d& point);
-    /// Much faster than one by one; at most program::max_points.
+    /// Much faster than one by one; at most program::max_points points.
     [[nodiscard]] std::vector<Ray> at(std::span<const V2d> points);
 
 private:

@@ -12,13 +12,13 @@
 
 namespace balcony::analyse {
 
-/// Samples that hang together, each with one of its four neighbours.
+/// Samples connected through their four neighbours.
 struct Region {
     std::vector<std::size_t> samples;  ///< Row by row.
-    std::size_t middle = 0;            ///< The one nearest to the mean place of all.
+    std::size_t middle = 0;            ///< The sample nearest to the mean position.
 };
 
-/// Whether the sample is in a region; whether two neighbours that are hang together.
+/// Whether a sample is in a region; whether two neighbouring samples are connected.
 using SampleTest = std::function<bool(std::size_t)>;
 using PairTest = std::function<bool(std::size_t, std::size_t)>;
 

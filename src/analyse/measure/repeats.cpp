@@ -17,8 +17,8 @@ namespace balcony::analyse {
 
 namespace {
 
-/// An oriented line, or a difference of two, in Plücker co-ordinates: direction and moment. The
-/// moment is divided by the unit of length, so that both parts count alike.
+/// An oriented line, or a difference of two, in Plücker coordinates: direction and moment. The
+/// moment is divided by the unit of length, so that both parts have equal weight.
 struct Line {
     V3d direction;
     V3d moment;
@@ -36,8 +36,8 @@ struct Line {
     Line operator*(double factor) const { return {factor * direction, factor * moment}; }
 };
 
-/// What a sample sees: a point on its line, how far that moves to the next sample, and the line
-/// with its derivatives a pixel.
+/// The view of a sample: a point on its line, how far it moves to the next sample, and the line
+/// with its derivatives per pixel.
 struct View {
     bool usable = false;
     V3d point;
@@ -45,8 +45,8 @@ struct View {
     Line line, by_x, by_y;
 };
 
-/// Finds views by their points. A view is kept in a grid whose cells are as large as its radius
-/// asks for, so that a magnified part of the picture crowds no cell.
+/// Finds views by their points. A view is stored in a grid whose cells match its radius,
+/// so that a magnified part of the picture does not overfill a cell.
 class ViewIndex {
 public:
     void add(std::size_t sample, const View& view) {
@@ -85,10 +85,11 @@ public:
 private:
     using Cell = std::array<std::int64_t, 3>;
 
-    // The exponent of the least power of two that is no less than the radius.
+    // The exponent of the smallest power of two that is at least the radius.
     static int level_of(double radius) { return static_cast<int>(std::ceil(std::log2(radius))); }
 
-    // A cell is two reaches wide, so that what a point reaches lies in at most two each way.
+    // A cell is twice as wide as the range, so that the range of a point overlaps at most two per
+    // axis.
     static Cell cell(const V3d& point, int level) {
         const auto index = [level](double x) {
             return static_cast<std::int64_t>(
@@ -99,7 +100,7 @@ private:
 
     static constexpr double maximum = 1e15;  // Cells from the origin.
 
-    // Different cells may share a key; whoever visits compares anyway.
+    // Different cells may share a key; visitors compare views anyway.
     static std::uint64_t key(int level, const Cell& cell) {
         auto mixed = static_cast<std::uint64_t>(level);
         for (const std::int64_t index : cell) {
@@ -163,8 +164,8 @@ public:
 
 private:
     static constexpr double nearest_other = 2.0;  // In samples.
-    // Where a line changes by more from sample to sample (1 is about a radian), its slopes say
-    // nothing of the samples beside it: lines agree with everything or with nothing.
+    // If a line changes by more from sample to sample (1 is about a radian), its derivatives say
+    // nothing about neighbouring samples: lines agree with everything or with nothing.
     static constexpr double widest_view = 1.0;
 
     static double apart(const V2d& a, const V2d& b) {
@@ -188,12 +189,12 @@ private:
         view.line = line_of(ray);
         view.by_x = slope(ray.origin_by_x, ray.direction_by_x);
         view.by_y = slope(ray.origin_by_y, ray.direction_by_y);
-        // The point depends on the line alone: so far along it from where it is nearest to the
-        // centre.
+        // The point depends only on the line: it is at a fixed distance from the point nearest to
+        // the centre.
         const double along = (distance_ ? *distance_ : 1.0) - from_center.dot(ray.direction);
         view.point = distance_ ? from_center + along * ray.direction : ray.direction;
         const Jacobian moved = jacobian(ray, distance_ ? std::optional(along) : std::nullopt);
-        // Half the diagonal of what lies between samples, and half as much again for its bend.
+        // Half the diagonal between samples, plus a margin of one half for curvature.
         view.radius = 0.75 * grid_.step * (moved.by_x.length() + moved.by_y.length());
         view.usable = std::isfinite(view.radius) &&
                       view.radius > 1e-12 * (1.0 + view.point.length()) &&
@@ -201,7 +202,7 @@ private:
         return view;
     }
 
-    // By least squares, in pixels; nothing if it leads away from the view's own cell.
+    // By least squares, in pixels; nothing if it leaves the view's own cell.
     [[nodiscard]] std::optional<V2d> step_towards(const Line& wanted, const Line& line,
                                                   const View& slopes) const {
         const Line missing = wanted - line;
@@ -229,7 +230,7 @@ private:
                             [&](const V2d& other) { return apart(point, other) <= minimum; });
     }
 
-    // How much the line changes a pixel in the direction in which it changes least.
+    // The change of the line per pixel in the direction of least change.
     static double min_slope(const View& slopes) {
         const double xx = slopes.by_x.dot(slopes.by_x);
         const double xy = slopes.by_x.dot(slopes.by_y);

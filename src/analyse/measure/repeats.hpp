@@ -12,15 +12,15 @@
 namespace balcony::analyse {
 
 struct Repeats {
-    /// For each sample how many points of the picture have its ray, itself among them; 0 where
-    /// there is no ray or none that can be told apart from its neighbours'.
+    /// For each sample, the number of points of the picture with its ray, including itself; 0 where
+    /// there is no ray, or none that is distinguishable from those of its neighbours.
     std::vector<std::uint8_t> views;
-    /// For each sample one other such point; not a number where there is none.
+    /// For each sample one other such point; NaN where there is none.
     std::vector<V2d> other;
 };
 
-/// Rays are the same if their lines and directions are, to a tenth of a pixel; where on the line
-/// they begin does not count. `distance` and `unit` as for jacobian() and find_crossings().
+/// Rays are the same if their lines and directions agree to a tenth of a pixel; the start on the
+/// line is ignored. `distance` and `unit` as for jacobian() and find_crossings().
 [[nodiscard]] Repeats find_repeats(const SampleGrid& grid, const std::vector<Ray>& rays,
                                    RayField& program, const std::optional<double>& distance,
                                    double unit);

@@ -27,7 +27,7 @@ public:
         return size(b.origin - a.origin, b.direction - a.direction);
     }
 
-    // What rounding may do.
+    // The rounding error.
     [[nodiscard]] double noise(const Ray& a) const {
         return 1e-9 * (1.0 + a.origin.length() / unit_);
     }
@@ -36,7 +36,8 @@ private:
     double unit_;
 };
 
-// Whether the ray changes between two samples far from what its derivatives let one expect.
+// Whether the change of the ray between two samples differs strongly from the prediction by its
+// derivatives.
 bool suspicious(const Ray& a, const Ray& b, bool along_x, double step,
                 const Difference& difference) {
     constexpr double most_surprise = 0.25;
@@ -54,10 +55,10 @@ bool suspicious(const Ray& a, const Ray& b, bool along_x, double step,
     return !expected && difference.jump(a, b) > difference.noise(a);
 }
 
-/// Follows the largest jump between two neighbouring samples down, a step at a time: the way is
-/// divided into parts, and the part with the largest jump is the way of the next step. A jump of
-/// any continuous ray gets smaller on the way; what looks steep for its neighbours' sake, such as a
-/// root, gets at least half as small in a thousandth of the way.
+/// Narrows down the largest jump between two neighbouring samples step by step: the interval is
+/// divided into parts, and the part with the largest jump is the interval of the next step. A jump
+/// of any continuous ray becomes smaller in the process; a steep but continuous change, such as a
+/// square root, at least halves in a thousandth of the interval.
 class JumpSearch {
 public:
     static constexpr std::size_t parts = 8;
@@ -91,7 +92,7 @@ public:
         first_ += static_cast<double>(largest) * width_ * along();
         if (!jump_when_near_ && width_ < near) {
             jump_when_near_ = maximum;
-            // Seen in the picture only if it is more than what a tenth of a pixel does anyway.
+            // Visible only if it exceeds the change over a tenth of a pixel.
             const double rest = std::accumulate(jumps.begin(), jumps.end(), 0.0) - maximum;
             const double tenth_of_a_pixel = 0.1 * rest / (width_ * (parts - 1));
             ended_ = maximum < std::max(tenth_of_a_pixel, difference.noise(rays[largest]));
@@ -128,7 +129,7 @@ private:
     bool ended_ = false;
 };
 
-// Side by side, since many points at once cost little more than one.
+// In parallel, because many points at once cost little more than one.
 void run(std::span<JumpSearch> searches, RayField& program, const Difference& difference) {
     constexpr std::size_t ends = JumpSearch::parts + 1;
     std::vector<JumpSearch*> going;
@@ -153,7 +154,7 @@ void run(std::span<JumpSearch> searches, RayField& program, const Difference& di
     }
 }
 
-/// Sets of crossings, joined one by one.
+/// Disjoint sets of crossings (union-find).
 class DisjointSets {
 public:
     explicit DisjointSets(std::size_t count) : parents_(count) {
@@ -184,7 +185,7 @@ std::array<std::size_t, 2> cells_beside(const SampleGrid& grid, const Crossing& 
 }
 
 // The length of the line in a cell: straight through it from one crossing to the other. A line that
-// ends in the cell, at the picture's border or elsewhere, goes half a step on.
+// ends in the cell, at the picture's border or elsewhere, is extended by half a step.
 double length_in_cell(const SampleGrid& grid, const std::vector<V2d>& points) {
     if (points.size() == 1) {
         return 0.5 * grid.step;

@@ -10,11 +10,11 @@
 
 namespace balcony::analyse {
 
-/// A place between two neighbouring samples where the ray jumps.
+/// A position between two neighbouring samples where the ray jumps.
 struct Crossing {
     std::size_t sample = 0;  ///< The left or upper one of the two.
-    bool along_x = true;     ///< Its right neighbour is the other; else the lower one.
-    V2d point;               ///< Known to far less than a pixel.
+    bool along_x = true;     ///< The other sample is its right neighbour; otherwise its lower one.
+    V2d point;               ///< Accurate to far less than a pixel.
     double angle = 0.0;      ///< Between the directions on both sides, in radians.
     double distance = 0.0;   ///< Between the origins.
 };
@@ -25,8 +25,8 @@ struct Seam {
     double length = 0.0;  ///< In pixels.
 };
 
-/// All jumps between neighbouring samples that halving the way between them does not remove.
-/// `program` may be without derivatives; `unit` is the length that counts as much as a radian.
+/// All jumps between neighbouring samples that remain when the interval is subdivided.
+/// `program` needs no derivatives; `unit` is the length that is weighted like one radian.
 [[nodiscard]] std::vector<Crossing> find_crossings(const SampleGrid& grid,
                                                    const std::vector<Ray>& rays, RayField& program,
                                                    double unit);

@@ -18,7 +18,7 @@ namespace {
 
 using camera::PictureMapperPointer;
 
-/// What another mapper says, and so much more.
+/// Another mapper with an offset.
 class ShiftedMapper final : public camera::PictureMapper {
 public:
     ShiftedMapper(PictureMapperPointer mapper, const V2d& shift)
@@ -35,7 +35,7 @@ private:
     V2d shift_;
 };
 
-/// Looks at a few rays of the camera, and at those that it has for parameters beside them.
+/// Compares some rays of the camera with those at shifted parameters.
 class TurnCounter {
 public:
     TurnCounter(const camera::Camera& camera, double width, double height, double time)
@@ -47,7 +47,7 @@ public:
     }
 
 private:
-    // Rays that come back do so after 2 pi and not after 1, as those would that do not change.
+    // Periodic rays repeat after 2 pi and not after 1; constant rays would repeat after both.
     [[nodiscard]] double turns(double extent, const V2d& along) const {
         constexpr double turn = 2.0 * std::numbers::pi;
         return come_back(turn * along) && !come_back(along) ? extent / turn : 0.0;
@@ -63,9 +63,9 @@ private:
         return shifted && agree(rays_, rays_of(*shifted));
     }
 
-    // In all that both have, which must be something.
+    // In all samples that both have; there must be at least one.
     static bool agree(const std::vector<Ray>& some, const std::vector<Ray>& others) {
-        // Far above the rounding of an angle of many turns, far below what anyone sees.
+        // Far above the rounding error of an angle of many turns, far below visibility.
         constexpr double tolerance = 1e-8;
         bool any = false;
         for (std::size_t i = 0; i < some.size(); ++i) {
@@ -98,7 +98,7 @@ private:
         return field ? field->at(points) : std::vector<Ray>();
     }
 
-    // Of the maps of both paths.
+    // From the maps of both paths.
     [[nodiscard]] V2d max_extent() const {
         const V2d eye = extent(*camera_.parts().eye.mapper);
         const auto& toward = camera_.parts().toward;
@@ -106,7 +106,7 @@ private:
         return {std::max(eye.x, other.x), std::max(eye.y, other.y)};
     }
 
-    // How far u and v run from corner to corner.
+    // The range of u and v from corner to corner.
     [[nodiscard]] V2d extent(const camera::PictureMapper& mapper) const {
         expr::Graph graph;
         camera::Emitter emit(graph);

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// How often a camera's map goes round its objects.
+// The number of turns that a camera's map covers.
 
 #include "balcony/camera.hpp"
 
 namespace balcony::analyse {
 
-/// How many times 2 pi the map covers; 0 of a parameter in which the rays do not come back after
-/// 2 pi, and of one that they do not depend on.
+/// The number of turns (2 pi) that the map covers; 0 for a parameter in which the rays are not
+/// periodic with 2 pi, and for one on which they do not depend.
 struct Turns {
     double u = 0.0;
     double v = 0.0;

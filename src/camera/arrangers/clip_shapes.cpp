@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// Clip shapes: which part of a layer's picture shows.
+// Clip shapes: the visible part of a layer's image.
 
 #include "camera/arrangers/clip_shapes.hpp"
 
@@ -17,7 +17,7 @@ namespace balcony::camera {
 
 namespace {
 
-/// A point in pixels from the middle of its picture, to the right and up, and the picture's half
+/// A point in pixels from the centre of its picture, to the right and up, and half the picture's
 /// sides.
 struct Centered {
     Expr x, y, half_width, half_height;
@@ -50,7 +50,7 @@ Expr ellipse_distance(const Centered& c, Expr a, Expr b, Emitter& emit) {
     const Expr ny = c.y / b;
     const Expr k = sqrt(nx * nx + ny * ny);
     const Expr g = sqrt(nx * nx / (a * a) + ny * ny / (b * b));
-    // In the very middle, where both are 0, it is as if one were a little to the side.
+    // At the centre, where both are 0, uses a point slightly to the side.
     const Expr minimum = emit(1e-9);
     return (k - 1.0) * max(k, minimum) / max(g, minimum / a);
 }
@@ -65,7 +65,7 @@ public:
     double corner_reach() const override { return 0.5 * std::numbers::sqrt2; }
 };
 
-/// The largest ellipse without a smaller one of its shape.
+/// The largest ellipse without a smaller, similar one.
 class Ring final : public ClipShape {
 public:
     explicit Ring(Scalar inner) : inner_(std::move(inner)) {}
@@ -82,7 +82,7 @@ private:
     Scalar inner_;
 };
 
-/// A rectangle whose corners are quarters of circles.
+/// A rectangle whose corners are quarter circles.
 class RoundedRectangle final : public ClipShape {
 public:
     explicit RoundedRectangle(Scalar radius) : radius_(std::move(radius)) {}
@@ -91,7 +91,7 @@ public:
         const Centered c = centered(picture);
         const Expr radius = emit(radius_) * 2.0 * min(c.half_width, c.half_height);
         const Expr zero = emit(0.0);
-        // From the rectangle on whose corners the circles stand.
+        // Relative to the rectangle whose corners are the centres of the circles.
         const Expr x = abs(c.x) - (c.half_width - radius);
         const Expr y = abs(c.y) - (c.half_height - radius);
         const Expr out_x = max(x, zero);
@@ -104,7 +104,7 @@ private:
     Scalar radius_;
 };
 
-/// The inside of a closed line of straight sides, by the even-odd rule. The distance is that to the
+/// The inside of a polygon, by the even-odd rule. The distance is that to the
 /// nearest side.
 class Polygon final : public ClipShape {
 public:
@@ -123,7 +123,7 @@ public:
             const Expr squared = dx * dx + dy * dy;
             nearest = nearest.valid() ? min(nearest, squared) : squared;
 
-            // A ray to the right meets the side if its ends are above and below, and the point is
+            // A ray to the right crosses the side if its ends are above and below, and the point is
             // to its left.
             const Expr above = side.y < 0.0;
             const Expr end_above = side.y < side.to_y;
@@ -136,7 +136,7 @@ public:
     }
 
 private:
-    // The point from one corner, and the next corner from there, in pixels.
+    // The point relative to one corner, and the next corner relative to that one, in pixels.
     struct Side {
         Expr x, y, to_x, to_y;
     };
@@ -165,7 +165,7 @@ PointList star_corners(std::size_t tips, double inner) {
     return corners;
 }
 
-/// Where a formula of (x, y), both from -1 to 1, to the right and up, is above 0.
+/// Where a formula of (x, y) is above 0; both run from -1 to 1, to the right and up.
 class ClipFormula final : public ClipShape {
 public:
     explicit ClipFormula(Formula formula) : formula_(std::move(formula)) {}
@@ -191,12 +191,12 @@ private:
     Formula formula_;
 };
 
-/// A grey picture stretched over the layer's: white shows, black does not, grey shows in part.
+/// A grey image stretched over the layer's image: white is visible, black is not, grey partly.
 class ImageMask final : public ClipShape {
 public:
     explicit ImageMask(std::shared_ptr<const expr::Table> grey) : grey_(std::move(grey)) {}
 
-    // Where the grey is half, by its slope.
+    // The distance from the contour of half grey, by the gradient.
     Expr distance(const PicturePoint& picture, Emitter& emit) const override {
         Graph& graph = emit.graph();
         const std::array free{graph.fresh_variable(), graph.fresh_variable()};
@@ -215,7 +215,7 @@ public:
     }
 
 private:
-    // Between the centres of the image's pixels; as at the outermost ones beyond them.
+    // Interpolates between the pixel centres; constant beyond the outermost ones.
     [[nodiscard]] Expr value(const PicturePoint& picture, Emitter& emit) const {
         const auto& [point, size] = picture;
         const auto within = [&emit](Expr fraction, const expr::Table::Axis& axis) {
@@ -230,8 +230,8 @@ private:
     std::shared_ptr<const expr::Table> grey_;
 };
 
-// Over the centres of the pixels, numbered from 0 from the top left. A side of one pixel counts as
-// two equal ones.
+// A table over the pixel centres, counted from 0 at the top left. A side of one pixel becomes
+// two equal pixels.
 std::shared_ptr<const expr::Table> grey_table(const GreyImage& image, bool invert) {
     const auto grey = [&](std::size_t x, std::size_t y) {
         const std::size_t column = std::min(x, image.width - 1);
@@ -262,19 +262,20 @@ Result<std::shared_ptr<const Stage>> make_polygon(const Arguments& a) {
         const auto here = corners[i];
         const auto next = corners[(i + 1) % corners.size()];
         if (here[0] == next[0] && here[1] == next[1]) {
-            return error("two neighbouring corners of this polygon are one point", {},
-                         "leave one of them out; the last is joined to the first by itself");
+            return error(
+                "two neighbouring corners of this polygon coincide", {},
+                "remove one of them; the last corner is connected to the first automatically");
         }
     }
     constexpr std::size_t max_corners = 256;
     if (corners.size() > max_corners) {
         return error("this polygon has more than 256 corners", {},
-                     "leave some out, or draw the shape and clip by image");
+                     "remove some, or draw the shape and use the clip image");
     }
     return made<Polygon>(corners);
 }
 
-// Examples are pictures of one camera with this clip.
+// The examples are pictures of one camera with this clip.
 constexpr std::string_view rectangle_example = R"(picture framed {
     layer panorama { place (0.1, 0.1) .. (0.9, 0.9)  clip rectangle  frame(width = 0.01) }
 })";
@@ -304,12 +305,12 @@ constexpr std::string_view image_example = R"(picture masked {
     layer  panorama { clip image("mask.png") }
 })";
 
-// Those with a formula for their edge.
+// Clip shapes with a formula for their edge.
 std::vector<StageEntry> round_shapes() {
     return {
         {StageKind::clip_shape,
          "rectangle",
-         "all of the layer's picture",
+         "the whole image of the layer",
          {},
          [](const Arguments&) { return made<Rectangle>(); },
          {},
@@ -317,7 +318,7 @@ std::vector<StageEntry> round_shapes() {
          rectangle_example},
         {StageKind::clip_shape,
          "ellipse",
-         "the largest ellipse in the layer's picture",
+         "the largest ellipse in the layer's image",
          {},
          [](const Arguments&) { return made<Ellipse>(); },
          {},
@@ -325,25 +326,25 @@ std::vector<StageEntry> round_shapes() {
          ellipse_example},
         {StageKind::clip_shape,
          "ring",
-         "the largest ellipse in the layer's picture, with a hole",
+         "the largest ellipse in the layer's image, with a hole",
          {{.name = "inner",
            .default_value = {0.5},
            .minimum = 0.0,
            .maximum = 1.0,
            .excludes_minimum = true,
-           .meaning = "the size of the hole, as a fraction of the ellipse's"}},
+           .meaning = "size of the hole, relative to the ellipse"}},
          [](const Arguments& a) { return made<Ring>(a.number("inner")); },
          {},
          0,
          ring_example},
         {StageKind::clip_shape,
          "rounded",
-         "a rectangle with round corners",
+         "a rectangle with rounded corners",
          {{.name = "radius",
            .default_value = {0.1},
            .minimum = 0.0,
            .maximum = 0.5,
-           .meaning = "of the corners, as a fraction of the shorter side"}},
+           .meaning = "radius of the corners, as a fraction of the shorter side"}},
          [](const Arguments& a) { return made<RoundedRectangle>(a.number("radius")); },
          {},
          0,
@@ -361,19 +362,18 @@ ClipShapePointer whole_rectangle() {
 std::vector<StageEntry> clip_shapes() {
     using enum ParameterType;
     std::vector<StageEntry> rows = round_shapes();
-    rows.push_back(
-        {StageKind::clip_shape,
-         "polygon",
-         "the inside of a closed line, by the even-odd rule",
-         {{.name = "points",
-           .type = points,
-           .coordinates = {2},
-           .min_points = 3,
-           .meaning = "the corners, as fractions of the layer's picture from its top left"}},
-         make_polygon,
-         {},
-         0,
-         polygon_example});
+    rows.push_back({StageKind::clip_shape,
+                    "polygon",
+                    "the inside of a polygon, by the even-odd rule",
+                    {{.name = "points",
+                      .type = points,
+                      .coordinates = {2},
+                      .min_points = 3,
+                      .meaning = "corners, as fractions of the layer's image from its top left"}},
+                    make_polygon,
+                    {},
+                    0,
+                    polygon_example});
     rows.push_back({StageKind::clip_shape,
                     "star",
                     "a star, with one tip at the top",
@@ -383,15 +383,15 @@ std::vector<StageEntry> clip_shapes() {
                       .minimum = 2.0,
                       .maximum = 100.0,
                       .constant = true,
-                      .meaning = "how many tips"},
+                      .meaning = "number of tips"},
                      {.name = "inner",
                       .default_value = {0.382},
                       .minimum = 0.0,
                       .maximum = 1.0,
                       .excludes_minimum = true,
                       .constant = true,
-                      .meaning = "how far out the corners between the tips are, as a fraction "
-                                 "of the tips' distance"}},
+                      .meaning = "distance of the inner corners from the centre, as a fraction "
+                                 "of the distance of the tips"}},
                     [](const Arguments& a) {
                         return made<Polygon>(star_corners(a.count("points"), a.constant("inner")));
                     },
@@ -400,27 +400,30 @@ std::vector<StageEntry> clip_shapes() {
                     star_example});
     rows.push_back({StageKind::clip_shape,
                     "formula",
-                    "where it is above 0: formula(x, y) = [f], from -1 to 1, to the right and up",
+                    "where a formula is above 0: formula(x, y) = [f], x and y from -1 to 1, to the "
+                    "right and up",
                     {},
                     [](const Arguments& a) { return made<ClipFormula>(a.formula()); },
                     FormulaShape{2, 1, 1},
                     0,
                     formula_example});
-    rows.push_back(
-        {StageKind::clip_shape,
-         "image",
-         "a grey picture as a mask: white shows, black does not",
-         {{.name = "file", .type = image, .meaning = "stretched over the layer's picture"},
-          {.name = "invert",
-           .type = choice,
-           .choices = {"no", "yes"},
-           .meaning = "whether black shows instead"}},
-         [](const Arguments& a) {
-             return made<ImageMask>(grey_table(*a.image("file"), a.choice("invert") == "yes"));
-         },
-         {},
-         0,
-         image_example});
+    rows.push_back({StageKind::clip_shape,
+                    "image",
+                    "a grey image as a mask: white is visible, black is not",
+                    {{.name = "file",
+                      .type = image,
+                      .meaning = "image file, stretched over the layer's image"},
+                     {.name = "invert",
+                      .type = choice,
+                      .choices = {"no", "yes"},
+                      .meaning = "whether black is visible instead of white"}},
+                    [](const Arguments& a) {
+                        return made<ImageMask>(
+                            grey_table(*a.image("file"), a.choice("invert") == "yes"));
+                    },
+                    {},
+                    0,
+                    image_example});
     return rows;
 }
 

@@ -6,7 +6,7 @@
 
 namespace balcony::camera {
 
-/// All of a layer's picture, as a layer without a clip has it.
+/// The whole image of a layer, the default clip.
 [[nodiscard]] ClipShapePointer whole_rectangle();
 
 }  // namespace balcony::camera

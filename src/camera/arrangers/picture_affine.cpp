@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Affine picture arrangers, DCS → DCS: place, shift, scale, rotate, mirror. Fractions of a picture
-// count from its top left corner to the right and down.
+// are measured from its top left corner to the right and down.
 
 #include "camera/families.hpp"
 #include "camera/stage_parameters.hpp"
@@ -11,7 +11,7 @@ namespace balcony::camera {
 
 namespace {
 
-/// The camera's picture, whole, in a rectangle of the larger one, given by its corners as
+/// The whole image of the camera in a rectangle of the picture, given by its corners as
 /// fractions.
 class Place final : public PictureArranger {
 public:
@@ -44,7 +44,7 @@ private:
     Pair by_;
 };
 
-/// A smaller or larger picture round the same fixed point.
+/// Scales the picture about a fixed point.
 class ScalePicture final : public PictureArranger {
 public:
     ScalePicture(Pair by, Pair at) : by_(std::move(by)), at_(std::move(at)) {}
@@ -62,7 +62,7 @@ private:
     Pair by_, at_;
 };
 
-/// Turns the picture counter-clockwise, as it is seen: y points down here.
+/// Rotates the picture counter-clockwise as seen; y points down here.
 class RotatePicture final : public PictureArranger {
 public:
     RotatePicture(Scalar angle, Pair at) : angle_(std::move(angle)), at_(std::move(at)) {}
@@ -107,7 +107,7 @@ StageEntry place_row() {
     using enum ParameterType;
     return {StageKind::picture_arranger,
             "place",
-            "puts the camera's picture into a part of the whole",
+            "places the camera's image in a part of the picture",
             {{.name = "from",
               .type = pair,
               .default_value = {0.0, 0.0},
@@ -123,8 +123,8 @@ StageEntry place_row() {
                     const auto first = from[i].constant();
                     const auto last = to[i].constant();
                     if (first && last && *last <= *first) {
-                        return error("this place has no area", {},
-                                     "'from' is its top left corner, 'to' its bottom right one");
+                        return error("this rectangle has no area", {},
+                                     "'from' is its top left corner, 'to' its bottom right corner");
                     }
                 }
                 return made<Place>(from, to);
@@ -146,10 +146,10 @@ std::vector<StageEntry> picture_affine() {
         place_row(),
         {StageKind::picture_arranger,
          "shift",
-         "moves the picture",
+         "shifts the image",
          {{.name = "by",
            .type = pair,
-           .meaning = "to the right and down, as a fraction of the picture"}},
+           .meaning = "offset to the right and down, as a fraction of the picture"}},
          [](const Arguments& a) { return made<Shift>(a.pair("by")); },
          {},
          0,
@@ -160,13 +160,13 @@ std::vector<StageEntry> picture_affine() {
 })"},
         {StageKind::picture_arranger,
          "scale",
-         "makes the picture smaller or larger",
+         "scales the image",
          {{.name = "by",
            .type = size,
            .minimum = 0.0,
            .excludes_minimum = true,
-           .meaning = "factors for width and height; below 1 is smaller"},
-          fixed_point("the point that stays, as a fraction of the picture")},
+           .meaning = "factors for width and height; below 1 reduces the image"},
+          fixed_point("the fixed point, as a fraction of the picture")},
          [](const Arguments& a) { return made<ScalePicture>(a.pair("by"), a.pair("at")); },
          {},
          0,
@@ -177,9 +177,9 @@ std::vector<StageEntry> picture_affine() {
 })"},
         {StageKind::picture_arranger,
          "rotate",
-         "turns the picture",
-         {{.name = "angle", .unit = Unit::angle, .meaning = "counter-clockwise"},
-          fixed_point("the point that stays, as a fraction of the picture")},
+         "rotates the image",
+         {{.name = "angle", .unit = Unit::angle, .meaning = "angle, counter-clockwise"},
+          fixed_point("the fixed point, as a fraction of the picture")},
          [](const Arguments& a) { return made<RotatePicture>(a.number("angle"), a.pair("at")); },
          {},
          0,
@@ -190,11 +190,11 @@ std::vector<StageEntry> picture_affine() {
 })"},
         {StageKind::picture_arranger,
          "mirror",
-         "swaps the sides of the picture",
+         "mirrors the image",
          {{.name = "axis",
            .type = choice,
            .choices = {"x", "y"},
-           .meaning = "x swaps left and right, y top and bottom"}},
+           .meaning = "x exchanges left and right, y exchanges top and bottom"}},
          [](const Arguments& a) { return made<Mirror>(a.choice("axis") == "x"); },
          {},
          0,

@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// Picture arrangers that bend the picture, DCS → DCS.
+// Picture arrangers that distort the picture, DCS → DCS.
 
 #include <numbers>
 
@@ -12,7 +12,7 @@ namespace balcony::camera {
 
 namespace {
 
-/// A point of a picture from a fixed one, in pixels.
+/// The offset of a picture point from a fixed point, in pixels.
 struct Offset {
     Expr x, y;
 };
@@ -44,7 +44,7 @@ private:
     Scalar radius_, strength_;
 };
 
-/// Rings as on water: distances r from the point become r + a sin(2 pi r / wavelength - phase).
+/// Circular waves: distances r from the point become r + a sin(2 pi r / wavelength - phase).
 class Ripple final : public PictureArranger {
 public:
     Ripple(Scalar amplitude, Scalar wavelength, Pair at, Scalar phase)
@@ -56,7 +56,7 @@ public:
     PicturePoint arrange(const PicturePoint& picture, Emitter& emit) const override {
         const auto& [point, size] = picture;
         const Offset d = offset_from(at_, picture, emit);
-        // A billionth of a pixel keeps the direction at the point itself from being 0/0.
+        // A billionth of a pixel avoids 0/0 in the direction at the point itself.
         const Expr r = sqrt(d.x * d.x + d.y * d.y + 1e-18);
         const Expr wave =
             sin(2.0 * std::numbers::pi * r / (emit(wavelength_) * size.height) - emit(phase_));
@@ -70,8 +70,8 @@ private:
     Scalar phase_;
 };
 
-/// formula(x, y) = [x', y']: where in the camera's picture the point (x, y) lies; both run from -1
-/// to 1, to the right and up.
+/// formula(x, y) = [x', y']: the position of the point (x, y) in the camera's image; both run from
+/// -1 to 1, to the right and up.
 class PictureFormula final : public PictureArranger {
 public:
     explicit PictureFormula(Formula formula) : formula_(std::move(formula)) {}
@@ -93,13 +93,14 @@ StageEntry zoom_row() {
     using enum ParameterType;
     return {StageKind::picture_arranger,
             "zoom",
-            "local zoom: magnifies round a point of the picture, nothing of the rest is lost",
+            "local zoom: magnifies around a point of the picture and keeps the rest visible",
             {{.name = "at",
               .type = pair,
               .default_value = {0.5, 0.5},
               .meaning = "the point, as a fraction of the picture"},
-             positive_parameter("radius", 0.3, "how far it reaches, as a fraction of the height"),
-             positive_parameter("strength", 2.0, "magnification in the middle")},
+             positive_parameter("radius", 0.3,
+                                "radius of the affected region, as a fraction of the height"),
+             positive_parameter("strength", 2.0, "magnification at the centre")},
             [](const Arguments& a) {
                 return made<ZoomPicture>(a.pair("at"), a.number("radius"), a.number("strength"));
             },
@@ -117,17 +118,17 @@ StageEntry ripple_row() {
     return {
         StageKind::picture_arranger,
         "ripple",
-        "rings, as a drop makes them on water",
-        {number_parameter("amplitude", 0.01, "of the waves, as a fraction of the height"),
-         positive_parameter("wavelength", 0.1, "from crest to crest, as a fraction of the height"),
+        "circular waves, like those of a drop on water",
+        {number_parameter("amplitude", 0.01, "amplitude of the waves, as a fraction of the height"),
+         positive_parameter("wavelength", 0.1, "wavelength, as a fraction of the height"),
          {.name = "at",
           .type = pair,
           .default_value = {0.5, 0.5},
-          .meaning = "the middle of the rings, as a fraction of the picture"},
+          .meaning = "centre of the waves, as a fraction of the picture"},
          {.name = "phase",
           .unit = Unit::angle,
           .default_value = {0.0},
-          .meaning = "how far the waves have run outwards; 360deg is one wavelength"}},
+          .meaning = "phase: how far the waves have moved outwards; 360deg is one wavelength"}},
         [](const Arguments& a) {
             return made<Ripple>(a.number("amplitude"), a.number("wavelength"), a.pair("at"),
                                 a.number("phase"));

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t cells = 1024;
 
-/// The point of the curve up to which lies the part u of its length. The parameter comes from a
+/// The point at the fraction u of the curve's length. The parameter comes from a
 /// table; points and tangent directions are those of the exact curve. For a curve with continuous
 /// curvature that does not slow down by more than ten times the length up to any u is off by less
 /// than 1e-6 of the whole.
@@ -49,7 +49,7 @@ Result<std::shared_ptr<const Stage>> make_arc_length(const Arguments& a) {
     if (!sampler) {
         return sampler.diagnostics;
     }
-    // By the part of the way from `from` to `to`, so that the order of the two does not matter.
+    // In fractions of the way from `from` to `to`, so that their order does not matter.
     std::optional<double> without_point;
     const auto speeds = [&](std::span<const double> fractions) {
         std::vector<double> parameters;
@@ -60,9 +60,9 @@ Result<std::shared_ptr<const Stage>> make_arc_length(const Arguments& a) {
         std::vector<double> made;
         for (std::size_t i = 0; i < samples.size(); ++i) {
             const double speed = std::fabs(to - from) * norm(samples[i].velocity);
-            // A speed that is infinite in a single point, as at a root, has no part in the length.
+            // A speed that is infinite at a single point does not contribute to the length.
             made.push_back(std::isfinite(speed) ? speed : 0.0);
-            // What comes of a length without points, or of none, is no parameter.
+            // A curve without points or without length gives no valid parameter.
             if (!without_point && std::isnan(norm(samples[i].point)) &&
                 std::isfinite(parameters[i])) {
                 without_point = parameters[i];
@@ -73,12 +73,12 @@ Result<std::shared_ptr<const Stage>> make_arc_length(const Arguments& a) {
     const Knots knots = parameter_by_length(speeds, 1.0, EndGrading(0.0), cells);
     if (without_point) {
         return error(fmt::format("the curve has no point at its parameter {:.6g}", *without_point),
-                     {}, "let from and to be parameters between which the curve is defined");
+                     {}, "choose from and to such that the curve is defined between them");
     }
     if (!std::all_of(knots.values.begin(), knots.values.end(),
                      [](double value) { return std::isfinite(value); })) {
         return error(fmt::format("the curve has no length between {:.6g} and {:.6g}", from, to), {},
-                     "let from and to be parameters between which the curve goes some way");
+                     "choose from and to such that the curve has a length between them");
     }
     std::vector<double> values;
     std::vector<double> slopes;
@@ -99,8 +99,8 @@ std::vector<StageEntry> arc_length_curve() {
     return {
         {StageKind::object_generator,
          "arc_length",
-         "any curve by its length, for u from 0 to 1: equal steps of u are equally long",
-         {{.name = "curve", .type = curve, .meaning = "the curve, which may not change with time"},
+         "any curve by arc length, for u from 0 to 1: equal steps of u have equal lengths",
+         {{.name = "curve", .type = curve, .meaning = "the curve; it cannot change with time"},
           {.name = "from",
            .unit = Unit::parameter,
            .default_value = {0.0},
@@ -110,11 +110,12 @@ std::vector<StageEntry> arc_length_curve() {
            .unit = Unit::parameter,
            .default_value = {1.0},
            .constant = true,
-           .meaning = "the curve's own parameter at u = 1; if it comes back there, it goes round"}},
+           .meaning =
+               "the curve's own parameter at u = 1; if the curve is closed there, it is periodic"}},
          make_arc_length,
          {},
          1,
-         R"(// Round a long ellipse at an even pace, so that nothing is stretched at its ends.
+         R"(// Along a long ellipse at constant speed, so that nothing is stretched at its ends.
 camera even_ellipse {
     aspect 3
     map  u = 1 .. 0, v = -30deg .. 30deg

@@ -132,8 +132,8 @@ Result<std::shared_ptr<const Stage>> make_ellipse(const Arguments& arguments) {
         return as_stage(superellipse(a, b, 1.0, by));
     }
     if (a.constant() && b.constant() && *a.constant() < *b.constant()) {
-        return error("an ellipse by its focal angle must be at least as wide as it is high", {},
-                     "take a for the larger half axis, and turn it with: move rotate(z, 90deg)");
+        return error("an ellipse by its focal angle needs a >= b", {},
+                     "use a for the larger half axis, and rotate it with: move rotate(z, 90deg)");
     }
     return made<FocalEllipse>(a, b);
 }
@@ -174,13 +174,14 @@ std::vector<StageEntry> conics() {
          half_axes(parametrisation(
              {"trigonometric", "arc_length", "polar", "focal"},
              "the parametrisation: u is the classical parameter, the eccentric anomaly; "
-             "proportional to the length (the whole is 360deg); the polar angle at the centre; "
-             "or that at the focus with x > 0, the true anomaly (a at least b)")),
+             "proportional to arc length (the whole curve is 360deg); the polar angle at the "
+             "centre; "
+             "or the polar angle at the focus with x > 0, the true anomaly (requires a >= b)")),
          make_ellipse,
          {},
          1,
          R"(
-// Once round an oval table: the people at it in one scale, since the eye goes by length.
+// Once around an oval table: all people at the same scale, because the eye moves by arc length.
 camera oval_table(a = 3, b = 1) {
     aspect 4
     map    u = 180deg .. -180deg, v = -0.6 .. 0.6
@@ -200,7 +201,7 @@ camera oval_table(a = 3, b = 1) {
          {},
          1,
          R"(
-// The hyperbolic cylinder: looks at both walls of a corner squarely and bends between them.
+// The hyperbolic cylinder: sees both walls of a corner at right angles and bends in between.
 camera both_walls {
     map  u = -1.5 .. 1.5, v = -2 .. 2
     eye  product(hyperbola(3, 3), curve(v) = [1, v])
@@ -211,7 +212,8 @@ camera both_walls {
         {kind,
          "parabola",
          "y^2 = 4 focus x, as a curve in u",
-         {positive_parameter("focus", 1.0, "from the vertex, the origin, to the focus at x > 0"),
+         {positive_parameter("focus", 1.0,
+                             "distance from the vertex, at the origin, to the focus at x > 0"),
           parametrisation({"cartesian", "focal"},
                           "the parametrisation: u is y, or the angle at the focus, 0 towards the "
                           "vertex, below 180deg")},
@@ -222,7 +224,7 @@ camera both_walls {
          {},
          1,
          R"(
-// From a comet's path, always towards the sun in its focus, a little above and below it.
+// From a comet's orbit, always towards the sun in its focus, and slightly above and below it.
 camera comet(focus = 2) {
     map    u = 120deg .. -120deg, v = -1 .. 1
     eye    parabola(focus, by = focal)
@@ -246,7 +248,7 @@ camera comet(focus = 2) {
          {},
          1,
          R"(
-// A shop window that is flat in the middle and bends round at both sides.
+// A shop window that is flat in the middle and curves at both sides.
 camera bow_window(gamma = 1/2) {
     map  u = -1.2 .. 1.2, v = -1 .. 1
     eye  product(superparabola(1, 2, gamma), curve(v) = [1, v])

@@ -12,7 +12,7 @@ namespace balcony::camera {
 
 namespace {
 
-/// Nothing beyond the ends, where the parameter is 0 and 1.
+/// Undefined beyond the ends, where the parameter is 0 and 1.
 void require_between_ends(Expr parameter, Emitter& emit) {
     emit.require(0.0 <= parameter && parameter <= emit(1.0));
 }
@@ -47,7 +47,7 @@ private:
     Scalar radius_, from_, to_;
 };
 
-/// By the angle round the axis.
+/// By the angle around the axis.
 class Helix final : public ObjectGenerator {
 public:
     Helix(Scalar radius, Scalar pitch) : radius_(std::move(radius)), pitch_(std::move(pitch)) {}
@@ -73,14 +73,14 @@ std::vector<StageEntry> curve_primitives() {
     return {
         {kind,
          "segment",
-         "the straight piece between two points, u from 0 to 1",
-         {triple_parameter("from", {0.0, 0.0, 0.0}, "where u is 0"),
-          triple_parameter("to", {1.0, 0.0, 0.0}, "where u is 1")},
+         "the line segment between two points, u from 0 to 1",
+         {triple_parameter("from", {0.0, 0.0, 0.0}, "the point at u = 0"),
+          triple_parameter("to", {1.0, 0.0, 0.0}, "the point at u = 1")},
          [](const Arguments& a) { return made<Segment>(a.triple("from"), a.triple("to")); },
          {},
          1,
          R"(
-// The side of a street from a car that drives along it: perspective in height alone.
+// The side of a street from a car that drives along it: perspective only in the vertical direction.
 camera street(length = 12) {
     map    u = 0 .. 1, v = -1 .. 1
     eye    segment((0, length/2, 0), (0, -length/2, 0))
@@ -89,8 +89,8 @@ camera street(length = 12) {
 )"},
         {kind,
          "arc",
-         "a piece of a circle round the z axis, u from 0 to 1",
-         {positive_parameter("radius", 1.0, "its radius"),
+         "a circular arc around the z axis, u from 0 to 1",
+         {positive_parameter("radius", 1.0, "the radius"),
           end_angle("from", 0.0, "the angle where u is 0"),
           end_angle("to", 0.5 * std::numbers::pi, "the angle where u is 1")},
          [](const Arguments& a) {
@@ -99,7 +99,7 @@ camera street(length = 12) {
          {},
          1,
          R"(
-// Walks round an object by a third of a turn, from left to right, and always looks at the middle.
+// Walks a third of a turn around an object, from left to right, and always looks at the centre.
 camera walk(radius = 4) {
     map    u = 0 .. 1, v = -1.5 .. 1.5
     eye    arc(radius, from = 120deg, to = 240deg)
@@ -108,14 +108,14 @@ camera walk(radius = 4) {
 )"},
         {kind,
          "helix",
-         "a helix round the z axis, by angle",
-         {positive_parameter("radius", 1.0, "from the axis"),
-          number_parameter("pitch", 1.0, "how far it rises in one turn")},
+         "a helix around the z axis, by angle",
+         {positive_parameter("radius", 1.0, "distance from the axis"),
+          number_parameter("pitch", 1.0, "rise per turn")},
          [](const Arguments& a) { return made<Helix>(a.number("radius"), a.number("pitch")); },
          {},
          1,
          R"(
-// Climbs round a tower by two turns and unrolls its wall.
+// Climbs around a tower in two turns and unrolls its wall.
 camera spiral_stair(radius = 3, pitch = 2) {
     map    u = 0deg .. 720deg, v = -1.2 .. 1.2
     eye    helix(radius, pitch)

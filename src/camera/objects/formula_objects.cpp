@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// Object generators, PCS → OCS, that a user writes as formulas.
+// Object generators, PCS → OCS, defined by formulas of the user.
 
 #include "camera/families.hpp"
 
@@ -44,13 +44,13 @@ std::vector<StageEntry> formula_objects() {
     return {
         {kind,
          "curve",
-         "a curve by formula: curve(u) = [x, y] or [x, y, z]",
+         "a curve from a formula: curve(u) = [x, y] or [x, y, z]",
          {},
          [](const Arguments& a) { return made<FormulaCurve>(a.formula()); },
          FormulaShape{1, 2, 3},
          1,
          R"(
-// The right side of a winding way through a valley, each place seen at right angles to the way.
+// The right side of a winding path through a valley, seen at right angles to the path.
 camera valley_walk {
     map    u = 3 .. -3, v = -1 .. 1
     eye    curve(u) = [u, sin(u), 0.2*u^2]
@@ -59,13 +59,13 @@ camera valley_walk {
 )"},
         {kind,
          "surface",
-         "a surface by formula: surface(u, v) = [x, y, z]",
+         "a surface from a formula: surface(u, v) = [x, y, z]",
          {},
          [](const Arguments& a) { return made<FormulaSurface>(a.formula()); },
          FormulaShape{2, 3, 3},
          2,
          R"(
-// A wall that bulges: its normals face both sides of a room's corner and spread between them.
+// A curved wall: its normals face both sides of a room's corner and spread between them.
 camera bulge {
     map  u = 1.2 .. -1.2, v = -1 .. 1
     eye  surface(u, v) = [-3*cosh(u), 3*sinh(u), v]

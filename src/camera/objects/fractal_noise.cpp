@@ -15,8 +15,8 @@ constexpr std::size_t period = 8;  // of the lattice, along each axis
 constexpr std::size_t lattice_size = period * period * period;
 constexpr std::array<std::size_t, 3> stride{period * period, period, 1};
 
-/// Equal draws from [-1, 1) by a counter: the mixing steps of SplitMix64 (Steele, Lea, Flood:
-/// "Fast Splittable Pseudorandom Number Generators", 2014).
+/// Uniform random numbers in [-1, 1) from a counter: the mixing steps of SplitMix64 (Steele, Lea,
+/// Flood: "Fast Splittable Pseudorandom Number Generators", 2014).
 class Draws {
 public:
     explicit Draws(std::uint64_t seed) : state_(seed) {}
@@ -32,10 +32,10 @@ private:
     std::uint64_t state_;
 };
 
-/// Values at the lattice's points, which goes on periodically; the last axis is the fastest.
+/// Values at the points of a periodic lattice; the last axis varies fastest.
 using Lattice = std::vector<double>;
 
-/// The lattice point some steps further along an axis.
+/// The lattice point a number of steps further along an axis.
 std::size_t neighbour(std::size_t at, std::size_t axis, std::size_t steps) {
     const std::size_t place = at / stride[axis] % period;
     return at + ((place + steps) % period - place) * stride[axis];
@@ -61,7 +61,7 @@ double spline_variance(const Lattice& values) {
     return std::inner_product(values.begin(), values.end(), smooth.begin(), 0.0) / lattice_size;
 }
 
-/// Such that the spline is of mean 0 and variance 1.
+/// Normalised so that the spline has mean 0 and variance 1.
 Lattice random_lattice(Draws& draw) {
     Lattice values(lattice_size);
     std::generate(values.begin(), values.end(), [&] { return draw(); });
@@ -78,7 +78,7 @@ Lattice random_lattice(Draws& draw) {
 
 /// The cubic B-spline with the lattice's values as control values, over one period.
 expr::Table spline_table(const Lattice& values) {
-    // Row i: what four neighbouring control values give to the power i of the place in the cell.
+    // Row i: the coefficients of four neighbouring control values for power i of the cell position.
     constexpr std::array<std::array<double, 4>, 4> powers{{{1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0, 0.0},
                                                            {-0.5, 0.0, 0.5, 0.0},
                                                            {0.5, -1.0, 0.5, 0.0},
@@ -109,7 +109,7 @@ expr::Table spline_table(const Lattice& values) {
     return table;
 }
 
-/// All rotations alike: a unit quaternion drawn from the ball.
+/// A uniformly distributed rotation: a unit quaternion from a random point of the ball.
 std::array<std::array<double, 3>, 3> random_rotation(Draws& draw) {
     double w = 0.0;
     double x = 0.0;

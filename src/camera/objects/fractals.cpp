@@ -44,7 +44,7 @@ private:
     HeightField heights_;
 };
 
-/// By longitude u and latitude v, without a seam and without poles that show.
+/// By longitude u and latitude v, without a seam or visible poles.
 class FractalSphere final : public ObjectGenerator {
 public:
     FractalSphere(Scalar radius, HeightField heights)
@@ -68,8 +68,8 @@ private:
 std::vector<StageParameter> height_field_parameters() {
     using enum ParameterType;
     // Sixteen octaves of lacunarity 2 reach from a landscape to a pebble.
-    return {number_parameter("height", 0.1, "the standard deviation of its heights"),
-            positive_parameter("scale", 1.0, "the size of its largest features"),
+    return {number_parameter("height", 0.1, "standard deviation of the heights"),
+            positive_parameter("scale", 1.0, "size of the largest features"),
             {.name = "hurst",
              .default_value = {0.8},
              .minimum = 0.0,
@@ -81,19 +81,19 @@ std::vector<StageParameter> height_field_parameters() {
              .default_value = {8.0},
              .minimum = 1.0,
              .maximum = 16.0,
-             .meaning = "how many sizes of features, each finer by the lacunarity"},
+             .meaning = "number of octaves, each finer by the lacunarity"},
             {.name = "lacunarity",
              .default_value = {2.0},
              .minimum = 1.0,
              .maximum = 8.0,
              .excludes_minimum = true,
-             .meaning = "how much finer each octave is than the one before"},
+             .meaning = "frequency ratio between successive octaves"},
             {.name = "seed",
              .type = count,
              .default_value = {1.0},
              .minimum = 0.0,
              .maximum = 1e6,
-             .meaning = "which of the landscapes: the same seed gives the same one everywhere"}};
+             .meaning = "random seed: the same seed gives the same surface on every machine"}};
 }
 
 }  // namespace
@@ -102,7 +102,7 @@ std::vector<StageEntry> fractals() {
     const StageKind kind = StageKind::object_generator;
     std::vector<StageParameter> sphere_parameters = height_field_parameters();
     sphere_parameters.insert(sphere_parameters.begin(),
-                             positive_parameter("radius", 1.0, "of height 0"));
+                             positive_parameter("radius", 1.0, "radius at height 0"));
     return {
         {kind,
          "fractal_plane",
@@ -112,7 +112,7 @@ std::vector<StageEntry> fractals() {
          {},
          2,
          R"(
-// A view through frosted glass: each point of the pane, a landscape stood upright, looks elsewhere.
+// A view through frosted glass: every point of the pane, an upright landscape, looks elsewhere.
 camera frosted_glass {
     map  u = 2 .. -2, v = square
     eye  fractal_plane(height = 0.05, octaves = 5)
@@ -128,7 +128,7 @@ camera frosted_glass {
          {},
          2,
          R"(
-// All round from a boulder: every face of it looks elsewhere.
+// A full panorama from a boulder: every facet looks in another direction.
 camera boulder {
     map  u = 180deg .. -180deg, v = -80deg .. 80deg
     eye  fractal_sphere(radius = 1, height = 0.03, octaves = 3, seed = 7)

@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// Object generator, PCS → OCS: the surface of a triangle mesh by its texture co-ordinates.
+// Object generator, PCS → OCS: the surface of a triangle mesh by its texture coordinates.
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ using expr::Table;
 using Corner = TexturedMesh::Corner;
 using Triangle = std::array<Corner, 3>;
 
-/// Barycentric co-ordinates (l1, l2) of a point (u, v) are matrix * ((u, v) - the first corner).
+/// Barycentric coordinates (l1, l2) of a point (u, v) are matrix * ((u, v) - the first corner).
 struct Barycentric {
     explicit Barycentric(const Triangle& t) : at(t[0].uv) {
         const double bu = t[1].uv[0] - at[0], bv = t[1].uv[1] - at[1];
@@ -33,7 +33,7 @@ struct Barycentric {
     }
 
     [[nodiscard]] bool contains(double u, double v) const {
-        // Wide enough that rounding leaves no gap between neighbours.
+        // Tolerance, so that rounding leaves no gap between neighbours.
         constexpr double slack = 1e-9;
         const double du = u - at[0], dv = v - at[1];
         const double l1 = matrix[0][0] * du + matrix[0][1] * dv;
@@ -45,8 +45,8 @@ struct Barycentric {
     std::array<std::array<double, 2>, 2> matrix;
 };
 
-/// The number of the first triangle that a point (u, v) lies in, -1 if there is none. Cells of a
-/// uniform grid over all texture co-ordinates list the triangles that may reach into them.
+/// The number of the first triangle that contains a point (u, v), -1 if there is none. The cells of
+/// a uniform grid over all texture coordinates list the triangles that may overlap them.
 class TriangleFinder final : public Native {
 public:
     explicit TriangleFinder(const std::vector<Triangle>& triangles) {
@@ -54,7 +54,7 @@ public:
             triangles_.emplace_back(triangle);
         }
         measure(triangles);
-        // Cells about as many as triangles; fewer if large triangles would stand in too many.
+        // About as many cells as triangles; fewer if large triangles would be listed too often.
         const auto count = static_cast<double>(triangles.size());
         side_ = static_cast<std::size_t>(std::clamp(std::sqrt(count), 1.0, 2048.0));
         constexpr std::size_t max_entries_per_triangle = 16;
@@ -96,7 +96,7 @@ private:
         }
     }
 
-    // The cell of a place along an axis; places outside count to the cells at the border.
+    // The cell of a coordinate along an axis; coordinates outside belong to the border cells.
     [[nodiscard]] std::size_t cell(double place, std::size_t axis) const {
         const double all = static_cast<double>(side_);
         const double at = (place - min_[axis]) / (max_[axis] - min_[axis]) * all;
@@ -134,7 +134,7 @@ private:
         }
     }
 
-    // Counting sort: begins_[c] is first where the list of a cell ends, then where it begins.
+    // Counting sort: begins_[c] is first the end of a cell's list, then its start.
     void fill(const std::vector<Triangle>& triangles) {
         begins_.assign(side_ * side_ + 1, 0);
         for_each_entry(triangles, [&](std::size_t c, std::uint32_t) { ++begins_[c + 1]; });
@@ -164,7 +164,7 @@ private:
     std::array<double, 2> min_{}, max_{}, margin_{};
     std::size_t side_ = 1;
     std::vector<std::size_t> begins_;
-    std::vector<std::uint32_t> lists_;  // Of a cell in the order of the file.
+    std::vector<std::uint32_t> lists_;  // The triangles of each cell in the order of the file.
 };
 
 /// A vector that is an affine function of (u, v) in each triangle: a + b u + c v.
@@ -223,7 +223,7 @@ std::array<double, 3> face_normal(const Triangle& t) {
     std::array<double, 3> normal{side(1, 1) * side(2, 2) - side(1, 2) * side(2, 1),
                                  side(1, 2) * side(2, 0) - side(1, 0) * side(2, 2),
                                  side(1, 0) * side(2, 1) - side(1, 1) * side(2, 0)};
-    // The side that the corners' normals are on, whatever the winding.
+    // The side of the vertex normals, regardless of the winding.
     double agreement = 0.0;
     double length = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -250,7 +250,7 @@ AffineByTriangle::Values flat_normals_of(const Triangle& t) {
     return {normal, normal, normal};
 }
 
-/// Piecewise affine: in each triangle the texture co-ordinates are (u, v).
+/// Piecewise affine: in each triangle, (u, v) are the texture coordinates.
 class MeshSurface final : public ObjectGenerator {
 public:
     MeshSurface(const std::vector<Triangle>& triangles, bool smooth)
@@ -298,8 +298,9 @@ Result<std::shared_ptr<const Stage>> make_mesh(const Arguments& a) {
     const auto& all = a.mesh("file")->triangles;
     std::copy_if(all.begin(), all.end(), std::back_inserter(triangles), usable);
     if (triangles.empty()) {
-        return error("this mesh has no triangle with an area in space and in texture co-ordinates",
-                     {}, "unwrap the mesh in the program that made it and export it again");
+        return error(
+            "no triangle of this mesh has an area both in space and in texture coordinates", {},
+            "unwrap the mesh in the modelling program and export it again");
     }
     return made<MeshSurface>(triangles, a.choice("normals") == "smooth");
 }
@@ -310,19 +311,19 @@ std::vector<StageEntry> mesh_surface() {
     return {
         {StageKind::object_generator,
          "mesh",
-         "the surface of a triangle mesh from a file, by its texture co-ordinates",
+         "the surface of a triangle mesh from a file, by its texture coordinates",
          {{.name = "file",
            .type = ParameterType::mesh,
-           .meaning = "a mesh with texture co-ordinates; (0, 0) is bottom left"},
+           .meaning = "mesh file with texture coordinates; (0, 0) is the bottom left"},
           {.name = "normals",
            .type = ParameterType::choice,
            .choices = {"smooth", "flat"},
-           .meaning = "those of its corners, in between interpolated, or those of its faces"}},
+           .meaning = "normals interpolated from the vertices, or those of the faces"}},
          make_mesh,
          {},
          2,
          R"(
-// A vase unrolled: every ray starts on it and looks along its normal.
+// An unrolled vase: every ray starts on it and follows its normal.
 camera unrolled_vase {
     aspect 2
     map  u = 1 .. 0, v = 0 .. 1

@@ -75,7 +75,7 @@ private:
     Scalar radius_;
 };
 
-/// By the angle u round the axis and the angle v round the tube.
+/// By the angle u around the axis and the angle v around the tube.
 class Torus final : public ObjectGenerator {
 public:
     Torus(Scalar major, Scalar minor) : major_(std::move(major)), minor_(std::move(minor)) {}
@@ -91,10 +91,10 @@ private:
 };
 
 StageParameter coordinate(std::string_view name) {
-    return number_parameter(name, 0.0, "its position");
+    return number_parameter(name, 0.0, "coordinate of the point");
 }
 
-StageParameter radius() { return positive_parameter("radius", 1.0, "its radius"); }
+StageParameter radius() { return positive_parameter("radius", 1.0, "the radius"); }
 
 }  // namespace
 
@@ -109,7 +109,7 @@ std::vector<StageEntry> primitives() {
          {},
          0,
          R"(
-// From one place all round: the ceiling and the floor are drawn out at the edges.
+// All round from one point: the ceiling and the floor are stretched at the edges.
 camera all_round {
     aspect 2
     map    u = 180deg .. -180deg, v = -90deg .. 90deg
@@ -120,13 +120,13 @@ camera all_round {
         {kind,
          "line",
          "at + u along",
-         {triple_parameter("at", {0.0, 0.0, 0.0}, "the point of u = 0"),
-          triple_parameter("along", {1.0, 0.0, 0.0}, "the step for one unit of u")},
+         {triple_parameter("at", {0.0, 0.0, 0.0}, "the point at u = 0"),
+          triple_parameter("along", {1.0, 0.0, 0.0}, "the vector for one unit of u")},
          [](const Arguments& a) { return made<Line>(a.triple("at"), a.triple("along")); },
          {},
          1,
          R"(
-// From a train's window: the eye moves along a line, and the picture is perspective in height alone.
+// From a train window: the eye moves along a line, and only the vertical direction has perspective.
 camera train_window {
     map    u = -4 .. 4, v = -1 .. 1
     eye    line(along = (0, -1, 0))
@@ -135,13 +135,13 @@ camera train_window {
 )"},
         {kind,
          "circle",
-         "a circle round the z axis in the plane z = 0, by angle",
+         "a circle around the z axis in the plane z = 0, by angle",
          {radius()},
          [](const Arguments& a) { return made<Circle>(a.number("radius")); },
          {},
          1,
          R"(
-// Rays start on a circle and pass through a torus round it.
+// Rays start on a circle and pass through a torus around it.
 camera flight(R = 10, r = 2) {
     map    u = 90deg .. 0deg, v = -180deg .. 180deg
     eye    circle(R)
@@ -151,16 +151,16 @@ camera flight(R = 10, r = 2) {
         {kind,
          "plane",
          "at + u along_u + v along_v",
-         {triple_parameter("at", {0.0, 0.0, 0.0}, "the point of u = v = 0"),
-          triple_parameter("along_u", {0.0, 1.0, 0.0}, "the step for one unit of u"),
-          triple_parameter("along_v", {0.0, 0.0, 1.0}, "the step for one unit of v")},
+         {triple_parameter("at", {0.0, 0.0, 0.0}, "the point at u = v = 0"),
+          triple_parameter("along_u", {0.0, 1.0, 0.0}, "the vector for one unit of u"),
+          triple_parameter("along_v", {0.0, 0.0, 1.0}, "the vector for one unit of v")},
          [](const Arguments& a) {
              return made<Plane>(a.triple("at"), a.triple("along_u"), a.triple("along_v"));
          },
          {},
          2,
          R"(
-// Parallel rays from a flat picture: no perspective.
+// Parallel rays from a plane: no perspective.
 camera flat {
     map  u = 4 .. -4, v = square
     eye  plane
@@ -169,13 +169,13 @@ camera flat {
 )"},
         {kind,
          "cylinder",
-         "a cylinder round the z axis by angle u and height v",
+         "a cylinder around the z axis, by angle u and height v",
          {radius()},
          [](const Arguments& a) { return made<Cylinder>(a.number("radius")); },
          {},
          2,
          R"(
-// Unrolls a vase that stands in the cylinder.
+// Unrolls a vase inside the cylinder.
 camera unrolled_vase {
     map  u = -180deg .. 180deg, v = -1.5 .. 1.5
     eye  cylinder(3)
@@ -184,14 +184,14 @@ camera unrolled_vase {
 )"},
         {kind,
          "torus",
-         "a torus round the z axis by the angle u round the axis and v round the tube",
-         {positive_parameter("major", 1.0, "from the axis to the middle of the tube"),
-          positive_parameter("minor", 1.0, "of the tube")},
+         "a torus around the z axis, by the angles u around the axis and v around the tube",
+         {positive_parameter("major", 1.0, "distance from the axis to the centre of the tube"),
+          positive_parameter("minor", 1.0, "radius of the tube")},
          [](const Arguments& a) { return made<Torus>(a.number("major"), a.number("minor")); },
          {},
          2,
          R"(
-// The outer half of a ring: all round and beyond the zenith and the nadir.
+// The outer half of a torus: all round and beyond the zenith and the nadir.
 camera ring_outside {
     map  u = 180deg .. -180deg, v = -110deg .. 110deg
     eye  torus(3, 1)

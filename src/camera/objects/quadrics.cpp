@@ -46,8 +46,8 @@ private:
     ObjectGeneratorPointer curve_;
 };
 
-// What all of these have: half axes, and the parameters and parametrisations of their two curves,
-// which are those of the conic where they are not given.
+// Common parameters: half axes, and the parameters and parametrisations of the two curves.
+// The defaults are those of conics.
 struct Shape {
     Scalar a, b, c;
     Scalar gamma_u = 1.0, gamma_v = 1.0;
@@ -109,17 +109,17 @@ Parameters half_axes() {
 }
 
 Parameters torus_measures() {
-    return {positive_parameter("a", 2.0, "half axis of the tube's middle line along x"),
-            positive_parameter("b", 2.0, "half axis of the tube's middle line along y"),
+    return {positive_parameter("a", 2.0, "half axis of the tube's centre line along x"),
+            positive_parameter("b", 2.0, "half axis of the tube's centre line along y"),
             positive_parameter("tube", 1.0, "half the tube's width on the x axis"),
             positive_parameter("c", 1.0, "half the tube's height")};
 }
 
 Parameters gammas() {
     return {gamma_parameter("gamma_u",
-                            "superconic parameter round: 1 is the conic, less is more "
+                            "superconic parameter around z: 1 is the conic, less is more "
                             "square"),
-            gamma_parameter("gamma_v", "superconic parameter up and down")};
+            gamma_parameter("gamma_v", "superconic parameter in the vertical direction")};
 }
 
 StageParameter parametrisation(std::string_view name, std::vector<std::string_view> choices,
@@ -132,17 +132,17 @@ StageParameter parametrisation(std::string_view name, std::vector<std::string_vi
 
 Parameters by_ellipses() {
     return {parametrisation("by", superellipse_parametrisations(),
-                            "the parametrisation of both curves, as superellipse has it")};
+                            "the parametrisation of both curves, as in superellipse")};
 }
 
 Parameters by_ellipses_of_quadrics() {
     return {parametrisation("by", {"trigonometric", "arc_length"},
-                            "the parametrisation of both curves, as ellipse has it")};
+                            "the parametrisation of both curves, as in ellipse")};
 }
 
 Parameters by_hyperbolas(std::string_view name) {
     return {parametrisation(name, superhyperbola_parametrisations(),
-                            "the parametrisation of its hyperbolas, as superhyperbola has it")};
+                            "the parametrisation of its hyperbolas, as in superhyperbola")};
 }
 
 Parameters by_ellipse_and_hyperbola() {
@@ -158,7 +158,7 @@ std::vector<StageEntry> quadrics() {
     return {
         {kind,
          "ellipsoid",
-         "x^2/a^2 + y^2/b^2 + z^2/c^2 = 1, u round the z axis and v up from the middle",
+         "x^2/a^2 + y^2/b^2 + z^2/c^2 = 1, u around the z axis and v upwards from the equator",
          half_axes() + by_ellipses_of_quadrics(),
          make_ellipsoid,
          {},
@@ -180,7 +180,7 @@ camera dome {
          {},
          2,
          R"(
-// Nearly a box: each of its sides looks squarely at a wall of the room round it.
+// Nearly a box: each side sees a wall of the surrounding room at right angles.
 camera long_room {
     aspect 4
     map  u = 180deg .. -180deg, v = -60deg .. 60deg
@@ -190,7 +190,7 @@ camera long_room {
 )"},
         {kind,
          "hyperboloid_one",
-         "the hyperboloid of one sheet, x^2/a^2 + y^2/b^2 - z^2/c^2 = 1, u round the z axis and v "
+         "the hyperboloid of one sheet, x^2/a^2 + y^2/b^2 - z^2/c^2 = 1, u around the z axis and v "
          "along it",
          half_axes() + by_hyperbolas("by"),
          [](const Arguments& arguments) {
@@ -201,7 +201,7 @@ camera long_room {
          {},
          2,
          R"(
-// From the waist of a cooling tower: downwards at its top, upwards at its foot.
+// From the waist of a cooling tower: downwards at its top, upwards at its base.
 camera cooling_tower {
     map  u = 180deg .. -180deg, v = -1.5 .. 1.5
     eye  hyperboloid_one(1, 1, 2)
@@ -217,7 +217,7 @@ camera cooling_tower {
          {},
          2,
          R"(
-// A square tower with a waist: four walls side by side, more of them above and below.
+// A square tower with a waist: four walls side by side, with a larger view above and below.
 camera square_tower {
     map  u = 180deg .. -180deg, v = -1.5 .. 1.5
     eye  superhyperboloid_one(1, 1, 2, gamma_u = 1/3, gamma_v = 1/2, by_u = arc_length)
@@ -232,7 +232,7 @@ camera square_tower {
          {},
          2,
          R"(
-// A driving mirror's view: the convex side of a sheet, wide and right in the middle.
+// The view in a convex mirror: wide, and undistorted in the middle.
 camera wide_view {
     map  u = -1.5 .. 1.5, v = -1 .. 1
     eye  hyperboloid_two(1, 1, 1, by = hyperbolic)
@@ -250,7 +250,7 @@ camera wide_view {
          {},
          2,
          R"(
-// Enlarges the middle of a wall and keeps all of its borders in the picture.
+// Enlarges the middle of a wall and keeps its borders in the picture.
 camera wall_of_pictures {
     map  u = -2 .. 2, v = -2 .. 2
     eye  superhyperboloid_two(45, 25, 25, gamma_u = 1/4, gamma_v = 1/4)
@@ -260,13 +260,14 @@ camera wall_of_pictures {
 )"},
         {kind,
          "toroid",
-         "a torus whose middle line and tube are ellipses, u round the z axis and v round the tube",
+         "a torus whose centre line and tube are ellipses, u around the z axis and v around the "
+         "tube",
          torus_measures() + by_ellipses_of_quadrics(),
          make_toroid,
          {},
          2,
          R"(
-// All sides of an oval tube: outwards in the middle of the picture, to the hole at its edges.
+// All sides of an oval tube: outwards in the middle of the picture, towards the hole at its edges.
 camera oval_ring {
     map  u = 180deg .. -180deg, v = -180deg .. 180deg
     eye  toroid(4, 3, 0.6, 1)
@@ -275,14 +276,14 @@ camera oval_ring {
 )"},
         {kind,
          "supertoroid",
-         "a torus whose middle line and tube are superellipses",
+         "a torus whose centre line and tube are superellipses",
          torus_measures() + gammas() + by_ellipses(),
          make_toroid,
          {},
          2,
          R"(
-// A corridor that runs round a square court, from within its walls: outer wall, ceiling, inner
-// wall and floor, unrolled.
+// A corridor around a square court, seen from inside and unrolled: outer wall, ceiling, inner
+// wall and floor.
 camera corridor {
     map  u = 180deg .. -180deg, v = -180deg .. 180deg
     eye  supertoroid(6, 6, 1, 1, gamma_u = 1/4, gamma_v = 1/4, by = arc_length)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Object generator, PCS → OCS: the sphere in several parametrisations. In each of them (0, 0) is
-// the point on the x axis, u grows towards y and v towards z, and the front is the outside.
+// the point on the x axis, u increases towards y and v towards z, and the front is the outside.
 
 #include <numbers>
 
@@ -15,8 +15,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// The maps of the unit sphere are Snyder's, "Map Projections: A Working Manual" (1987), turned
-/// round: from the map to the sphere.
+/// The maps of the unit sphere are the inverses of those in Snyder, "Map Projections: A Working
+/// Manual" (1987): from the map to the sphere.
 class Sphere : public ObjectGenerator {
 public:
     explicit Sphere(Scalar radius) : radius_(std::move(radius)) {}
@@ -44,7 +44,7 @@ class LatitudeSphere final : public Sphere {
     }
 };
 
-/// Seen from the point opposite (1, 0, 0) on the plane that touches there: conformal.
+/// Projection from the point opposite (1, 0, 0) onto the tangent plane there: conformal.
 class StereographicSphere final : public Sphere {
     using Sphere::Sphere;
     ObjectPoint unit_sphere(const ParameterPoint& p, Emitter&) const override {
@@ -90,7 +90,7 @@ class MollweideSphere final : public Sphere {
     }
 };
 
-/// The cube of half side 1, seen from its centre and unfolded to a cross, u growing to the left:
+/// The cube of half side 1, seen from its centre and unfolded to a cross, u increasing to the left:
 ///
 ///                        top                 v = 3
 ///         back   left   front  right         v = 1
@@ -110,7 +110,7 @@ private:
         emit.require((in_band && -1.0 <= column && column <= emit(2.0)) ||
                      (equal(column, emit(0.0)) && abs(row) <= emit(1.0)));
 
-        // On the face, from -1 to 1; the front face turned to the row, then to the column.
+        // On the face, from -1 to 1; the front face is rotated to the row, then to the column.
         const Expr s = spaced(p.u - 2.0 * column);
         const Expr t = spaced(p.v - 2.0 * row);
         const Expr forward = select(in_band, emit(1.0), -row * t);
@@ -160,16 +160,19 @@ std::vector<StageEntry> spheres() {
     return {
         {StageKind::object_generator,
          "sphere",
-         "a sphere, by longitude u and latitude v or by a map of it; u = v = 0 is on the x axis",
-         {positive_parameter("radius", 1.0, "its radius"),
+         "a sphere, by longitude u and latitude v or by a map projection; u = v = 0 is on the x "
+         "axis",
+         {positive_parameter("radius", 1.0, "the radius"),
           {.name = "by",
            .type = choice,
            .choices = {"latitude", "stereographic", "equal_area", "cylindrical_equal_area",
                        "mollweide", "cube", "equiangular_cube"},
            .meaning =
-               "the parametrisation: longitude and latitude; plane co-ordinates of the "
-               "stereographic map, the half sphere within 2; of Lambert's azimuthal map, the "
-               "sphere within 2, the half sphere within the root of 2; longitude and z/radius; "
+               "the parametrisation: longitude and latitude; plane coordinates of the "
+               "stereographic projection, the hemisphere within 2; of Lambert's azimuthal "
+               "projection, the "
+               "sphere within 2, the hemisphere within the square root of 2; longitude and "
+               "z/radius; "
                "Mollweide's ellipse of 2.83 by 1.41; a cube unfolded to a cross of faces that are "
                "2 wide: the front from -1 to 1, all from u = 5 .. -3 and v = -3 .. 3, flat or in "
                "equal angles"}},

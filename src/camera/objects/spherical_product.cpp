@@ -54,7 +54,7 @@ std::vector<StageEntry> spherical_product() {
                  if (!lies_in_xy_plane(*a.curve(factor))) {
                      return error("factor " + std::string(factor) +
                                       " of a spherical product must be a plane curve",
-                                  {}, "take a curve whose z is 0, such as curve(u) = [x, y]");
+                                  {}, "use a curve whose z is 0, such as curve(u) = [x, y]");
                  }
              }
              return made<SphericalProduct>(a.curve("g"), a.curve("h"));
@@ -62,7 +62,7 @@ std::vector<StageEntry> spherical_product() {
          {},
          2,
          R"(
-// A long room unfolded: the four walls, ceiling and floor of a superellipsoid, two curves' product.
+// A long room unfolded: walls, ceiling and floor, from the product of two superellipses.
 camera room(a = 45, b = 25, c = 25, gamma = 1/4) {
     aspect 4
     map  u = 180deg .. -180deg, v = -60deg .. 60deg

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Object generators, PCS → OCS: curves from points. All of them run from u = 0 to u = 1; an open
-// one has no point outside, a closed one goes round. With points of two co-ordinates a curve lies
+// one is undefined outside, a closed one is periodic. A curve from points of two coordinates lies
 // in the plane z = 0 and can be a factor of a spherical product.
 
 #include <cmath>
@@ -17,7 +17,7 @@ namespace balcony::camera {
 
 namespace {
 
-/// A piecewise polynomial for each co-ordinate; all divided by one more if there are weights.
+/// A piecewise polynomial for each coordinate, divided by another one if there are weights.
 class SplineCurve final : public ObjectGenerator {
 public:
     SplineCurve(CellPosition position, std::vector<TablePointer> coordinates, TablePointer weight)
@@ -43,7 +43,7 @@ private:
 
 using Made = Result<std::shared_ptr<const Stage>>;
 
-/// The cells of a curve and the polynomials of its co-ordinates in them.
+/// The cells of a curve and the polynomials of its coordinates in them.
 struct Pieces {
     std::vector<double> breaks;
     std::size_t degree = 3;
@@ -76,7 +76,7 @@ Made curve_of(const Spline& spline, const PointList& points) {
     return curve_of(pieces);
 }
 
-// ---------------------------------------------------------------------------- through points
+// --------------------------------------------------------------------- interpolating curves
 
 double distance(std::span<const double> a, std::span<const double> b) {
     double sum = 0.0;
@@ -86,8 +86,8 @@ double distance(std::span<const double> a, std::span<const double> b) {
     return std::sqrt(sum);
 }
 
-/// Where between 0 and 1 a curve passes its points: in equal steps, in steps as long as those from
-/// point to point, or as their square roots.
+/// The parameters in [0, 1] at which a curve passes its points: in equal steps, in steps
+/// proportional to the distances of the points, or to the square roots of these.
 Result<std::vector<double>> places_of(const PointList& points, std::string_view spacing,
                                       bool closed) {
     const std::size_t steps = closed ? points.size() : points.size() - 1;
@@ -102,7 +102,7 @@ Result<std::vector<double>> places_of(const PointList& points, std::string_view 
             return error(fmt::format("points {} and {} are the same, which spacing = {} cannot "
                                      "have",
                                      i + 1, next + 1, spacing),
-                         {}, "leave one of them out, or take spacing = uniform");
+                         {}, "remove one of them, or use spacing = uniform");
         }
         places.push_back(places.back() + step);
     }
@@ -133,19 +133,19 @@ Made make_polyline(const Arguments& a) {
     return curve_of(pieces);
 }
 
-/// A tangent at an open end, for one segment at its pace.
+/// A tangent at an open end, in units of one segment.
 std::optional<Diagnostic> fault_of_tangent(const Arguments& a, std::string_view name,
                                            std::size_t coordinates) {
     if (!a.has(name)) {
         return std::nullopt;
     }
     if (is_closed(a)) {
-        return error(fmt::format("a closed curve has no ends, and so no {}", name), {},
-                     "leave it out or take closed = no");
+        return error(fmt::format("a closed curve has no ends, so it cannot have a {}", name), {},
+                     "remove it or use closed = no");
     }
     if (coordinates == 2 && a.triple(name)[2].constant() != 0.0) {
-        return error(fmt::format("{} leaves the plane of the points", name), {},
-                     "let its third co-ordinate be 0, or give the points a third co-ordinate");
+        return error(fmt::format("{} is not in the plane of the points", name), {},
+                     "set its third coordinate to 0, or give the points a third coordinate");
     }
     return std::nullopt;
 }
@@ -182,9 +182,9 @@ Made make_hermite(const Arguments& a) {
     const PointList& tangents = a.points("tangents");
     if (points.size() != tangents.size() || points.coordinates != tangents.coordinates) {
         return error(
-            fmt::format("{} points of {} co-ordinates cannot have {} tangents of {}", points.size(),
-                        points.coordinates, tangents.size(), tangents.coordinates),
-            {}, "give one tangent for each point, with as many co-ordinates");
+            fmt::format("{} points of {} coordinates do not match {} tangents of {} coordinates",
+                        points.size(), points.coordinates, tangents.size(), tangents.coordinates),
+            {}, "give one tangent for each point, with the same number of coordinates");
     }
     const bool closed = is_closed(a);
     const std::size_t segments = closed ? points.size() : points.size() - 1;
@@ -200,7 +200,7 @@ Made make_hermite(const Arguments& a) {
     return curve_of(pieces);
 }
 
-// ------------------------------------------------------------------------------ near points
+// --------------------------------------------------------------------- approximating curves
 
 Made make_bezier_curve(const Arguments& a) {
     const PointList& points = a.points("points");
@@ -239,12 +239,13 @@ Made make_nurbs_curve(const Arguments& a) {
 }
 
 StageParameter spacing_parameter(std::vector<std::string_view> choices) {
-    return {.name = "spacing",
-            .type = ParameterType::choice,
-            .choices = std::move(choices),
-            .meaning =
-                "how much of u lies between two points: as much as between any others "
-                "(uniform), by their distance (chordal) or its square root (centripetal)"};
+    return {
+        .name = "spacing",
+        .type = ParameterType::choice,
+        .choices = std::move(choices),
+        .meaning =
+            "the range of u between two points: the same for all "
+            "(uniform), proportional to their distance (chordal) or its square root (centripetal)"};
 }
 
 StageParameter tangent_parameter(std::string_view name, std::string_view meaning) {
@@ -256,15 +257,15 @@ StageParameter tangent_parameter(std::string_view name, std::string_view meaning
 }
 
 std::vector<StageParameter> interpolating_parameters() {
-    return {points_parameter({2, 3}, 2, "the points that the curve passes, in sequence"),
+    return {points_parameter({2, 3}, 2, "the points on the curve, in sequence"),
             spacing_parameter({"centripetal", "uniform", "chordal"}),
-            closed_parameter("closed", "whether it goes on to the first point"),
+            closed_parameter("closed", "whether the curve returns to the first point"),
             tangent_parameter("start_tangent",
-                              "the tangent at the first point, as long as the "
-                              "first segment would be at that pace"),
+                              "the tangent at the first point; its length is that of the "
+                              "first segment at this speed"),
             tangent_parameter("end_tangent",
-                              "the tangent at the last point, as long as the last "
-                              "segment would be at that pace")};
+                              "the tangent at the last point; its length is that of the last "
+                              "segment at this speed")};
 }
 
 }  // namespace
@@ -277,11 +278,11 @@ std::vector<StageEntry> spline_curves() {
          "straight lines from point to point, for u from 0 to 1",
          {points_parameter({2, 3}, 2, "the corners, in sequence"),
           spacing_parameter({"chordal", "uniform", "centripetal"}),
-          closed_parameter("closed", "whether it goes on to the first point")},
+          closed_parameter("closed", "whether the curve returns to the first point")},
          make_polyline,
          {},
          1,
-         R"(// A room whose plan is drawn corner by corner.
+         R"(// A room whose plan is given corner by corner.
 camera angular_room {
     map  u = 1 .. 0, v = -40deg .. 40deg
     eye  product(polyline([(2, 0), (0.6, 1.2), (-2, 1), (-1.2, -1), (1, -1.2)], closed = yes),
@@ -290,7 +291,7 @@ camera angular_room {
 })"},
         {kind,
          "catmull_rom",
-         "a smooth curve through points, each tangent made from the neighbours, for u from 0 to 1",
+         "a smooth curve through points, with tangents from neighbouring points, for u from 0 to 1",
          interpolating_parameters(),
          make_interpolating<Interpolation::catmull_rom>,
          {},
@@ -304,12 +305,12 @@ camera vase {
 })"},
         {kind,
          "natural_spline",
-         "the cubic spline through points, whose curvature is continuous, for u from 0 to 1",
+         "the cubic spline through points, with continuous curvature, for u from 0 to 1",
          interpolating_parameters(),
          make_interpolating<Interpolation::natural>,
          {},
          1,
-         R"(// A tower round a plan with soft corners.
+         R"(// A tower on a plan with rounded corners.
 camera soft_tower {
     aspect 3
     map  u = 1 .. 0, v = -0.6 .. 0.6
@@ -321,17 +322,17 @@ camera soft_tower {
         {kind,
          "hermite",
          "cubic segments between points with given tangents, for u from 0 to 1",
-         {points_parameter({2, 3}, 2, "the points that the curve passes, in sequence"),
+         {points_parameter({2, 3}, 2, "the points on the curve, in sequence"),
           {.name = "tangents",
            .type = ParameterType::points,
            .coordinates = {2, 3},
            .min_points = 2,
-           .meaning = "the tangent at each point, as long as a segment would be at that pace"},
-          closed_parameter("closed", "whether it goes on to the first point")},
+           .meaning = "the tangent at each point; its length is that of a segment at this speed"},
+          closed_parameter("closed", "whether the curve returns to the first point")},
          make_hermite,
          {},
          1,
-         R"(// A wall that leaves the line of sight and comes back to it.
+         R"(// A wall that leaves the line of sight and returns to it.
 camera swerving_wall {
     map  u = 1 .. 0, v = -40deg .. 40deg
     eye  product(hermite([(1, -2), (1.5, 0), (1, 2)], tangents = [(0, 2), (1, 1.5), (0, 2)]),
@@ -340,14 +341,14 @@ camera swerving_wall {
 })"},
         {kind,
          "bezier",
-         "a Bézier curve, which begins at its first point and ends at its last, for u from 0 to 1",
+         "a Bézier curve, which starts at its first point and ends at its last, for u from 0 to 1",
          {points_parameter({2, 3}, 2, "the control points, at most 8 for each piece"),
-          optional_degree_parameter("of each piece; without it there is one piece"),
+          optional_degree_parameter("degree of each piece; by default there is one piece"),
           closed_parameter("closed", "whether the last piece ends with the first point")},
          make_bezier_curve,
          {},
          1,
-         R"(// A fan vault: rays leave a quarter of an arch turned round the z axis.
+         R"(// A fan vault: rays leave a quarter arch rotated around the z axis.
 camera vault {
     map  u = 70deg .. -70deg, v = 0 .. 1
     eye  product(circle, bezier([(3, 0), (3, 1.6), (2, 2), (0.5, 2.2)]))
@@ -355,16 +356,18 @@ camera vault {
 })"},
         {kind,
          "bspline",
-         "a B-spline curve, which follows its points without passing them, for u from 0 to 1",
+         "a B-spline curve, which approximates its points, for u from 0 to 1",
          {points_parameter({2, 3}, 2, "the control points"),
-          optional_degree_parameter("of its pieces; 3, or 1 less than there are points"),
-          ends_parameter("ends",
-                         "clamped touches the end points, open ends within them, closed "
-                         "goes round")},
+          optional_degree_parameter(
+              "degree of its pieces; by default 3, or the number of points minus 1"),
+          ends_parameter(
+              "ends",
+              "clamped starts and ends at the end points, open does not reach them, closed "
+              "is periodic")},
          make_bspline_curve,
          {},
          1,
-         R"(// All round from a plan like a cloverleaf.
+         R"(// All round from a plan shaped like a cloverleaf.
 camera clover {
     aspect 3
     map  u = 1 .. 0, v = -30deg .. 30deg
@@ -375,18 +378,20 @@ camera clover {
 })"},
         {kind,
          "nurbs",
-         "a rational B-spline curve, which conics are exactly, for u from 0 to 1",
-         {points_parameter({2, 3, 4}, 2, "the control points; a fourth co-ordinate is the weight"),
+         "a rational B-spline curve, which can represent conics exactly, for u from 0 to 1",
+         {points_parameter({2, 3, 4}, 2, "the control points; a fourth coordinate is the weight"),
           weights_parameter(),
-          optional_degree_parameter("of its pieces; 3, or 1 less than there are points"),
-          ends_parameter("ends",
-                         "clamped touches the end points, open ends within them, closed "
-                         "goes round; given knots decide instead"),
+          optional_degree_parameter(
+              "degree of its pieces; by default 3, or the number of points minus 1"),
+          ends_parameter(
+              "ends",
+              "clamped starts and ends at the end points, open does not reach them, closed "
+              "is periodic; given knots override this"),
           knots_parameter("knots")},
          make_nurbs_curve,
          {},
          1,
-         R"(// A half circle that is exactly one, turned into a globe.
+         R"(// An exact half circle, revolved to a globe.
 camera globe {
     map  u = 180deg .. -180deg, v = 0 .. 1
     eye  product(circle,

@@ -1,9 +1,9 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// Object generators, PCS → OCS: free-form surfaces from a net of points. The net is a list, row
-// after row; u runs along the rows and v across them, both from 0 to 1. Outside an open side there
-// is no point, a closed one goes round.
+// Object generators, PCS → OCS: free-form surfaces from a control net. The net is a list, row
+// by row; u runs along the rows and v across them, both from 0 to 1. Outside an open side there
+// is no point; a closed one is periodic.
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@ namespace balcony::camera {
 
 namespace {
 
-/// A piecewise polynomial of both parameters for each co-ordinate; all divided by one more if there
+/// A piecewise polynomial of both parameters for each coordinate, divided by another one if there
 /// are weights.
 class SplineSurface final : public ObjectGenerator {
 public:
@@ -50,8 +50,8 @@ Result<NetSize> net_size(const Arguments& a) {
     const std::size_t points = a.points("points").size();
     const std::size_t columns = a.count("columns");
     if (points % columns != 0 || points < 2 * columns) {
-        return error(fmt::format("{} points make no rows of {} columns", points, columns), {},
-                     "give whole rows, two at least, one after another");
+        return error(fmt::format("{} points do not form rows of {} columns", points, columns), {},
+                     "give at least two complete rows, row by row");
     }
     return NetSize{columns, points / columns};
 }
@@ -84,7 +84,7 @@ std::vector<double> tensor_coefficients(const Spline& along_u, const Spline& alo
 /// Of one table: 32 MB. There are four at most, and their derivatives.
 constexpr std::size_t max_coefficients = std::size_t{1} << 22U;
 
-/// The surface over a net; `coordinates` hold the values of three co-ordinates, times the weights
+/// The surface over a net; `coordinates` hold the values of three coordinates, times the weights
 /// if there are any.
 Made surface_of(const Spline& along_u, const Spline& along_v, std::size_t columns,
                 std::span<const std::vector<double>> coordinates,
@@ -98,7 +98,7 @@ Made surface_of(const Spline& along_u, const Spline& along_v, std::size_t column
                           cells_axis(along_v.cells(), along_v.degree())};
     const std::size_t in_cell = (along_u.degree() + 1) * (along_v.degree() + 1);
     if (along_u.cells() * along_v.cells() * in_cell > max_coefficients) {
-        return error(fmt::format("a surface of {} x {} pieces, each of {} coefficients, is too "
+        return error(fmt::format("a surface of {} x {} pieces with {} coefficients each is too "
                                  "large",
                                  along_u.cells(), along_v.cells(), in_cell),
                      {}, "give fewer points, or lower the degree");
@@ -192,7 +192,7 @@ std::vector<StageParameter> net_parameters(std::vector<std::size_t> coordinates,
              .type = ParameterType::count,
              .minimum = 2.0,
              .maximum = 65536.0,
-             .meaning = "how many points there are in a row, along u"}};
+             .meaning = "number of points per row, along u"}};
 }
 
 std::vector<StageParameter> operator+(std::vector<StageParameter> some,
@@ -201,9 +201,11 @@ std::vector<StageParameter> operator+(std::vector<StageParameter> some,
     return some;
 }
 
-constexpr std::string_view bspline_degree = "of the pieces; 3, or 1 less than there are points";
+constexpr std::string_view bspline_degree =
+    "degree of the pieces; by default 3, or the number of points minus 1";
 constexpr std::string_view bspline_ends =
-    "clamped touches the border of the net, open ends within it, closed goes round";
+    "clamped interpolates the border curves of the net, open does not reach them, closed is "
+    "periodic";
 
 }  // namespace
 
@@ -212,13 +214,13 @@ std::vector<StageEntry> spline_surfaces() {
     return {
         {kind,
          "bezier_patch",
-         "a Bézier surface, which touches the corners of its net, for u and v from 0 to 1",
-         net_parameters({3}, "the control points, row after row; at most 8 to a side of a piece") +
+         "a Bézier surface, which interpolates the corners of its net, for u and v from 0 to 1",
+         net_parameters({3}, "the control points, row by row; at most 8 per side of a piece") +
              std::vector{
-                 optional_degree_parameter("of each piece along u; else there is one piece",
-                                           "degree_u"),
-                 optional_degree_parameter("of each piece along v; else there is one piece",
-                                           "degree_v"),
+                 optional_degree_parameter(
+                     "degree of each piece along u; by default there is one piece", "degree_u"),
+                 optional_degree_parameter(
+                     "degree of each piece along v; by default there is one piece", "degree_v"),
                  closed_parameter("closed_u", "whether rows end with their first point"),
                  closed_parameter("closed_v", "whether the last row is followed by the first")},
          make_bezier_patch,
@@ -235,8 +237,8 @@ camera sail {
 })"},
         {kind,
          "bspline_patch",
-         "a B-spline surface, which follows its net without passing it, for u and v from 0 to 1",
-         net_parameters({3}, "the control points, row after row") +
+         "a B-spline surface, which approximates its net, for u and v from 0 to 1",
+         net_parameters({3}, "the control points, row by row") +
              std::vector{optional_degree_parameter(bspline_degree, "degree_u"),
                          optional_degree_parameter(bspline_degree, "degree_v"),
                          ends_parameter("ends_u", bspline_ends),
@@ -244,7 +246,7 @@ camera sail {
          make_bspline_patch,
          {},
          2,
-         R"(// A tube that leans and swells, seen from its axis outwards.
+         R"(// A leaning tube of varying width, seen from its axis outwards.
 camera leaning_tube {
     aspect 3
     map  u = 1 .. 0, v = 0 .. 1
@@ -257,9 +259,10 @@ camera leaning_tube {
 })"},
         {kind,
          "nurbs_patch",
-         "a rational B-spline surface, which quadrics are exactly, for u and v from 0 to 1",
+         "a rational B-spline surface, which can represent quadrics exactly, for u and v from 0 to "
+         "1",
          net_parameters({3, 4},
-                        "the control points, row after row; a fourth co-ordinate is the "
+                        "the control points, row by row; a fourth coordinate is the "
                         "weight") +
              std::vector{weights_parameter(), optional_degree_parameter(bspline_degree, "degree_u"),
                          optional_degree_parameter(bspline_degree, "degree_v"),
@@ -269,7 +272,7 @@ camera leaning_tube {
          make_nurbs_patch,
          {},
          2,
-         R"(// A quarter of a cylinder that is exactly one, bent back at its upper end.
+         R"(// An exact quarter cylinder, bent back at its upper end.
 camera apse {
     let w = sqrt(1/2)
     map  u = 1 .. 0, v = 0 .. 1
@@ -283,20 +286,21 @@ camera apse {
          "interpolating_patch",
          "a smooth surface through the points of a net, for u and v from 0 to 1",
          net_parameters({3},
-                        "the points that the surface passes, row after row, evenly spaced "
+                        "the points on the surface, row by row, evenly spaced "
                         "in u and v") +
-             std::vector{StageParameter{
-                             .name = "by",
-                             .type = ParameterType::choice,
-                             .choices = {"catmull_rom", "natural"},
-                             .meaning = "tangents from the neighbours, which keeps the influence "
-                                        "of a point near it, or continuous curvature"},
-                         closed_parameter("closed_u", "whether rows go on to their first point"),
-                         closed_parameter("closed_v", "whether the last row goes on to the first")},
+             std::vector{
+                 StageParameter{.name = "by",
+                                .type = ParameterType::choice,
+                                .choices = {"catmull_rom", "natural"},
+                                .meaning =
+                                    "tangents from the neighbours, which limits the influence "
+                                    "of a point to its surroundings, or continuous curvature"},
+                 closed_parameter("closed_u", "whether rows return to their first point"),
+                 closed_parameter("closed_v", "whether the last row is followed by the first")},
          make_interpolating_patch,
          {},
          2,
-         R"(// A wall with a swelling in the middle, from which rays spread: it shows more, and that smaller.
+         R"(// A wall with a bulge, from which rays spread: it shows a larger region at a smaller scale.
 camera swelling_wall {
     map  u = 1 .. 0, v = 0 .. 1
     eye  interpolating_patch([(0, -2, -1), (0, -1, -1),  (0, 0, -1),  (0, 1, -1),  (0, 2, -1),

@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// Object generators, PCS → OCS: superellipse and superhyperbola, curves of their own and factors of
+// Object generators, PCS → OCS: superellipse and superhyperbola, as curves and as factors of
 // spherical products.
 
 #include <algorithm>
@@ -82,8 +82,8 @@ double superellipse_speed(double a, double b, double gamma, double u) {
     return std::hypot(a * (r_slope * c - r * s), b * (r_slope * s + r * c));
 }
 
-/// The table takes quarters of the curve to its angle. The curve is symmetric in both axes: each
-/// quarter is the one before it run backwards.
+/// The table maps the arc length of a quarter of the curve to its angle. The curve is symmetric in
+/// both axes: each quarter is the reverse of the one before.
 expr::Table angle_by_quarters(double a, double b, double gamma, const EndGrading& grading) {
     const auto speeds = [=](std::span<const double> angles) {
         std::vector<double> made(angles.size());
@@ -194,7 +194,7 @@ Result<ObjectGeneratorPointer> arc_length_superellipse(const Scalar& a, const Sc
     }
     constexpr double max_gamma = 2.0;
     if (*constant_gamma > max_gamma) {
-        return error(fmt::format("a superellipse by arc_length cannot have the gamma {}, which is "
+        return error(fmt::format("a superellipse by arc_length cannot have gamma = {}, which is "
                                  "above {}",
                                  *constant_gamma, max_gamma),
                      {}, "use by = angle_centre or trigonometric");
@@ -230,8 +230,8 @@ Result<ObjectGeneratorPointer> superhyperbola(Scalar a, Scalar b, Scalar gamma,
     return made_curve<AngleCentreSuperhyperbola>(std::move(a), std::move(b), std::move(gamma));
 }
 
-// Below the least gamma the corners are sharper than the arc-length table resolves, above the most
-// the points reach the centre.
+// Below the minimum gamma, the corners are sharper than the arc-length table resolves; above the
+// maximum, the points reach the centre.
 StageParameter gamma_parameter(std::string_view name, std::string_view meaning) {
     return {
         .name = name, .default_value = {1.0}, .minimum = 0.05, .maximum = 20.0, .meaning = meaning};
@@ -251,10 +251,10 @@ std::vector<StageEntry> superconics() {
            .type = choice,
            .choices = superellipse_parametrisations(),
            .meaning =
-               "the parametrisation: u is the polar angle before a and b are applied, the "
+               "the parametrisation: u is the polar angle before scaling by a and b, the "
                "classical parameter (no tangent on the axes unless gamma is 1), or proportional to "
-               "the length (the whole is 360deg; "
-               "off by less than 1e-7 of the whole in proportions of up to 10, gamma <= 2)"}},
+               "arc length (the whole curve is 360deg; "
+               "relative error below 1e-7 for a/b from 1/10 to 10 and gamma <= 2)"}},
          [](const Arguments& a) {
              return as_stage(
                  superellipse(a.number("a"), a.number("b"), a.number("gamma"), a.choice("by")));
@@ -262,7 +262,7 @@ std::vector<StageEntry> superconics() {
          {},
          1,
          R"(
-// A street's four sides from the middle of the road, each in one scale: the eye follows a rounded
+// The four sides of a square from its centre, each at a constant scale: the eye follows a rounded
 // rectangle, and rays cross a wider one.
 camera round_the_block {
     aspect 4
@@ -282,8 +282,9 @@ camera round_the_block {
            .choices = superhyperbola_parametrisations(),
            .meaning =
                "the parametrisation: u is y/b, the hyperbolic parameter, the classical angle "
-               "(below 90deg; like the one before without tangent at 0 unless gamma is 1), or the "
-               "polar angle before a and b are applied (below 45deg)"}},
+               "(below 90deg; like the previous one without a tangent at 0 unless gamma is 1), or "
+               "the "
+               "polar angle before scaling by a and b (below 45deg)"}},
          [](const Arguments& a) {
              return as_stage(
                  superhyperbola(a.number("a"), a.number("b"), a.number("gamma"), a.choice("by")));
@@ -291,8 +292,8 @@ camera round_the_block {
          {},
          1,
          R"(
-// Two walls that meet in a corner, each squarely, with a narrow bend between them: the rays cross
-// from one superhyperbola to another one.
+// Two walls that meet in a corner, both seen at right angles, with a narrow bend in between: the rays
+// pass from one superhyperbola to another.
 camera corner(gamma = 1/2) {
     map    u = -2 .. 2, v = -1 .. 1
     eye    superhyperbola(2, 2, gamma)

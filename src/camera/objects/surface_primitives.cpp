@@ -12,7 +12,7 @@ namespace balcony::camera {
 
 namespace {
 
-/// Flat in the plane z = 0, whose front looks up in every parametrisation and in the centre too.
+/// Flat in the plane z = 0; the front faces up in every parametrisation, even at the centre.
 class FlatSurface : public ObjectGenerator {
 public:
     int dimension() const final { return 2; }
@@ -21,7 +21,7 @@ public:
     }
 };
 
-/// By the angle u and the place v between the two circles, 0 at the inner and 1 at the outer one.
+/// By the angle u and the position v between the circles, 0 at the inner and 1 at the outer one.
 class Ring final : public FlatSurface {
 public:
     Ring(Scalar inner, Scalar outer) : inner_(std::move(inner)), outer_(std::move(outer)) {}
@@ -35,8 +35,8 @@ private:
     Scalar inner_, outer_;
 };
 
-/// The square |u|, |v| <= 1 on the disc, squares round its centre on circles: the concentric map of
-/// Shirley and Chiu (1997), by which areas keep their proportions.
+/// Maps the square |u|, |v| <= 1 to the disc, and concentric squares to circles: the concentric map
+/// of Shirley and Chiu (1997), which preserves relative areas.
 class ConcentricDisc final : public FlatSurface {
 public:
     explicit ConcentricDisc(Scalar radius) : radius_(std::move(radius)) {}
@@ -100,8 +100,8 @@ private:
     double sign_;
 };
 
-/// A segment that turns about a circle's tangent by half_turns/2 turns while it goes round: by the
-/// angle u round the z axis and the distance v from the circle.
+/// A segment that rotates by half_turns/2 turns about the tangent of a circle along it: by the
+/// angle u around the z axis and the distance v from the circle.
 class MobiusBand final : public ObjectGenerator {
 public:
     MobiusBand(Scalar radius, std::size_t half_turns)
@@ -140,13 +140,14 @@ std::vector<StageEntry> surface_primitives() {
     return {
         {kind,
          "disc",
-         "a disc round the z axis in the plane z = 0, whose front looks up",
-         {positive_parameter("radius", 1.0, "its radius"),
+         "a disc around the z axis in the plane z = 0, whose front faces up",
+         {positive_parameter("radius", 1.0, "the radius"),
           {.name = "by",
            .type = choice,
            .choices = {"polar", "concentric"},
-           .meaning = "the parametrisation: u is the angle and v the distance from the centre, 1 "
-                      "at the rim; or the square of u and v from -1 to 1, areas in proportion"}},
+           .meaning =
+               "the parametrisation: u is the angle and v the distance from the centre, 1 "
+               "at the rim; or the square of u and v from -1 to 1, with relative areas preserved"}},
          [](const Arguments& a) {
              return a.choice("by") == "polar" ? made<Ring>(0.0, a.number("radius"))
                                               : made<ConcentricDisc>(a.number("radius"));
@@ -154,7 +155,7 @@ std::vector<StageEntry> surface_primitives() {
          {},
          2,
          R"(
-// All that lies below a round window, from the middle at the lower edge to the rim at the upper.
+// The view down through a round window, from its centre at the lower edge to its rim at the upper.
 camera round_window(radius = 2) {
     map  u = 180deg .. -180deg, v = 0 .. 1
     eye  disc(radius)
@@ -163,7 +164,7 @@ camera round_window(radius = 2) {
 )"},
         {kind,
          "ring",
-         "the part of the plane z = 0 between two circles round the z axis, whose front looks up; "
+         "the part of the plane z = 0 between two circles around the z axis, whose front faces up; "
          "u is the angle, v runs from 0 at the inner to 1 at the outer circle",
          {{.name = "inner",
            .default_value = {0.5},
@@ -174,7 +175,7 @@ camera round_window(radius = 2) {
          {},
          2,
          R"(
-// A ring of seats seen from above and unrolled: the stage is below, the last row above.
+// A ring of seats, unrolled and seen from above: the stage is at the bottom, the last row on top.
 camera arena {
     aspect 4
     map  u = 180deg .. -180deg, v = 0 .. 1
@@ -185,20 +186,20 @@ camera arena {
 )"},
         {kind,
          "cone",
-         "a cone or a frustum round the z axis by angle u and height v; ends at its apex",
-         {{.name = "radius", .default_value = {1.0}, .minimum = 0.0, .meaning = "at height 0"},
-          {.name = "top",
-           .default_value = {0.0},
+         "a cone or a frustum around the z axis, by angle u and height v; ends at its apex",
+         {{.name = "radius",
+           .default_value = {1.0},
            .minimum = 0.0,
-           .meaning = "radius at the height"},
-          positive_parameter("height", 1.0, "where its radius is `top`")},
+           .meaning = "radius at height 0"},
+          {.name = "top", .default_value = {0.0}, .minimum = 0.0, .meaning = "radius at `height`"},
+          positive_parameter("height", 1.0, "the height at which the radius is `top`")},
          [](const Arguments& a) {
              return made<Cone>(a.number("radius"), a.number("top"), a.number("height"));
          },
          {},
          2,
          R"(
-// Looks out of a pointed roof all round, upwards by the slope of its sides.
+// Looks out of a pointed roof all round, upwards according to the slope of its sides.
 camera roof {
     map  u = 180deg .. -180deg, v = 0 .. 1.8
     eye  cone(radius = 2, height = 2)
@@ -216,7 +217,7 @@ camera roof {
          {},
          2,
          R"(
-// The outside of a headlight's reflector: right in the middle, wide and flatter at the border.
+// The outside of a headlight's reflector: undistorted in the middle, compressed at the border.
 camera headlight {
     map  u = -2 .. 2, v = square
     eye  paraboloid(by = cartesian)
@@ -226,14 +227,14 @@ camera headlight {
 )"},
         {kind,
          "hyperbolic_paraboloid",
-         "the saddle z = x^2/a^2 - y^2/b^2 by u = x/a and v = y/b, whose front looks up",
+         "the saddle z = x^2/a^2 - y^2/b^2 by u = x/a and v = y/b, whose front faces up",
          half_widths(),
          [](const Arguments& a) { return made<CartesianParaboloid>(axes_of(a), -1.0); },
          {},
          2,
          R"(
-// A saddle's normals meet across and spread along: the picture is mirrored in one direction once
-// its rays have met.
+// The normals of a saddle converge in one direction and diverge in the other. Where rays have
+// crossed, the picture is mirrored in one direction.
 camera saddle {
     map  u = 0.8 .. -0.8, v = square
     eye  hyperbolic_paraboloid
@@ -242,23 +243,24 @@ camera saddle {
 )"},
         {kind,
          "mobius_band",
-         "a band that twists while it goes round the z axis, by the angle u and the distance v "
-         "from its middle circle",
-         {positive_parameter("radius", 1.0, "of its middle circle"),
+         "a twisted band around the z axis, by the angle u and the distance v "
+         "from its centre circle",
+         {positive_parameter("radius", 1.0, "radius of its centre circle"),
           {.name = "half_turns",
            .type = count,
            .default_value = {1.0},
            .minimum = 0.0,
            .maximum = 1000.0,
-           .meaning = "how often it turns over in one round: with an odd number it has one side"}},
+           .meaning =
+               "number of half turns per revolution: with an odd number, the band is one-sided"}},
          [](const Arguments& a) {
              return made<MobiusBand>(a.number("radius"), a.count("half_turns"));
          },
          {},
          2,
          R"(
-// Twice round a band that has one side: the second half of the picture looks where the first half
-// has its back.
+// Twice around a one-sided band: the second half of the picture looks in the opposite directions
+// of the first half.
 camera both_sides {
     aspect 4
     map  u = 720deg .. 0deg, v = -0.8 .. 0.8

@@ -12,14 +12,14 @@ namespace balcony::camera {
 
 namespace {
 
-/// Three unit vectors, each at right angles to the others: right = tangent x up.
+/// Three orthonormal vectors: right = tangent x up.
 struct Frame {
     ObjectVector tangent, right, up;
 };
 
 ObjectVector unit(const ObjectVector& a) { return (1.0 / sqrt(dot(a, a))) * a; }
 
-/// A point of a path with its derivative by the path's parameter.
+/// A point of a path with its derivative with respect to the path's parameter.
 struct PathPlace {
     ObjectPoint point;
     ObjectVector along;
@@ -40,7 +40,7 @@ PathPlace place_on(const ObjectGenerator& path, Expr parameter, Emitter& emit) {
 }
 
 /// The points path(u) + right x + up y + tangent z with the profile's (x, y, z) at v, scaled and
-/// turned as the way along the path says.
+/// rotated according to the position along the path.
 class Sweep final : public ObjectGenerator {
 public:
     struct Parts {
@@ -70,7 +70,7 @@ public:
     }
 
 private:
-    // Whatever a table or the user gives as up, its part across the tangent is taken, so that the
+    // Takes the component of up perpendicular to the tangent, so that the
     // frame is orthonormal exactly.
     Frame frame_at(Expr way, const ObjectVector& tangent, Emitter& emit) const {
         ObjectVector up = vector_of(parts_.up, emit);
@@ -107,8 +107,8 @@ Result<std::shared_ptr<const Stage>> make_sweep(const Arguments& a) {
                        a.number("twist"),
                        {}};
     if (parts.from == parts.to) {
-        return error("from and to are the same, which leaves nothing of the path", {},
-                     "let them be two parameters of the path");
+        return error("from and to are equal, so the path is empty", {},
+                     "use two different parameters of the path");
     }
     if (a.has("scale")) {
         parts.scale = a.formula("scale");
@@ -118,7 +118,7 @@ Result<std::shared_ptr<const Stage>> make_sweep(const Arguments& a) {
         up[k] = *parts.up[k].constant();
     }
     if (norm(up) == 0.0) {
-        return error("up has no direction", {}, "let one of its co-ordinates differ from 0");
+        return error("up has no direction", {}, "make one of its coordinates differ from 0");
     }
     Result<PathFrame> frame = rotation_minimising_frame(*parts.path, parts.from, parts.to, up);
     if (!frame) {
@@ -139,42 +139,43 @@ std::vector<StageEntry> sweeps() {
         {StageKind::object_generator,
          "sweep",
          "a curve, the profile, swept along another, the path: u is the path's own parameter, v "
-         "the profile's",
+         "that of the profile",
          {{.name = "profile",
            .type = curve,
-           .meaning = "its x points to the right and its y up, as seen along the path"},
-          {.name = "path", .type = curve, .meaning = "the path, which may not change with time"},
+           .meaning = "the profile; its x axis points to the right and its y axis up, as seen "
+                      "along the path"},
+          {.name = "path", .type = curve, .meaning = "the path; it cannot change with time"},
           {.name = "from",
            .unit = Unit::parameter,
            .default_value = {0.0},
            .constant = true,
-           .meaning = "the path's parameter where it begins"},
+           .meaning = "the path's parameter at the start"},
           {.name = "to",
            .unit = Unit::parameter,
            .default_value = {1.0},
            .constant = true,
-           .meaning =
-               "the path's parameter where it ends; a path that comes back there goes round"},
+           .meaning = "the path's parameter at the end; a path that is closed there is periodic"},
           {.name = "twist",
            .unit = Unit::angle,
            .default_value = {0.0},
-           .meaning = "how far the profile turns on the way, counter-clockwise as seen along it"},
+           .meaning = "rotation of the profile along the path, counter-clockwise as seen along it"},
           {.name = "scale",
            .type = formula,
            .shape = {1, 1, 2},
            .optional = true,
-           .meaning = "how large the profile is: scale(s) = [k], or [k, l] in x and y, with s from "
-                      "0 to 1 on the way"},
+           .meaning = "size of the profile: scale(s) = [k], or [k, l] in x and y, with s from "
+                      "0 to 1 along the path"},
           {.name = "frame",
            .type = choice,
            .choices = {"rotation_minimising", "upright"},
-           .meaning = "how the profile is held: without any turn about the path, or with its y as "
-                      "near to up as can be"},
+           .meaning =
+               "orientation of the profile: without rotation about the path, or with its y axis as "
+               "close to up as possible"},
           {.name = "up",
            .type = axis,
            .default_value = {0.0, 0.0, 1.0},
            .constant = true,
-           .meaning = "where the profile's y points: at the beginning, or throughout"}},
+           .meaning = "direction of the profile's y axis: at the start, or everywhere"}},
          make_sweep,
          {},
          2,

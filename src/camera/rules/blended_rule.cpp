@@ -13,7 +13,7 @@ namespace {
 
 ObjectVector to_unit_length(const ObjectVector& a) { return (1.0 / sqrt(dot(a, a))) * a; }
 
-/// Weight 0 is the first rule, 1 the second; beyond them the directions go on.
+/// Weight 0 is the first rule, 1 the second; other weights extrapolate.
 class BlendedRule : public DirectionRule {
 public:
     BlendedRule(DirectionRulePointer first, DirectionRulePointer second, Formula weight)
@@ -49,8 +49,8 @@ class LinearlyBlendedRule final : public BlendedRule {
     }
 };
 
-/// On the great circle from a to b, at an angle in proportion to the weight. Opposite directions
-/// have no such circle, or all of them.
+/// On the great circle from a to b, at an angle proportional to the weight. Opposite directions
+/// have no unique great circle.
 class SphericallyBlendedRule final : public BlendedRule {
     using BlendedRule::BlendedRule;
     ObjectVector between(const ObjectVector& a, const ObjectVector& b, Expr weight,
@@ -60,7 +60,7 @@ class SphericallyBlendedRule final : public BlendedRule {
         const Expr squared_sine = dot(across, across);
         constexpr double rounding = 1e-24;
         emit.require(0.0 < cosine || rounding < squared_sine);
-        // Where a is b the sine is next to nothing, and so is the angle.
+        // If a equals b, both the sine and the angle are nearly 0.
         constexpr double tiny = 1e-300;
         const Expr sine = sqrt(max(squared_sine, emit(tiny)));
         const Expr angle = weight * atan2(sine, cosine);
@@ -81,19 +81,20 @@ std::vector<StageEntry> blended_rule() {
     return {
         {StageKind::direction_rule,
          "blend",
-         "between two rules, by a formula of the eye object's parameters",
-         {rule("first", "where the weight is 0"),
-          rule("second", "where the weight is 1"),
+         "interpolates two rules by a formula of the eye object's parameters",
+         {rule("first", "the rule where the weight is 0"),
+          rule("second", "the rule where the weight is 1"),
           {.name = "weight",
            .type = formula,
            .shape = {2, 1, 1},
-           .meaning = "weight(u, v) = [w]; below 0 and above 1 directions go on beyond the rules'"},
+           .meaning = "weight(u, v) = [w]; below 0 and above 1 the directions are extrapolated"},
           {.name = "by",
            .type = choice,
            .choices = {"mixing", "angle"},
-           .meaning = "the sum (1 - w) first + w second of unit vectors, or a turn from the first "
-                      "to the second by w times the angle between them (no ray where they are "
-                      "opposite)"}},
+           .meaning =
+               "the sum (1 - w) first + w second of unit vectors, or a rotation from the first "
+               "to the second by w times the angle between them (no ray where they are "
+               "opposite)"}},
          [](const Arguments& a) {
              const auto first = a.stage<DirectionRule>("first");
              const auto second = a.stage<DirectionRule>("second");
@@ -104,7 +105,7 @@ std::vector<StageEntry> blended_rule() {
          {},
          0,
          R"(
-// Perspective in the middle, the walls squarely at both sides.
+// Perspective in the middle, and the walls at right angles at both sides.
 camera half_perspective {
     map    u = 2 .. -2, v = square
     eye    surface(u, v) = [-cosh(u), sinh(u), v]

@@ -11,7 +11,7 @@ namespace balcony::camera {
 
 namespace {
 
-/// The direction object alone: its points as seen from its own origin.
+/// The direction object alone: the vector from its own origin to its point.
 class AbsoluteRule final : public DirectionRule {
 public:
     bool needs_direction_object() const override { return true; }
@@ -29,7 +29,7 @@ public:
     }
 };
 
-/// The way that the eye point goes when one of its parameters grows.
+/// The direction in which the eye point moves when one of its parameters increases.
 class TangentRule final : public DirectionRule {
 public:
     enum class Parameter : std::uint8_t { u, v };
@@ -45,7 +45,7 @@ private:
     bool backward_;
 };
 
-/// One vector for all rays, whatever the moves.
+/// One vector for all rays, independent of moves.
 class FixedRule final : public DirectionRule {
 public:
     explicit FixedRule(Triple direction) : direction_(std::move(direction)) {}
@@ -75,13 +75,13 @@ std::vector<StageEntry> direction_rules() {
     return {
         {kind,
          "absolute",
-         "the direction object alone, as seen from its own origin",
+         "from the direction object's own origin to its point",
          {},
          [](const Arguments&) { return made<AbsoluteRule>(); },
          {},
          0,
          R"(
-// The directions of a panorama from the places of a street: each column from a step further on.
+// The directions of a panorama from points along a street: each column from one step further.
 camera walking_panorama {
     map    u = 120deg .. -120deg, v = -45deg .. 45deg
     eye    line(along = (0, 2, 0))
@@ -97,7 +97,7 @@ camera walking_panorama {
          {},
          0,
          R"(
-// The perspective of drawing books: all rays leave one point and cross a plane.
+// Perspective projection: all rays start at one point and pass through a plane.
 camera perspective {
     map    u = 0.6 .. -0.6, v = square
     eye    point
@@ -111,11 +111,11 @@ camera perspective {
          {{.name = "along",
            .type = choice,
            .choices = {"u", "v"},
-           .meaning = "the parameter that grows: u, or v of a surface"},
+           .meaning = "the increasing parameter: u or, for a surface, v"},
           {.name = "sense",
            .type = choice,
            .choices = {"forward", "backward"},
-           .meaning = "the way that the point goes, or against it"}},
+           .meaning = "in the direction of the point's motion, or opposite to it"}},
          [](const Arguments& a) {
              using enum TangentRule::Parameter;
              return made<TangentRule>(a.choice("along") == "u" ? u : v,
@@ -124,7 +124,7 @@ camera perspective {
          {},
          0,
          R"(
-// Looks round a pillar: rays leave its wall sideways, all to the left.
+// Looks around a pillar: rays leave its wall sideways, all to the left.
 camera round_the_pillar {
     map  u = 180deg .. -180deg, v = -1 .. 1
     eye  cylinder(1)
@@ -133,13 +133,13 @@ camera round_the_pillar {
 )"},
         {kind,
          "along",
-         "along a fixed vector of the camera's axes, which no move turns",
+         "along a fixed vector in the camera's axes, which moves do not rotate",
          {{.name = "direction", .type = axis, .meaning = "x, y, z, -z or a vector"}},
          make_fixed_rule,
          {},
          0,
          R"(
-// A plan of a ring-shaped building, unrolled: everything is seen from above.
+// An unrolled plan of a ring-shaped building: everything is seen from above.
 camera unrolled_plan {
     map  u = 180deg .. -180deg, v = 0 .. 1
     eye  ring(inner = 8, outer = 14)

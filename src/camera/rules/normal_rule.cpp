@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// getDirVec from one object: the normal of the eye object, on a side that is chosen once for the
+// getDirVec from one object: the normal of the eye object, on one side for the
 // whole surface.
 
 #include <algorithm>
@@ -13,15 +13,15 @@ namespace balcony::camera {
 
 namespace {
 
-/// What a cell of a grid over the picture shows of the surface, to first order.
+/// The part of the surface in a cell of a grid over the picture, to first order.
 struct SurfaceElement {
     std::array<double, 3> point{};
-    std::array<double, 3> area{};  ///< Along the normal, as long as the element is large.
+    std::array<double, 3> area{};  ///< Along the normal; its length is the area.
 };
 
 constexpr int cells = 16;  // of the grid, in width and in height
 
-/// The camera's own picture at time 0, without the places where there is no ray. Elements are of
+/// The camera's own image at time 0, without points that have no ray. Elements belong to
 /// cells of equal size.
 std::vector<SurfaceElement> elements_in_picture(const PathPoint& eye, const Emitter& emit) {
     Graph& graph = emit.graph();
@@ -52,8 +52,8 @@ std::vector<SurfaceElement> elements_in_picture(const PathPoint& eye, const Emit
 
 double length(const std::array<double, 3>& a) { return std::hypot(a[0], a[1], a[2]); }
 
-/// Whether the normals point inwards: the sum of area . (point - middle) is three times the volume
-/// of a closed surface if they point outwards (Gauss), and positive for the convex side of an open
+/// Whether the normals point inwards: the sum of area . (point - centre) is three times the volume
+/// of a closed surface if they point outwards (Gauss), and positive on the convex side of an open
 /// one. It is 0 for a plane, which has no outside.
 bool point_inwards(const std::vector<SurfaceElement>& elements) {
     double whole = 0.0;
@@ -117,15 +117,16 @@ std::vector<StageEntry> normal_rule() {
          {{.name = "side",
            .type = choice,
            .choices = {"front", "back", "outward", "inward"},
-           .meaning = "front: the cross product of the tangents along u and v, unless the object "
-                      "says otherwise; back: against it; outward: front or back, whichever leaves "
-                      "the part of the surface in the picture on its convex side, the same in the "
-                      "whole picture (a plane has no outside: front); inward: against that"}},
+           .meaning =
+               "front: the cross product of the tangents along u and v, unless the object "
+               "specifies otherwise; back: the opposite; outward: front or back, whichever leaves "
+               "the visible part of the surface on its convex side, the same in the "
+               "whole picture (for a plane: front); inward: the opposite of outward"}},
          [](const Arguments& a) { return made<NormalRule>(side_of(a.choice("side"))); },
          {},
          0,
          R"(
-// A room from within a glass bowl: outwards all round, whichever way the bowl was made.
+// A room seen from inside a glass bowl: outwards in all directions, for any parametrisation.
 camera bowl {
     map  u = 180deg .. -180deg, v = 0.3 .. 1.5
     eye  paraboloid(2, 2)

@@ -3,7 +3,7 @@
 
 // Object transformers, OCS → OCS: centres of interest ("coins") after P. Acquisto and E. Groeller,
 // "A Distortion Camera for Ray Tracing" (1995). Points near a centre move towards it, so that rays
-// bend towards what is there and it becomes larger in the picture.
+// bend towards the centre and things there become larger in the picture.
 
 #include <fmt/format.h>
 
@@ -18,13 +18,13 @@ enum class FallOff : std::uint8_t { gaussian, inverse, linear, smooth };
 
 constexpr double max_strength = 0.99;
 
-/// From 1 at the centre to 0 far off, never growing; q is the squared distance by the squared
+/// Decreases from 1 at the centre to 0 far away; q is the squared distance divided by the squared
 /// radius.
 Expr fall_off(FallOff kind, Expr q, const Emitter& emit) {
     switch (kind) {
         case FallOff::gaussian: return exp(-q);
         case FallOff::inverse: return 1.0 / (1.0 + q);
-        // The root's slope is infinite at 0, hence the least value that it sees.
+        // The slope of the square root is infinite at 0, hence the lower bound of its argument.
         case FallOff::linear: return max(1.0 - sqrt(max(q, emit(1e-24))), emit(0.0));
         case FallOff::smooth: break;
     }
@@ -37,10 +37,11 @@ struct Coin {
     Scalar strength, radius;
 };
 
-/// With pull_i = strength_i fall_off_i < 1, alone a coin moves a point by that part of the way to
-/// its centre. Several share: w_i = pull_i / (1 - pull_i), and the point goes to the mean of itself
-/// with weight 1 and the centres with weights w_i. It stays in their convex hull, and the order of
-/// the coins does not matter. One coin never folds space, since (distance fall_off)' <= 1.
+/// With pull_i = strength_i fall_off_i < 1, a single coin moves a point by that fraction of the way
+/// to its centre. Several are combined with w_i = pull_i / (1 - pull_i): the point moves to the
+/// mean of itself with weight 1 and the centres with weights w_i. It stays in their convex hull,
+/// and the order of the coins does not matter. One coin never folds space, since (distance
+/// fall_off)' <= 1.
 class Coins final : public ObjectTransformer {
 public:
     Coins(std::vector<Coin> coins, FallOff kind) : coins_(std::move(coins)), kind_(kind) {}
@@ -89,11 +90,11 @@ Result<std::shared_ptr<const Stage>> coins_of(const Arguments& a) {
         if (points.coordinates == 5) {
             if (c[3] < 0.0 || c[3] > max_strength) {
                 return error(fmt::format("coin {} has strength {}", i + 1, c[3]), {},
-                             fmt::format("a strength is from 0 to {}", max_strength));
+                             fmt::format("a strength must be from 0 to {}", max_strength));
             }
             if (c[4] <= 0.0) {
                 return error(fmt::format("coin {} has radius {}", i + 1, c[4]), {},
-                             "a radius is above 0");
+                             "a radius must be above 0");
             }
             coin.strength = c[3];
             coin.radius = c[4];
@@ -108,25 +109,26 @@ Result<std::shared_ptr<const Stage>> coins_of(const Arguments& a) {
 std::vector<StageEntry> coins() {
     using enum ParameterType;
     const StageKind kind = StageKind::object_transformer;
-    const StageParameter strength{
-        .name = "strength",
-        .default_value = {0.5},
-        .minimum = 0.0,
-        .maximum = max_strength,
+    const StageParameter strength{.name = "strength",
+                                  .default_value = {0.5},
+                                  .minimum = 0.0,
+                                  .maximum = max_strength,
+                                  .meaning =
+                                      "the fraction of the way by which a point near the centre "
+                                      "moves towards it; enlarges by "
+                                      "1/(1 - strength) there"};
+    const StageParameter radius = positive_parameter("radius", 1.0, "range of the effect");
+    const StageParameter falloff{
+        .name = "fall_off",
+        .type = choice,
+        .choices = {"gaussian", "inverse", "linear", "smooth"},
         .meaning =
-            "which part of the way a point next to the centre goes to it; it enlarges by "
-            "1/(1 - strength) there"};
-    const StageParameter radius = positive_parameter("radius", 1.0, "how far it reaches");
-    const StageParameter falloff{.name = "fall_off",
-                                 .type = choice,
-                                 .choices = {"gaussian", "inverse", "linear", "smooth"},
-                                 .meaning =
-                                     "exp(-q), 1/(1 + q), 1 - sqrt(q) or (1 - q)^3 with "
-                                     "q = (distance/radius)^2; the last two end there"};
+            "exp(-q), 1/(1 + q), 1 - sqrt(q) or (1 - q)^3 with "
+            "q = (distance/radius)^2; the last two are 0 beyond the radius"};
     return {
         {kind,
          "coin",
-         "centre of interest: points near it move towards it, so that it becomes larger",
+         "centre of interest: points near it move towards it, so that it appears larger",
          {{.name = "at", .type = triple, .meaning = "the centre"}, strength, radius, falloff},
          [](const Arguments& a) {
              return made<Coins>(
@@ -145,7 +147,7 @@ std::vector<StageEntry> coins() {
 })"},
         {kind,
          "coins",
-         "several centres of interest at once, which share what lies between them",
+         "several centres of interest at once, which share the points between them",
          {{.name = "points",
            .type = points,
            .coordinates = {3, 5},

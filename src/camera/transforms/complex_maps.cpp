@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// Parameter transformers, PCS → PCS: functions of one complex variable, z = u + i v. They keep
+// Parameter transformers, PCS → PCS: functions of one complex variable, z = u + i v. They preserve
 // angles wherever their derivative is not 0.
 
 #include <cmath>
@@ -56,7 +56,7 @@ Complex offset(const ParameterPoint& p, const Pair& at, const Emitter& emit) {
     return {p.u - emit(at[0]), p.v - emit(at[1])};
 }
 
-/// z^w about a point. A whole w from 1 on needs no branch and no logarithm.
+/// z^w about a point. A positive integer w needs no branch and no logarithm.
 class Power final : public ParameterTransformer {
 public:
     Power(Pair exponent, Scalar cut, Pair at)
@@ -129,9 +129,9 @@ private:
 
 /// The map of Escher's "Print Gallery" as B. de Smit and H. W. Lenstra found it ("The mathematical
 /// structure of Escher's Print Gallery", Notices of the AMS 50, 2003): z^alpha with
-/// alpha = (2 pi i + n log s) / (2 pi i) takes one way round the centre to n log s in size, and a
-/// straight picture that repeats itself s times smaller closes there. What makes it repeat is the
-/// reduction to one ring, frame/s < size <= frame, where size is measured by the frame's shape.
+/// alpha = (2 pi i + n log s) / (2 pi i) maps one turn around the centre to a scaling by n log s,
+/// and a straight picture that contains itself s times smaller is continuous there. It repeats by
+/// the reduction to one ring, frame/s < size <= frame, where size is measured by the frame's shape.
 class PrintGallery final : public ParameterTransformer {
 public:
     PrintGallery(Scalar scale, double turns, Pair frame, bool ellipse, Pair at)
@@ -166,14 +166,14 @@ StageParameter cut_parameter() {
     return {.name = "cut",
             .unit = Unit::angle,
             .default_value = {pi},
-            .meaning = "the direction from the centre in which the seam runs"};
+            .meaning = "the direction of the branch cut from the centre"};
 }
 
 StageParameter complex_parameter(std::string_view name, double value, std::string_view meaning) {
     return pair_parameter(name, {value, 0.0}, meaning);
 }
 
-/// Whether a d = b c, where all is known.
+/// Whether a d = b c, if all are constant.
 bool is_degenerate(const Arguments& arguments) {
     std::array<double, 8> value{};
     std::size_t i = 0;
@@ -199,7 +199,7 @@ std::vector<StageEntry> complex_maps() {
     return {
         {kind,
          "power",
-         "z^w of z = u + i v; a whole w from 1 to 16 has no seam",
+         "z^w of z = u + i v; a whole w from 1 to 16 has no branch cut",
          {number_parameter("exponent", 2.0, "the real part of w"),
           number_parameter("imaginary", 0.0, "the imaginary part of w"), cut_parameter(), center},
          [](const Arguments& a) {
@@ -229,7 +229,7 @@ std::vector<StageEntry> complex_maps() {
 })"},
         {kind,
          "logarithm",
-         "log z of z = u + i v: unrolls what lies round (0, 0): u becomes the logarithm of the "
+         "log z of z = u + i v: unrolls the surroundings of (0, 0): u becomes the logarithm of the "
          "distance and v the angle",
          {cut_parameter()},
          [](const Arguments& a) { return made<Logarithm>(a.number("cut")); },
@@ -246,10 +246,10 @@ std::vector<StageEntry> complex_maps() {
          {complex_parameter("a", 1.0, "(real part, imaginary part)"),
           complex_parameter("b", 0.0, "(real part, imaginary part)"),
           complex_parameter("c", 0.0, "(real part, imaginary part)"),
-          complex_parameter("d", 1.0, "(real part, imaginary part); a d is not b c")},
+          complex_parameter("d", 1.0, "(real part, imaginary part); a d must differ from b c")},
          [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
              if (is_degenerate(a)) {
-                 return error("a d = b c, so that all of parameter space goes to one point", {},
+                 return error("a d = b c maps all of parameter space to one point", {},
                               "change one of a, b, c and d");
              }
              return made<Moebius>(a.pair("a"), a.pair("b"), a.pair("c"), a.pair("d"));
@@ -264,13 +264,14 @@ std::vector<StageEntry> complex_maps() {
 })"},
         {kind,
          "print_gallery",
-         "Escher's Print Gallery: going round the centre, all becomes `scale` times larger and is "
-         "the same again",
+         "Escher's Print Gallery: along one turn around the centre, everything grows `scale` times "
+         "and "
+         "joins itself",
          {{.name = "scale",
            .default_value = {256.0},
            .minimum = 1.0,
            .excludes_minimum = true,
-           .meaning = "how much larger a picture is than the one within it"},
+           .meaning = "size of a picture relative to the one inside it"},
           {.name = "turns",
            .type = count,
            .default_value = {1.0},
@@ -278,13 +279,13 @@ std::vector<StageEntry> complex_maps() {
            .maximum = 16.0,
            .constant = true,
            .meaning =
-               "how many scales one way round spans; 0 is the picture within the picture, not "
+               "number of scale factors per turn; 0 is the picture within the picture, without "
                "twisted"},
           {.name = "grows",
            .type = choice,
            .choices = {"clockwise", "counter_clockwise"},
-           .meaning = "which way round things become larger as seen with u to the right and v up; "
-                      "where u runs to the left it is the other way"},
+           .meaning = "sense in which things become larger, for u to the right and v up; "
+                      "if u runs to the left, it is reversed"},
           {.name = "frame",
            .type = size,
            .unit = Unit::parameter,
@@ -296,7 +297,7 @@ std::vector<StageEntry> complex_maps() {
           {.name = "shape",
            .type = choice,
            .choices = {"rectangle", "ellipse"},
-           .meaning = "of the frame"},
+           .meaning = "shape of the frame"},
           center},
          [](const Arguments& a) {
              const double sense = a.choice("grows") == "clockwise" ? 1.0 : -1.0;
@@ -306,7 +307,7 @@ std::vector<StageEntry> complex_maps() {
          },
          {},
          0,
-         R"(// Clockwise in the picture, as Escher has it: its u runs to the left.
+         R"(// Clockwise in the picture, as in Escher's lithograph, because u runs to the left.
 camera print_gallery {
     map    u = 1 .. -1, v = square
     warp   print_gallery(scale = 16, grows = counter_clockwise)

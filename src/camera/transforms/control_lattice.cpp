@@ -20,8 +20,9 @@ Cells cells_of(const LatticeAxis& axis, LatticeBasis basis) {
     return basis == LatticeBasis::bernstein ? Cells{1, axis.points - 1} : Cells{axis.points - 1, 3};
 }
 
-/// Cell by cell the powers of the uniform cubic B-spline with the given control values; those
-/// before the first and behind the last go on linearly, so that the ends are on the values.
+/// The coefficients, by cell, of the uniform cubic B-spline with the given control values; those
+/// before the first and after the last are extrapolated linearly, so that the ends are
+/// interpolated.
 std::vector<double> b_spline(std::span<const double> control) {
     const std::size_t last = control.size() - 1;
     std::vector<double> powers;
@@ -38,7 +39,7 @@ std::vector<double> b_spline(std::span<const double> control) {
     return powers;
 }
 
-/// The control values whose B-spline goes through the values: (c[i-1] + 4 c[i] + c[i+1])/6 = v[i],
+/// The control values whose B-spline interpolates the values: (c[i-1] + 4 c[i] + c[i+1])/6 = v[i],
 /// with c = v at the ends. Gaussian elimination of the tridiagonal system.
 std::vector<double> interpolating_control(std::span<const double> values) {
     const std::size_t last = values.size() - 1;
@@ -60,8 +61,8 @@ std::vector<double> interpolating_control(std::span<const double> values) {
     return control;
 }
 
-/// The powers of the Bernstein polynomial with the given control values: binomial(degree, k) times
-/// their k-th differences at the first.
+/// The coefficients of the Bernstein polynomial with the given control values: binomial(degree, k)
+/// times their k-th differences at the first.
 std::vector<double> bernstein(std::span<const double> control) {
     std::vector<double> difference(control.begin(), control.end());
     const std::size_t degree = control.size() - 1;
@@ -86,8 +87,8 @@ std::vector<double> powers_along(std::span<const double> line, LatticeBasis basi
     return bernstein(line);
 }
 
-/// Every line along the last axis replaced by its powers, and that axis made the first. Once for
-/// each axis gives all of them their turn, and their order back.
+/// Replaces every line along the last axis by its coefficients, and makes that axis the first. Once
+/// for each axis processes all axes and restores their order.
 std::vector<double> expand_last_axis(std::span<const double> values, std::size_t points,
                                      LatticeBasis basis) {
     const std::size_t lines = values.size() / points;
@@ -103,7 +104,7 @@ std::vector<double> expand_last_axis(std::span<const double> values, std::size_t
     return expanded;
 }
 
-/// From (cell, power) axis by axis to all cells first, then all powers, as a table has them.
+/// From (cell, power) per axis to all cells first, then all powers, as in a table.
 std::vector<double> cells_first(std::span<const double> expanded, std::span<const Cells> cells) {
     std::vector<double> sorted(expanded.size());
     for (std::size_t from = 0; from < expanded.size(); ++from) {

@@ -11,23 +11,23 @@
 
 namespace balcony::camera {
 
-/// How values at the points of a lattice become a function between them; each reproduces a constant
+/// How values at the points of a lattice define a function; each basis reproduces a constant
 /// and a linear function. With the first two, which are twice continuously differentiable, the
 /// second derivative across the border of the box is 0.
 enum class LatticeBasis : std::uint8_t {
-    b_spline,       ///< Uniform cubic B-splines: near the values inside, on them at the corners.
-    interpolating,  ///< Natural cubic splines, through all values.
-    bernstein,      ///< One polynomial, a Bézier patch: on the values at the corners.
+    b_spline,       ///< Uniform cubic B-splines: approximate the values, interpolate the corners.
+    interpolating,  ///< Natural cubic splines: interpolate all values.
+    bernstein,      ///< One polynomial, a Bézier patch: interpolates the corners.
 };
 
-/// `points` equally spaced places from `first` to `last`, both included; at least two.
+/// `points` equally spaced positions from `first` to `last`, both included; at least two.
 struct LatticeAxis {
     double first = 0.0;
     double last = 1.0;
     std::size_t points = 2;
 };
 
-/// The most points along an axis of a Bernstein lattice.
+/// The maximum number of points along an axis of a Bernstein lattice.
 inline constexpr std::size_t max_bernstein_points = expr::Table::max_degree + 1;
 
 /// The number of coefficients of a lattice's table.

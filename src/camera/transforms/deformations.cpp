@@ -3,7 +3,7 @@
 
 // Object transformers, OCS → OCS: twist, taper and bend after A. H. Barr, "Global and Local
 // Deformations of Solid Primitives" (SIGGRAPH 1984). Each works up along an axis between two
-// heights; what lies below the first stays, what lies above the second goes along.
+// heights; points below the first are fixed, points above the second follow rigidly.
 
 #include "camera/families.hpp"
 #include "camera/stage_parameters.hpp"
@@ -12,7 +12,7 @@ namespace balcony::camera {
 
 namespace {
 
-/// The stretch of the axis over which a deformation works: heights above `at`.
+/// The range of the axis over which a deformation works: heights above `at`.
 struct Stretch {
     Triple axis, at;
     Scalar from, to;
@@ -61,7 +61,7 @@ private:
     Scalar factor_;
 };
 
-/// With k = angle/(to - from), the curvature, s the height clamped to the stretch and
+/// With k = angle/(to - from), the curvature, s the height clamped to the range and
 /// theta = k (s - from), a point at height h and depth n (towards the side that it bends to) goes
 /// to
 ///     h' = from + sin(theta) (1/k - n) + cos(theta) (h - s)
@@ -80,11 +80,11 @@ public:
         const Expr n = dot(side, d);
         const Expr from = emit(along_.from);
         const Expr s = clamp(h, from, emit(along_.to));
-        // Straight is a curvature too small to be seen, so that nothing divides by 0.
+        // A straight bend uses a negligible curvature, to avoid a division by 0.
         const Expr curvature = emit(angle_) / (emit(along_.to) - from);
         const Expr k = select(abs(curvature) < 1e-12, emit(1e-12), curvature);
         const Expr theta = k * (s - from);
-        // (1 - cos(theta))/k, as a product so that nothing cancels.
+        // (1 - cos(theta))/k, as a product to avoid cancellation.
         const Expr half = sin(0.5 * theta);
         const Expr sag = 2.0 * half * half / k;
         const Expr h_new = from + sin(theta) / k - sin(theta) * n + cos(theta) * (h - s);
@@ -115,12 +115,12 @@ Diagnostics unfit(const Arguments& a) {
     Graph graph;
     const auto axis = known(a.triple("axis"), graph);
     if (axis && dot(*axis, *axis).is_constant(0.0)) {
-        return {error("the axis is (0, 0, 0), which is no direction", {},
+        return {error("the axis is (0, 0, 0), which is not a direction", {},
                       "write x, y, z or a vector such as (1, 1, 0)")};
     }
     const std::optional<double> from = a.number("from").constant();
     if (from && from == a.number("to").constant()) {
-        return {error("from and to are the same height, so that nothing lies between them", {},
+        return {error("from and to are the same height", {},
                       "give two different heights along the axis")};
     }
     return {};
@@ -129,15 +129,15 @@ Diagnostics unfit(const Arguments& a) {
 /// A Concrete(stretch, amount).
 template <class Concrete>
 Result<std::shared_ptr<const Stage>> deformation(const Arguments& a, std::string_view amount) {
-    if (Diagnostics said = unfit(a); !said.empty()) {
-        return said;
+    if (Diagnostics diagnostics = unfit(a); !diagnostics.empty()) {
+        return diagnostics;
     }
     return made<Concrete>(stretch_of(a), a.number(amount));
 }
 
 Result<std::shared_ptr<const Stage>> bend(const Arguments& a) {
-    if (Diagnostics said = unfit(a); !said.empty()) {
-        return said;
+    if (Diagnostics diagnostics = unfit(a); !diagnostics.empty()) {
+        return diagnostics;
     }
     Graph graph;
     const auto axis = known(a.triple("axis"), graph);
@@ -145,8 +145,9 @@ Result<std::shared_ptr<const Stage>> bend(const Arguments& a) {
     if (axis && toward) {
         const ObjectVector across = cross(*axis, *toward);
         if (dot(across, across).is_constant(0.0)) {
-            return error("toward runs along the axis, which bends to a side", {},
-                         "give a direction across the axis, such as toward = x for axis = z");
+            return error(
+                "toward is parallel to the axis", {},
+                "give a direction perpendicular to the axis, such as toward = x for axis = z");
         }
     }
     return made<Bend>(stretch_of(a), a.triple("toward"), a.number("angle"));
@@ -155,8 +156,8 @@ Result<std::shared_ptr<const Stage>> bend(const Arguments& a) {
 std::vector<StageParameter> deformation_parameters(std::vector<StageParameter> own) {
     own.insert(own.begin(), {.name = "axis",
                              .type = ParameterType::axis,
-                             .meaning = "along which it works: x, y, z or a vector"});
-    own.push_back(number_parameter("from", -1.0, "the height along the axis where it begins"));
+                             .meaning = "axis of the deformation: x, y, z or a vector"});
+    own.push_back(number_parameter("from", -1.0, "the height along the axis where it starts"));
     own.push_back(number_parameter("to", 1.0, "the height along the axis where it ends"));
     own.push_back(triple_parameter("at", {0.0, 0.0, 0.0}, "a point of the axis, at height 0"));
     return own;
@@ -169,9 +170,9 @@ std::vector<StageEntry> deformations() {
     return {
         {kind,
          "twist",
-         "turns about an axis, the more the further along it",
+         "rotates about an axis, by an angle that increases along it",
          deformation_parameters(
-             {{.name = "angle", .unit = Unit::angle, .meaning = "turn between from and to"}}),
+             {{.name = "angle", .unit = Unit::angle, .meaning = "rotation between from and to"}}),
          [](const Arguments& a) { return deformation<Twist>(a, "angle"); },
          {},
          0,
@@ -182,9 +183,9 @@ std::vector<StageEntry> deformations() {
 })"},
         {kind,
          "taper",
-         "scales across an axis, the more the further along it",
+         "scales perpendicular to an axis, by a factor that changes along it",
          deformation_parameters(
-             {positive_parameter("factor", 0.5, "scale at to; at from it is 1")}),
+             {positive_parameter("factor", 0.5, "scale at `to`; at `from` it is 1")}),
          [](const Arguments& a) { return deformation<Taper>(a, "factor"); },
          {},
          0,
@@ -195,13 +196,14 @@ std::vector<StageEntry> deformations() {
 })"},
         {kind,
          "bend",
-         "bends what stands along an axis into an arc",
-         deformation_parameters(
-             {{.name = "angle", .unit = Unit::angle, .meaning = "of the arc between from and to"},
-              {.name = "toward",
-               .type = ParameterType::axis,
-               .default_value = {1.0, 0.0, 0.0},
-               .meaning = "to which side"}}),
+         "bends an axis and its surroundings into an arc",
+         deformation_parameters({{.name = "angle",
+                                  .unit = Unit::angle,
+                                  .meaning = "angle of the arc between from and to"},
+                                 {.name = "toward",
+                                  .type = ParameterType::axis,
+                                  .default_value = {1.0, 0.0, 0.0},
+                                  .meaning = "the direction to bend to"}}),
          bend,
          {},
          0,

@@ -64,7 +64,7 @@ camera rippled {
          FormulaShape{3, 3, 3},
          0,
          R"(
-// A plane bent by a wave: its normals spread on crests and meet over troughs.
+// A plane bent by a wave: its normals diverge on crests and converge over troughs.
 camera bent {
     map  u = 2 .. -2, v = square
     eye  plane

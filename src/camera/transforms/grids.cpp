@@ -23,13 +23,13 @@ using TablePointer = std::shared_ptr<const Table>;
 /// A table's coefficients take 8 bytes each.
 constexpr std::size_t max_coefficients = std::size_t{1} << 20;
 
-/// What the points of a lattice add to a place in its box; one table a co-ordinate, whose axes are
+/// The offset of a point in the box of a lattice; one table per coordinate, whose axes are
 /// in the order ..., v, u.
 struct Offsets {
     std::vector<LatticeAxis> axes;
     std::vector<TablePointer> tables;
 
-    /// The offset at the place of the box that is nearest to p.
+    /// The offset at the point of the box nearest to p.
     [[nodiscard]] std::vector<Expr> operator()(std::span<const Expr> point,
                                                const Emitter& emit) const {
         std::vector<Expr> p(point.rbegin(), point.rend());
@@ -52,7 +52,7 @@ LatticeBasis basis_of(const Arguments& a) {
                                      : LatticeBasis::bernstein;
 }
 
-/// The numbers of points along each axis as the words say them: columns, rows, layers.
+/// The numbers of points along each axis: columns, rows, layers.
 struct Counts {
     std::vector<std::size_t> along;
     std::vector<std::string_view> names;
@@ -73,37 +73,36 @@ Result<Counts> counts_of(const Arguments& a, std::vector<std::string_view> names
     }
     counts.along.push_back(total / slab);
     if (counts.along.back() < 2) {
-        return error(fmt::format("the points are one of the {} alone", counts.names.back()), {},
+        return error(fmt::format("the points form only one of the {}", counts.names.back()), {},
                      fmt::format("give at least {} points", 2 * slab));
     }
     return counts;
 }
 
-/// Why the points cannot be a lattice of the basis, if they cannot.
+/// The error of points that cannot form a lattice of the basis.
 Diagnostics unfit(const Counts& counts, std::span<const LatticeAxis> axes, LatticeBasis basis) {
     for (std::size_t i = 0; i < axes.size(); ++i) {
         const std::string_view name = counts.names[axes.size() - 1 - i];
         if (axes[i].first == axes[i].last) {
-            return {error(fmt::format("the box has no extent across its {}", name), {},
-                          "let from and to differ in every co-ordinate")};
+            return {error(fmt::format("the box has no extent along its {}", name), {},
+                          "make from and to differ in every coordinate")};
         }
         if (basis == LatticeBasis::bernstein && axes[i].points > max_bernstein_points) {
             return {error(
                 fmt::format("a Bernstein lattice of {} {} has too high a degree", axes[i].points,
                             name),
-                {},
-                fmt::format("give at most {}, or take basis = b_spline", max_bernstein_points))};
+                {}, fmt::format("give at most {}, or use basis = b_spline", max_bernstein_points))};
         }
     }
     if (coefficient_count(axes, basis) > max_coefficients) {
         return {error("the lattice has too many points", {},
-                      fmt::format("a lattice makes at most {} coefficients, and this one {}",
+                      fmt::format("a lattice has at most {} coefficients, but this one has {}",
                                   max_coefficients, coefficient_count(axes, basis)))};
     }
     return {};
 }
 
-/// The lattice's own place of its point number i, one of the co-ordinates.
+/// One coordinate of the regular position of lattice point i.
 double regular_place(const LatticeAxis& axis, std::size_t i) {
     const double part = static_cast<double>(i) / static_cast<double>(axis.points - 1);
     return axis.first + part * (axis.last - axis.first);
@@ -123,8 +122,8 @@ Result<Offsets> offsets_of(const Arguments& a, const Box& from, const Box& to,
                                 to[axis].constant().value_or(0.0), counts->along[axis]});
     }
     const LatticeBasis basis = basis_of(a);
-    if (Diagnostics said = unfit(*counts, offsets.axes, basis); !said.empty()) {
-        return said;
+    if (Diagnostics diagnostics = unfit(*counts, offsets.axes, basis); !diagnostics.empty()) {
+        return diagnostics;
     }
     const PointList& points = a.points("points");
     const bool positions = a.choice("given") == "positions";
@@ -152,7 +151,7 @@ StageParameter count_parameter(std::string_view name, std::string_view meaning) 
             .meaning = meaning};
 }
 
-/// The parameters that stand behind the points and their counts.
+/// The parameters after the points and their counts.
 std::vector<StageParameter> with_box(std::vector<StageParameter> own, StageParameter from,
                                      StageParameter to) {
     using enum ParameterType;
@@ -164,13 +163,14 @@ std::vector<StageParameter> with_box(std::vector<StageParameter> own, StageParam
     own.push_back({.name = "given",
                    .type = choice,
                    .choices = {"offsets", "positions"},
-                   .meaning = "whether the points are added to the regular lattice's or stand "
-                              "where its points go"});
-    own.push_back({.name = "basis",
-                   .type = choice,
-                   .choices = {"b_spline", "interpolating", "bernstein"},
-                   .meaning = "near the points, through the points, or one polynomial of at most "
-                              "8 points along an axis"});
+                   .meaning = "whether the points are offsets from the regular lattice or the "
+                              "new positions of its points"});
+    own.push_back(
+        {.name = "basis",
+         .type = choice,
+         .choices = {"b_spline", "interpolating", "bernstein"},
+         .meaning = "approximates the points, interpolates them, or is one polynomial of at most "
+                    "8 points along an axis"});
     own.push_back(amount_parameter());
     return own;
 }
@@ -183,8 +183,8 @@ std::vector<StageParameter> parameter_grid_parameters() {
           .unit = Unit::parameter,
           .coordinates = {2},
           .min_points = 4,
-          .meaning = "(u, v), from the corner `from` on along u, then row by row along v"},
-         count_parameter("columns", "how many points a row has")},
+          .meaning = "(u, v), from the corner `from` along u, then row by row along v"},
+         count_parameter("columns", "number of points per row")},
         pair_parameter("from", {-1.0, -1.0}, "the corner (u, v) of the box at the first point"),
         pair_parameter("to", {1.0, 1.0}, "the corner at the last point"));
 }
@@ -195,10 +195,10 @@ std::vector<StageParameter> object_grid_parameters() {
                       .type = points,
                       .coordinates = {3},
                       .min_points = 8,
-                      .meaning = "(x, y, z), from the corner `from` on along x, then row by row "
+                      .meaning = "(x, y, z), from the corner `from` along x, then row by row "
                                  "along y, then layer by layer along z"},
-                     count_parameter("columns", "how many points a row has, along x"),
-                     count_parameter("rows", "how many rows a layer has, along y")},
+                     count_parameter("columns", "number of points per row, along x"),
+                     count_parameter("rows", "number of rows per layer, along y")},
                     triple_parameter("from", {-1.0, -1.0, -1.0},
                                      "the corner (x, y, z) of the box at the first point"),
                     triple_parameter("to", {1.0, 1.0, 1.0}, "the corner at the last point"));
@@ -210,8 +210,8 @@ std::vector<StageEntry> grids() {
     return {
         {StageKind::parameter_transformer,
          "grid",
-         "distorts parameter space by a lattice of control points; outside its box the offset of "
-         "the nearest border point goes on",
+         "distorts parameter space by a lattice of control points; outside its box, the offset of "
+         "the nearest border point applies",
          parameter_grid_parameters(),
          [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
              auto offsets = offsets_of(a, a.pair("from"), a.pair("to"), {"columns", "rows"});
@@ -234,7 +234,7 @@ std::vector<StageEntry> grids() {
         {StageKind::object_transformer,
          "grid",
          "free-form deformation: distorts object space by a lattice of control points; outside "
-         "its box the offset of the nearest border point goes on",
+         "its box, the offset of the nearest border point applies",
          object_grid_parameters(),
          [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
              auto offsets =

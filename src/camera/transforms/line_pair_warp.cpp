@@ -24,19 +24,19 @@ struct Vector2 {
 
 Vector2 operator-(const Vector2& a, const Vector2& b) { return {a.u - b.u, a.v - b.v}; }
 double length(const Vector2& a) { return std::hypot(a.u, a.v); }
-/// Of the same length, a quarter turn counter-clockwise.
+/// The vector rotated by a quarter turn counter-clockwise.
 Vector2 perpendicular(const Vector2& a) { return {-a.v, a.u}; }
 
-/// The line P Q in the picture and where it goes, P' Q'.
+/// The line P Q in the picture and the corresponding line P' Q'.
 struct LinePair {
     Vector2 from, to, from_new, to_new;
 };
 
-/// A point X keeps its place along each line, in units of its length, and its distance from it:
+/// A point X keeps its position along each line, in units of its length, and its distance from it:
 ///     along = (X - P) . (Q - P) / |Q - P|^2,  aside = (X - P) . perp(Q - P) / |Q - P|,
 ///     X' = P' + along (Q' - P') + aside perp(Q' - P') / |Q' - P'|.
-/// What it gets is the mean of X' - X with the weights (|Q - P|^p / (a + distance))^b, the distance
-/// being that from the line's nearest point.
+/// Its offset is the mean of X' - X with the weights (|Q - P|^p / (a + distance))^b, the distance
+/// being that from the segment.
 struct LineField {
     std::vector<LinePair> lines;
     double a = 0.1;
@@ -60,7 +60,7 @@ struct LineField {
 
             const Expr beyond = along - min(max(along, emit(0.0)), emit(1.0));
             const Expr squared = aside * aside + (size * size) * (beyond * beyond);
-            // The root's slope is infinite at 0, hence the least value that it sees.
+            // The slope of the square root is infinite at 0, hence the lower bound of its argument.
             const Expr distance = sqrt(max(squared, emit(1e-24 * size * size)));
             const Expr weight = pow(std::pow(size, p) / (a + distance), b);
 
@@ -87,8 +87,8 @@ Result<std::shared_ptr<const Stage>> line_pairs(const Arguments& arguments) {
         const std::span<const double> c = points[i];
         const LinePair line{{c[0], c[1]}, {c[2], c[3]}, {c[4], c[5]}, {c[6], c[7]}};
         if (length(line.to - line.from) == 0.0 || length(line.to_new - line.from_new) == 0.0) {
-            return error(fmt::format("a line of pair {} begins where it ends", i + 1), {},
-                         "a line has two different ends");
+            return error(fmt::format("a line of pair {} has equal ends", i + 1), {},
+                         "give a line two different ends");
         }
         field.lines.push_back(line);
     }
@@ -102,31 +102,31 @@ std::vector<StageEntry> line_pair_warp() {
     return {
         {StageKind::parameter_transformer,
          "line_pairs",
-         "field warping: lines in the picture take along what is next to them (Beier and Neely)",
+         "field warping: lines in the picture move their surroundings (Beier and Neely)",
          {{.name = "lines",
            .type = points,
            .unit = Unit::parameter,
            .coordinates = {8},
-           .meaning = "(P, Q, P', Q') as 8 numbers: along the line P Q the picture has what was "
+           .meaning = "(P, Q, P', Q') as 8 numbers: the line P Q of the picture shows what was "
                       "along P' Q'"},
           {.name = "a",
            .default_value = {0.1},
            .minimum = 0.0,
            .excludes_minimum = true,
            .constant = true,
-           .meaning = "a distance: the smaller, the more exactly a line goes where it shall"},
+           .meaning = "a distance; smaller values move the lines more exactly"},
           {.name = "b",
            .default_value = {2.0},
            .minimum = 0.0,
            .maximum = 16.0,
            .constant = true,
-           .meaning = "how fast a line loses with distance; at 0 all count the same everywhere"},
+           .meaning = "falloff of a line's influence with distance; 0 is none"},
           {.name = "p",
            .default_value = {0.5},
            .minimum = 0.0,
            .maximum = 4.0,
            .constant = true,
-           .meaning = "how much more a long line counts; at 0 all count the same"},
+           .meaning = "additional influence of long lines; 0 is none"},
           amount_parameter()},
          line_pairs,
          {},

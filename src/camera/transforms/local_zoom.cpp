@@ -9,11 +9,11 @@ namespace balcony::camera {
 
 namespace {
 
-/// Enlarges the picture round a point of parameter space and keeps all the rest: with d the offset
-/// from the point in units of the radius and q = |d|^2 < 1, d becomes d (1 - k (1 - q)^3) with
-/// k = 1 - 1/strength. Twice continuously differentiable at the rim. It never folds for strengths
-/// of 1 and more; below 32/81 it does (the slope along d, 1 - k (1 - q)^2 (1 - 7 q), is least at
-/// q = 3/7), so that directions swing forth and back.
+/// Enlarges the picture around a point of parameter space and keeps the rest visible: with d the
+/// offset from the point in units of the radius and q = |d|^2 < 1, d becomes d (1 - k (1 - q)^3)
+/// with k = 1 - 1/strength. Twice continuously differentiable at the rim. It never folds for
+/// strengths of 1 and more; below 32/81 it does (the slope along d, 1 - k (1 - q)^2 (1 - 7 q), has
+/// its minimum at q = 3/7).
 class LocalZoom final : public ParameterTransformer {
 public:
     LocalZoom(std::array<Scalar, 2> at, std::array<Scalar, 2> radius, Scalar strength)
@@ -42,26 +42,26 @@ std::vector<StageEntry> local_zoom() {
     return {
         {StageKind::parameter_transformer,
          "zoom",
-         "local zoom: magnifies round a point of parameter space, nothing of the rest is lost",
+         "local zoom: magnifies around a point of parameter space and keeps the rest visible",
          {{.name = "at", .type = pair, .unit = Unit::parameter, .meaning = "the point (u, v)"},
           {.name = "radius",
            .type = size,
            .unit = Unit::parameter,
            .minimum = 0.0,
            .excludes_minimum = true,
-           .meaning = "how far it reaches, in u and v"},
+           .meaning = "radius of the affected region, in u and v"},
           {.name = "strength",
            .default_value = {2.0},
            .minimum = 0.0,
            .excludes_minimum = true,
-           .meaning = "magnification in the middle; the picture folds over below 32/81"}},
+           .meaning = "magnification at the centre; the picture folds over below 32/81"}},
          [](const Arguments& a) {
              return made<LocalZoom>(a.pair("at"), a.pair("radius"), a.number("strength"));
          },
          {},
          0,
          R"(
-// Enlarges the middle twice and a half, and nothing of the rest is lost.
+// Enlarges the centre by a factor of 2.5 and keeps the rest visible.
 camera overview_and_detail {
     map    u = 40deg .. -40deg, v = square
     warp   zoom(at = (0, 0), radius = 20deg, strength = 2.5)

@@ -60,7 +60,7 @@ private:
     Triple factors_, at_;
 };
 
-/// Reflection in the plane through a point across an axis: d - 2 axis (axis . d).
+/// Reflection in the plane through a point and perpendicular to an axis: d - 2 axis (axis . d).
 class Mirror final : public ObjectTransformer {
 public:
     Mirror(Triple axis, Triple at) : axis_(std::move(axis)), at_(std::move(at)) {}
@@ -87,7 +87,7 @@ private:
     Triple x_, y_, z_, at_;
 };
 
-StageParameter center() { return triple_parameter("at", {0.0, 0.0, 0.0}, "the point that stays"); }
+StageParameter center() { return triple_parameter("at", {0.0, 0.0, 0.0}, "the fixed point"); }
 
 StageParameter axis(std::string_view meaning) {
     return {.name = "axis", .type = ParameterType::axis, .meaning = meaning};
@@ -98,7 +98,7 @@ bool is_null(const Triple& t) {
 }
 
 Diagnostic null_axis() {
-    return error("the axis is (0, 0, 0), which is no direction", {},
+    return error("the axis is (0, 0, 0), which is not a direction", {},
                  "write x, y, z or a vector such as (1, 1, 0)");
 }
 
@@ -109,14 +109,14 @@ std::vector<StageEntry> object_affine() {
     return {
         {kind,
          "translate",
-         "moves by a vector",
+         "translates by a vector",
          {number_parameter("x", 0.0, "along x"), number_parameter("y", 0.0, "along y"),
           number_parameter("z", 0.0, "along z")},
          [](const Arguments& a) { return made<Translate>(xyz_of(a)); },
          {},
          0,
          R"(
-// The same parallel rays from a place two units forward and one up.
+// The same parallel rays from a position two units forward and one up.
 camera moved {
     map  u = 3 .. -3, v = square
     eye  plane
@@ -126,9 +126,9 @@ camera moved {
 )"},
         {kind,
          "rotate",
-         "turns about an axis, counter-clockwise as seen from its tip",
+         "rotates about an axis, counter-clockwise as seen from its tip",
          {axis("x, y, z or a vector"),
-          {.name = "angle", .unit = Unit::angle, .meaning = "how far"},
+          {.name = "angle", .unit = Unit::angle, .meaning = "angle of rotation"},
           center()},
          [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
              if (is_null(a.triple("axis"))) {
@@ -139,7 +139,7 @@ camera moved {
          {},
          0,
          R"(
-// A plan seen from above on the left: the plane is bent down, then turned to the right.
+// A plan seen from above on the left: the plane is tilted down, then rotated to the right.
 camera from_above {
     map  u = 3 .. -3, v = square
     eye  plane
@@ -150,7 +150,7 @@ camera from_above {
         {kind,
          "scale",
          "scales about a point",
-         {{.name = "factor", .meaning = "for all three axes"}, center()},
+         {{.name = "factor", .meaning = "factor for all three axes"}, center()},
          [](const Arguments& a) {
              const Scalar factor = a.number("factor");
              return made<Stretch>(Triple{factor, factor, factor}, a.triple("at"));
@@ -158,7 +158,7 @@ camera from_above {
          {},
          0,
          R"(
-// A sphere of half the size: rays start nearer to its centre, their directions stay.
+// A sphere of half the size: rays start nearer to its centre, with the same directions.
 camera smaller {
     map  u = 180deg .. -180deg, v = -80deg .. 80deg
     eye  sphere(4)
@@ -176,7 +176,7 @@ camera smaller {
          {},
          0,
          R"(
-// A sphere drawn up into an egg, whose normals crowd towards the horizon.
+// A sphere stretched vertically, whose normals concentrate towards the horizon.
 camera egg {
     map  u = 180deg .. -180deg, v = -80deg .. 80deg
     eye  sphere(1)
@@ -186,7 +186,8 @@ camera egg {
 )"},
         {kind,
          "mirror",
-         "reflects across an axis, in the plane through a point; a surface's front becomes its "
+         "reflects in the plane through a point and perpendicular to an axis; a surface's front "
+         "becomes its "
          "back",
          {axis("the plane's normal: x, y, z or a vector"), center()},
          [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
@@ -198,7 +199,7 @@ camera egg {
          {},
          0,
          R"(
-// What somebody at the left of a flat mirror in the plane y = 0 sees in it.
+// The view in a flat mirror in the plane y = 0, from its left side.
 camera mirrored {
     map    u = 0.6 .. -0.6, v = square
     eye    point(0, 1, 0)
@@ -209,17 +210,17 @@ camera mirrored {
         {kind,
          "affine",
          "at + x (image of x) + y (image of y) + z (image of z)",
-         {triple_parameter("x", {1.0, 0.0, 0.0}, "where (1, 0, 0) goes, before at is added"),
-          triple_parameter("y", {0.0, 1.0, 0.0}, "where (0, 1, 0) goes, before at is added"),
-          triple_parameter("z", {0.0, 0.0, 1.0}, "where (0, 0, 1) goes, before at is added"),
-          triple_parameter("at", {0.0, 0.0, 0.0}, "where (0, 0, 0) goes")},
+         {triple_parameter("x", {1.0, 0.0, 0.0}, "the image of (1, 0, 0), before adding `at`"),
+          triple_parameter("y", {0.0, 1.0, 0.0}, "the image of (0, 1, 0), before adding `at`"),
+          triple_parameter("z", {0.0, 0.0, 1.0}, "the image of (0, 0, 1), before adding `at`"),
+          triple_parameter("at", {0.0, 0.0, 0.0}, "the image of (0, 0, 0)")},
          [](const Arguments& a) {
              return made<Affine>(a.triple("x"), a.triple("y"), a.triple("z"), a.triple("at"));
          },
          {},
          0,
          R"(
-// Parallel rays from a picture plane that leans forwards and to the left, at right angles to it.
+// Parallel rays from a picture plane that leans forwards and to the left, perpendicular to it.
 camera sheared {
     map  u = 3 .. -3, v = square
     eye  plane

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Transformers that add an offset to a point, which a field gives: vector<Expr> field(point, emit),
-// a co-ordinate each.
+// Transformers that add an offset from a field to a point: vector<Expr> field(point, emit),
+// one per coordinate.
 
 #include <array>
 #include <span>
@@ -47,7 +47,7 @@ private:
 };
 
 inline StageParameter amount_parameter() {
-    return number_parameter("amount", 1.0, "how much of the distortion; 0 is none");
+    return number_parameter("amount", 1.0, "strength of the distortion; 0 is none");
 }
 
 }  // namespace balcony::camera

@@ -78,7 +78,7 @@ private:
     Pair u_, v_, at_;
 };
 
-StageParameter center() { return pair_parameter("at", {0.0, 0.0}, "the point that stays"); }
+StageParameter center() { return pair_parameter("at", {0.0, 0.0}, "the fixed point"); }
 
 StageParameter addend(std::string_view name, std::string_view meaning) {
     return {.name = name, .unit = Unit::parameter, .default_value = {0.0}, .meaning = meaning};
@@ -99,7 +99,7 @@ std::vector<StageEntry> parameter_affine() {
          {},
          0,
          R"(
-// Looks 30 degrees further to the left and 10 up, in the same angles.
+// Looks 30 degrees further to the left and 10 degrees up, with the same field of view.
 camera aside {
     map    u = 40deg .. -40deg, v = square
     warp   translate(30deg, 10deg)
@@ -110,12 +110,13 @@ camera aside {
         {kind,
          "scale",
          "scales about a point; a factor above 1 shows more of the object",
-         {{.name = "factor", .type = ParameterType::size, .meaning = "for u and v"}, center()},
+         {{.name = "factor", .type = ParameterType::size, .meaning = "factors for u and v"},
+          center()},
          [](const Arguments& a) { return made<Scale>(a.pair("factor"), a.pair("at")); },
          {},
          0,
          R"(
-// Shows one and a half times as much across and as much as before in height.
+// Shows 1.5 times as much in width and the same in height.
 camera wider {
     map    u = 40deg .. -40deg, v = square
     warp   scale((1.5, 1))
@@ -125,13 +126,13 @@ camera wider {
 )"},
         {kind,
          "rotate",
-         "turns (u, v) about a point, from u towards v",
-         {{.name = "angle", .unit = Unit::angle, .meaning = "how far"}, center()},
+         "rotates (u, v) about a point, from u towards v",
+         {{.name = "angle", .unit = Unit::angle, .meaning = "angle of rotation"}, center()},
          [](const Arguments& a) { return made<Rotate>(a.number("angle"), a.pair("at")); },
          {},
          0,
          R"(
-// The picture lies askew, as with a camera that is held so.
+// The picture is tilted, like that of a tilted camera.
 camera askew {
     map    u = 40deg .. -40deg, v = square
     warp   rotate(20deg)
@@ -142,15 +143,15 @@ camera askew {
         {kind,
          "shear",
          "(u + a v, v + b u)",
-         {number_parameter("u", 0.0, "how much of v is added to u"),
-          number_parameter("v", 0.0, "how much of u is added to v")},
+         {number_parameter("u", 0.0, "the multiple of v added to u"),
+          number_parameter("v", 0.0, "the multiple of u added to v")},
          [](const Arguments& a) {
              return made<Shear>(Pair{a.number("u"), a.number("v")});
          },
          {},
          0,
          R"(
-// Uprights lean like italic letters.
+// Vertical lines lean like italic letters.
 camera leaning {
     map    u = 40deg .. -40deg, v = square
     warp   shear(u = 0.3)
@@ -161,14 +162,14 @@ camera leaning {
         {kind,
          "affine",
          "at + u (image of u) + v (image of v)",
-         {pair_parameter("u", {1.0, 0.0}, "where (1, 0) goes, before at is added"),
-          pair_parameter("v", {0.0, 1.0}, "where (0, 1) goes, before at is added"),
-          pair_parameter("at", {0.0, 0.0}, "where (0, 0) goes")},
+         {pair_parameter("u", {1.0, 0.0}, "the image of (1, 0), before adding `at`"),
+          pair_parameter("v", {0.0, 1.0}, "the image of (0, 1), before adding `at`"),
+          pair_parameter("at", {0.0, 0.0}, "the image of (0, 0)")},
          [](const Arguments& a) { return made<Affine>(a.pair("u"), a.pair("v"), a.pair("at")); },
          {},
          0,
          R"(
-// Any affine map of the angles: here turned, narrowed and moved at once.
+// Any affine map of the angles: here rotation, scaling and translation at once.
 camera any_affine {
     map    u = 40deg .. -40deg, v = square
     warp   affine(u = (0.8, 0.3), v = (-0.2, 0.6), at = (10deg, 0))

@@ -13,7 +13,7 @@ namespace balcony::camera {
 namespace {
 
 constexpr double max_times = 64.0;
-/// How many stages repeats within repeats may come to.
+/// The maximum number of stages in nested repeats.
 constexpr std::size_t max_applied = 4096;
 
 template <class Port, class Point>
@@ -32,7 +32,7 @@ public:
         return q;
     }
 
-    /// How many stages it applies in all.
+    /// The total number of stages that it applies.
     [[nodiscard]] std::size_t applied() const {
         std::size_t once = 0;
         for (const auto& stage : stages_) {
@@ -52,8 +52,8 @@ Result<std::shared_ptr<const Stage>> make_repeat(const Arguments& a) {
     auto repeat =
         std::make_shared<const Repeat<Port, Point>>(a.count("times"), a.stages<Port>("stages"));
     if (const std::size_t applied = repeat->applied(); applied > max_applied) {
-        return error(fmt::format("repeats within repeats come to {} stages", applied), {},
-                     fmt::format("repeat so that there are at most {}", max_applied));
+        return error(fmt::format("nested repeats apply {} stages", applied), {},
+                     fmt::format("reduce the repetitions to at most {} stages", max_applied));
     }
     return {std::shared_ptr<const Stage>(std::move(repeat))};
 }
@@ -64,11 +64,11 @@ std::vector<StageParameter> parameters(StageKind kind) {
              .minimum = 1.0,
              .maximum = max_times,
              .constant = true,
-             .meaning = "how often"},
+             .meaning = "number of repetitions"},
             {.name = "stages",
              .type = ParameterType::stages,
              .stage_kind = kind,
-             .meaning = "what is applied, in sequence"}};
+             .meaning = "the stages to repeat, in sequence"}};
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ std::vector<StageEntry> repeats() {
     return {
         {parameter_kind,
          "repeat",
-         "applies parameter transformers several times over",
+         "applies parameter transformers repeatedly",
          parameters(parameter_kind),
          make_repeat<ParameterTransformer, ParameterPoint>,
          {},
@@ -92,7 +92,7 @@ std::vector<StageEntry> repeats() {
 })"},
         {object_kind,
          "repeat",
-         "applies object transformers several times over",
+         "applies object transformers repeatedly",
          parameters(object_kind),
          make_repeat<ObjectTransformer, ObjectPoint>,
          {},

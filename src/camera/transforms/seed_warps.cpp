@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// Warping by seed points: correspondences between scattered points and where they go, in parameter
+// Warping by seed points: correspondences between scattered points, in parameter
 // space (PCS → PCS) and in object space (OCS → OCS), by thin-plate splines and by inverse-distance
 // weighting (D. Shepard 1968).
 
@@ -19,11 +19,11 @@ namespace balcony::camera {
 namespace {
 
 constexpr std::size_t max_seeds = 1000;
-/// The squared distance from a seed, in units of the seeds' spread, below which a point counts as
-/// that far off: so that no logarithm, root or quotient sees 0.
+/// The minimum squared distance from a seed, in units of the seeds' spread; smaller distances are
+/// replaced by it, so that no logarithm, root or quotient has the argument 0.
 constexpr double least_squared_distance = 1e-30;
 
-/// Seeds and what each adds to its place, in co-ordinates from their mean in units of their spread
+/// Seeds and their offsets, in coordinates relative to their mean and in units of their spread
 /// (the root of the mean squared distance from the mean).
 struct Seeds {
     std::size_t dimension = 2;
@@ -146,7 +146,7 @@ Diagnostics too_many(const PointList& points) {
                   fmt::format("give at most {}", max_seeds))};
 }
 
-/// Two seeds at one place that go to different places contradict each other, and even if they do
+/// Two seeds at the same position with different targets contradict each other, and even if they do
 /// not, the system of equations has no single solution.
 Diagnostics twins(const PointList& points) {
     const std::size_t dimension = points.coordinates / 2;
@@ -155,7 +155,7 @@ Diagnostics twins(const PointList& points) {
             if (std::ranges::equal(points[i].first(dimension), points[k].first(dimension))) {
                 return {error(fmt::format("seeds {} and {} are both at {}", i + 1, k + 1,
                                           place_of(points, i)),
-                              {}, "leave one of them out, or give smoothing above 0")};
+                              {}, "remove one of them, or use smoothing above 0")};
             }
         }
     }
@@ -165,20 +165,20 @@ Diagnostics twins(const PointList& points) {
 template <template <class> class Target>
 Result<std::shared_ptr<const Stage>> thin_plate(const Arguments& a) {
     const PointList& points = a.points("seeds");
-    if (Diagnostics said = too_many(points); !said.empty()) {
-        return said;
+    if (Diagnostics diagnostics = too_many(points); !diagnostics.empty()) {
+        return diagnostics;
     }
     const double smoothing = a.constant("smoothing");
-    if (Diagnostics said = twins(points); smoothing == 0.0 && !said.empty()) {
-        return said;
+    if (Diagnostics diagnostics = twins(points); smoothing == 0.0 && !diagnostics.empty()) {
+        return diagnostics;
     }
     Seeds seeds = seeds_of(points);
     auto spline =
         fit_thin_plate(seeds.places, seeds.dimension, seeds.offsets, seeds.dimension, smoothing);
     if (!spline) {
-        return error(fmt::format("the seeds lie on one {}, or some nearly on each other",
+        return error(fmt::format("the seeds lie on one {}, or some nearly coincide",
                                  seeds.dimension == 2 ? "line" : "plane"),
-                     {}, "add a seed away from the others that goes where it is");
+                     {}, "add a seed away from the others that does not move");
     }
     return made<Target<ThinPlateField>>(ThinPlateField{std::move(seeds), std::move(*spline)},
                                         a.number("amount"));
@@ -187,12 +187,12 @@ Result<std::shared_ptr<const Stage>> thin_plate(const Arguments& a) {
 template <template <class> class Target>
 Result<std::shared_ptr<const Stage>> inverse_distance(const Arguments& a) {
     const PointList& points = a.points("seeds");
-    if (Diagnostics said = too_many(points); !said.empty()) {
-        return said;
+    if (Diagnostics diagnostics = too_many(points); !diagnostics.empty()) {
+        return diagnostics;
     }
     const double smoothing = a.constant("smoothing");
-    if (Diagnostics said = twins(points); smoothing == 0.0 && !said.empty()) {
-        return said;
+    if (Diagnostics diagnostics = twins(points); smoothing == 0.0 && !diagnostics.empty()) {
+        return diagnostics;
     }
     return made<Target<InverseDistanceField>>(
         InverseDistanceField{seeds_of(points), a.constant("power"), smoothing}, a.number("amount"));
@@ -205,8 +205,8 @@ StageParameter seeds_parameter(StageKind kind, std::size_t minimum) {
             .unit = plane ? Unit::parameter : Unit::number,
             .coordinates = {plane ? std::size_t{4} : std::size_t{6}},
             .min_points = minimum,
-            .meaning = plane ? "(u, v, u', v'): the picture has at (u, v) what was at (u', v')"
-                             : "(x, y, z, x', y', z'): a point and where it goes"};
+            .meaning = plane ? "(u, v, u', v'): the picture shows at (u, v) what was at (u', v')"
+                             : "(x, y, z, x', y', z'): a point and its new position"};
 }
 
 StageParameter smoothing_parameter(std::string_view meaning) {
@@ -219,23 +219,26 @@ StageParameter smoothing_parameter(std::string_view meaning) {
 
 std::vector<StageParameter> thin_plate_parameters(StageKind kind) {
     return {seeds_parameter(kind, kind == StageKind::parameter_transformer ? 3 : 4),
-            smoothing_parameter("0 goes through the seeds; 0.01 is a little, 100 the affine map "
-                                "that fits best"),
+            smoothing_parameter(
+                "0 interpolates the seeds; 0.01 smooths slightly, 100 gives the affine map "
+                "with the best fit"),
             amount_parameter()};
 }
 
 std::vector<StageParameter> inverse_distance_parameters(StageKind kind) {
-    return {seeds_parameter(kind, 1),
-            {.name = "power",
-             .default_value = {2.0},
-             .minimum = 1.0,
-             .maximum = 8.0,
-             .excludes_minimum = true,
-             .constant = true,
-             .meaning = "of the distance; the higher, the more a seed rules what is next to it"},
-            smoothing_parameter("0 goes through the seeds; else a radius, in units of the seeds' "
-                                "spread, within which a seed is no nearer"),
-            amount_parameter()};
+    return {
+        seeds_parameter(kind, 1),
+        {.name = "power",
+         .default_value = {2.0},
+         .minimum = 1.0,
+         .maximum = 8.0,
+         .excludes_minimum = true,
+         .constant = true,
+         .meaning = "exponent of the distance; a higher value increases the influence of the "
+                    "nearest seed"},
+        smoothing_parameter("0 interpolates the seeds; otherwise a radius, in units of the seeds' "
+                            "spread, that limits the influence of near seeds"),
+        amount_parameter()};
 }
 
 }  // namespace
@@ -246,7 +249,7 @@ std::vector<StageEntry> seed_warps() {
     return {
         {parameter_kind,
          "thin_plate",
-         "the smoothest warp that takes seed points where they shall go, like a bent thin plate",
+         "the smoothest warp that moves seed points to given positions, like a bent thin plate",
          thin_plate_parameters(parameter_kind),
          thin_plate<ParameterOffset>,
          {},
@@ -260,7 +263,7 @@ std::vector<StageEntry> seed_warps() {
 })"},
         {parameter_kind,
          "inverse_distance",
-         "the mean of what seed points ask for, the nearer ones counting more (Shepard)",
+         "the mean of the offsets of seed points, weighted by inverse distance (Shepard)",
          inverse_distance_parameters(parameter_kind),
          inverse_distance<ParameterOffset>,
          {},
@@ -274,7 +277,7 @@ std::vector<StageEntry> seed_warps() {
 })"},
         {object_kind,
          "thin_plate",
-         "the smoothest deformation of space that takes seed points where they shall go",
+         "the smoothest deformation of space that moves seed points to given positions",
          thin_plate_parameters(object_kind),
          thin_plate<ObjectOffset>,
          {},
@@ -287,7 +290,7 @@ std::vector<StageEntry> seed_warps() {
 })"},
         {object_kind,
          "inverse_distance",
-         "a deformation of space: the mean of what seed points ask for, the nearer ones counting "
+         "a deformation of space: the mean of the offsets of seed points, weighted by inverse "
          "more",
          inverse_distance_parameters(object_kind),
          inverse_distance<ObjectOffset>,

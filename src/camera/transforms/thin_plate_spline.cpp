@@ -10,7 +10,7 @@ namespace balcony::camera {
 
 namespace {
 
-/// A pivot as small as this part of the matrix's largest element is what rounding leaves of 0.
+/// A pivot below this fraction of the matrix's largest element is a rounding error of 0.
 constexpr double min_pivot = 1e-13;
 
 /// Rows of equal length, one after another.

@@ -40,13 +40,13 @@ struct CheckOptions {
     bool json = false;
 };
 
-/// A picture in false colours that is asked for.
+/// A requested false-colour picture.
 struct Map {
     analyse::MapKind kind;
     fs::path file;
 };
 
-/// The options as they are meant.
+/// The values of the options.
 struct CheckRequest {
     SubjectRequest cameras;
     std::optional<double> distance;
@@ -61,7 +61,7 @@ std::string names_of_maps() {
     return names;
 }
 
-Map read_map(const std::string& name, const std::string& file, Diagnostics& said) {
+Map read_map(const std::string& name, const std::string& file, Diagnostics& diagnostics) {
     const auto kind = analyse::find_map_kind(name);
     if (!kind) {
         std::vector<std::string> known;
@@ -69,48 +69,50 @@ Map read_map(const std::string& name, const std::string& file, Diagnostics& said
             known.emplace_back(row.name);
         }
         const auto nearest = nearest_name(name, known);
-        refuse(said, "--map", name,
+        refuse(diagnostics, "--map", name,
                nearest ? fmt::format("did you mean '{}'?", *nearest) : "write " + names_of_maps());
     }
     if (ending_of(file) != ".png") {
-        said.push_back(
+        diagnostics.push_back(
             error(fmt::format("'{}' cannot be a map", file), {}, "name a file that ends in .png"));
     }
     return {kind.value_or(analyse::MapKind::magnification), file};
 }
 
-// Whether two names, which need not be there yet, lead to one place, as a.png and ./a.png do.
+// Whether two names, which need not exist yet, refer to the same file, like a.png and ./a.png.
 bool lead_to_one_file(const fs::path& a, const fs::path& b) {
     std::error_code failed;
     const fs::path place = fs::weakly_canonical(fs::absolute(a, failed), failed);
     return !failed && place == fs::weakly_canonical(fs::absolute(b, failed), failed);
 }
 
-CheckRequest read_request(const CheckOptions& options, Diagnostics& said) {
+CheckRequest read_request(const CheckOptions& options, Diagnostics& diagnostics) {
     constexpr double largest = 1e12;
     CheckRequest request;
     request.cameras.set = options.set;
     request.cameras.layer = options.layer;
-    request.cameras.size = read_size(options.size, said);
+    request.cameras.size = read_size(options.size, diagnostics);
     request.cameras.time =
-        read_number("--time", options.time, -largest, largest, "give a number", said);
+        read_number("--time", options.time, -largest, largest, "give a number", diagnostics);
     if (options.distance != "auto") {
-        request.distance = read_number("--distance", options.distance, 1e-12, largest,
-                                       "give auto, or a distance above 0 in scene units", said);
+        request.distance =
+            read_number("--distance", options.distance, 1e-12, largest,
+                        "give auto, or a distance above 0 in scene units", diagnostics);
     }
     for (const auto& [name, file] : options.maps) {
         for (const Map& other : request.maps) {
             if (lead_to_one_file(other.file, file)) {
-                said.push_back(error(fmt::format("two maps cannot be in one file '{}'", file), {},
-                                     "name a file for each"));
+                diagnostics.push_back(
+                    error(fmt::format("two maps cannot be written to the same file '{}'", file), {},
+                          "name a different file for each"));
             }
         }
-        request.maps.push_back(read_map(name, file, said));
+        request.maps.push_back(read_map(name, file, diagnostics));
         for (const std::string& camera : options.cameras) {
             std::error_code failed;
             if (fs::equivalent(file, camera_file(camera), failed) && !failed) {
-                said.push_back(error(fmt::format("'{}' would be overwritten", file), {},
-                                     "name another file for the map"));
+                diagnostics.push_back(error(fmt::format("'{}' would be overwritten", file), {},
+                                            "name another file for the map"));
             }
         }
     }
@@ -122,7 +124,7 @@ std::size_t count_pictures(const std::vector<lang::Description>& all) {
         std::count_if(all.begin(), all.end(), [](const auto& one) { return one.is_picture; }));
 }
 
-/// One run of the command: what it says to people or to programs grows as it goes.
+/// One run of the command. It collects the output for the terminal or for JSON.
 class Run {
 public:
     Run(const CheckOptions& options, CheckRequest request)
@@ -138,24 +140,24 @@ public:
             }
         }
         if (options_.json) {
-            print_json({{"files", files_}, {"diagnostics", to_json(said_)}});
+            print_json({{"files", files_}, {"diagnostics", to_json(diagnostics_)}});
         }
         return code_;
     }
 
 private:
-    // To people at once, to programs in the end.
-    void say(const Diagnostics& said) {
-        said_.insert(said_.end(), said.begin(), said.end());
+    // Text is printed at once, JSON at the end.
+    void add(const Diagnostics& diagnostics) {
+        diagnostics_.insert(diagnostics_.end(), diagnostics.begin(), diagnostics.end());
         if (!options_.json) {
-            report(said);
+            report(diagnostics);
         }
-        if (has_errors(said) && code_ == ExitCode::done) {
+        if (has_errors(diagnostics) && code_ == ExitCode::done) {
             code_ = ExitCode::bad_input;
         }
     }
 
-    void tell(const std::string& text) const {
+    void print(const std::string& text) const {
         if (!options_.json) {
             print_result(text);
         }
@@ -163,7 +165,7 @@ private:
 
     void read_scene() {
         Result<scene::Scene> loaded = load_scene(options_.scene);
-        say(loaded.diagnostics);
+        add(loaded.diagnostics);
         scene_ = std::move(loaded.value);
         if (scene_) {
             keep_textures(*scene_);
@@ -175,7 +177,7 @@ private:
             for (const scene::Texture& texture : scene.textures) {
                 std::error_code failed;
                 if (fs::equivalent(texture.file, map.file, failed) && !failed) {
-                    say({error(fmt::format("'{}' is part of the scene and would be overwritten",
+                    add({error(fmt::format("'{}' is part of the scene and would be overwritten",
                                            map.file.string()),
                                {}, "name another file for the map")});
                     return;
@@ -186,13 +188,14 @@ private:
 
     void check_file(const std::string& argument) {
         const std::string file = camera_file(argument).string();
-        const Diagnostics said = lang::check(file);
-        say(said);
-        // Of a good file it can still be wrong what was asked of it.
-        const auto subjects = has_errors(said) ? Result<std::vector<CheckSubject>>(said)
-                                               : check_subjects(argument, request_.cameras);
-        if (!has_errors(said) && !subjects) {
-            say(subjects.diagnostics);
+        const Diagnostics diagnostics = lang::check(file);
+        add(diagnostics);
+        // The file can be correct and the request wrong.
+        const auto subjects = has_errors(diagnostics)
+                                  ? Result<std::vector<CheckSubject>>(diagnostics)
+                                  : check_subjects(argument, request_.cameras);
+        if (!has_errors(diagnostics) && !subjects) {
+            add(subjects.diagnostics);
         }
         const auto cameras = lang::describe(file);
         const std::size_t pictures = cameras ? count_pictures(*cameras) : 0;
@@ -203,9 +206,9 @@ private:
                              {"good", static_cast<bool>(subjects)},
                              {"reports", nlohmann::json::array()}};
         if (subjects) {
-            tell(fmt::format("{}: {}{}, no errors\n", printable(file),
-                             counted(count, "camera", "cameras"),
-                             pictures > 0 ? ", " + counted(pictures, "picture", "pictures") : ""));
+            print(fmt::format("{}: {}{}, no errors\n", printable(file),
+                              counted(count, "camera", "cameras"),
+                              pictures > 0 ? ", " + counted(pictures, "picture", "pictures") : ""));
             for (const CheckSubject& subject : *subjects) {
                 check_camera(subject, entry["reports"]);
             }
@@ -225,7 +228,7 @@ private:
         if (scene_) {
             const Result<render::Probe> probe = look_at(*scene_, subject);
             if (!probe) {
-                say(probe.diagnostics);
+                add(probe.diagnostics);
                 return;
             }
             check.in_scene = in_scene(*scene_, *probe);
@@ -237,14 +240,14 @@ private:
             report = analyse::diagnose(subject.camera, settings);
         }
         if (!report) {
-            say(report.diagnostics);
+            add(report.diagnostics);
             return;
         }
         check.report = std::move(*report);
         finish(check, reports);
     }
 
-    // With rays a pixel apart at most; in a very large picture further, so that it comes to an end.
+    // Rays are at most one pixel apart, or further in a very large picture to limit the work.
     [[nodiscard]] Result<render::Probe> look_at(const scene::Scene& scene,
                                                 const CheckSubject& subject) const {
         constexpr double max_pixels = 16e6;
@@ -268,33 +271,33 @@ private:
 
     void finish(const CameraCheck& check, nlohmann::json& reports) {
         reports.push_back(check_json(check));
-        tell(check_text(check));
+        print(check_text(check));
         for (const Map& map : request_.maps) {
             write_map(check.report, map);
         }
         if (options_.strict && check.defect_count() > 0) {
-            say({error(fmt::format("camera '{}' has {}, and --strict allows none", check.title(),
+            add({error(fmt::format("camera '{}' has {}, but --strict allows none", check.title(),
                                    counted(check.defect_count(), "defect", "defects")))});
         }
     }
 
     void write_map(const analyse::Report& report, const Map& map) {
-        // Before a large picture is made in vain.
+        // Check before computing a large picture that cannot be written.
         const Diagnostics refused = render::check_output(map.file);
         if (has_errors(refused)) {
             code_ = ExitCode::environment;
-            say(refused);
+            add(refused);
             return;
         }
         const Image image = analyse::false_color(report, map.kind);
-        const Diagnostics said =
+        const Diagnostics diagnostics =
             render::write_png(image.samples, {image.width, image.height, 3}, map.file);
-        if (has_errors(said)) {
+        if (has_errors(diagnostics)) {
             code_ = ExitCode::environment;
         }
-        say(said);
-        if (!has_errors(said)) {
-            tell(line_of_map(map));
+        add(diagnostics);
+        if (!has_errors(diagnostics)) {
+            print(line_of_map(map));
         }
     }
 
@@ -307,13 +310,13 @@ private:
     std::optional<scene::Scene> scene_;
     std::optional<double> scene_distance_;
     ExitCode code_ = ExitCode::done;
-    Diagnostics said_;
+    Diagnostics diagnostics_;
     nlohmann::json files_ = nlohmann::json::array();
 };
 
-// A map shows one camera. What else is wrong is found when the cameras are looked at.
+// A map shows one camera. Other mistakes are found when the cameras are analysed.
 void check_one_camera(const CheckOptions& options, const SubjectRequest& request,
-                      Diagnostics& said) {
+                      Diagnostics& diagnostics) {
     const std::string& first = options.cameras.front();
     const auto subjects = check_subjects(first, request);
     if (options.cameras.size() == 1 && (!subjects || subjects->size() == 1)) {
@@ -328,27 +331,27 @@ void check_one_camera(const CheckOptions& options, const SubjectRequest& request
     }
     const std::string file = camera_file(first).string();
     const bool of_picture = options.cameras.size() == 1 && first != file;
-    said.push_back(error("--map shows one camera, here are several", {},
-                         of_picture
-                             ? fmt::format("choose one with --layer: {}", fmt::join(choice, ", "))
-                             : fmt::format("name it: {}:NAME", file)));
+    diagnostics.push_back(
+        error("--map shows one camera, but there are several", {},
+              of_picture ? fmt::format("choose one with --layer: {}", fmt::join(choice, ", "))
+                         : fmt::format("name it: {}:NAME", file)));
 }
 
 ExitCode check_command(const CheckOptions& options) {
-    Diagnostics said;
-    CheckRequest request = read_request(options, said);
+    Diagnostics diagnostics;
+    CheckRequest request = read_request(options, diagnostics);
     if (!options.layer.empty() && options.cameras.size() > 1) {
-        said.push_back(
-            error("--layer is of one picture, here are several files", {}, "name the picture"));
+        diagnostics.push_back(error("--layer refers to one picture, but there are several files",
+                                    {}, "name the picture"));
     }
-    if (!request.maps.empty() && !has_errors(said)) {
-        check_one_camera(options, request.cameras, said);
+    if (!request.maps.empty() && !has_errors(diagnostics)) {
+        check_one_camera(options, request.cameras, diagnostics);
     }
-    if (has_errors(said)) {
+    if (has_errors(diagnostics)) {
         if (options.json) {
-            print_json(nlohmann::json::object({{"diagnostics", to_json(said)}}));
+            print_json(nlohmann::json::object({{"diagnostics", to_json(diagnostics)}}));
         } else {
-            report(said);
+            report(diagnostics);
         }
         return ExitCode::wrong_usage;
     }
@@ -359,51 +362,49 @@ ExitCode check_command(const CheckOptions& options) {
 
 void add_check_command(CLI::App& app, ExitCode& code) {
     auto* command = app.add_subcommand(
-        "check", "says what is wrong with camera files, and what their pictures will be like");
+        "check", "reports mistakes in camera files and defects of their cameras");
     command->group("Commands");
     const auto options = std::make_shared<CheckOptions>();
     command
         ->add_option("FILE", options->cameras,
-                     "camera files or one of their cameras or pictures, FILE:NAME, or cameras of "
-                     "'balcony list cameras'")
+                     "camera files, cameras or pictures in them (FILE:NAME), or built-in cameras")
         ->required()
         ->take_all();
     add_set_option(*command, options->set);
-    command->add_option("--time", options->time, "the t of the cameras' formulas")
+    command->add_option("--time", options->time, "value of t in the cameras' formulas")
         ->type_name("T")
         ->capture_default_str();
     command
         ->add_option("--scene", options->scene,
-                     "a scene: says which of its objects are never seen, and which rays start "
-                     "inside one")
+                     "scene file: also report objects that are never visible and rays that start "
+                     "inside an object")
         ->type_name("SCENE");
     command
         ->add_option("--size", options->size,
-                     "of the picture whose pixels are meant (default: about a million, in the "
-                     "camera's proportion)")
+                     "size of the picture in pixels (default: about a million pixels, with the "
+                     "camera's aspect ratio)")
         ->type_name("WIDTH[xHEIGHT]");
     command
         ->add_option("--layer", options->layer,
-                     "only this layer of the picture: 1 is at the back, 3.1 is in the picture that "
-                     "layer 3 shows")
+                     "analyse only this layer of the picture: 1 is at the back, 3.1 is in the "
+                     "picture of layer 3")
         ->type_name("NUMBER");
     command
         ->add_option("--distance", options->distance,
-                     "where magnification is measured: how far from where the rays start; auto is "
-                     "the scene's, or one that suits the camera")
+                     "distance from the ray origins at which magnification is measured; auto "
+                     "depends on the scene or, without one, on the camera")
         ->type_name("UNITS")
         ->capture_default_str();
     command
-        ->add_option(
-            "--map", options->maps,
-            "writes a picture in false colours; may be repeated. KIND is " + names_of_maps())
+        ->add_option("--map", options->maps,
+                     "write a false-colour picture; may be repeated. KIND is " + names_of_maps())
         ->type_name("KIND FILE.png")
         ->allow_extra_args(false)
         ->take_all();
     command->add_flag("--strict", options->strict,
-                      "ends with exit code 1 if a camera has a defect: a fold, a seam, parts "
-                      "without a ray, ...");
-    command->add_flag("--json", options->json, "all of it, for programs");
+                      "exit with code 1 if a camera has a defect: a fold, a seam, a region "
+                      "without rays, ...");
+    command->add_flag("--json", options->json, "print the report as JSON");
     command->footer(
         "Examples:\n"
         "  balcony check gallery.cam room.cam\n"

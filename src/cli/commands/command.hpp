@@ -6,7 +6,7 @@
 
 namespace balcony::cli {
 
-/// How the command ends, for scripts.
+/// Exit codes of the command.
 enum class ExitCode : int {
     done = 0,
     bad_input = 1,
@@ -15,9 +15,10 @@ enum class ExitCode : int {
     interrupted = 130,
 };
 
-/// Each adds its subcommand to the app; if the user asked for it, its exit code is in `code` after
-/// parsing. With --json each prints one JSON object, whose "diagnostics" are a list; results go to
-/// standard output, all else to standard error.
+/// Each function adds its subcommand to the app. If the command line selects the subcommand,
+/// parsing runs it and stores its exit code in `code`. Results go to standard output, everything
+/// else to standard error. With --json, a subcommand prints one JSON object with a list
+/// "diagnostics".
 void add_render_command(CLI::App& app, ExitCode& code);
 void add_check_command(CLI::App& app, ExitCode& code);
 void add_explain_command(CLI::App& app, ExitCode& code);

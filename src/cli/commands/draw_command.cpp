@@ -47,20 +47,22 @@ struct DrawOptions {
 
 struct Outcome {
     ExitCode code = ExitCode::done;
-    Diagnostics said;
+    Diagnostics diagnostics;
 };
 
 constexpr double largest = 1e12;
 
-analyse::Depiction read_depiction(const DrawOptions& options, Diagnostics& said) {
+analyse::Depiction read_depiction(const DrawOptions& options, Diagnostics& diagnostics) {
     analyse::Depiction depiction;
     constexpr std::size_t max_rays = 100;
-    depiction.rays = read_count("--rays", options.rays, 0, max_rays, said);
+    depiction.rays = read_count("--rays", options.rays, 0, max_rays, diagnostics);
     if (options.length != "auto") {
-        depiction.length = read_number("--length", options.length, 1e-12, largest,
-                                       "give auto, or a length above 0 in scene units", said);
+        depiction.length =
+            read_number("--length", options.length, 1e-12, largest,
+                        "give auto, or a length above 0 in scene units", diagnostics);
     }
-    depiction.time = read_number("--time", options.time, -largest, largest, "give a number", said);
+    depiction.time =
+        read_number("--time", options.time, -largest, largest, "give a number", diagnostics);
     depiction.eye = !options.no_eye;
     depiction.toward = !options.no_toward;
     depiction.frame = !options.no_frame;
@@ -68,7 +70,7 @@ analyse::Depiction read_depiction(const DrawOptions& options, Diagnostics& said)
     return depiction;
 }
 
-// Two numbers with a separator between; both or nothing.
+// Two numbers with a separator between them; nothing if either is invalid.
 template <class Number>
 std::optional<std::array<Number, 2>> two_of(std::string_view text, std::string_view separators) {
     const std::size_t cut = text.find_first_of(separators);
@@ -80,7 +82,7 @@ std::optional<std::array<Number, 2>> two_of(std::string_view text, std::string_v
     return first && second ? std::optional(std::array{*first, *second}) : std::nullopt;
 }
 
-analyse::DrawingView read_view(const DrawOptions& options, Diagnostics& said) {
+analyse::DrawingView read_view(const DrawOptions& options, Diagnostics& diagnostics) {
     analyse::DrawingView view;
     const auto angles = two_of<double>(options.view, ",");
     constexpr double radians = std::numbers::pi / 180.0;
@@ -88,7 +90,7 @@ analyse::DrawingView read_view(const DrawOptions& options, Diagnostics& said) {
         view.azimuth = (*angles)[0] * radians;
         view.elevation = (*angles)[1] * radians;
     } else {
-        refuse(said, "--view", options.view,
+        refuse(diagnostics, "--view", options.view,
                "give two angles in degrees, azimuth from x to the left and elevation, such as "
                "-50,25");
     }
@@ -100,7 +102,7 @@ analyse::DrawingView read_view(const DrawOptions& options, Diagnostics& said) {
         view.width = (*size)[0];
         view.height = (*size)[1];
     } else {
-        refuse(said, "--size", options.size,
+        refuse(diagnostics, "--size", options.size,
                fmt::format("write --size 960x720; a side has {} to {} pixels", minimum, maximum));
     }
     return view;
@@ -116,21 +118,22 @@ std::optional<Format> format_of(const fs::path& file) {
                               : std::nullopt;
 }
 
-ExitCode check_output(const fs::path& file, const fs::path& camera, Diagnostics& said) {
+ExitCode check_output(const fs::path& file, const fs::path& camera, Diagnostics& diagnostics) {
     if (!format_of(file)) {
-        said.push_back(error(fmt::format("'{}' has no ending that says how to draw", file.string()),
-                             {}, "let the file's name end in .svg, .png or .glb"));
+        diagnostics.push_back(
+            error(fmt::format("the file extension of '{}' is not a drawing format", file.string()),
+                  {}, "use a file name that ends in .svg, .png or .glb"));
         return ExitCode::wrong_usage;
     }
     std::error_code failed;
     if (fs::equivalent(file, camera, failed) && !failed) {
-        said.push_back(
-            error(fmt::format("'{}' is the camera and would be overwritten", file.string()), {},
-                  "name another file with --output"));
+        diagnostics.push_back(
+            error(fmt::format("'{}' is the camera file and would be overwritten", file.string()),
+                  {}, "name another file with --output"));
         return ExitCode::wrong_usage;
     }
     const Diagnostics found = OutputFile::check(file);
-    said.insert(said.end(), found.begin(), found.end());
+    diagnostics.insert(diagnostics.end(), found.begin(), found.end());
     return has_errors(found) ? ExitCode::environment : ExitCode::done;
 }
 
@@ -142,7 +145,7 @@ Diagnostics write_drawing(const analyse::Drawing& drawing, Format format, const 
     return render::write_png(image.samples, {image.width, image.height, 3}, file);
 }
 
-// An error of the camera in the result, of the writing in the second.
+// An error of the camera is in the first value, an error of writing in the second.
 struct Written {
     Diagnostics camera, file;
 };
@@ -163,16 +166,18 @@ Written write(const camera::Picture& picture, const analyse::Depiction& depictio
 
 Outcome make_drawing(const DrawOptions& options) {
     Outcome outcome;
-    const auto add = [&outcome](const Diagnostics& said, ExitCode code) {
-        outcome.said.insert(outcome.said.end(), said.begin(), said.end());
-        outcome.code = has_errors(said) ? code : outcome.code;
+    const auto add = [&outcome](const Diagnostics& diagnostics, ExitCode code) {
+        outcome.diagnostics.insert(outcome.diagnostics.end(), diagnostics.begin(),
+                                   diagnostics.end());
+        outcome.code = has_errors(diagnostics) ? code : outcome.code;
     };
     Diagnostics usage;
     const analyse::Depiction depiction = read_depiction(options, usage);
     const analyse::DrawingView view = read_view(options, usage);
     add(usage, ExitCode::wrong_usage);
     if (outcome.code == ExitCode::done) {
-        outcome.code = check_output(options.output, camera_file(options.camera), outcome.said);
+        outcome.code =
+            check_output(options.output, camera_file(options.camera), outcome.diagnostics);
     }
     if (outcome.code != ExitCode::done) {
         return outcome;
@@ -191,14 +196,14 @@ ExitCode draw(const DrawOptions& options) {
     const Outcome outcome = make_drawing(options);
     const bool done = outcome.code == ExitCode::done;
     if (options.json) {
-        nlohmann::json facts{{"diagnostics", to_json(outcome.said)}, {"output", nullptr}};
+        nlohmann::json facts{{"diagnostics", to_json(outcome.diagnostics)}, {"output", nullptr}};
         if (done) {
             facts["output"] = options.output;
         }
         print_json(facts);
         return outcome.code;
     }
-    report(outcome.said);
+    report(outcome.diagnostics);
     if (done && !options.quiet) {
         print_result(fmt::format("{}: drawn\n", printable(options.output)));
     }
@@ -209,13 +214,13 @@ ExitCode draw(const DrawOptions& options) {
 
 void add_draw_command(CLI::App& app, ExitCode& code) {
     auto* command =
-        app.add_subcommand("draw", "draws a camera, or those of a picture: objects and rays");
+        app.add_subcommand("draw", "draws a camera, or the cameras of a picture, with their rays");
     command->group("Commands");
     const auto options = std::make_shared<DrawOptions>();
     add_camera_option(*command, options->camera);
     command
         ->add_option("-o,--output", options->output,
-                     "a picture (.svg, .png), or a scene of the camera (.glb)")
+                     "output file: a picture (.svg, .png) or a scene (.glb)")
         ->type_name("FILE")
         ->required();
     add_set_option(*command, options->set);
@@ -223,19 +228,20 @@ void add_draw_command(CLI::App& app, ExitCode& code) {
                            const char* type) {
         command->add_option(names, text, meaning)->type_name(type)->capture_default_str();
     };
-    value("--time", options->time, "the t of the camera's formulas", "T");
+    value("--time", options->time, "value of t in the camera's formulas", "T");
     value("--view", options->view,
-          "where the viewer stands, in degrees: round z from x, and above the horizon",
+          "direction of the viewer in degrees: around z from x, and above the horizon",
           "AZIMUTH,ELEVATION");
-    value("--size", options->size, "of a picture, in pixels", "WIDTHxHEIGHT");
-    value("--rays", options->rays, "arrows along the longer side of the camera's picture", "COUNT");
-    value("--length", options->length, "of the arrows, in scene units", "LENGTH");
-    command->add_flag("--no-eye", options->no_eye, "without the eye object");
-    command->add_flag("--no-toward", options->no_toward, "without the direction object");
-    command->add_flag("--no-frame", options->no_frame, "without the picture's border");
-    command->add_flag("--no-axes", options->no_axes, "without the axes");
-    command->add_flag("-q,--quiet", options->quiet, "only warnings and errors");
-    command->add_flag("--json", options->json, "the file and diagnostics, for programs");
+    value("--size", options->size, "size of a picture output in pixels", "WIDTHxHEIGHT");
+    value("--rays", options->rays, "number of arrows along the longer side of the camera's picture",
+          "COUNT");
+    value("--length", options->length, "length of the arrows in scene units", "LENGTH");
+    command->add_flag("--no-eye", options->no_eye, "omit the eye object");
+    command->add_flag("--no-toward", options->no_toward, "omit the direction object");
+    command->add_flag("--no-frame", options->no_frame, "omit the picture's border");
+    command->add_flag("--no-axes", options->no_axes, "omit the axes");
+    command->add_flag("-q,--quiet", options->quiet, "print only warnings and errors");
+    command->add_flag("--json", options->json, "print file name and diagnostics as JSON");
     command->footer(
         "Examples:\n"
         "  balcony draw superelliptic -o superelliptic.svg\n"

@@ -22,11 +22,11 @@ struct ExplainOptions {
     bool json = false;
 };
 
-// Text to standard output, or the same as JSON in the document.
+// Prints the text, or adds the same facts to the JSON document.
 ExitCode explain(const CameraArgument& wanted, const PictureSize& size, bool as_json,
-                 nlohmann::json& document, Diagnostics& said) {
+                 nlohmann::json& document, Diagnostics& diagnostics) {
     const auto picture = lang::load_picture(wanted.file, wanted.name, wanted.overrides);
-    said.insert(said.end(), picture.diagnostics.begin(), picture.diagnostics.end());
+    diagnostics.insert(diagnostics.end(), picture.diagnostics.begin(), picture.diagnostics.end());
     const auto explanation = lang::explain(wanted.file, wanted.name, wanted.overrides);
     if (!picture || !explanation) {
         return ExitCode::bad_input;
@@ -41,32 +41,34 @@ ExitCode explain(const CameraArgument& wanted, const PictureSize& size, bool as_
         document["formulas"] = formulas;
     } else {
         print_result(fmt::format(
-            "{}\nFormulas, for a picture of {} x {} pixels; x and y are the point in pixels from "
-            "the\ntop left, t is time{}:\n\n{}",
+            "{}\nFormulas for a picture of {} x {} pixels. x and y are the position in pixels from "
+            "the\n"
+            "top left corner, t is the time{}:\n\n{}",
             explanation_text(*explanation), width, height,
-            explanation->is_picture ? ", a coverage how much shows there" : "", formulas));
+            explanation->is_picture ? ", a coverage is the opacity at the position" : "",
+            formulas));
     }
     return ExitCode::done;
 }
 
 ExitCode explain(const ExplainOptions& options) {
-    Diagnostics said;
+    Diagnostics diagnostics;
     ExitCode code = ExitCode::bad_input;
     nlohmann::json document = nlohmann::json::object();
-    const PictureSize size = read_size(options.size, said);
+    const PictureSize size = read_size(options.size, diagnostics);
     const Result<CameraArgument> wanted = read_camera(options.camera, options.set);
-    if (has_errors(said)) {
+    if (has_errors(diagnostics)) {
         code = ExitCode::wrong_usage;
     } else if (!wanted) {
-        said = wanted.diagnostics;
+        diagnostics = wanted.diagnostics;
     } else {
-        code = explain(*wanted, size, options.json, document, said);
+        code = explain(*wanted, size, options.json, document, diagnostics);
     }
     if (options.json) {
-        document["diagnostics"] = to_json(said);
+        document["diagnostics"] = to_json(diagnostics);
         print_json(document);
     } else {
-        report(said);
+        report(diagnostics);
     }
     return code;
 }
@@ -75,14 +77,16 @@ ExitCode explain(const ExplainOptions& options) {
 
 void add_explain_command(CLI::App& app, ExitCode& code) {
     auto* command =
-        app.add_subcommand("explain", "says in words and formulas what a camera or a picture does");
+        app.add_subcommand("explain", "describes a camera or a picture in words and formulas");
     command->group("Commands");
     const auto options = std::make_shared<ExplainOptions>();
     add_camera_option(*command, options->camera);
     add_set_option(*command, options->set);
-    command->add_option("--size", options->size, "the picture's size, which the formulas hold for")
+    command
+        ->add_option("--size", options->size,
+                     "size of the picture for which the formulas are valid")
         ->type_name("WxH");
-    command->add_flag("--json", options->json, "for programs");
+    command->add_flag("--json", options->json, "print the description as JSON");
     command->footer("Examples:\n  balcony explain superelliptic\n  balcony explain my.cam:closeup");
     command->callback([options, &code] { code = explain(*options); });
 }

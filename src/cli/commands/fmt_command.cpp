@@ -25,17 +25,17 @@ struct FmtOptions {
 };
 
 struct Outcome {
-    Diagnostics said;
+    Diagnostics diagnostics;
     bool changed = false;
     bool written = true;
-    std::optional<std::string> text{};  // Of what came by standard input.
+    std::optional<std::string> text{};  // The formatted standard input.
 };
 
 Diagnostic not_in_layout(std::string_view file, std::string_view command) {
-    return error(fmt::format("'{}' is not in layout", file), {}, fmt::format("run: {}", command));
+    return error(fmt::format("'{}' is not formatted", file), {}, fmt::format("run: {}", command));
 }
 
-// Standard input, to standard output as editors like it.
+// Formats standard input to standard output, as editors expect.
 Outcome format_input(bool only_check) {
     const std::string text(std::istreambuf_iterator<char>(std::cin), {});
     const Result<std::string> made =
@@ -45,7 +45,7 @@ Outcome format_input(bool only_check) {
     }
     Outcome outcome{made.diagnostics, *made != text, true, only_check ? std::nullopt : made.value};
     if (outcome.changed && only_check) {
-        outcome.said.push_back(not_in_layout("standard input", "balcony fmt -"));
+        outcome.diagnostics.push_back(not_in_layout("standard input", "balcony fmt -"));
     }
     return outcome;
 }
@@ -61,11 +61,11 @@ Outcome format_file(const std::string& file, bool only_check) {
     }
     Outcome outcome{made.diagnostics, *made != (*source)->text(), true};
     if (outcome.changed && only_check) {
-        outcome.said.push_back(not_in_layout(file, fmt::format("balcony fmt {}", file)));
+        outcome.diagnostics.push_back(not_in_layout(file, fmt::format("balcony fmt {}", file)));
     } else if (outcome.changed) {
         const Diagnostics failed = write_whole(file, *made);
         outcome.written = failed.empty();
-        outcome.said.insert(outcome.said.end(), failed.begin(), failed.end());
+        outcome.diagnostics.insert(outcome.diagnostics.end(), failed.begin(), failed.end());
     }
     return outcome;
 }
@@ -78,21 +78,21 @@ ExitCode format(const FmtOptions& options) {
         const bool piped = file == "-";
         const Outcome outcome =
             piped ? format_input(options.check) : format_file(file, options.check);
-        all.insert(all.end(), outcome.said.begin(), outcome.said.end());
+        all.insert(all.end(), outcome.diagnostics.begin(), outcome.diagnostics.end());
         files.push_back({{"file", file}, {"changed", outcome.changed}});
         if (outcome.text) {
             files.back()["text"] = *outcome.text;
         }
         if (!outcome.written) {
             code = ExitCode::environment;
-        } else if (has_errors(outcome.said) && code == ExitCode::done) {
+        } else if (has_errors(outcome.diagnostics) && code == ExitCode::done) {
             code = ExitCode::bad_input;
         }
         if (!options.json) {
-            report(outcome.said);
+            report(outcome.diagnostics);
             print_file(outcome.text.value_or(""));
             if (outcome.changed && outcome.written && !piped && !options.check) {
-                print_result(fmt::format("{}: laid out\n", printable(file)));
+                print_result(fmt::format("{}: formatted\n", printable(file)));
             }
         }
     }
@@ -105,17 +105,18 @@ ExitCode format(const FmtOptions& options) {
 }  // namespace
 
 void add_fmt_command(CLI::App& app, ExitCode& code) {
-    auto* command = app.add_subcommand("fmt", "lays out camera files");
+    auto* command = app.add_subcommand("fmt", "formats camera files");
     command->group("Commands");
     const auto options = std::make_shared<FmtOptions>();
     command
         ->add_option("FILE", options->files,
-                     "camera files (.cam), laid out in place; - is standard input to output")
+                     "camera files (.cam), formatted in place; - formats standard input to "
+                     "standard output")
         ->required()
         ->take_all();
     command->add_flag("--check", options->check,
-                      "change nothing; exit code 1 if a file is not in layout");
-    command->add_flag("--json", options->json, "files and diagnostics, for programs");
+                      "change nothing; exit with code 1 if a file is not formatted");
+    command->add_flag("--json", options->json, "print files and diagnostics as JSON");
     command->footer("Examples:\n  balcony fmt my.cam\n  balcony fmt --check *.cam");
     command->callback([options, &code] { code = format(*options); });
 }

@@ -62,9 +62,8 @@ std::string scene_text(const scene::Scene& scene, bool objects) {
                      counted(scene.meshes.size(), "mesh", "meshes")));
     line("materials", fmt::format("{}, {}", scene.materials.size(),
                                   counted(scene.textures.size(), "texture", "textures")));
-    line("lights",
-         fmt::format("{}{}", scene.lights.size(),
-                     scene.default_light ? "; nothing shines: lit from where the rays start" : ""));
+    line("lights", fmt::format("{}{}", scene.lights.size(),
+                               scene.default_light ? "; lit from the ray origins" : ""));
     if (objects) {
         for (std::size_t i = 0; i < scene.objects.size(); ++i) {
             text += fmt::format("  object {:<4} {}\n", i + 1, printable(scene.objects[i].name));
@@ -93,16 +92,16 @@ ExitCode info(const InfoOptions& options) {
 }  // namespace
 
 void add_info_command(CLI::App& app, ExitCode& code) {
-    auto* command = app.add_subcommand("info", "says what is in a scene file");
+    auto* command = app.add_subcommand("info", "describes a scene file");
     command->group("Commands");
     const auto options = std::make_shared<InfoOptions>();
     command
         ->add_option("SCENE", options->scene,
-                     "a scene file (.glb, .gltf, .obj); of cameras 'list' and 'explain' say more")
+                     "scene file (.glb, .gltf, .obj); for cameras, see 'list' and 'explain'")
         ->required();
     command->add_flag("--objects", options->objects,
                       "list the objects with their ids in the object layer");
-    command->add_flag("--json", options->json, "the same with all objects, for programs");
+    command->add_flag("--json", options->json, "print the facts and all objects as JSON");
     command->footer("Example:\n  balcony info gallery.glb --objects");
     command->callback([options, &code] { code = info(*options); });
 }

@@ -56,7 +56,7 @@ nlohmann::json stage_json(const StageEntry& row) {
             {"parameters", parameters}};
 }
 
-// Whether a kind is meant by "object generators", "object_generator", ...
+// Whether "object generators", "object_generator", ... refers to a kind.
 bool names_kind(std::string what, camera::StageKind kind) {
     std::replace(what.begin(), what.end(), '_', ' ');
     return what == name_of(kind) || what == fmt::format("{}s", name_of(kind));
@@ -68,12 +68,12 @@ bool is_kind(const std::string& what) {
                        [&](const StageEntry& row) { return names_kind(what, row.kind); });
 }
 
-// Whether a row is asked for: by 'stages', by its kind or by its own name.
+// Whether the request includes a row: by 'stages', by its kind or by its own name.
 bool is_listed(const StageEntry& row, const std::string& what) {
     return what == "stages" || row.name == what || names_kind(what, row.kind);
 }
 
-// Stages under the names of their kinds, a line each.
+// Stages under the names of their kinds, one per line.
 std::string stages_text(const std::string& what) {
     std::size_t longest = 0;
     for (const StageEntry& row : camera::catalogue()) {
@@ -123,7 +123,7 @@ bool is_built_in_camera(const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// The cameras that a file has, or the standard ones with their files' own comments.
+// The cameras of a file, or the built-in cameras with the comments of their files.
 Result<std::vector<lang::Description>> cameras_of(const std::string& file) {
     if (file != "cameras") {
         return lang::describe(file);
@@ -162,7 +162,7 @@ std::string first_sentence(const std::string& comment) {
     return comment;
 }
 
-// The whole comment of one camera, the first sentence of each of several.
+// The whole comment of a single camera, or the first sentence of each of several.
 std::string camera_text(const lang::Description& described, bool whole) {
     std::vector<std::string> parameters;
     for (const auto& parameter : described.parameters) {
@@ -208,35 +208,36 @@ ExitCode refuse(const ListOptions& options) {
         known.push_back(fmt::format("{}s", name_of(row.kind)));
     }
     const auto nearest = nearest_name(options.what, known);
-    const Diagnostics said{error(
-        fmt::format("there is nothing named '{}' to list", options.what), {},
-        nearest ? fmt::format("did you mean '{}'?", *nearest)
-                : "name stages, cameras, a stage, a camera that comes along, or a .cam file")};
+    const Diagnostics diagnostics{error(
+        fmt::format("there is no stage, camera or file named '{}'", options.what), {},
+        nearest
+            ? fmt::format("did you mean '{}'?", *nearest)
+            : "write stages, cameras, or the name of a stage, a built-in camera or a .cam file")};
     if (options.json) {
-        print_json(nlohmann::json::object({{"diagnostics", to_json(said)}}));
+        print_json(nlohmann::json::object({{"diagnostics", to_json(diagnostics)}}));
     } else {
-        report(said);
+        report(diagnostics);
     }
     return ExitCode::wrong_usage;
 }
 
-// Writes the pages of the documentation, each whole or not at all.
+// Writes the pages of the documentation. No page is ever incomplete.
 ExitCode write_pages(const ListOptions& options) {
-    Diagnostics said;
+    Diagnostics diagnostics;
     for (const StagePage& page : stage_pages()) {
         const std::filesystem::path file = std::filesystem::path(options.markdown) / page.file;
         std::error_code failed;
         std::filesystem::create_directories(file.parent_path(), failed);
-        if (said = write_whole(file, page.text); has_errors(said)) {
+        if (diagnostics = write_whole(file, page.text); has_errors(diagnostics)) {
             break;
         }
     }
     if (options.json) {
-        print_json(nlohmann::json::object({{"diagnostics", to_json(said)}}));
+        print_json(nlohmann::json::object({{"diagnostics", to_json(diagnostics)}}));
     } else {
-        report(said);
+        report(diagnostics);
     }
-    return has_errors(said) ? ExitCode::environment : ExitCode::done;
+    return has_errors(diagnostics) ? ExitCode::environment : ExitCode::done;
 }
 
 ExitCode list(const ListOptions& options) {
@@ -262,21 +263,21 @@ void add_list_command(CLI::App& app, ExitCode& code) {
     const auto options = std::make_shared<ListOptions>();
     options->what = "stages";
     command->add_option("WHAT", options->what,
-                        "'stages' (if not said), a kind of them such as 'object generators', "
-                        "'cameras', the name of "
-                        "a stage or of a camera that comes along, or a camera file (.cam)");
+                        "'stages' (default), a kind of stages such as 'object generators', "
+                        "'cameras', the name of a stage or a built-in camera, or a camera file "
+                        "(.cam)");
     command
         ->add_option("--markdown", options->markdown,
-                     "write all stages as pages of documentation into a folder, with the examples "
+                     "write the documentation pages of all stages to a folder, with the examples "
                      "as camera files")
         ->type_name("FOLDER");
-    command->add_flag("--json", options->json, "the same, for programs");
+    command->add_flag("--json", options->json, "print the list as JSON");
     command->footer(
         "Examples:\n"
-        "  balcony list                   all stages, a line each\n"
+        "  balcony list                   all stages, one per line\n"
         "  balcony list direction_rules   the stages of one kind\n"
         "  balcony list superellipse      one stage with its parameters\n"
-        "  balcony list cameras           the cameras that come along\n"
+        "  balcony list cameras           the built-in cameras\n"
         "  balcony list gallery.cam       the cameras of a file");
     command->callback([options, &code] { code = list(*options); });
 }

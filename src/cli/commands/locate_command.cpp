@@ -58,11 +58,11 @@ std::optional<V3d> point_of(std::string_view text) {
 }
 
 // The rows of a table file, or of standard input if its name is "-".
-void read_rows(const std::string& name, std::vector<V3d>& points, Diagnostics& said) {
+void read_rows(const std::string& name, std::vector<V3d>& points, Diagnostics& diagnostics) {
     data::File file{name, name, {}};
     std::string input;
     if (name == "-") {
-        // One more than a table may have, so that an endless stream ends in an error.
+        // One byte more than a table may have, so that an endless stream ends in an error.
         input.resize(data::max_table + 1);
         std::cin.read(input.data(), static_cast<std::streamsize>(input.size()));
         input.resize(static_cast<std::size_t>(std::cin.gcount()));
@@ -73,20 +73,20 @@ void read_rows(const std::string& name, std::vector<V3d>& points, Diagnostics& s
     std::error_code ignored;
     if (name != "-" && !std::filesystem::is_regular_file(name, ignored)) {
         const bool there = std::filesystem::exists(name, ignored);
-        said.push_back(there ? error(fmt::format("'{}' is not a file", name), {},
-                                     "name a table file, or - for standard input")
-                             : error(fmt::format("there is no file '{}'", name), {},
-                                     "check its name and its folder"));
+        diagnostics.push_back(there ? error(fmt::format("'{}' is not a file", name), {},
+                                            "name a table file, or - for standard input")
+                                    : error(fmt::format("there is no file '{}'", name), {},
+                                            "check its name and its folder"));
         return;
     }
     const Result<data::Table> table = data::read_table(file);
-    said.insert(said.end(), table.diagnostics.begin(), table.diagnostics.end());
+    diagnostics.insert(diagnostics.end(), table.diagnostics.begin(), table.diagnostics.end());
     for (std::size_t i = 0; table && i < table->rows.size(); ++i) {
         const auto& row = table->rows[i];
         if (row.size() != 3 || row[0].angle || row[1].angle || row[2].angle) {
-            said.push_back(error("this row is no point",
-                                 join(table->at(row.front()), table->at(row.back())),
-                                 "write three lengths a line: x,y,z"));
+            diagnostics.push_back(error("this row is not a point",
+                                        join(table->at(row.front()), table->at(row.back())),
+                                        "write three lengths per line: x,y,z"));
             return;
         }
         points.emplace_back(row[0].value, row[1].value, row[2].value);
@@ -104,32 +104,32 @@ std::vector<V3d> read_points(const LocateOptions& options, Diagnostics& usage, D
     }
     if (options.points.empty() && options.file.empty()) {
         usage.push_back(error("no point is given", {},
-                              "add --point X,Y,Z, or --points FILE with a point a line"));
+                              "add --point X,Y,Z, or --points FILE with one point per line"));
     } else if (!options.file.empty() && usage.empty()) {
         read_rows(options.file, points, input);
     }
     return points;
 }
 
-std::optional<Axes> read_axes(const std::string& text, Diagnostics& said) {
+std::optional<Axes> read_axes(const std::string& text, Diagnostics& diagnostics) {
     if (!text.empty() && text != "y_up" && text != "z_up") {
-        refuse(said, "--axes", text, "write y_up or z_up");
+        refuse(diagnostics, "--axes", text, "write y_up or z_up");
     }
     return text.empty() ? std::nullopt : std::optional(text == "y_up" ? Axes::y_up : Axes::z_up);
 }
 
-// What is to be located, and where it was found.
+// The points to locate and the positions found.
 struct Located {
     std::string camera;
-    std::vector<std::string> layers;  ///< Of a picture; one of a camera.
-    /// Of these layers, as text: "2", or "3.1" in the picture of layer 3.
+    std::vector<std::string> layers;  ///< Names of the picture's layers; one for a camera.
+    /// The numbers of these layers: "2", or "3.1" in the picture of layer 3.
     std::vector<std::string> numbers;
     std::size_t width = 0;
     std::size_t height = 0;
     bool closed_form = false;
     std::vector<V3d> points;  ///< As given.
     std::vector<analyse::Sighting> sightings;
-    /// With a scene, what hides each sighting.
+    /// With a scene: the obstacle that hides each sighting.
     std::optional<std::vector<std::optional<render::Obstacle>>> obstacles;
     std::vector<scene::Object> objects;  ///< Of the scene.
 };
@@ -144,36 +144,37 @@ std::vector<std::string> numbers_of_layers(const camera::Picture& picture, std::
     return numbers;
 }
 
-void add_to(Diagnostics& said, const Diagnostics& more) {
-    said.insert(said.end(), more.begin(), more.end());
+void add_to(Diagnostics& diagnostics, const Diagnostics& more) {
+    diagnostics.insert(diagnostics.end(), more.begin(), more.end());
 }
 
-// Whether what was found is hidden in a scene.
-void look_for_obstacles(const scene::Scene& scene, Axes axes, Located& located, Diagnostics& said) {
+// Determines whether the sightings are hidden in a scene.
+void look_for_obstacles(const scene::Scene& scene, Axes axes, Located& located,
+                        Diagnostics& diagnostics) {
     std::vector<render::SightLine> lines;
     lines.reserve(located.sightings.size());
     for (const analyse::Sighting& sighting : located.sightings) {
         lines.push_back({sighting.origin, located.points[sighting.point]});
     }
     auto found = render::find_obstacles(scene, lines, axes);
-    add_to(said, found.diagnostics);
+    add_to(diagnostics, found.diagnostics);
     located.obstacles = std::move(found.value);
     located.objects = scene.objects;
 }
 
-// Points are in the scene's axes if there is one and nothing else is said.
+// By default, points are in the axes of the scene, if there is one.
 Result<Located> find_all(const LocateOptions& options, const PictureSize& size, double time,
                          std::optional<Axes> axes, std::vector<V3d> points) {
     const Result<camera::Picture> picture = load_picture(options.camera, options.set);
-    Diagnostics said = picture.diagnostics;
+    Diagnostics diagnostics = picture.diagnostics;
     std::optional<scene::Scene> scene;
     if (!options.scene.empty()) {
         Result<scene::Scene> loaded = load_scene(options.scene);
-        add_to(said, loaded.diagnostics);
+        add_to(diagnostics, loaded.diagnostics);
         scene = std::move(loaded.value);
     }
-    if (has_errors(said)) {
-        return said;
+    if (has_errors(diagnostics)) {
+        return diagnostics;
     }
     if (scene && !axes) {
         axes = scene->axes;
@@ -185,8 +186,8 @@ Result<Located> find_all(const LocateOptions& options, const PictureSize& size, 
     const auto locator = analyse::Locator::make(*picture, static_cast<double>(found.width),
                                                 static_cast<double>(found.height), time, axes);
     if (!locator) {
-        add_to(said, locator.diagnostics);
-        return said;
+        add_to(diagnostics, locator.diagnostics);
+        return diagnostics;
     }
     found.layers = locator->layers();
     found.numbers = numbers_of_layers(*picture, found.layers.size());
@@ -194,12 +195,12 @@ Result<Located> find_all(const LocateOptions& options, const PictureSize& size, 
     found.points = std::move(points);
     found.sightings = locator->locate(found.points);
     if (scene) {
-        look_for_obstacles(*scene, locator->axes(), found, said);
+        look_for_obstacles(*scene, locator->axes(), found, diagnostics);
         if (!found.obstacles) {
-            return said;
+            return diagnostics;
         }
     }
-    return {std::move(found), std::move(said)};
+    return {std::move(found), std::move(diagnostics)};
 }
 
 std::string name_of(const Located& located, const render::Obstacle& obstacle) {
@@ -224,7 +225,7 @@ std::string line_of(const Located& located, std::size_t number) {
 }
 
 std::string text_of(const Located& located) {
-    const std::string_view heading = located.obstacles ? " is in the picture at" : " is seen at";
+    const std::string_view heading = located.obstacles ? " is in the picture at" : " is visible at";
     std::string text = fmt::format("{}, {} x {} pixels\n", printable(located.camera), located.width,
                                    located.height);
     std::size_t next = 0;
@@ -268,19 +269,20 @@ nlohmann::json json_of(const Located& located) {
 }
 
 ExitCode locate(const LocateOptions& options) {
-    Diagnostics said;
+    Diagnostics diagnostics;
     Diagnostics input;
     constexpr double any = std::numeric_limits<double>::max();
-    const PictureSize size = read_size(options.size, said);
-    const double time = read_number("--time", options.time, -any, any, "give a number", said);
-    const std::optional<Axes> axes = read_axes(options.axes, said);
-    std::vector<V3d> points = read_points(options, said, input);
-    ExitCode code = said.empty() ? ExitCode::bad_input : ExitCode::wrong_usage;
-    said.insert(said.end(), input.begin(), input.end());
+    const PictureSize size = read_size(options.size, diagnostics);
+    const double time =
+        read_number("--time", options.time, -any, any, "give a number", diagnostics);
+    const std::optional<Axes> axes = read_axes(options.axes, diagnostics);
+    std::vector<V3d> points = read_points(options, diagnostics, input);
+    ExitCode code = diagnostics.empty() ? ExitCode::bad_input : ExitCode::wrong_usage;
+    diagnostics.insert(diagnostics.end(), input.begin(), input.end());
     nlohmann::json document = nlohmann::json::object();
-    if (said.empty()) {
+    if (diagnostics.empty()) {
         const Result<Located> located = find_all(options, size, time, axes, std::move(points));
-        said = located.diagnostics;
+        diagnostics = located.diagnostics;
         if (located) {
             code = ExitCode::done;
             document = options.json ? json_of(*located) : document;
@@ -290,10 +292,10 @@ ExitCode locate(const LocateOptions& options) {
         }
     }
     if (options.json) {
-        document["diagnostics"] = to_json(said);
+        document["diagnostics"] = to_json(diagnostics);
         print_json(document);
     } else {
-        report(said);
+        report(diagnostics);
     }
     return code;
 }
@@ -301,38 +303,37 @@ ExitCode locate(const LocateOptions& options) {
 }  // namespace
 
 void add_locate_command(CLI::App& app, ExitCode& code) {
-    auto* command =
-        app.add_subcommand("locate", "says where in a picture points in space are seen");
+    auto* command = app.add_subcommand(
+        "locate", "finds the positions in a picture that show given points in space");
     command->group("Commands");
     const auto options = std::make_shared<LocateOptions>();
     add_camera_option(*command, options->camera);
-    command->add_option("--point", options->points, "a point in space; may be repeated")
+    command->add_option("--point", options->points, "point in space; may be repeated")
         ->type_name("X,Y,Z")
         ->allow_extra_args(false)
         ->take_all();
     command
         ->add_option("--points", options->file,
-                     "a table with a point in each line, - for standard input")
+                     "table with one point per line; - is standard input")
         ->type_name("FILE");
     command
-        ->add_option(
-            "--scene", options->scene,
-            "a scene: says of each place whether the point is hidden there, by which object "
-            "and how far away")
+        ->add_option("--scene", options->scene,
+                     "scene file: also report whether the point is hidden, by which object and at "
+                     "which distance")
         ->type_name("SCENE");
     add_set_option(*command, options->set);
-    command->add_option("--size", options->size, "the picture's size, or its width alone")
+    command->add_option("--size", options->size, "size of the picture, or its width only")
         ->type_name("WxH");
-    command->add_option("--time", options->time, "the t of the camera's formulas")
+    command->add_option("--time", options->time, "value of t in the camera's formulas")
         ->capture_default_str()
         ->type_name("T");
     command
         ->add_option(
             "--axes", options->axes,
-            "the axes of the points: y_up, as most scenes have them, or z_up; if not said, "
-            "the scene's, or without one the camera's own")
+            "axes of the points: y_up, as in most scenes, or z_up (default: those of the scene "
+            "or, without a scene, of the camera)")
         ->type_name("AXES");
-    command->add_flag("--json", options->json, "for programs");
+    command->add_flag("--json", options->json, "print the positions as JSON");
     command->footer(
         "Examples:\n"
         "  balcony locate panorama --point 3,2,0.5\n"

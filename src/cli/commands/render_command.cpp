@@ -25,25 +25,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the render says of itself, to people or to programs.
+/// The report of a render, as text or JSON.
 struct Outcome {
     ExitCode code = ExitCode::done;
-    Diagnostics said;
+    Diagnostics diagnostics;
     nlohmann::json facts = nlohmann::json::object();
     std::string sentence;
 };
 
-void add(Outcome& outcome, const Diagnostics& said) {
-    outcome.said.insert(outcome.said.end(), said.begin(), said.end());
+void add(Outcome& outcome, const Diagnostics& diagnostics) {
+    outcome.diagnostics.insert(outcome.diagnostics.end(), diagnostics.begin(), diagnostics.end());
 }
 
-Outcome fail(Outcome outcome, ExitCode code, const Diagnostics& said = {}) {
-    add(outcome, said);
+Outcome fail(Outcome outcome, ExitCode code, const Diagnostics& diagnostics = {}) {
+    add(outcome, diagnostics);
     outcome.code = code;
     return outcome;
 }
 
-/// Where the picture goes: what the user says, or the scene's name here.
+/// The output file: given by the user, or in this folder and named after the scene.
 fs::path output_of(const RenderOptions& options) {
     if (options.output) {
         return *options.output;
@@ -52,24 +52,24 @@ fs::path output_of(const RenderOptions& options) {
     return (stem.empty() || stem.front() == '.' ? "picture" : stem) + ".png";
 }
 
-/// Refuses an output that cannot be written, before there is anything to write.
-ExitCode check_output(const fs::path& file, Diagnostics& said) {
+/// Rejects an output file that cannot be written, before rendering.
+ExitCode check_output(const fs::path& file, Diagnostics& diagnostics) {
     std::error_code ignored;
     if (fs::is_directory(file, ignored)) {
-        said.push_back(
+        diagnostics.push_back(
             error(fmt::format("'{}' is a folder", file.string()), {},
                   fmt::format("name a file in it: {}", (file / "picture.png").string())));
         return ExitCode::wrong_usage;
     }
     const Diagnostics found = render::check_output(file);
-    said.insert(said.end(), found.begin(), found.end());
+    diagnostics.insert(diagnostics.end(), found.begin(), found.end());
     const std::string ending = ending_of(file);
     return !has_errors(found)                     ? ExitCode::done
            : ending != ".png" && ending != ".exr" ? ExitCode::wrong_usage
                                                   : ExitCode::environment;
 }
 
-/// Refuses to write over what the picture is made from, be it by another name or through a link.
+/// Rejects an output file that is also an input, even under another name or through a link.
 Diagnostics check_inputs_kept(const RenderOptions& options, const scene::Scene& scene,
                               const fs::path& output) {
     std::vector<fs::path> inputs{options.scene, camera_file(options.camera)};
@@ -87,7 +87,7 @@ Diagnostics check_inputs_kept(const RenderOptions& options, const scene::Scene& 
     return {};
 }
 
-/// Says where a layer has no ray, if anywhere.
+/// Reports where a layer has no ray.
 void describe_gaps(Outcome& outcome, const render::Film& film, const render::Summary& summary) {
     const bool single = summary.layers.size() == 1;
     for (const render::Summary::Layer& layer : summary.layers) {
@@ -97,15 +97,15 @@ void describe_gaps(Outcome& outcome, const render::Film& film, const render::Sum
             continue;
         }
         if (layer.invalid_rays == layer.camera_rays) {
-            outcome.said.push_back(
+            outcome.diagnostics.push_back(
                 warning(fmt::format("{} has no ray anywhere; {}", what,
-                                    single ? "the picture is empty" : "it does not show")));
+                                    single ? "the picture is empty" : "it is invisible")));
             continue;
         }
         const std::string pixels = single ? fmt::format(" ({} of {} pixel centres)",
                                                         summary.invalid_pixels, film.window.size())
                                           : "";
-        outcome.said.push_back(
+        outcome.diagnostics.push_back(
             warning(fmt::format("{} has no ray at {} of {} picture points{}; they are transparent",
                                 what, layer.invalid_rays, layer.camera_rays, pixels)));
     }
@@ -121,7 +121,7 @@ nlohmann::json layers_json(const render::Summary& summary) {
     return layers;
 }
 
-// A line for each layer of a picture that has several.
+// One line per layer of a picture with several layers.
 std::string layers_text(const render::Summary& summary) {
     std::string text;
     for (const render::Summary::Layer& layer : summary.layers) {
@@ -135,8 +135,8 @@ void describe(Outcome& outcome, const fs::path& output, const camera::Picture& p
               const render::Film& film, const render::Summary& summary) {
     describe_gaps(outcome, film, summary);
     if (summary.repaired > 0) {
-        outcome.said.push_back(warning(
-            fmt::format("{} samples had no finite colour and count as black", summary.repaired)));
+        outcome.diagnostics.push_back(warning(fmt::format(
+            "{} samples had no finite colour and were replaced by black", summary.repaired)));
     }
     outcome.facts = {{"output", nullptr},
                      {"camera", picture.name()},
@@ -154,8 +154,9 @@ void describe(Outcome& outcome, const fs::path& output, const camera::Picture& p
                      {"interrupted", summary.interrupted}};
     outcome.sentence = fmt::format(
         "{}{}: {} x {} pixels through '{}', {}, {} rays in {}\n",
-        summary.interrupted ? "interrupted; what was done is in " : "", printable(output.string()),
-        film.width, film.height, picture.name(), counted(summary.passes, "pass", "passes"),
+        summary.interrupted ? "interrupted; the partial picture is " : "",
+        printable(output.string()), film.width, film.height, picture.name(),
+        counted(summary.passes, "pass", "passes"),
         count_text(static_cast<double>(summary.camera_rays)), duration_text(summary.seconds));
     outcome.sentence += layers_text(summary);
 }
@@ -165,7 +166,7 @@ bool has_samples(const render::Film& film) {
                        [](std::uint32_t count) { return count > 0; });
 }
 
-/// Renders and writes. A first signal stops the rendering, not the writing.
+/// Renders and writes. The first signal stops the rendering, but not the writing.
 Outcome make_picture(Outcome outcome, const RenderOptions& options,
                      const render::Renderer& renderer, const camera::Picture& picture,
                      const render::Settings& settings, render::Film film, const fs::path& output,
@@ -192,8 +193,8 @@ Outcome make_picture(Outcome outcome, const RenderOptions& options,
                                                           : 0.0;
     outcome.facts["exposure"] = exposure;
     if (!asked_exposure && exposure != 0.0) {
-        outcome.sentence +=
-            fmt::format("  exposure {:+} stops, to suit the light; --exposure sets it\n", exposure);
+        outcome.sentence += fmt::format(
+            "  exposure {:+} stops, chosen automatically; --exposure sets it\n", exposure);
     }
     const Diagnostics written = render::write(film, output, {.exposure = exposure});
     if (has_errors(written)) {
@@ -206,28 +207,28 @@ Outcome make_picture(Outcome outcome, const RenderOptions& options,
 
 Outcome render_picture(const RenderOptions& options) {
     Outcome outcome;
-    const render::Settings settings = read_settings(options, outcome.said);
-    const std::optional<double> exposure = read_exposure(options, outcome.said);
-    const PictureSize size = read_size(options.size, outcome.said);
+    const render::Settings settings = read_settings(options, outcome.diagnostics);
+    const std::optional<double> exposure = read_exposure(options, outcome.diagnostics);
+    const PictureSize size = read_size(options.size, outcome.diagnostics);
     if (options.camera.empty() && !options.set.empty()) {
-        outcome.said.push_back(
-            error("--set needs a camera to set something of", {}, "add --camera FILE"));
+        outcome.diagnostics.push_back(
+            error("--set needs a camera whose parameter it sets", {}, "add --camera FILE"));
     }
-    if (has_errors(outcome.said)) {
+    if (has_errors(outcome.diagnostics)) {
         return fail(std::move(outcome), ExitCode::wrong_usage);
     }
     const fs::path output = output_of(options);
-    if (const ExitCode code = check_output(output, outcome.said); code != ExitCode::done) {
+    if (const ExitCode code = check_output(output, outcome.diagnostics); code != ExitCode::done) {
         return fail(std::move(outcome), code);
     }
 
-    // A named camera takes no time and its mistakes should not wait for a large scene.
+    // A camera loads fast, so its mistakes are reported before a large scene is read.
     Result<camera::Picture> picture;
     if (!options.camera.empty()) {
         picture = load_picture(options.camera, options.set);
         add(outcome, picture.diagnostics);
     }
-    if (has_errors(outcome.said)) {
+    if (has_errors(outcome.diagnostics)) {
         return fail(std::move(outcome), ExitCode::bad_input);
     }
     auto scene = load_scene(options.scene);
@@ -235,8 +236,9 @@ Outcome render_picture(const RenderOptions& options) {
     if (!scene) {
         return fail(std::move(outcome), ExitCode::bad_input);
     }
-    if (const Diagnostics said = check_inputs_kept(options, *scene, output); has_errors(said)) {
-        return fail(std::move(outcome), ExitCode::wrong_usage, said);
+    if (const Diagnostics diagnostics = check_inputs_kept(options, *scene, output);
+        has_errors(diagnostics)) {
+        return fail(std::move(outcome), ExitCode::wrong_usage, diagnostics);
     }
     const auto shared = std::make_shared<const scene::Scene>(std::move(*scene));
     if (options.camera.empty()) {
@@ -261,12 +263,12 @@ Outcome render_picture(const RenderOptions& options) {
 ExitCode render_command(const RenderOptions& options) {
     Outcome outcome = render_picture(options);
     if (options.json) {
-        outcome.facts["diagnostics"] = to_json(outcome.said);
+        outcome.facts["diagnostics"] = to_json(outcome.diagnostics);
         print_json(outcome.facts);
         return outcome.code;
     }
-    report(outcome.said);
-    if (!options.quiet && !has_errors(outcome.said)) {
+    report(outcome.diagnostics);
+    if (!options.quiet && !has_errors(outcome.diagnostics)) {
         print_result(outcome.sentence);
     }
     return outcome.code;
@@ -275,9 +277,10 @@ ExitCode render_command(const RenderOptions& options) {
 void add_picture_options(CLI::App& command, RenderOptions& options) {
     command
         .add_option("--size", options.size,
-                    "in pixels (default: the picture's own, or about a million in its proportion)")
+                    "size in pixels (default: that of the picture, or about a million pixels with "
+                    "its aspect ratio)")
         ->type_name("WIDTH[xHEIGHT]");
-    command.add_option("-s,--samples", options.samples, "rays a pixel")
+    command.add_option("-s,--samples", options.samples, "rays per pixel")
         ->type_name("COUNT")
         ->capture_default_str();
     std::vector<std::string> integrators;
@@ -292,15 +295,15 @@ void add_picture_options(CLI::App& command, RenderOptions& options) {
     command
         .add_option(
             "--exposure", options.exposure,
-            "brighter by so many stops (PNG); auto acts where nearly all would be black or white")
+            "exposure in stops (PNG); auto changes pictures that would be nearly black or white")
         ->type_name("STOPS")
         ->capture_default_str();
-    command.add_option("--ambient", options.ambient, "light from everywhere, unshadowed")
+    command.add_option("--ambient", options.ambient, "light from all directions, without shadows")
         ->type_name("RADIANCE")
         ->capture_default_str();
     command
         .add_option("--background", options.background,
-                    "transparent, black, white, a grey level or red,green,blue (linear)")
+                    "transparent, black, white, a grey level, or red,green,blue (linear)")
         ->type_name("COLOUR")
         ->capture_default_str();
 }
@@ -311,35 +314,36 @@ void add_render_command(CLI::App& app, ExitCode& code) {
     auto* command = app.add_subcommand("render", "renders a scene through a camera");
     command->group("Commands");
     const auto options = std::make_shared<RenderOptions>();
-    command->add_option("SCENE", options->scene, "a scene file (.glb, .gltf, .obj)")->required();
+    command->add_option("SCENE", options->scene, "scene file (.glb, .gltf, .obj)")->required();
     command
         ->add_option(
             "-c,--camera", options->camera,
-            "a camera file or its camera or picture NAME (the last if not said), or a camera of "
-            "'balcony list cameras' (default: a pinhole that sees all)")
+            "camera file and the NAME of a camera or picture in it (default: the last), or a "
+            "built-in camera (default: a pinhole that sees the whole scene)")
         ->type_name("FILE[:NAME]");
     add_set_option(*command, options->set);
-    command->add_option("--time", options->time, "the t of the camera's formulas")
+    command->add_option("--time", options->time, "value of t in the camera's formulas")
         ->type_name("T")
         ->capture_default_str();
     command
         ->add_option_function<std::string>(
             "-o,--output", [options](const std::string& file) { options->output = file; },
-            "the picture: .png, or .exr with all layers (default: SCENE.png, in this folder)")
+            "output file: .png, or .exr with all layers (default: SCENE.png in this folder)")
         ->type_name("FILE");
     add_picture_options(*command, *options);
-    command->add_option("-j,--threads", options->threads, "threads at work; 0 is all there are")
+    command
+        ->add_option("-j,--threads", options->threads, "number of threads; 0 uses all processors")
         ->type_name("COUNT")
         ->capture_default_str();
-    command->add_flag("-q,--quiet", options->quiet, "only warnings and errors");
-    command->add_flag("--json", options->json, "facts and diagnostics, for programs");
+    command->add_flag("-q,--quiet", options->quiet, "print only warnings and errors");
+    command->add_flag("--json", options->json, "print facts and diagnostics as JSON");
     command->footer(
         "Examples:\n"
         "  balcony render room.glb -o room.png\n"
         "  balcony render room.glb --camera superelliptic --set gamma=1/2 -o walls.png\n"
         "  balcony render room.glb --camera my.cam:closeup --size 1920x1080 -s 64\n"
         "\n"
-        "Ctrl-C saves what is there; a second one ends at once.");
+        "Ctrl-C saves the partial picture; a second Ctrl-C ends at once.");
     command->callback([options, &code] { code = render_command(*options); });
 }
 

@@ -60,14 +60,15 @@ Result<camera::Picture> load_picture(const std::string& picture,
 void add_camera_option(CLI::App& command, std::string& camera) {
     command
         .add_option("CAMERA", camera,
-                    "a camera file or its camera or picture NAME (the last if not said), or a "
-                    "camera of 'balcony list cameras'")
+                    "camera file and the NAME of a camera or picture in it (default: the last), "
+                    "or a built-in camera")
         ->type_name("FILE[:NAME]")
         ->required();
 }
 
 void add_set_option(CLI::App& command, std::vector<std::string>& set) {
-    command.add_option("--set", set, "a parameter of the camera or picture; may be repeated")
+    command
+        .add_option("--set", set, "value of a parameter of the camera or picture; may be repeated")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false)
         ->take_all();

@@ -11,10 +11,10 @@
 
 namespace balcony::cli {
 
-/// The file of a camera that a user named: FILE, FILE:NAME or a built-in camera's name.
+/// The file of a camera given as FILE, FILE:NAME or the name of a built-in camera.
 [[nodiscard]] std::filesystem::path camera_file(const std::string& camera);
 
-/// What a user says of a camera, as the language takes it.
+/// A camera selected on the command line, with values for its parameters.
 struct CameraArgument {
     std::filesystem::path file;
     std::string name;  ///< Empty for the file's last camera.
@@ -25,21 +25,21 @@ struct CameraArgument {
 [[nodiscard]] Result<CameraArgument> read_camera(const std::string& camera,
                                                  const std::vector<std::string>& set);
 
-/// Makes the camera that a user named, with the values of --set, each NAME=VALUE.
+/// Makes the selected camera, with the values of --set, each NAME=VALUE.
 [[nodiscard]] Result<camera::Camera> load_camera(const std::string& camera,
                                                  const std::vector<std::string>& set);
 
-/// The same of a picture, or of a camera as a picture.
+/// Makes the selected picture; a camera becomes a picture with one layer.
 [[nodiscard]] Result<camera::Picture> load_picture(const std::string& picture,
                                                    const std::vector<std::string>& set);
 
-/// The positional CAMERA, which a command cannot do without.
+/// Adds the required positional argument CAMERA.
 void add_camera_option(CLI::App& command, std::string& camera);
 
-/// --set NAME=VALUE, which may be repeated.
+/// Adds the repeatable option --set NAME=VALUE.
 void add_set_option(CLI::App& command, std::vector<std::string>& set);
 
-/// The ending of a file's name in small letters, with its point.
+/// The extension of a file name in lower case, including the dot.
 [[nodiscard]] std::string ending_of(const std::filesystem::path& file);
 
 }  // namespace balcony::cli

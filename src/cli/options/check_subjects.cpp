@@ -60,7 +60,7 @@ private:
                layer.starts_with(request_.layer + ".");
     }
 
-    // In whole pixels, at least one.
+    // Whole pixels, at least one.
     static void enlarge(CheckSubject& subject, const std::array<double, 2>& size) {
         const double width = std::max(1.0, std::round(size[0]));
         const double height = std::max(1.0, std::round(size[1]));
@@ -98,7 +98,7 @@ Result<std::vector<CheckSubject>> check_subjects(const std::string& argument,
     }
     if (!request.layer.empty() && pictures->front().only_camera() != nullptr) {
         return error(fmt::format("'{}' is a camera, which has no layers", pictures->front().name()),
-                     {}, "leave out --layer, or name a picture");
+                     {}, "omit --layer, or name a picture");
     }
     SubjectList list(request);
     for (const camera::Picture& picture : *pictures) {
@@ -107,8 +107,9 @@ Result<std::vector<CheckSubject>> check_subjects(const std::string& argument,
     std::vector<CheckSubject> subjects = list.take();
     if (!request.layer.empty() && subjects.empty()) {
         const camera::Picture& picture = pictures->front();
-        return error(fmt::format("picture '{}' has no layer {}", picture.name(), request.layer), {},
-                     "give its number from 1 at the back: 2, or 3.1 in the picture of layer 3");
+        return error(
+            fmt::format("picture '{}' has no layer {}", picture.name(), request.layer), {},
+            "give its number, counted from 1 at the back: 2, or 3.1 in the picture of layer 3");
     }
     return {std::move(subjects), pictures.diagnostics};
 }

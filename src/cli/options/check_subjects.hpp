@@ -11,23 +11,23 @@
 
 namespace balcony::cli {
 
-/// A camera that is to be looked at, in the size in which it is seen.
+/// A camera to analyse, with its size in the picture.
 struct CheckSubject {
     camera::Camera camera;
     bool by_itself = false;
-    std::vector<CameraCheck::Layer> layers{};  ///< That show it.
-    double width = 0.0;                        ///< In pixels, where it is seen largest.
+    std::vector<CameraCheck::Layer> layers{};  ///< The layers that show it.
+    double width = 0.0;                        ///< In pixels, in the largest of these layers.
     double height = 0.0;
 };
 
 struct SubjectRequest {
     std::vector<std::string> set;
-    std::string layer{};  ///< If said: of one picture this layer, or those of the picture in it.
-    PictureSize size;     ///< Of whole pictures.
+    std::string layer{};  ///< If set: only this layer of one picture, with its nested layers.
+    PictureSize size;     ///< The size of whole pictures.
     double time = 0.0;
 };
 
-/// The cameras of FILE, or that or those of FILE:NAME, each once for the same parameters.
+/// The cameras of FILE or FILE:NAME. Cameras with the same parameters occur once.
 [[nodiscard]] Result<std::vector<CheckSubject>> check_subjects(const std::string& argument,
                                                                const SubjectRequest& request);
 

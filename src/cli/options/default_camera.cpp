@@ -16,7 +16,7 @@ Result<camera::Picture> default_picture(const scene::Scene& scene) {
     // In the camera's axes: z up; the front of a y-up scene, its +z, is the camera's -y.
     const auto bounds = scene.bounds();
     const Imath::V3d center = turned(Imath::V3d(bounds.center()), scene.axes, Axes::z_up);
-    // A scene that is a single point is seen from a little way off.
+    // A scene that consists of a single point is viewed from a small distance.
     const double extent = Imath::V3d(bounds.size()).length();
     const double radius = extent > 0.0 ? 0.5 * extent : 1.0;
 

@@ -7,8 +7,8 @@
 
 namespace balcony::cli {
 
-/// A pinhole camera before the scene and a little above it that sees the whole, for those who
-/// name no camera.
+/// The default camera: a pinhole in front of the scene and slightly above it that sees the whole
+/// scene.
 [[nodiscard]] Result<camera::Picture> default_picture(const scene::Scene& scene);
 
 }  // namespace balcony::cli

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Reads the values of options; what cannot be read is said with the option and a way out.
+// Reads the values of options. An invalid value is reported with its option and a suggested fix.
 
 #include <charconv>
 #include <cmath>
@@ -19,7 +19,7 @@
 
 namespace balcony::cli {
 
-/// The whole of a text as a number that is finite, or nothing.
+/// The whole text as a finite number, or nothing.
 template <class Number>
 [[nodiscard]] std::optional<Number> number_of(std::string_view text) {
     Number number{};
@@ -36,29 +36,30 @@ template <class Number>
     return number;
 }
 
-inline void refuse(Diagnostics& said, std::string_view option, std::string_view text,
+inline void refuse(Diagnostics& diagnostics, std::string_view option, std::string_view text,
                    std::string remedy) {
-    said.push_back(error(fmt::format("{} cannot be '{}'", option, text), {}, std::move(remedy)));
+    diagnostics.push_back(
+        error(fmt::format("{} cannot be '{}'", option, text), {}, std::move(remedy)));
 }
 
 template <class Number>
 [[nodiscard]] Number read_number(std::string_view option, const std::string& text, Number minimum,
-                                 Number maximum, std::string remedy, Diagnostics& said) {
+                                 Number maximum, std::string remedy, Diagnostics& diagnostics) {
     const auto number = number_of<Number>(text);
     if (!number || *number < minimum || *number > maximum) {
-        refuse(said, option, text, std::move(remedy));
+        refuse(diagnostics, option, text, std::move(remedy));
         return Number{};
     }
     return *number;
 }
 
-/// A whole number; the least one if it cannot be read.
+/// A whole number; the minimum if it cannot be read.
 [[nodiscard]] inline std::size_t read_count(std::string_view option, const std::string& text,
                                             std::size_t minimum, std::size_t maximum,
-                                            Diagnostics& said) {
+                                            Diagnostics& diagnostics) {
     const auto count = number_of<std::size_t>(text);
     if (!count || *count < minimum || *count > maximum) {
-        refuse(said, option, text,
+        refuse(diagnostics, option, text,
                fmt::format("give a whole number from {} to {}", minimum, maximum));
         return minimum;
     }

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t max_side = 1'000'000;
 
-/// One number of radiance, or three with commas between.
+/// One radiance value, or three separated by commas.
 std::optional<render::Color3f> color_of(std::string_view text) {
     const std::size_t first = text.find(',');
     if (first == std::string_view::npos) {
@@ -37,7 +37,7 @@ std::optional<render::Color3f> color_of(std::string_view text) {
                                 : std::nullopt;
 }
 
-std::optional<render::Color3f> read_background(const std::string& text, Diagnostics& said) {
+std::optional<render::Color3f> read_background(const std::string& text, Diagnostics& diagnostics) {
     if (text == "transparent") {
         return std::nullopt;
     }
@@ -46,20 +46,20 @@ std::optional<render::Color3f> read_background(const std::string& text, Diagnost
     }
     const auto color = color_of(text);
     if (!color || std::min({color->x, color->y, color->z}) < 0.0F) {
-        refuse(said, "--background", text,
+        refuse(diagnostics, "--background", text,
                "write transparent, black, white, a grey level such as 0.2, or red,green,blue");
     }
     return color;
 }
 
-void check_integrator(const std::string& text, Diagnostics& said) {
+void check_integrator(const std::string& text, Diagnostics& diagnostics) {
     std::vector<std::string> names;
     for (const render::IntegratorInfo& integrator : render::integrators()) {
         names.emplace_back(integrator.name);
     }
     if (std::find(names.begin(), names.end(), text) == names.end()) {
         const auto nearest = nearest_name(text, names);
-        refuse(said, "--integrator", text,
+        refuse(diagnostics, "--integrator", text,
                nearest ? fmt::format("did you mean '{}'?", *nearest)
                        : fmt::format("write {}", fmt::join(names, " or ")));
     }
@@ -67,30 +67,30 @@ void check_integrator(const std::string& text, Diagnostics& said) {
 
 }  // namespace
 
-render::Settings read_settings(const RenderOptions& options, Diagnostics& said) {
+render::Settings read_settings(const RenderOptions& options, Diagnostics& diagnostics) {
     constexpr double any = std::numeric_limits<double>::max();
     constexpr float brightest = std::numeric_limits<float>::max();
     render::Settings settings;
-    settings.samples = read_count("--samples", options.samples, 1, 1'000'000, said);
-    settings.threads = read_count("--threads", options.threads, 0, 1024, said);
-    settings.time = read_number("--time", options.time, -any, any, "give a number", said);
+    settings.samples = read_count("--samples", options.samples, 1, 1'000'000, diagnostics);
+    settings.threads = read_count("--threads", options.threads, 0, 1024, diagnostics);
+    settings.time = read_number("--time", options.time, -any, any, "give a number", diagnostics);
     settings.ambient = render::Color3f(read_number("--ambient", options.ambient, 0.0F, brightest,
-                                                   "give a number that is not below 0", said));
-    check_integrator(options.integrator, said);
+                                                   "give a number of at least 0", diagnostics));
+    check_integrator(options.integrator, diagnostics);
     settings.integrator = options.integrator;
-    settings.background = read_background(options.background, said);
+    settings.background = read_background(options.background, diagnostics);
     return settings;
 }
 
-// Far more stops than there are between the smallest and the largest float would be 0 or infinite.
-std::optional<double> read_exposure(const RenderOptions& options, Diagnostics& said) {
+// More stops than between the smallest and the largest float would give 0 or infinity.
+std::optional<double> read_exposure(const RenderOptions& options, Diagnostics& diagnostics) {
     if (options.exposure == "auto") {
         return std::nullopt;
     }
     constexpr double max_stops = 200.0;
     return read_number("--exposure", options.exposure, -max_stops, max_stops,
                        fmt::format("give auto, or stops from -{0} to {0}, such as -1.5", max_stops),
-                       said);
+                       diagnostics);
 }
 
 std::pair<std::size_t, std::size_t> PictureSize::resolve(
@@ -107,7 +107,7 @@ std::pair<std::size_t, std::size_t> PictureSize::resolve(
     return {wide, height.value_or(side(static_cast<double>(wide) / aspect))};
 }
 
-PictureSize read_size(const std::string& text, Diagnostics& said) {
+PictureSize read_size(const std::string& text, Diagnostics& diagnostics) {
     if (text.empty()) {
         return {};
     }
@@ -122,8 +122,8 @@ PictureSize read_size(const std::string& text, Diagnostics& said) {
         size.height = side(whole.substr(cross + 1));
     }
     if (!size.width || (cross != std::string_view::npos && !size.height)) {
-        refuse(said, "--size", text,
-               fmt::format("write --size 1920x1080, or --size 1920 for the camera's proportion; "
+        refuse(diagnostics, "--size", text,
+               fmt::format("write --size 1920x1080, or --size 1920 for the camera's aspect ratio; "
                            "a side has 1 to {} pixels",
                            max_side));
     }

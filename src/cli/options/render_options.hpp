@@ -12,7 +12,7 @@
 
 namespace balcony::cli {
 
-/// What the user wrote after `balcony render`.
+/// The arguments of `balcony render`.
 struct RenderOptions {
     std::string scene;
     std::string camera;
@@ -31,24 +31,26 @@ struct RenderOptions {
 };
 
 /// The settings that the options ask for; what cannot be read is added to
-/// `said`, each with its option.
-[[nodiscard]] render::Settings read_settings(const RenderOptions& options, Diagnostics& said);
+/// `diagnostics`, each with its option.
+[[nodiscard]] render::Settings read_settings(const RenderOptions& options,
+                                             Diagnostics& diagnostics);
 
-/// Stops of exposure, as asked for; nothing if the picture is to say.
-[[nodiscard]] std::optional<double> read_exposure(const RenderOptions& options, Diagnostics& said);
+/// The requested exposure in stops; nothing if it depends on the picture.
+[[nodiscard]] std::optional<double> read_exposure(const RenderOptions& options,
+                                                  Diagnostics& diagnostics);
 
-/// A picture's size as the user wants it: in pixels, or only its width, or nothing said.
+/// A requested picture size: width and height in pixels, only the width, or neither.
 struct PictureSize {
     std::optional<std::size_t> width;
     std::optional<std::size_t> height;
 
-    /// Width and height. Where nothing is said they are the picture's own, if it has a size, else
-    /// about a million pixels; what else is not said follows from the picture's proportion.
+    /// Width and height. The default is the picture's own size, if it has one, otherwise about a
+    /// million pixels. A missing height follows from the picture's aspect ratio.
     [[nodiscard]] std::pair<std::size_t, std::size_t> resolve(
         double aspect, std::optional<std::array<std::size_t, 2>> own = {}) const;
 };
 
 /// WIDTHxHEIGHT, WIDTH or nothing.
-[[nodiscard]] PictureSize read_size(const std::string& text, Diagnostics& said);
+[[nodiscard]] PictureSize read_size(const std::string& text, Diagnostics& diagnostics);
 
 }  // namespace balcony::cli

@@ -20,8 +20,8 @@ Result<scene::Scene> load_scene(const std::string& name) {
     if (is_built_in || name.ends_with(".cam")) {
         return error(
             fmt::format("'{}' is a camera, not a scene", name), {},
-            fmt::format("a scene is rendered through it with --camera {0}; balcony list {0} "
-                        "names what is in it, balcony explain {0} says what it does",
+            fmt::format("give a scene, and this camera with --camera {0}; balcony list {0} lists "
+                        "the cameras in the file, balcony explain {0} describes one",
                         name));
     }
     return scene::load(name);

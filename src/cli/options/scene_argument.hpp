@@ -8,7 +8,7 @@
 
 namespace balcony::cli {
 
-/// Loads the scene that a command is given; a camera in its place is said to be one.
+/// Loads the scene of a command. A camera in its place gives a specific error.
 [[nodiscard]] Result<scene::Scene> load_scene(const std::string& name);
 
 }  // namespace balcony::cli

@@ -34,7 +34,7 @@ std::string line(std::string_view name, const std::string& value) {
     return fmt::format("  {:<14} {}\n", name, value);
 }
 
-// What a word on the left says, what to do about it, and where it is.
+// A finding: its heading on the left, the message, the position and the suggested fix.
 std::string finding_text(std::string_view name, const std::string& message,
                          const std::string& where, const std::string& remedy) {
     std::string text = line(name, message);
@@ -68,11 +68,12 @@ std::string origins_text(const Report& report) {
         return "none";
     }
     const std::string spread = report.single_viewpoint
-                                   ? "all in one point"
+                                   ? "all at one point"
                                    : fmt::format("spread over {:.4g} units", report.origin_extent);
-    return report.distance ? fmt::format("{}; what follows is for things {:.4g} units away", spread,
-                                         *report.distance)
-                           : spread;
+    return report.distance
+               ? fmt::format("{}; the figures below apply at a distance of {:.4g} units", spread,
+                             *report.distance)
+               : spread;
 }
 
 std::string list_text(const std::vector<std::string>& names) {
@@ -100,7 +101,7 @@ std::string scene_text(const CameraCheck::InScene& found) {
                          fmt::format("{} of the rays start inside '{}'", percent(start.share),
                                      printable(start.object)),
                          start.room ? "" : "at " + pixel_text(start.point),
-                         start.room ? "well if that is the room; else move the camera"
+                         start.room ? "if this object is not the room, move the camera"
                                     : "move the camera, or make its eye object smaller or larger");
     }
     return text;
@@ -194,13 +195,13 @@ std::string check_text(const CameraCheck& check) {
                     report.grid.picture_width, report.grid.picture_height, report.samples.size());
     text += line("ray origins", origins_text(report));
     if (report.magnification) {
-        text += line("magnification",
-                     statistics_text(*report.magnification,
-                                     report.distance ? "; pixels a unit" : "; pixels a degree"));
+        text += line("magnification", statistics_text(*report.magnification,
+                                                      report.distance ? "; pixels per unit"
+                                                                      : "; pixels per degree"));
         text += line("anisotropy", statistics_text(*report.anisotropy, ""));
     }
     for (std::size_t i = 0; i < report.findings.size(); ++i) {
-        // What to do is said once of several of a kind.
+        // The suggested fix is printed once for several findings of a kind.
         const bool last_of_kind = i + 1 == report.findings.size() ||
                                   report.findings[i + 1].kind != report.findings[i].kind;
         text += finding_text(report.findings[i], last_of_kind);
@@ -209,7 +210,7 @@ std::string check_text(const CameraCheck& check) {
         text += scene_text(*check.in_scene);
     }
     if (check.defect_count() == 0) {
-        text += line("all is well", "rays everywhere, no folds, no seams, nothing twice");
+        text += line("no defects", "rays everywhere, no folds, no seams, no repeated views");
     }
     return text;
 }

@@ -14,22 +14,22 @@
 
 namespace balcony::cli {
 
-/// What `balcony check` has found out about a camera.
+/// The results of `balcony check` for a camera.
 struct CameraCheck {
     analyse::Report report;
 
     struct Layer {
         std::string picture;
-        std::string number;  ///< "2", or "3.1" in the picture that layer 3 shows.
+        std::string number;  ///< "2", or "3.1" in the picture of layer 3.
     };
-    bool by_itself = true;      ///< Not only in layers.
-    std::vector<Layer> layers;  ///< That show the camera with these parameters.
+    bool by_itself = true;      ///< Whether it was also requested on its own.
+    std::vector<Layer> layers;  ///< The layers that show the camera with these parameters.
 
     struct Start {
         std::string object;
-        double share = 0.0;  ///< Of the rays.
-        analyse::V2d point;  ///< Of the picture, an example.
-        bool room = false;   ///< All rays start in it, so it may well be the room they are in.
+        double share = 0.0;  ///< The fraction of the rays.
+        analyse::V2d point;  ///< An example of a position in the picture.
+        bool room = false;   ///< All rays start in it, so it is probably a room.
     };
     struct InScene {
         std::string scene;
@@ -38,15 +38,15 @@ struct CameraCheck {
     };
     std::optional<InScene> in_scene;
 
-    /// What --strict does not allow. Few pictures show every object, so that is not asked for.
+    /// The number of defects for --strict. Objects that are never visible do not count.
     [[nodiscard]] std::size_t defect_count() const;
-    /// The camera and where it is shown: visitor, layer 2 of poster.
+    /// The camera and the layers that show it: "visitor, layer 2 of poster".
     [[nodiscard]] std::string title() const;
 };
 
 [[nodiscard]] CameraCheck::InScene in_scene(const scene::Scene& scene, const render::Probe& probe);
 
-/// For people, some lines.
+/// The results as text.
 [[nodiscard]] std::string check_text(const CameraCheck& check);
 [[nodiscard]] nlohmann::json check_json(const CameraCheck& check);
 

@@ -15,7 +15,7 @@ namespace {
 
 using lang::Explanation;
 
-// ------------------------------------------------------------------------------------ for people
+// ------------------------------------------------------------------------------------------ text
 
 std::string indented(std::size_t depth) { return std::string(4 * depth, ' '); }
 
@@ -39,7 +39,7 @@ std::string text_of(const std::vector<Explanation::Parameter>& parameters, std::
     return text;
 }
 
-// A picture with its layers and those of the pictures in it, and then the cameras.
+// A picture with its layers, including those of nested pictures, followed by the cameras.
 class PictureText {
 public:
     explicit PictureText(const Explanation& whole) : whole_(whole), layers_(whole.shown.size()) {}
@@ -47,7 +47,7 @@ public:
     std::string operator()() {
         std::string text = fmt::format("{}: {}\n", whole_.name, whole_.summary);
         text += text_of(whole_.parameters, 1);
-        text += "\nIts layers, from the back to the front:\n";
+        text += "\nLayers, from back to front:\n";
         text += layers(whole_, "", 1);
         for (std::size_t i = 0; i < whole_.shown.size(); ++i) {
             if (!whole_.shown[i].is_picture) {
@@ -70,7 +70,7 @@ private:
         return text;
     }
 
-    // A picture at its first place; a camera further down, with all its places.
+    // A nested picture is described where it first occurs, a camera below with all its layers.
     std::string shown(std::size_t index, const std::string& place, std::size_t depth) {
         const Explanation& shown = whole_.shown[index];
         layers_[index].push_back(place);
@@ -95,10 +95,10 @@ private:
     }
 
     const Explanation& whole_;
-    std::vector<std::vector<std::string>> layers_;  // Where each of the shown has been met.
+    std::vector<std::vector<std::string>> layers_;  // The layers that show each camera or picture.
 };
 
-// ----------------------------------------------------------------------------------- for programs
+// ------------------------------------------------------------------------------------------ JSON
 
 nlohmann::json json_of(const std::vector<Explanation::Step>& steps) {
     nlohmann::json all = nlohmann::json::array();
@@ -122,7 +122,7 @@ nlohmann::json json_of(const std::vector<Explanation::Layer>& layers) {
 
 // -------------------------------------------------------------------------------------- formulas
 
-/// Formulas and their names.
+/// Formulas with their names.
 class FormulaList {
 public:
     void add(std::string name, const expr::Expr& formula) {
@@ -151,8 +151,8 @@ private:
 
 using Elements = std::vector<camera::PictureExpressions::Element>;
 
-/// The elements of a picture belong to its layers in their order: of each the leader lines, what it
-/// shows, and its frame.
+/// The elements of a picture are in the order of its layers. Each layer contributes its leader
+/// lines, its content and its frame.
 void add_elements(const camera::Picture& picture, const Elements& elements, const std::string& path,
                   FormulaList& formulas) {
     auto element = elements.begin();

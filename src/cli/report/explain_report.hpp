@@ -10,12 +10,12 @@
 
 namespace balcony::cli {
 
-/// An explanation for people.
+/// An explanation as text.
 [[nodiscard]] std::string explanation_text(const lang::Explanation& explanation);
 [[nodiscard]] nlohmann::json explanation_json(const lang::Explanation& explanation);
 
-/// What a picture of a size in pixels is computed from: of a picture of one camera its ray, else
-/// how much each layer shows, its ray, and the same of frames and leader lines.
+/// The formulas of a picture of a size in pixels: the ray of a single camera; otherwise the
+/// coverage and the ray of each layer, and the coverages of frames and leader lines.
 [[nodiscard]] std::string formulas_text(const camera::Picture& picture, double width,
                                         double height);
 

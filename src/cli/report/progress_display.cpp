@@ -65,7 +65,7 @@ void ProgressDisplay::show(const render::Progress& progress) {
     }
 }
 
-// Never as wide as the terminal, which would begin a new line each time.
+// Narrower than the terminal, so that it does not wrap.
 void ProgressDisplay::show_bar(double done, const std::string& state) {
     const auto now = Clock::now();
     if (now - last_shown_ < shortest_interval) {

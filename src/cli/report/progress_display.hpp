@@ -9,8 +9,8 @@
 
 namespace balcony::cli {
 
-/// Shows how far a render has come on standard error: a bar with the time left on a terminal, a
-/// plain line at each tenth of a render that takes more than a second otherwise.
+/// Shows the progress of a render on standard error. On a terminal, this is a bar with the time
+/// left; otherwise, renders that take more than a second print a line per 10 %.
 class ProgressDisplay {
 public:
     explicit ProgressDisplay(bool quiet);

@@ -15,7 +15,7 @@ namespace balcony::cli {
 
 namespace {
 
-/// Why standard output did not take what was written to it first; 0 if it did.
+/// The errno of the first failed write to standard output; 0 if none failed.
 int output_trouble = 0;
 
 void write_output(std::string_view text) {
@@ -67,7 +67,7 @@ std::string counted(std::size_t count, std::string_view one, std::string_view ma
     return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
-// The limits are where the digits shown would round to the next unit.
+// Beyond these limits, rounding would show 1000 of a unit.
 std::string count_text(double count) {
     if (count < 1e4) {
         return fmt::format("{:.0f}", count);

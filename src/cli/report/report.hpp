@@ -12,7 +12,7 @@
 
 namespace balcony::cli {
 
-// Whatever is written to a terminal passes through printable(), but for the cursor's movements of
+// All output to a terminal passes through printable(), except the cursor movements of
 // show_status().
 
 /// Writes diagnostics to standard error.
@@ -21,26 +21,25 @@ void report(const Diagnostics& diagnostics);
 /// Writes a result to standard output.
 void print_result(std::string_view text);
 
-/// Writes the text of a file to standard output: as it is, unless that is a terminal.
+/// Writes the text of a file to standard output; unchanged unless that is a terminal.
 void print_file(std::string_view text);
 
-/// Writes a JSON document to standard output in ASCII; what is not UTF-8 is replaced.
+/// Writes a JSON document to standard output in ASCII. Replaces bytes that are not UTF-8.
 void print_json(const nlohmann::json& document);
 
-/// Sends on what was written to standard output. False if it did not all arrive, unless whoever
-/// read it has read enough.
+/// Flushes standard output. False if some output was lost, unless the reader closed the pipe.
 [[nodiscard]] bool finish_output();
 
-/// Writes to standard error what is gone if nobody can read it.
+/// Writes a transient text to standard error.
 void print_aside(std::string_view text);
 
-/// Writes a text over the line of the terminal in which the cursor is; an empty one clears it.
+/// Replaces the current line of the terminal by a text; an empty text clears the line.
 void show_status(std::string_view text);
 
 /// "1 mesh", "3 meshes".
 [[nodiscard]] std::string counted(std::size_t count, std::string_view one, std::string_view many);
 
-/// Writes a count, a duration for people: 14.7 M, 3.2 s, 1:04 h.
+/// A count or a duration as readable text: "14.7 M", "3.2 s", "1:04 h".
 [[nodiscard]] std::string count_text(double count);
 [[nodiscard]] std::string duration_text(double seconds);
 

@@ -19,8 +19,8 @@ namespace {
 using camera::StageEntry;
 using camera::StageKind;
 
-/// The classes of "Ray Tracing with Extended Cameras", section 3, in its order. A stage is in the
-/// first class of its kind that names it, or that names none.
+/// The classes of "Ray Tracing with Extended Cameras", section 3, in the paper's order. A stage
+/// belongs to the first class of its kind that lists it or lists no names.
 struct StageClass {
     std::string_view title;
     StageKind kind;
@@ -49,7 +49,7 @@ const std::vector<StageClass>& classes() {
          {"bezier_patch", "bspline_patch", "nurbs_patch", "interpolating_patch", "mesh"}},
         {"Sweeps", object, {"sweep"}},
         {"Fractal objects", object, {"fractal_plane", "fractal_sphere"}},
-        {"Objects by formulas", object, {"curve", "surface"}},
+        {"Objects from formulas", object, {"curve", "surface"}},
         {"Points, curves and surfaces of elementary geometry", object},
         {"Direction rules", StageKind::direction_rule},
         {"Picture arrangers", StageKind::picture_arranger},
@@ -90,7 +90,7 @@ std::string example_text(const StageEntry& row) {
     return laid_out ? *laid_out : text;
 }
 
-// For a cell of a table.
+// Escapes a text for a table cell.
 std::string in_cell(std::string_view text) {
     std::string safe;
     for (const char c : text) {
@@ -108,7 +108,7 @@ std::string section(const StageEntry& row) {
     text += row.formula ? fmt::format("A formula: `{}`.\n", call_text(row))
                         : fmt::format("`{}`: {}.\n", call_text(row), row.meaning);
     if (!row.parameters.empty()) {
-        text += "\n| parameter | is | if not given | range | meaning |\n|---|---|---|---|---|\n";
+        text += "\n| parameter | type | default | range | meaning |\n|---|---|---|---|---|\n";
         for (const camera::StageParameter& parameter : row.parameters) {
             const std::string standard = default_text(parameter);
             text += fmt::format("| `{}` | {} | {} | {} | {} |\n", parameter.name,
@@ -126,7 +126,7 @@ std::string section(const StageEntry& row) {
 
 StagePage page_of(StageKind kind, std::string_view heading) {
     std::string text = fmt::format(
-        "# {}s\n\n[All stages](README.md). This page is made from the catalogue of stages by\n"
+        "# {}s\n\n[All stages](README.md). This page is generated from the catalogue of stages by\n"
         "`scripts/pictures`.\n",
         heading);
     for (const StageEntry& row : camera::catalogue()) {
@@ -140,10 +140,9 @@ StagePage page_of(StageKind kind, std::string_view heading) {
 std::string index_text() {
     std::string text =
         "# Stages\n\n"
-        "Every stage that a camera can be made of, by the classes of the founding paper. These\n"
-        "pages and their pictures are made from the catalogue of stages by `scripts/pictures`;\n"
-        "`balcony list` has the same in the terminal. [Drawing](../drawing.md) says how to read\n"
-        "the pictures.\n";
+        "All stages of cameras, grouped as in the founding paper. `scripts/pictures` generates\n"
+        "these pages and their pictures from the catalogue of stages; `balcony list` prints the\n"
+        "same text in the terminal. [Drawing a camera](../drawing.md) explains the pictures.\n";
     for (const StageClass& each : classes()) {
         std::string rows;
         for (const StageEntry& row : camera::catalogue()) {
@@ -153,7 +152,8 @@ std::string index_text() {
             }
         }
         if (!rows.empty()) {
-            text += fmt::format("\n## {}\n\n| stage | is |\n|---|---|\n{}", each.title, rows);
+            text +=
+                fmt::format("\n## {}\n\n| stage | description |\n|---|---|\n{}", each.title, rows);
         }
     }
     return text;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The pages of docs/stages, from the catalogue.
+// Generates the pages of docs/stages from the catalogue.
 
 #include <string>
 #include <vector>
@@ -10,12 +10,12 @@
 namespace balcony::cli {
 
 struct StagePage {
-    std::string file;  ///< Within the folder of the pages.
+    std::string file;  ///< Relative to the folder of the pages.
     std::string text;
 };
 
-/// README.md with an index, a page for each kind of stage in Markdown, and each stage's example in
-/// examples/. The pages show pictures/KIND-NAME.png for each example, which are made from them.
+/// Returns README.md with an index, a Markdown page for each kind of stage, and the example of each
+/// stage in examples/. The pages refer to pictures/KIND-NAME.png, a picture of each example.
 [[nodiscard]] std::vector<StagePage> stage_pages();
 
 }  // namespace balcony::cli

@@ -16,7 +16,7 @@ using camera::StageParameter;
 
 namespace {
 
-// Radians as degrees for people.
+// Shows radians as degrees.
 std::string value_text(const StageParameter& parameter, double value) {
     return parameter.unit == camera::Unit::angle && value != 0.0
                ? fmt::format("{:.6g}deg", value * 180.0 / std::numbers::pi)
@@ -34,7 +34,7 @@ std::string coordinates_text(const StageParameter& parameter) {
     return kinds.empty() ? "" : fmt::format(" of {}", fmt::join(kinds, " or "));
 }
 
-// "weight(u, v) = [w]", which the meaning of a formula parameter shows; its name if not.
+// "weight(u, v) = [w]" from the meaning of a formula parameter, otherwise its name.
 std::string formula_text(const StageParameter& parameter) {
     const std::size_t begin = parameter.meaning.find(fmt::format("{}(", parameter.name));
     const std::size_t end = parameter.meaning.find(']', begin);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Rows of the catalogue in words.
+// Describes rows of the catalogue as text.
 
 #include <string>
 
@@ -13,10 +13,10 @@ namespace balcony::cli {
 /// "number", "(a, b)", "x, y, z or (a, b, c)", ...
 [[nodiscard]] std::string type_text(const camera::StageParameter& parameter);
 
-/// As it is written in a camera file; empty if there is none.
+/// The default in the notation of a camera file; empty if there is none.
 [[nodiscard]] std::string default_text(const camera::StageParameter& parameter);
 
-/// "above 0", "-1 to 1", ...; empty if anything will do.
+/// "above 0", "-1 to 1", ...; empty if all values are valid.
 [[nodiscard]] std::string range_text(const camera::StageParameter& parameter);
 
 /// "torus(major, minor)", "curve(u) = [x, y, z]".

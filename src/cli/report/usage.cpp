@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t text_column = 28;
 constexpr std::size_t last_column = 80;
 
-// A text in lines that begin at the text column; the first begins where the cursor is.
+// Wraps a text at the text column; the first line starts at the cursor.
 std::string wrapped(const std::string& text) {
     std::string lines;
     std::size_t column = text_column;
@@ -38,7 +38,7 @@ std::string wrapped(const std::string& text) {
     return lines;
 }
 
-// "  -o, --output FILE" and what it is for.
+// "  -o, --output FILE" and its description.
 std::string entry(const std::string& name, const std::string& meaning) {
     const std::string indented = "  " + name;
     const std::string gap = indented.size() + 2 > text_column
@@ -103,17 +103,17 @@ std::vector<std::string> names_of_commands(const CLI::App& app) {
     return names;
 }
 
-// What CLI11 says, with the cases in plainer words that users meet every day.
+// CLI11's message, reworded for the most common mistakes.
 std::string in_plain_words(const CLI::ParseError& problem) {
-    const std::string said = problem.what();
-    const std::string option = said.substr(0, said.find(':'));
-    if (problem.get_name() == "ArgumentMismatch" && said.find("required") != std::string::npos) {
+    const std::string message = problem.what();
+    const std::string option = message.substr(0, message.find(':'));
+    if (problem.get_name() == "ArgumentMismatch" && message.find("required") != std::string::npos) {
         return fmt::format("{} needs a value", option);
     }
     if (problem.get_name() == "ArgumentMismatch" || problem.get_name() == "ConversionError") {
         return fmt::format("{} takes no value", option.substr(0, option.find(' ')));
     }
-    return said;
+    return message;
 }
 
 bool has_option(const CLI::App& command, const std::string& name) {
@@ -125,7 +125,7 @@ bool ends_in(std::string_view word, std::initializer_list<std::string_view> endi
                        [word](std::string_view ending) { return word.ends_with(ending); });
 }
 
-// "-camera" is read as -c with the value "amera"; the option it was, if there is one.
+// CLI11 parses "-camera" as -c with the value "amera". Returns the intended option, if any.
 std::optional<std::string> option_with_one_hyphen(const CLI::App& command) {
     for (const CLI::Option* option : command.get_options()) {
         for (const std::string& value : option->results()) {
@@ -139,7 +139,7 @@ std::optional<std::string> option_with_one_hyphen(const CLI::App& command) {
     return std::nullopt;
 }
 
-// The option that an argument too many is likely meant for; empty if none is.
+// The option that a surplus argument probably belongs to; empty if there is none.
 std::string option_for(const CLI::App& command, const std::string& word) {
     if (const auto option = option_with_one_hyphen(command)) {
         return fmt::format("write {} with two hyphens", *option);
@@ -157,7 +157,7 @@ std::string option_for(const CLI::App& command, const std::string& word) {
                : "";
 }
 
-// The command that a file is for which stands in the place of a command.
+// The command for a file that was given in place of a command.
 std::string command_for(const std::string& word) {
     return ends_in(word, {".glb", ".gltf", ".obj"})
                ? fmt::format("did you mean balcony render {}?", word)
@@ -186,7 +186,7 @@ Diagnostic usage_error(const CLI::App& app, const CLI::ParseError& problem) {
     const std::string word = is_option ? option->substr(0, option->find('=')) : unknown.front();
     if (!is_option && !chosen.empty()) {
         const std::string meant = option_for(command, word);
-        return error(fmt::format("'{}' is one argument too many", word), {},
+        return error(fmt::format("'{}' is an unexpected argument", word), {},
                      meant.empty() ? look_up : meant);
     }
     const auto nearest =

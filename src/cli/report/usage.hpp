@@ -9,10 +9,10 @@
 
 namespace balcony::cli {
 
-/// How help is laid out: within 80 columns, options as a user writes them.
+/// Formats help texts within 80 columns, with options as a user writes them.
 [[nodiscard]] std::shared_ptr<CLI::FormatterBase> help_layout();
 
-/// What is wrong with a command line that `app` did not take, and what was probably meant.
+/// The error of a command line that `app` rejected, and what was probably intended.
 [[nodiscard]] Diagnostic usage_error(const CLI::App& app, const CLI::ParseError& problem);
 
 }  // namespace balcony::cli

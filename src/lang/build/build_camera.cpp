@@ -41,7 +41,7 @@ public:
             statements_, StatementKind::move, StageKind::object_transformer);
         paths(parts);
         look(parts);
-        // What failed in silence has been reported where it began.
+        // A null result without a diagnostic here has been reported at its source.
         return reporter_.error_count() == errors_before && complete(parts)
                    ? finish(std::move(parts))
                    : std::nullopt;
@@ -79,7 +79,7 @@ private:
         }
         const Identifier& name = statement->name;
         if (name.text != "z_up" && name.text != "y_up") {
-            error(name.span, fmt::format("there are no axes '{}'", name.text),
+            error(name.span, fmt::format("unknown axes '{}'", name.text),
                   suggestion(name.text, {"z_up", "y_up"}, "write"));
         }
         parts.axes = name.text == "y_up" ? Axes::y_up : Axes::z_up;
@@ -113,8 +113,8 @@ private:
             const std::string_view name = range.coordinate.text;
             if (name != "u" && name != "v") {
                 error(range.coordinate.span,
-                      fmt::format("the picture is mapped to u and v; '{}' is neither", name),
-                      "such as map u = -1 .. 1, v = square");
+                      fmt::format("map takes ranges for u and v, not for '{}'", name),
+                      "for example map u = -1 .. 1, v = square");
                 return nullptr;
             }
             const MapRange*& slot = name == "u" ? u : v;
@@ -127,7 +127,7 @@ private:
         }
         if (u == nullptr || v == nullptr) {
             const char* missing = u == nullptr ? "u" : "v";
-            error(statement->span, fmt::format("this map has no range for {}", missing),
+            error(statement->span, fmt::format("this map has no range for '{}'", missing),
                   fmt::format("add {0} = -1 .. 1, or {0} = square for square pixels", missing));
             return nullptr;
         }
@@ -140,7 +140,7 @@ private:
         const bool v_square = !v.first.valid();
         if (u_square && v_square) {
             error(statement.span, "u and v cannot both be square",
-                  "give one of them a range; the other follows from the picture's shape");
+                  "give one of them a range; the other follows from the picture's aspect ratio");
             return nullptr;
         }
         std::vector<ExpressionId> values;
@@ -162,7 +162,7 @@ private:
         if (statements_.lacks(StatementKind::eye)) {
             error(camera_.name.span,
                   fmt::format("the camera '{}' has no eye object", camera_.name.text),
-                  "say where rays start, such as eye sphere(1)");
+                  "specify where rays start, for example eye sphere(1)");
         }
         bool shared_map_used = false;
         if (eye != nullptr) {
@@ -174,11 +174,11 @@ private:
         const Statement* map = statements_.find(StatementKind::map);
         if (map != nullptr && eye != nullptr && !shared_map_used) {
             reporter_.warning(tree_.at(map->keyword), "this map has no effect",
-                              "every path of the camera has a map of its own");
+                              "every path of the camera has its own map");
         }
     }
 
-    // A path's own warps come behind the camera's, its own moves before the camera's.
+    // The path's own warps follow the camera's; its own moves precede the camera's.
     camera::Path path(const Statement& statement, bool& shared_map_used) {
         camera::Path made = shared_;
         if (!statement.stages.empty()) {
@@ -193,7 +193,7 @@ private:
         } else if (own.lacks(StatementKind::object)) {
             error(statement.keyword,
                   fmt::format("this '{}' has no object", keyword(statement.kind)),
-                  "add one to its block, such as object sphere(1)");
+                  "add one to its block, for example object sphere(1)");
         }
         if (own.lacks(StatementKind::map)) {
             shared_map_used = true;
@@ -218,7 +218,8 @@ private:
             error(camera_.name.span,
                   fmt::format("the camera '{}' has no map for its '{}'", camera_.name.text,
                               keyword(path.kind)),
-                  "say what part of the object the picture shows, such as map u = -1 .. 1, v = "
+                  "specify which part of the object the picture shows, for example map u = -1 .. "
+                  "1, v = "
                   "square");
         }
     }
@@ -245,7 +246,7 @@ private:
         }
         if (parts.look->needs_direction_object() && statements_.lacks(StatementKind::toward)) {
             error(span, "this direction rule needs a direction object",
-                  "add one with toward, such as toward sphere(10)");
+                  "add one with toward, for example toward sphere(10)");
         }
         const int minimum = parts.look->min_eye_dimension();
         if (parts.eye.generator && parts.eye.generator->dimension() < minimum) {
@@ -253,7 +254,7 @@ private:
                   fmt::format("this direction rule needs a {}, but the eye object is a {}",
                               minimum == 2 ? "surface" : "curve or a surface",
                               parts.eye.generator->dimension() == 0 ? "point" : "curve"),
-                  "add a direction object with toward, or take another eye object");
+                  "add a direction object with toward, or use another eye object");
         }
     }
 
@@ -273,7 +274,7 @@ private:
     Reporter& reporter_;
     StageBuilder stages_;
     Statements statements_;
-    camera::Path shared_;  // What stands at camera level.
+    camera::Path shared_;  // Statements at camera level.
     bool map_missed_ = false;
 };
 

@@ -9,13 +9,13 @@
 
 namespace balcony::lang {
 
-/// Makes a camera from its syntax and reports what is wrong with it; nothing if there is an error.
-/// What is not used is warned of if asked for.
+/// Makes a camera from its syntax and reports mistakes; nothing if there is an error.
+/// Optionally warns about unused names.
 [[nodiscard]] std::optional<camera::Camera> build_camera(const LocatedDefinition& place,
                                                          const GivenParameters& given,
                                                          Session& session, bool warn_of_unused);
 
-/// The same of a picture; of a camera the picture that shows it alone.
+/// The same for a picture; a camera becomes a picture with one layer.
 [[nodiscard]] std::optional<camera::Picture> build_picture(const LocatedDefinition& place,
                                                            const GivenParameters& given,
                                                            Session& session);

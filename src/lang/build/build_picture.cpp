@@ -21,7 +21,7 @@ namespace {
 using camera::ParameterType;
 using camera::StageEntry;
 
-// Rows for what layers are told as numbers, to be checked as the arguments of stages are.
+// Rows for the numbers in layers, which are checked like arguments of stages.
 const StageEntry& layer_row() {
     static const StageEntry row{
         .kind = camera::StageKind::clip_shape,
@@ -67,10 +67,11 @@ const StageEntry& leader_row() {
     return row;
 }
 
-// Where a picture stands among those that are being made.
+// The position of a picture among the pictures under construction.
 struct Nesting {
-    std::vector<LocatedDefinition> chain;  // The pictures that this one is in, itself the last.
-    std::set<const DefinitionSyntax*> failures;  // Pictures with errors, which are made once only.
+    std::vector<LocatedDefinition>
+        chain;  // The enclosing pictures, from the outermost to this one.
+    std::set<const DefinitionSyntax*> failures;  // Pictures with errors, which are not built again.
 };
 
 class PictureBuilder {
@@ -97,7 +98,7 @@ public:
         if (statements.lacks(StatementKind::layer)) {
             error(picture_.name.span,
                   fmt::format("the picture '{}' has no layers", picture_.name.text),
-                  "name what it shows, such as layer panorama");
+                  "add a layer, for example layer panorama");
         }
         for (const Statement& statement : picture_.statements) {
             if (reporter_.full()) {
@@ -107,7 +108,7 @@ public:
                 layer(statement, parts);
             }
         }
-        // A layer that failed in silence has been reported where it is used first.
+        // A failed layer has been reported at its first use.
         return complete_ && reporter_.error_count() == errors_before ? finish(std::move(parts))
                                                                      : std::nullopt;
     }
@@ -134,9 +135,10 @@ private:
             }
             if (!(*value >= 1.0 && *value <= maximum && std::floor(*value) == *value)) {
                 error(tree_[id].span,
-                      fmt::format("a picture has a whole number of pixels, but this is {:.6g}",
-                                  *value),
-                      "write width and height in pixels, such as 1920 x 1080");
+                      fmt::format(
+                          "the size of a picture is a whole number of pixels, but this is {:.6g}",
+                          *value),
+                      "write width and height in pixels, for example 1920 x 1080");
                 return;
             }
             pixels[i] = static_cast<std::size_t>(*value);
@@ -148,8 +150,8 @@ private:
 
     void aspect(const Statement& statement, camera::Picture::Parts& parts) {
         if (!picture_.size.empty()) {
-            error(statement.span, "this picture has a size and an aspect",
-                  "leave out the aspect, which follows from the size");
+            error(statement.span, "this picture has both a size and an aspect",
+                  "remove the aspect, which follows from the size");
         } else if (const auto value = stages_.aspect(statement.value, "a picture")) {
             parts.aspect = *value;
         }
@@ -166,7 +168,7 @@ private:
         return made.value;
     }
 
-    // ------------------------------------------------------------------------------------ a layer
+    // -------------------------------------------------------------------------------------- layers
 
     void layer(const Statement& statement, camera::Picture::Parts& parts) {
         const Expression& call = tree_[statement.stages.front()];
@@ -179,7 +181,7 @@ private:
                                                                  clip->stages.front())
                                : nullptr;
         const bool good = std::find(arrangers.begin(), arrangers.end(), nullptr) == arrangers.end();
-        // All of it is read, to find all that is wrong.
+        // Reads all statements, to report all mistakes.
         camera::Layer made{std::string(call.name.text), content.value_or(NestedPicture())};
         made.arrangers = arrangers;
         made.clip = shape;
@@ -211,13 +213,14 @@ private:
         const auto mode = camera::find_blend_mode(statement->name.text);
         if (!mode) {
             error(statement->name.span,
-                  fmt::format("there is no blend mode '{}'", statement->name.text),
-                  suggestion(statement->name.text, camera::blend_mode_names(), "there are"));
+                  fmt::format("unknown blend mode '{}'", statement->name.text),
+                  suggestion(statement->name.text, camera::blend_mode_names(),
+                             "the blend modes are"));
         }
         made.blend = mode.value_or(camera::BlendMode::normal);
     }
 
-    // Leader lines are drawn as the frame is.
+    // Leader lines are drawn like the frame.
     void strokes(const Statement& statement, const Statements& own, camera::Layer& made) {
         camera::Stroke stroke;
         if (const Statement* frame = own.find(StatementKind::frame)) {
@@ -289,7 +292,7 @@ private:
         }
         error(call.name.span,
               fmt::format("the picture '{0}' shows itself: {1}{0}", place.camera->name.text, names),
-              "let one of its layers show something else");
+              "change one of its layers to show something else");
         return true;
     }
 
@@ -297,8 +300,8 @@ private:
         if (nesting_.chain.size() < camera::max_nested_pictures) {
             return false;
         }
-        error(call.name.span,
-              fmt::format("pictures nest more than {} deep", camera::max_nested_pictures));
+        error(call.name.span, fmt::format("pictures are nested more than {} levels deep",
+                                          camera::max_nested_pictures));
         return true;
     }
 

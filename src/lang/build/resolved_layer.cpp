@@ -25,7 +25,7 @@ std::optional<LocatedDefinition> find(const LocatedDefinition& picture, const Id
         known.emplace_back(place.camera->name.text);
     }
     if (const Module* built_in = session.load_built_in(name.text)) {
-        // Nothing is read of it after too many errors.
+        // After too many errors, files are not read.
         const std::vector<LocatedDefinition> own = own_definitions(*built_in);
         return own.empty() ? std::nullopt : std::optional(own.back());
     }
@@ -44,15 +44,16 @@ bool read_parameters(const SyntaxTree& tree, const Expression& call, Scope& name
                      GivenParameters& given) {
     Reporter& reporter = session.reporter();
     if (call.kind == ExpressionKind::formula) {
-        reporter.error(tree.at(call.span), "a layer names a camera or a picture; this is a formula",
-                       "write a camera with it, and name that");
+        reporter.error(tree.at(call.span),
+                       "a layer needs the name of a camera or a picture, but this is a formula",
+                       "define a camera that uses the formula, and name that camera");
         return false;
     }
     bool good = true;
     for (const Argument& argument : call.arguments) {
         const SourceSpan span = tree.at(tree[argument.value].span);
         if (!argument.name) {
-            reporter.error(span, "a parameter of a layer is given by its name",
+            reporter.error(span, "parameters of a layer must be named",
                            fmt::format("write {}(name = {})", call.name.text,
                                        tree.text(tree[argument.value].span)));
             good = false;

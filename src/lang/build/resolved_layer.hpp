@@ -8,13 +8,13 @@
 
 namespace balcony::lang {
 
-/// The camera or picture that a layer shows, with what the layer says of its parameters.
+/// The camera or picture that a layer shows, with the values of its parameters.
 struct ResolvedLayer {
     LocatedDefinition place;
     GivenParameters given;
 };
 
-/// What a layer's call means in a picture whose names are given; nothing if there is an error,
+/// Resolves the call of a layer in a picture with the given names. Returns nothing after an error,
 /// which is reported.
 [[nodiscard]] std::optional<ResolvedLayer> resolve_layer(const LocatedDefinition& picture,
                                                          const Expression& call, Scope& names,

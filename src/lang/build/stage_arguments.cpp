@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// Which parameter an argument of a stage is for, and the arguments that are words or stages.
+// Assigns arguments to the parameters of a stage, and reads arguments that are names or stages.
 
 #include <algorithm>
 
@@ -20,7 +20,7 @@ using camera::StageEntry;
 using camera::StageKind;
 using camera::StageParameter;
 
-// The formula parameter that a formula in the place of an argument is for; null if there is none,
+// The formula parameter that a formula among the arguments belongs to; null if there is none
 // and the formula is a stage.
 const StageParameter* parameter_of_formula(const StageEntry& row, const Expression& value) {
     const auto found = std::find_if(
@@ -43,8 +43,8 @@ bool is_stage_formula(std::string_view name) {
                        [name](const StageEntry& row) { return row.formula && row.name == name; });
 }
 
-// Parameters in the order in which arguments without names are for them: formulas have names of
-// their own, and what takes all that are left stays the last.
+// The parameters in the order of positional arguments: formulas are named by themselves,
+// and a parameter that takes all remaining arguments is the last.
 class Positions {
 public:
     explicit Positions(const StageEntry& row) {
@@ -59,7 +59,7 @@ public:
         return std::span(parameters_).subspan(at_);
     }
     void skip(std::size_t count) { at_ += count; }
-    /// Null if there are no more.
+    /// Null at the end.
     const StageParameter* next() {
         if (at_ == parameters_.size()) {
             return nullptr;
@@ -75,9 +75,9 @@ private:
 };
 
 constexpr std::string_view curve_remedy =
-    "write a curve such as circle(1) or curve(u) = [cos(u), sin(u)]";
+    "write a curve, for example circle(1) or curve(u) = [cos(u), sin(u)]";
 
-// A number that is written as one, with or without a sign.
+// A number literal, with or without a sign.
 bool is_literal(const SyntaxTree& tree, const Expression& node) {
     const bool sign = node.kind == ExpressionKind::operation && node.arguments.size() == 1;
     return node.kind == ExpressionKind::number ||
@@ -89,7 +89,7 @@ bool may_be_stage(const Expression& node) {
            node.kind == ExpressionKind::formula;
 }
 
-// How a stage of a kind is written, as an example: the first of the catalogue.
+// An example of a stage of a kind: the first one in the catalogue.
 std::string example_of(StageKind kind) {
     for (const StageEntry& row : camera::catalogue()) {
         if (row.kind == kind && !row.formula) {
@@ -105,7 +105,7 @@ std::string_view described(const Expression& node) {
     switch (node.kind) {
         case ExpressionKind::tuple: return "a tuple";
         case ExpressionKind::list: return "a list";
-        case ExpressionKind::text: return "a file's name";
+        case ExpressionKind::text: return "a file name";
         case ExpressionKind::formula: return "a formula";
         default: return "a number";
     }
@@ -122,8 +122,8 @@ std::optional<Arguments> StageBuilder::arguments(const StageEntry& row, const Ex
         return made;
     }
     if (call.kind == ExpressionKind::formula) {
-        error(call.span, fmt::format("'{}' is not made from a formula", row.name),
-              fmt::format("it is written {}", signature(row)));
+        error(call.span, fmt::format("'{}' does not take a formula", row.name),
+              fmt::format("the syntax is {}", signature(row)));
         return std::nullopt;
     }
     if (tuple_is_spread(row, call)) {
@@ -148,9 +148,9 @@ std::optional<Arguments> StageBuilder::arguments(const StageEntry& row, const Ex
     return good ? std::optional(std::move(made)) : std::nullopt;
 }
 
-// ---------------------------------------------------------- which parameter an argument is for
+// -------------------------------------------------------------- parameters of the arguments
 
-// plane(1, 0, 0) for plane((1, 0, 0)): one message in the place of three.
+// plane(1, 0, 0) instead of plane((1, 0, 0)): one message instead of three.
 bool StageBuilder::tuple_is_spread(const StageEntry& row, const Expression& call) {
     Positions positions(row);
     for (std::size_t i = 0; i < call.arguments.size() && !call.arguments[i].name; ++i) {
@@ -172,7 +172,7 @@ bool StageBuilder::tuple_is_spread(const StageEntry& row, const Expression& call
         const Span span = {tree_[first->value].span.begin,
                            tree_[call.arguments[i + count - 1].value].span.end};
         error(span,
-              fmt::format("the {} numbers of '{}' of '{}' stand in parentheses of their own",
+              fmt::format("the {} numbers of '{}' of '{}' must be in parentheses",
                           count == 2 ? "two" : "three", parameter->name, row.name),
               fmt::format("write ({})",
                           tree_.source->text().substr(span.begin, span.end - span.begin)));
@@ -185,7 +185,8 @@ bool StageBuilder::assign(const StageEntry& row, const Expression& call,
                           std::vector<Given>& given) {
     bool good = true;
     bool named = false;
-    std::size_t values = call.arguments.size();  // With the numbers of tuples that are for several.
+    std::size_t values =
+        call.arguments.size();  // Including the numbers of tuples that are for several parameters.
     Positions positions(row);
     for (const Argument& argument : call.arguments) {
         const Expression& value = tree_[argument.value];
@@ -199,8 +200,8 @@ bool StageBuilder::assign(const StageEntry& row, const Expression& call,
                    takes_formulas(row) && !is_stage_formula(value.name.text)) {
             (void)named_parameter(row, value.name);
         } else if (parameter == nullptr && named) {
-            error(value.span, "an argument without a name stands behind one with a name",
-                  fmt::format("arguments come in the order of {}, or with their names",
+            error(value.span, "a positional argument follows a named argument",
+                  fmt::format("write positional arguments first, in the order of {}, or name them",
                               signature(row)));
         } else if (parameter == nullptr) {
             if (const std::size_t count =
@@ -212,9 +213,9 @@ bool StageBuilder::assign(const StageEntry& row, const Expression& call,
             parameter = positions.next();
             if (parameter == nullptr) {
                 error(value.span,
-                      fmt::format("'{}' takes {} argument{}, but is given {}", row.name,
+                      fmt::format("'{}' takes {} argument{}, but {} are given", row.name,
                                   positions.count(), positions.count() == 1 ? "" : "s", values),
-                      fmt::format("it is written {}", signature(row)));
+                      fmt::format("the syntax is {}", signature(row)));
                 return false;
             }
         }
@@ -228,13 +229,13 @@ bool StageBuilder::assign(const StageEntry& row, const Expression& call,
             Diagnostic diagnostic =
                 balcony::error(fmt::format("'{}' is given twice", parameter->name),
                                tree_.at(argument.name ? argument.name->span : value.span),
-                               fmt::format("leave one out; without names they come in the order "
+                               fmt::format("remove one; positional arguments have the order "
                                            "of {}",
                                            signature(row)));
             diagnostic.notes.push_back({slot.element
                                             ? slot.element->place
                                             : tree_.at(tree_[slot.expressions.front()].span),
-                                        "it is given here first"});
+                                        "first given here"});
             reporter_.add(std::move(diagnostic));
             good = false;
         } else {
@@ -244,8 +245,8 @@ bool StageBuilder::assign(const StageEntry& row, const Expression& call,
     return good;
 }
 
-// A tuple in the place of as many numbers is for all of them: translate(corner) is
-// translate(x, y, z). How many they are; 0 if it is none.
+// A tuple in place of the same number of number arguments stands for all of them:
+// translate(corner) is translate(x, y, z). Returns their number; 0 if it does not.
 std::size_t StageBuilder::assign_tuple(const StageEntry& row, ExpressionId value,
                                        std::span<const StageParameter* const> positions,
                                        std::vector<Given>& given) {
@@ -282,7 +283,7 @@ const StageParameter* StageBuilder::named_parameter(const StageEntry& row, const
     return nullptr;
 }
 
-// The first parameter that the word is a choice of.
+// The first parameter that has the word as a choice.
 const StageParameter* StageBuilder::parameter_of_word(const StageEntry& row,
                                                       const Identifier& word) {
     std::vector<std::string> known;
@@ -295,12 +296,12 @@ const StageParameter* StageBuilder::parameter_of_word(const StageEntry& row,
         }
     }
     error(word.span, fmt::format("'{}' cannot be '{}'", row.name, word.text),
-          known.empty() ? fmt::format("it is written {}", signature(row))
-                        : suggestion(word.text, known, "it may be"));
+          known.empty() ? fmt::format("the syntax is {}", signature(row))
+                        : suggestion(word.text, known, "the choices are"));
     return nullptr;
 }
 
-// ------------------------------------------------------------------------------- what it says
+// -------------------------------------------------------------------- values of the arguments
 
 bool StageBuilder::set_argument(const StageEntry& row, const StageParameter& parameter,
                                 std::span<const ExpressionId> given, Arguments& arguments) {
@@ -335,7 +336,7 @@ std::optional<std::string> StageBuilder::choice(const StageEntry& row,
     const Expression& node = tree_[given];
     const std::vector<std::string> words(parameter.choices.begin(), parameter.choices.end());
     if (node.kind != ExpressionKind::name) {
-        error(node.span, fmt::format("'{}' of '{}' is a word", parameter.name, row.name),
+        error(node.span, fmt::format("'{}' of '{}' takes a name", parameter.name, row.name),
               fmt::format("write {}", one_of(words)));
         return std::nullopt;
     }
@@ -355,9 +356,9 @@ StageBuilder::Stage StageBuilder::nested_stage(const StageEntry& row,
     if (!may_be_stage(node)) {
         const std::string_view kind = camera::name_of(parameter.stage_kind);
         error(node.span,
-              fmt::format("'{}' of '{}' is {}, but this is {}", parameter.name, row.name,
+              fmt::format("'{}' of '{}' takes {}, but this is {}", parameter.name, row.name,
                           with_article(kind), described(node)),
-              fmt::format("write {} such as {}", with_article(kind),
+              fmt::format("write {}, for example {}", with_article(kind),
                           example_of(parameter.stage_kind)));
         return nullptr;
     }
@@ -380,7 +381,7 @@ StageBuilder::Stage StageBuilder::curve(const StageEntry& row, const StageParame
     const Expression& node = tree_[given];
     if (!may_be_stage(node)) {
         error(node.span,
-              fmt::format("'{}' of '{}' is a curve, but this is {}", parameter.name, row.name,
+              fmt::format("'{}' of '{}' takes a curve, but this is {}", parameter.name, row.name,
                           described(node)),
               std::string(curve_remedy));
         return nullptr;
@@ -388,7 +389,7 @@ StageBuilder::Stage StageBuilder::curve(const StageEntry& row, const StageParame
     const auto made = make<camera::ObjectGenerator>(StageKind::object_generator, given);
     if (made && made->dimension() != 1) {
         error(node.span,
-              fmt::format("'{}' of '{}' is a curve, but '{}' is a {}", parameter.name, row.name,
+              fmt::format("'{}' of '{}' takes a curve, but '{}' is a {}", parameter.name, row.name,
                           node.name.text, made->dimension() == 0 ? "point" : "surface"),
               std::string(curve_remedy));
         return nullptr;

@@ -18,23 +18,24 @@ using camera::StageParameter;
 }  // namespace
 
 void StageBuilder::error(SourceSpan place, std::string message, std::string remedy) {
-    Diagnostics said{balcony::error(std::move(message), std::move(place), std::move(remedy))};
+    Diagnostics diagnostics{
+        balcony::error(std::move(message), std::move(place), std::move(remedy))};
     if (named_) {
-        report_file(std::move(said), *named_);
+        report_file(std::move(diagnostics), *named_);
     } else {
-        reporter_.add(std::move(said.front()));
+        reporter_.add(std::move(diagnostics.front()));
     }
 }
 
-// What has no place of its own is said of the name in the camera file; what is elsewhere gets a
-// note that says who asked for it.
-void StageBuilder::report_file(Diagnostics said, Span named) {
-    for (Diagnostic& diagnostic : said) {
+// A diagnostic without a position gets that of the name in the camera file. A diagnostic in another
+// file gets a note that shows where the file is used.
+void StageBuilder::report_file(Diagnostics diagnostics, Span named) {
+    for (Diagnostic& diagnostic : diagnostics) {
         if (!diagnostic.span.source) {
             diagnostic.span = tree_.at(named);
         } else if (diagnostic.span.source != tree_.source || diagnostic.span.begin < named.begin ||
                    diagnostic.span.end > named.end) {
-            diagnostic.notes.push_back({tree_.at(named), "it is used here"});
+            diagnostic.notes.push_back({tree_.at(named), "used here"});
         }
         reporter_.add(std::move(diagnostic));
     }
@@ -45,8 +46,8 @@ std::optional<data::File> StageBuilder::file(const StageEntry& row, const StageP
                                              std::string_view example) {
     const Expression& node = tree_[given];
     if (node.kind != ExpressionKind::text) {
-        error(node.span, fmt::format("'{}' of '{}' is {}", parameter.name, row.name, what),
-              fmt::format("name its file in quotation marks, such as \"{}\"", example));
+        error(node.span, fmt::format("'{}' of '{}' takes {}", parameter.name, row.name, what),
+              fmt::format("write a file name in quotation marks, for example \"{}\"", example));
         return std::nullopt;
     }
     const auto folder = module_.built_in ? std::nullopt : std::optional(module_.folder);
@@ -55,7 +56,7 @@ std::optional<data::File> StageBuilder::file(const StageEntry& row, const StageP
     return std::move(found.value);
 }
 
-// Two stages that name one file share what it holds.
+// Two stages that name the same file share its contents.
 template <class Data>
 std::shared_ptr<const Data> StageBuilder::read_once(
     std::map<std::string, std::shared_ptr<const Data>>& known, const data::File& file,
@@ -83,7 +84,7 @@ std::shared_ptr<const camera::TexturedMesh> StageBuilder::mesh(const StageEntry&
     return found ? read_once(session_.meshes(), *found, data::read_mesh, given) : nullptr;
 }
 
-// One point a line; a list of numbers may stand in one line or in several.
+// One point per line; a list of numbers may be in one line or in several.
 std::optional<PointList> StageBuilder::table(const StageEntry& row, const StageParameter& parameter,
                                              ExpressionId given) {
     const auto found = file(row, parameter, given, "a table", "table.csv");

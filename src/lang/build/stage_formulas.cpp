@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// Stages that are made from a formula, and formulas that stages are given.
+// Stages that consist of a formula, and formulas as arguments of stages.
 
 #include <fmt/format.h>
 
@@ -27,15 +27,16 @@ std::optional<camera::Formula> StageBuilder::stage_formula(const StageEntry& row
                                                            const Expression& node) {
     const std::string written = signature(row);
     if (node.kind != ExpressionKind::formula) {
-        error(node.span, fmt::format("'{}' is made from a formula", row.name),
-              fmt::format("it is written {}", written));
+        error(node.span, fmt::format("'{}' needs a formula", row.name),
+              fmt::format("the syntax is {}", written));
         return std::nullopt;
     }
     const auto fits = [this, &row](const Value& result, const SourceSpan& place) {
         if (result.is_angle() && row.kind != StageKind::parameter_transformer) {
-            error(place,
-                  fmt::format("the results of '{}' are lengths, but this is an angle", row.name),
-                  "divide it by 1rad for the number of radians");
+            error(
+                place,
+                fmt::format("the results of '{}' must be lengths, but this is an angle", row.name),
+                "divide it by 1rad to get the number of radians");
             return false;
         }
         return true;
@@ -49,8 +50,8 @@ std::optional<camera::Formula> StageBuilder::formula_argument(const StageEntry& 
     const Expression& node = tree_[given];
     const std::string written = signature(parameter.name, parameter.shape);
     if (node.kind != ExpressionKind::formula) {
-        error(node.span, fmt::format("'{}' of '{}' is a formula", parameter.name, row.name),
-              fmt::format("it is written {}", written));
+        error(node.span, fmt::format("'{}' of '{}' takes a formula", parameter.name, row.name),
+              fmt::format("the syntax is {}", written));
         return std::nullopt;
     }
     const auto in_unit = [this, &row, &parameter](const Value& result, const SourceSpan& place) {
@@ -67,7 +68,7 @@ std::optional<camera::Formula> StageBuilder::formula(const FormulaRules& rules,
             node.name.span,
             fmt::format("the formula '{}' has {} parameter{}, but this one has {}", rules.name,
                         shape.parameters, shape.parameters == 1 ? "" : "s", node.parameters.size()),
-            fmt::format("it is written {}", rules.written));
+            fmt::format("the syntax is {}", rules.written));
         return std::nullopt;
     }
     if (node.arguments.size() < shape.min_results || node.arguments.size() > shape.max_results) {
@@ -75,7 +76,7 @@ std::optional<camera::Formula> StageBuilder::formula(const FormulaRules& rules,
               fmt::format("the formula '{}' has {} result{}, but this one has {}", rules.name,
                           numbers_in_words(shape.min_results, shape.max_results),
                           shape.max_results == 1 ? "" : "s", node.arguments.size()),
-              fmt::format("it is written {}", rules.written));
+              fmt::format("the syntax is {}", rules.written));
         return std::nullopt;
     }
     Scope scope(&scope_);
@@ -84,9 +85,9 @@ std::optional<camera::Formula> StageBuilder::formula(const FormulaRules& rules,
         const SourceSpan place = tree_.at(name.span);
         if (name.text == "t" || name.text == "pi") {
             error(name.span,
-                  fmt::format("'{}' is taken: it is {}", name.text,
+                  fmt::format("'{}' is reserved: it is {}", name.text,
                               name.text == "t" ? "time" : "the number 3.14159..."),
-                  "choose another name, such as u");
+                  "choose another name, for example u");
             return std::nullopt;
         }
         variables.push_back(graph_->fresh_variable());

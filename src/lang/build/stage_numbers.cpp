@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// The numbers that stages are given: their form, unit and range.
+// Number arguments of stages: their form, unit and range.
 
 #include <algorithm>
 #include <array>
@@ -35,7 +35,7 @@ std::size_t count_of(ParameterType type) {
     }
 }
 
-// A number as a user would write it.
+// A number in the notation of a user.
 std::string written(double value, Unit unit) {
     if (unit == Unit::angle) {
         return fmt::format("{:.6g}deg", value * 180.0 / std::numbers::pi);
@@ -61,8 +61,8 @@ std::string range_text(const StageParameter& parameter) {
     return has_min ? fmt::format("{} {}", from, minimum) : fmt::format("at most {}", maximum);
 }
 
-/// Of a value that changes with time, whose range nobody can check beforehand: what would leave the
-/// range stays at its end.
+/// Clamps a value that changes with time to its range, because it cannot be checked in
+/// advance.
 expr::Expr within_range(const StageParameter& parameter, expr::Expr value) {
     expr::Graph& graph = value.graph();
     if (std::isfinite(parameter.minimum)) {
@@ -74,17 +74,17 @@ expr::Expr within_range(const StageParameter& parameter, expr::Expr value) {
     return value;
 }
 
-// What the parameter is for, and what it is if nothing is said.
+// The meaning of the parameter, and its default.
 std::string purpose(const StageParameter& parameter) {
     const std::string left_out =
         parameter.default_value.size() == 1
-            ? fmt::format("; left out, it is {}",
+            ? fmt::format("; the default is {}",
                           written(parameter.default_value.front(), parameter.unit))
             : "";
     return fmt::format("{}: {}{}", parameter.name, parameter.meaning, left_out);
 }
 
-// at = (1, 2, 3): how the numbers of a parameter are written, from its default.
+// at = (1, 2, 3): an example of the syntax of a parameter, from its default.
 std::string example_of(const StageParameter& parameter, std::size_t count) {
     const auto& built_in = parameter.default_value;
     const double rest = parameter.type == ParameterType::size ? 1.0 : 0.0;
@@ -96,14 +96,15 @@ std::string example_of(const StageParameter& parameter, std::size_t count) {
     return fmt::format("{} = ({})", parameter.name, fmt::join(numbers, ", "));
 }
 
-// How the numbers of a parameter are written that were given in another form.
+// The syntax of a parameter whose numbers were given in a wrong form.
 std::string form_remedy(const StageParameter& parameter) {
     const std::size_t count = count_of(parameter.type);
     if (parameter.type == ParameterType::axis) {
-        return fmt::format("name it, such as z, or write {}", example_of(parameter, count));
+        return fmt::format("write the name of an axis, such as z, or {}",
+                           example_of(parameter, count));
     }
     return count == 1 ? purpose(parameter)
-                      : fmt::format("such as {}", example_of(parameter, count));
+                      : fmt::format("for example {}", example_of(parameter, count));
 }
 
 }  // namespace
@@ -119,9 +120,9 @@ bool StageBuilder::set_default(const StageEntry& row, const StageParameter& para
     }
     if (parameter.default_value.empty()) {
         error(call,
-              fmt::format("'{}' is not given its '{}' ({})", row.name, parameter.name,
+              fmt::format("'{}' needs its argument '{}' ({})", row.name, parameter.name,
                           parameter.meaning),
-              fmt::format("it is written {}", signature(row)));
+              fmt::format("the syntax is {}", signature(row)));
         return false;
     }
     std::vector<Scalar> values(parameter.default_value.begin(), parameter.default_value.end());
@@ -166,16 +167,15 @@ std::optional<std::vector<Scalar>> StageBuilder::numbers(const StageEntry& row,
     const bool tuple = several && several->form == Value::Form::tuple;
     if (!tuple || several->elements->size() != count) {
         const std::string_view what = several ? "a list" : described(node);
-        const std::string_view instead = what == "a number" ? "one number" : what;
-        const std::string form = count == 1   ? "one number"
-                                 : count == 2 ? "two numbers, (a, b)"
-                                              : "three numbers, (a, b, c)";
+        const std::string form = count == 1   ? "a number"
+                                 : count == 2 ? "two numbers (a, b)"
+                                              : "three numbers (a, b, c)";
         error(node.span,
-              fmt::format("'{}' of '{}' is {}{}{}, but {}", parameter.name, row.name, form,
-                          parameter.type == ParameterType::axis ? ", or x, y or z" : "",
-                          parameter.type == ParameterType::size ? ", or one for both" : "",
-                          tuple ? fmt::format("these are {}", several->elements->size())
-                                : fmt::format("this is {}", instead)),
+              fmt::format("'{}' of '{}' takes {}{}{}, but {}", parameter.name, row.name, form,
+                          parameter.type == ParameterType::axis ? " or x, y or z" : "",
+                          parameter.type == ParameterType::size ? " or one number for both" : "",
+                          tuple ? fmt::format("there are {}", several->elements->size())
+                                : fmt::format("this is {}", what)),
               form_remedy(parameter));
         return std::nullopt;
     }
@@ -204,17 +204,17 @@ bool StageBuilder::fits(const StageEntry& row, const StageParameter& parameter, 
                         const SourceSpan& place) {
     const std::string what = fmt::format("'{}' of '{}'", parameter.name, row.name);
     if (parameter.unit == Unit::number && value.is_angle()) {
-        error(place, fmt::format("{} is a plain number, but this is an angle", what),
-              "leave out deg or rad, or divide the angle by 1rad");
+        error(place, fmt::format("{} must be a plain number, but this is an angle", what),
+              "remove deg or rad, or divide the angle by 1rad");
         return false;
     }
     if (parameter.unit == Unit::angle && value.is_plain_number()) {
         const std::string_view written =
             place.source->text().substr(place.begin, place.end - place.begin);
         const bool literal = written.find_first_not_of("0123456789.") == std::string::npos;
-        error(place, fmt::format("{} is an angle, but this is a plain number", what),
+        error(place, fmt::format("{} must be an angle, but this is a plain number", what),
               literal ? fmt::format("write {0}deg or {0}rad", written)
-                      : "multiply it by 1rad if it counts radians, by 1deg if degrees");
+                      : "multiply it by 1rad if it is in radians, or by 1deg if it is in degrees");
         return false;
     }
     if (value.is_constant()) {
@@ -222,7 +222,7 @@ bool StageBuilder::fits(const StageEntry& row, const StageParameter& parameter, 
     }
     if (must_be_constant(parameter)) {
         error(place, fmt::format("{} cannot change with time", what),
-              "it decides what the stage is made of, which is done once for all times");
+              "it determines the structure of the stage, which is the same for all times");
         return false;
     }
     return true;
@@ -299,7 +299,7 @@ camera::PictureMapperPointer StageBuilder::make_mapper(std::string_view name,
         const auto last = given->number(row->parameters[i + 1].name).constant();
         if (first && last && *first == *last) {
             const Span range = {tree_[values[i]].span.begin, tree_[values[i + 1]].span.end};
-            reporter_.warning(tree_.at(range), "this range begins and ends at the same value",
+            reporter_.warning(tree_.at(range), "this range starts and ends at the same value",
                               "the picture does not change in this direction");
         }
     }
@@ -325,13 +325,13 @@ std::optional<double> StageBuilder::constant(ExpressionId id, std::string_view w
         return std::nullopt;
     }
     if (value.is_angle()) {
-        error(tree_[id].span, fmt::format("{} is a plain number, but this is an angle", what),
-              "leave out deg or rad, or divide the angle by 1rad");
+        error(tree_[id].span, fmt::format("{} must be a plain number, but this is an angle", what),
+              "remove deg or rad, or divide the angle by 1rad");
         return std::nullopt;
     }
     if (!value.is_constant()) {
         error(tree_[id].span, fmt::format("{} cannot change with time", what),
-              "write it without t: it is needed before a time is known");
+              "write it without t: it is needed before the time is known");
         return std::nullopt;
     }
     return value.constant();
@@ -342,7 +342,7 @@ std::optional<double> StageBuilder::aspect(ExpressionId id, std::string_view own
     const std::optional<double> value = constant(id, what);
     if (value && !(*value > 0.0)) {
         error(tree_[id].span, fmt::format("{} must be above 0, but is {:.6g}", what, *value),
-              "it is the width of the picture divided by its height, such as 16/9");
+              "the aspect is the width of the picture divided by its height, for example 16/9");
         return std::nullopt;
     }
     return value;

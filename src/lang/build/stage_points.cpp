@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// The points that stages are given, such as control points: [(0, 0), (1, 2)], or [0, 0.5, 1].
+// Point arguments of stages, such as control points: [(0, 0), (1, 2)], or [0, 0.5, 1].
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ using camera::StageEntry;
 using camera::StageParameter;
 
 constexpr std::size_t max_points = 65536;
-// What is made of points takes powers of their distances, which must not overflow.
+// Stages compute powers of the distances of points, which must not overflow.
 constexpr double max_coordinate = 1e30;
 
 // 2 or 3; 1, 2 or 3.
@@ -36,7 +36,7 @@ std::string numbers_in_words(const std::vector<std::size_t>& numbers) {
     return text;
 }
 
-// [0, 1, 2] or [(0, 0), (1, 1), (2, 2)], as long as the parameter needs but no longer than 3.
+// [0, 1, 2] or [(0, 0), (1, 1), (2, 2)], with the minimum number of points, but at most 3.
 std::string example_of(const StageParameter& parameter) {
     const std::size_t coordinates = parameter.coordinates.front();
     std::string text;
@@ -63,7 +63,7 @@ std::optional<PointList> StageBuilder::points(const StageEntry& row,
     if (node.kind == ExpressionKind::text) {
         return table(row, parameter, given);
     }
-    // A name that there is not is said to be missing, what is no value at all to be no list.
+    // Reports an unknown name as unknown, and anything that is not a value as not a list.
     const bool may_be_list = node.kind == ExpressionKind::list || node.kind == ExpressionKind::name;
     const Value list =
         may_be_list ? evaluate_any(tree_, given, scope_, *graph_, reporter_) : Value();
@@ -71,12 +71,12 @@ std::optional<PointList> StageBuilder::points(const StageEntry& row,
         return std::nullopt;
     }
     if (list.form != Value::Form::list) {
-        error(
-            node.span,
-            fmt::format("'{}' of '{}' is a list of {}", parameter.name, row.name,
-                        is_list_of_numbers(parameter) ? "numbers" : "points"),
-            fmt::format("write it in brackets, such as {}, or name a table, such as \"table.csv\"",
-                        example_of(parameter)));
+        error(node.span,
+              fmt::format("'{}' of '{}' takes a list of {}", parameter.name, row.name,
+                          is_list_of_numbers(parameter) ? "numbers" : "points"),
+              fmt::format(
+                  "write it in brackets, for example {}, or name a table, such as \"table.csv\"",
+                  example_of(parameter)));
         return std::nullopt;
     }
     if (!enough_points(row, parameter, list.elements->size(), node.span)) {
@@ -109,7 +109,7 @@ bool StageBuilder::enough_points(const StageEntry& row, const StageParameter& pa
           fmt::format("'{}' of '{}' needs at {} {} {}{}, but has {}", parameter.name, row.name,
                       few ? "least" : "most", bound, noun, bound == 1 ? "" : "s", count),
           few ? fmt::format("{}: {}; add {} more", parameter.name, parameter.meaning, bound - count)
-              : fmt::format("keep one {} in {}", noun, (count + max_points - 1) / max_points));
+              : fmt::format("keep one {} out of {}", noun, (count + max_points - 1) / max_points));
     return false;
 }
 
@@ -126,9 +126,9 @@ bool StageBuilder::add_point(const StageEntry& row, const StageParameter& parame
             good = false;
         } else if (std::abs(coordinate.value.constant()) > max_coordinate) {
             reporter_.error(coordinate.place,
-                            fmt::format("a co-ordinate of '{}' lies between -{} and {}",
+                            fmt::format("a coordinate of '{}' must be between -{} and {}",
                                         parameter.name, max_coordinate, max_coordinate),
-                            "write the points in a larger unit; scale makes the object larger");
+                            "write the points in a larger unit, and enlarge the object with scale");
             good = false;
         } else {
             points.values.push_back(coordinate.value.constant());
@@ -147,8 +147,8 @@ bool StageBuilder::has_coordinates(const StageEntry& row, const StageParameter& 
                           parameter.name, row.name, numbers_in_words(allowed),
                           is_list_of_numbers(parameter) ? "" : "s", count),
               place.source == tree_.source
-                  ? fmt::format("such as {} = {}", parameter.name, example_of(parameter))
-                  : "a line of a table is a point; leave out columns that are not of it");
+                  ? fmt::format("for example {} = {}", parameter.name, example_of(parameter))
+                  : "each line of a table is a point; remove other columns");
         return false;
     }
     if (points.coordinates != 0 && points.coordinates != count) {

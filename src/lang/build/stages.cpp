@@ -19,7 +19,7 @@ using camera::StageEntry;
 using camera::StageKind;
 using camera::StageParameter;
 
-// The stage of a kind that a word is a choice of, with the word: "normal outward" for outward.
+// A stage that has the word as a choice, with the word: "normal outward" for outward.
 std::optional<std::string> stage_with_choice(StageKind kind, std::string_view word) {
     for (const StageEntry& row : camera::catalogue()) {
         for (const StageParameter& parameter : row.parameters) {
@@ -45,7 +45,7 @@ std::vector<std::string> names_of_kind(StageKind kind) {
     return names;
 }
 
-// Where a name is of several kinds, a picture arranger is what is meant least.
+// If a name has several kinds, a picture arranger is the least likely.
 const StageEntry* find_of_any_kind(std::string_view name) {
     const StageEntry* found = nullptr;
     for (const StageEntry& row : camera::catalogue()) {
@@ -95,7 +95,7 @@ std::string signature(const StageEntry& row) {
     return text + ")";
 }
 
-// ------------------------------------------------------------------------------- the whole stage
+// ---------------------------------------------------------------------------------- whole stages
 
 StageBuilder::Stage StageBuilder::make_stage(StageKind kind, ExpressionId call) {
     const Expression& node = tree_[call];
@@ -125,7 +125,7 @@ const StageEntry* StageBuilder::find_row(StageKind kind, const Identifier& name)
     }
     if (const StageEntry* row = find_of_any_kind(name.text)) {
         error(name.span,
-              fmt::format("'{}' is {}, but this is the place of {}", name.text,
+              fmt::format("'{}' is {}, but {} is needed here", name.text,
                           with_article(camera::name_of(row->kind)),
                           with_article(camera::name_of(kind))),
               fmt::format("{}s belong to {}", camera::name_of(row->kind),
@@ -138,7 +138,7 @@ const StageEntry* StageBuilder::find_row(StageKind kind, const Identifier& name)
     }
     error(name.span, fmt::format("there is no {} named '{}'", camera::name_of(kind), name.text),
           nearest ? fmt::format("did you mean '{}'?", *nearest)
-                  : "'balcony list' names all there are");
+                  : "run 'balcony list' for a list of all stages");
     return nullptr;
 }
 

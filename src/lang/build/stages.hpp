@@ -16,7 +16,7 @@
 
 namespace balcony::lang {
 
-/// Makes stages from calls, by the catalogue: what a row says is what is checked.
+/// Makes stages from calls and checks them against the rows of the catalogue.
 class StageBuilder {
 public:
     StageBuilder(const Module& module, Scope& scope, Session& session)
@@ -27,40 +27,40 @@ public:
           graph_(session.graph()),
           reporter_(session.reporter()) {}
 
-    /// The stage that a call describes; null if there is an error, which is reported.
+    /// The stage of a call; null after an error, which is reported.
     template <class Port>
     [[nodiscard]] std::shared_ptr<const Port> make(camera::StageKind kind, ExpressionId call) {
         return std::static_pointer_cast<const Port>(make_stage(kind, call));
     }
 
-    /// A picture mapper from the values of a map statement, which the row takes in their order.
+    /// A picture mapper from the values of a map statement, in the order of the row.
     [[nodiscard]] camera::PictureMapperPointer make_mapper(std::string_view name,
                                                            std::span<const ExpressionId> values,
                                                            Span span);
 
-    /// The arranger that a place statement describes; null if there is an error.
+    /// The arranger of a place statement; null after an error.
     [[nodiscard]] camera::PictureArrangerPointer make_place(const MapRange& corners);
 
-    /// A direction rule with all its defaults, as a camera without `look` has it.
+    /// A direction rule with all its defaults, for a camera without `look`.
     [[nodiscard]] camera::DirectionRulePointer make_default_rule(std::string_view name, Span span);
 
-    /// The arguments of a call as a row has them; nothing if there is an error, which is reported.
+    /// The arguments of a call, checked against a row; nothing after an error, which is reported.
     [[nodiscard]] std::optional<camera::Arguments> arguments(const camera::StageEntry& row,
                                                              const Expression& call);
 
-    /// The same from values for the row's first parameters, in their order; the rest is left out.
+    /// The same from values for the row's first parameters, in their order.
     [[nodiscard]] std::optional<camera::Arguments> arguments(const camera::StageEntry& row,
                                                              std::span<const ExpressionId> values);
 
-    /// The same from a value for one of its parameters.
+    /// The same from a value for one parameter of the row.
     [[nodiscard]] std::optional<camera::Arguments> argument(const camera::StageEntry& row,
                                                             std::string_view parameter,
                                                             ExpressionId value);
 
-    /// A number that must be known when the camera is made; nothing if there is an error.
+    /// A number that must be known when the camera is made; nothing after an error.
     [[nodiscard]] std::optional<double> constant(ExpressionId id, std::string_view what);
 
-    /// The same of an aspect, which is above 0.
+    /// The same for an aspect, which must be above 0.
     [[nodiscard]] std::optional<double> aspect(ExpressionId id, std::string_view owner);
 
 private:
@@ -71,9 +71,9 @@ private:
                         Span span);
     const camera::StageEntry* find_row(camera::StageKind kind, const Identifier& name);
 
-    // ------------------------------------------------------ which parameter an argument is for
-    // What is said of a parameter: an expression, or several for one that takes all the rest, or a
-    // number out of a tuple that is for several parameters.
+    // ------------------------------------------------------- parameters of the arguments
+    // The argument of a parameter: an expression; several, for a parameter that takes all remaining
+    // ones; or one number of a tuple that is for several parameters.
     struct Given {
         std::vector<ExpressionId> expressions{};
         std::optional<Element> element{};
@@ -91,7 +91,7 @@ private:
     const camera::StageParameter* parameter_of_word(const camera::StageEntry& row,
                                                     const Identifier& word);
 
-    // ------------------------------------------------------------------------- what it says
+    // ---------------------------------------------------------- values of the arguments
     bool set_argument(const camera::StageEntry& row, const camera::StageParameter& parameter,
                       std::span<const ExpressionId> given, camera::Arguments& arguments);
     bool set_default(const camera::StageEntry& row, const camera::StageParameter& parameter,
@@ -145,14 +145,14 @@ private:
     std::optional<data::File> file(const camera::StageEntry& row,
                                    const camera::StageParameter& parameter, ExpressionId given,
                                    std::string_view what, std::string_view example);
-    void report_file(Diagnostics said, Span named);
+    void report_file(Diagnostics diagnostics, Span named);
     template <class Data>
     std::shared_ptr<const Data> read_once(
         std::map<std::string, std::shared_ptr<const Data>>& known, const data::File& file,
         Result<std::shared_ptr<const Data>> (*read)(const data::File&), ExpressionId given);
 
     // ------------------------------------------------------------------------------ formulas
-    /// What a formula must be, and what may be said of its results.
+    /// The requirements on a formula and on its results.
     struct FormulaRules {
         std::string_view name;
         const camera::FormulaShape& shape;
@@ -171,10 +171,10 @@ private:
     void error(Span span, std::string message, std::string remedy = {}) {
         error(tree_.at(span), std::move(message), std::move(remedy));
     }
-    /// Of a place in the camera file, or in a table or a let that it names.
+    /// Reports an error at a position in the camera file, or in a table or let that it names.
     void error(SourceSpan place, std::string message, std::string remedy = {});
 
-    /// While it lives, errors that are elsewhere get a note of where they are named.
+    /// During its lifetime, errors in other places get a note that shows where they are named.
     class Naming {
     public:
         Naming(StageBuilder& stages, const Expression& node) : stages_(stages) {
@@ -194,16 +194,16 @@ private:
     Scope& scope_;
     std::shared_ptr<expr::Graph> graph_;
     Reporter& reporter_;
-    std::optional<Span> named_;  // Where the camera file names what is being read.
+    std::optional<Span> named_;  // The position in the camera file that names the current value.
 };
 
-/// What stands in the place of something else: a number, a list, a file's name, ...
+/// A description of an unexpected expression: a number, a list, a file name, ...
 [[nodiscard]] std::string_view described(const Expression& node);
-/// A parameter transformer, an object generator.
+/// "a parameter transformer", "an object generator".
 [[nodiscard]] std::string with_article(std::string_view noun);
-/// How a stage is written: circle(radius), surface(u, v) = [x, y, z].
+/// The syntax of a stage: circle(radius), surface(u, v) = [x, y, z].
 [[nodiscard]] std::string signature(const camera::StageEntry& row);
-/// How a formula is written: weight(u, v) = [a].
+/// The syntax of a formula: weight(u, v) = [a].
 [[nodiscard]] std::string signature(std::string_view name, const camera::FormulaShape& shape);
 
 }  // namespace balcony::lang

@@ -11,7 +11,7 @@ namespace balcony::lang {
 
 namespace {
 
-// A statement of which there is one at most in a camera or a block.
+// A statement that may occur only once in a camera or a block.
 bool stands_once(StatementKind kind) {
     return kind != StatementKind::let && kind != StatementKind::warp &&
            kind != StatementKind::move && kind != StatementKind::place &&
@@ -28,8 +28,8 @@ Statements::Statements(const SyntaxTree& tree, const std::vector<Statement>& all
         const auto [earlier, is_first] = first_.emplace(statement.kind, &statement);
         if (!is_first && stands_once(statement.kind)) {
             const std::string_view word = keyword(statement.kind);
-            Diagnostic diagnostic = error(fmt::format("'{}' stands here a second time", word),
-                                          tree.at(statement.keyword), "remove one of the two");
+            Diagnostic diagnostic = error(fmt::format("'{}' occurs a second time", word),
+                                          tree.at(statement.keyword), "remove one of them");
             diagnostic.notes.push_back(
                 {tree.at(earlier->second->keyword), fmt::format("the first '{}'", word)});
             reporter.add(std::move(diagnostic));

@@ -14,14 +14,14 @@ namespace balcony::lang {
 /// The statements of one block, by kind.
 class Statements {
 public:
-    /// Reports what stands twice and must not.
+    /// Reports statements that occur twice although only one is allowed.
     Statements(const SyntaxTree& tree, const std::vector<Statement>& all, Reporter& reporter);
 
-    /// The first of a kind, unless it is broken; null if there is none.
+    /// The first statement of a kind, unless it is broken; null if there is none.
     [[nodiscard]] const Statement* find(StatementKind kind) const;
-    /// Whether one is missing, not merely broken or unrecognisable.
+    /// Whether there is none of a kind, not even a broken or unrecognised one.
     [[nodiscard]] bool lacks(StatementKind kind) const;
-    /// The stages of all statements of a kind in sequence.
+    /// The stages of all statements of a kind, in sequence.
     [[nodiscard]] std::vector<ExpressionId> stages(StatementKind kind) const;
 
 private:
@@ -29,7 +29,7 @@ private:
     std::map<StatementKind, const Statement*> first_;
 };
 
-/// The arrangers of all place and arrange statements in sequence; null where one has an error.
+/// The arrangers of all place and arrange statements in sequence; null for one with an error.
 [[nodiscard]] std::vector<camera::PictureArrangerPointer> make_arrangers(
     const std::vector<Statement>& statements, StageBuilder& stages);
 

@@ -29,7 +29,7 @@ DefinitionScope::DefinitionScope(const LocatedDefinition& place, const GivenPara
         if (statement.kind == StatementKind::let) {
             lets.push_back(&statement);
             scope_.announce(statement.name.text,
-                            "it is a let in the camera's body; a default may use only the "
+                            "it is a let in the camera's body, but a default may use only the "
                             "parameters before it and lets outside of cameras");
         }
     }
@@ -99,7 +99,7 @@ void DefinitionScope::define_parameter(const DefinitionParameter& parameter) {
         value = evaluate_any(tree_, parameter.default_value, scope_, *session_.graph(),
                              session_.reporter());
     }
-    // The last one given counts, as is usual for options.
+    // The last value applies, as usual for options.
     const auto given = std::find_if(given_.rbegin(), given_.rend(),
                                     [name](const Given& one) { return one.name == name; });
     if (given != given_.rend()) {
@@ -128,18 +128,18 @@ Value DefinitionScope::overridden(const Given& given, const Value& default_value
     return checked(value, given.tree->at((*given.tree)[id].span), default_value, name);
 }
 
-// A value whose form and unit are those of the default; a failed one if it is not, which is
-// reported. Lists may have any length and any units, of which the stage judges that takes them.
+// A value with the same form and unit as the default. Otherwise an error is reported and the value
+// has failed. Lists may have any length and units; the stage that takes them checks these.
 Value DefinitionScope::checked(const Value& value, const SourceSpan& span,
                                const Value& default_value, std::string_view name) {
     if (value.failed() || default_value.failed()) {
         return value;
     }
     if (form_of(value) != form_of(default_value)) {
-        session_.reporter().error(
-            span,
-            fmt::format("'{}' is {}, but this is {}", name, form_of(default_value), form_of(value)),
-            "write it in the form of the parameter's default");
+        session_.reporter().error(span,
+                                  fmt::format("'{}' must be {}, but this is {}", name,
+                                              form_of(default_value), form_of(value)),
+                                  "write it in the same form as the parameter's default");
         return {};
     }
     if (value.form == Value::Form::tuple) {
@@ -153,15 +153,15 @@ Value DefinitionScope::checked(const Value& value, const SourceSpan& span,
         return value;
     }
     if (default_value.is_angle() && value.is_plain_number()) {
-        session_.reporter().error(span,
-                                  fmt::format("'{}' is an angle, but this is a plain number", name),
-                                  "attach deg or rad: 30deg, 0.5rad");
+        session_.reporter().error(
+            span, fmt::format("'{}' must be an angle, but this is a plain number", name),
+            "append deg or rad: 30deg, 0.5rad");
         return {};
     }
     if (default_value.is_plain_number() && value.is_angle()) {
-        session_.reporter().error(span,
-                                  fmt::format("'{}' is a plain number, but this is an angle", name),
-                                  "leave out deg or rad");
+        session_.reporter().error(
+            span, fmt::format("'{}' must be a plain number, but this is an angle", name),
+            "remove deg or rad");
         return {};
     }
     return value;
@@ -180,7 +180,7 @@ void DefinitionScope::warn_of_unused() {
         const Definition* definition = scope_.find_here(name.text);
         if (definition != nullptr && !definition->used) {
             session_.reporter().warning(tree_.at(name.span),
-                                        fmt::format("the {} '{}' is not used", what, name.text));
+                                        fmt::format("the {} '{}' is unused", what, name.text));
         }
     };
     for (const DefinitionParameter& parameter : place_.camera->parameters) {

@@ -12,30 +12,30 @@ namespace balcony::lang {
 /// "camera" or "picture".
 [[nodiscard]] std::string_view word_for(const DefinitionSyntax& camera);
 
-/// A value that a picture gives to a parameter of one of its layers.
+/// A value for a parameter of a layer.
 struct ParameterValue {
     Identifier name;
     SourceSpan name_place;
-    Value value;  ///< Of the session's graph.
+    Value value;  ///< In the session's graph.
     SourceSpan value_place;
 };
 
-/// Values for parameters: texts from outside the file, or values from a picture.
+/// Values for parameters: texts from the command line, or values from a picture.
 struct GivenParameters {
     std::vector<Override> overrides;
     std::vector<ParameterValue> values;
 };
 
-/// The names of one camera or picture: its parameters, with values given or their defaults, and
-/// lets.
+/// The names of one camera or picture: its lets and its parameters, with given or default
+/// values.
 class DefinitionScope {
 public:
     DefinitionScope(const LocatedDefinition& place, const GivenParameters& given, Session& session);
 
     [[nodiscard]] Scope& names() { return scope_; }
-    /// Of its parameters, in their order.
+    /// The values of its parameters, in their order.
     [[nodiscard]] std::vector<Value> values();
-    /// For one without errors: names that nothing uses.
+    /// Warns about unused names. The definition must have no errors.
     void warn_of_unused();
 
 private:

@@ -18,8 +18,8 @@ namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
-// Walks the nodes of one expression in their order, operands first, so that deep ones need no
-// stack.
+// Visits the nodes of an expression in their order, operands first, so that deep expressions need
+// no recursion.
 class Evaluator {
 public:
     Evaluator(const SyntaxTree& tree, Scope& scope, expr::Graph& graph, Reporter& reporter)
@@ -49,28 +49,28 @@ private:
         reporter_.error(tree_.at(span), std::move(message), std::move(remedy));
     }
 
-    // Catches stages, tuples and formulas in the place of a number before their parts give rise to
-    // errors of their own.
+    // Reports stages, tuples and formulas in place of a number before their parts cause errors of
+    // their own.
     bool belongs_to_an_expression(const Expression& node) {
         switch (node.kind) {
             case ExpressionKind::tuple:
                 error(node.span,
-                      fmt::format("expected one number, but these are {} in parentheses",
+                      fmt::format("expected a number, but found {} numbers in parentheses",
                                   node.arguments.size()),
-                      "write one of them, or join them by operators");
+                      "write one number, or combine them with operators");
                 return false;
             case ExpressionKind::list:
-                error(node.span, "expected a number, but this is a list",
-                      "brackets hold points, and the results of a formula; "
-                      "write ( ) round parts of an expression");
+                error(node.span, "expected a number, but found a list",
+                      "brackets are for lists of points and for the results of a formula; "
+                      "use ( ) to group parts of an expression");
                 return false;
             case ExpressionKind::text:
-                error(node.span, "expected a number, but this is a file's name",
-                      "write the number itself; tables are for arguments that are points");
+                error(node.span, "expected a number, but found a file name",
+                      "write a number; tables are only for arguments that are points");
                 return false;
             case ExpressionKind::formula:
-                error(node.span, "expected a number, but this is a formula of its own",
-                      "write its expression here");
+                error(node.span, "expected a number, but found a formula",
+                      "write only its expression here");
                 return false;
             case ExpressionKind::call: return is_function_call(node);
             default: return true;
@@ -86,17 +86,17 @@ private:
         for (const Argument& argument : node.arguments) {
             if (argument.name) {
                 error(argument.name->span,
-                      fmt::format("the function '{}' has no arguments with names", node.name.text),
-                      fmt::format("leave out '{} ='", argument.name->text));
+                      fmt::format("the function '{}' takes no named arguments", node.name.text),
+                      fmt::format("remove '{} ='", argument.name->text));
                 return false;
             }
         }
         if (node.arguments.size() != function->arity) {
             error(node.span,
-                  fmt::format("'{}' takes {} argument{}, but is given {}", node.name.text,
+                  fmt::format("'{}' takes {} argument{}, but {} are given", node.name.text,
                               function->arity, function->arity == 1 ? "" : "s",
                               node.arguments.size()),
-                  fmt::format("it is written {}", call_of(*function)));
+                  fmt::format("the syntax is {}", call_of(*function)));
             return false;
         }
         return true;
@@ -105,20 +105,21 @@ private:
     void unknown_function(const Identifier& name) {
         for (const camera::StageEntry& row : camera::catalogue()) {
             if (row.name == name.text) {
-                error(name.span,
-                      fmt::format("expected a number, but '{}' is a stage ({})", name.text,
-                                  camera::name_of(row.kind)),
-                      fmt::format("write a number; 'balcony list {}' shows how it is used",
-                                  name.text));
+                error(
+                    name.span,
+                    fmt::format("expected a number, but '{}' is a stage ({})", name.text,
+                                camera::name_of(row.kind)),
+                    fmt::format("write a number; run 'balcony list {}' to see how to use the stage",
+                                name.text));
                 return;
             }
         }
         if (scope_.find(name.text) != nullptr) {
             error(name.span, fmt::format("'{}' is a number and cannot be called", name.text),
-                  fmt::format("for a product write {} * ( ... )", name.text));
+                  fmt::format("write {} * ( ... ) for a product", name.text));
             return;
         }
-        error(name.span, fmt::format("there is no function '{}'", name.text),
+        error(name.span, fmt::format("unknown function '{}'", name.text),
               suggestion(name.text, function_names(), "the functions are"));
     }
 
@@ -143,7 +144,7 @@ private:
             definition->used = true;
             if (definition->value.elements) {
                 error(node.span,
-                      fmt::format("expected one number, but '{}' is {}", node.name.text,
+                      fmt::format("expected a number, but '{}' is {}", node.name.text,
                                   form_of(definition->value)),
                       "tuples and lists are given whole to stages; numbers of them need names of "
                       "their own");
@@ -158,21 +159,22 @@ private:
         }
         if (find_function(node.name.text) != nullptr) {
             error(node.span, fmt::format("'{}' is a function", node.name.text),
-                  fmt::format("give it its arguments: {}( ... )", node.name.text));
+                  fmt::format("add its arguments: {}( ... )", node.name.text));
             return {};
         }
         if (node.name.text == "deg" || node.name.text == "rad") {
-            error(node.span, fmt::format("the unit '{}' stands alone", node.name.text),
-                  fmt::format("attach it to a number, such as 30{0}; an expression takes a factor, "
-                              "such as x*1{0}",
-                              node.name.text));
+            error(node.span, fmt::format("the unit '{}' has no number", node.name.text),
+                  fmt::format(
+                      "append it to a number, for example 30{0}; multiply an expression by a unit, "
+                      "for example x*1{0}",
+                      node.name.text));
             return {};
         }
         if (scope_.incomplete()) {
             return {};
         }
-        error(node.span, fmt::format("there is nothing named '{}' here", node.name.text),
-              suggestion(node.name.text, scope_.names(), "known here are"));
+        error(node.span, fmt::format("unknown name '{}'", node.name.text),
+              suggestion(node.name.text, scope_.names(), "the names available here are"));
         return {};
     }
 
@@ -196,9 +198,8 @@ private:
         result.problem = inherited_problem(function, operands);
         if (!result.problem && function.op == expr::Op::divide && operands[1].is_zero()) {
             const Span divisor = tree_[node.arguments[1].value].span;
-            result.problem =
-                problem(divisor, "division by 0",
-                        "change the divisor, or keep clear of 0 with if(condition, a, b)");
+            result.problem = problem(divisor, "division by 0",
+                                     "change the divisor, or exclude 0 with if(condition, a, b)");
         }
         result.expr = function.apply(arguments, function.op);
         if (!result.problem && result.is_constant() && !std::isfinite(result.constant())) {
@@ -206,7 +207,7 @@ private:
                 node.span,
                 fmt::format("{} {}", with_values(node, operands),
                             std::isnan(result.constant()) ? "has no real value" : "is not finite"),
-                "change the numbers, or keep clear of it with max, min or if(condition, a, b)");
+                "change the numbers, or exclude such values with max, min or if(condition, a, b)");
         }
         return result;
     }
@@ -235,7 +236,7 @@ private:
             balcony::error(std::move(message), tree_.at(span), std::move(remedy)));
     }
 
-    // A constant condition makes the branch that is not taken irrelevant.
+    // A constant condition excludes the other branch.
     static std::shared_ptr<const Diagnostic> inherited_problem(const Function& function,
                                                                std::span<const Value> operands) {
         const bool decided =
@@ -259,7 +260,7 @@ private:
     std::vector<Value> values_;
 };
 
-// A tuple's numbers; a list's numbers and tuples, which may be named.
+// The elements of a tuple or a list: numbers and, in a list, tuples, which may be named.
 Value evaluate_elements(const SyntaxTree& tree, const Expression& compound, Scope& scope,
                         expr::Graph& graph, Reporter& reporter) {
     const bool is_list = compound.kind == ExpressionKind::list;
@@ -272,9 +273,9 @@ Value evaluate_elements(const SyntaxTree& tree, const Expression& compound, Scop
                       : is_list    ? evaluate_any(tree, argument.value, scope, graph, reporter)
                                    : evaluate(tree, argument.value, scope, graph, reporter);
         if (list_in_list || value.form == Value::Form::list) {
-            reporter.error(place, "a list has numbers or points, but this is a list",
-                           "a point stands in parentheses, (1, 2); points of several rows stand in "
-                           "one list, row after row");
+            reporter.error(place, "a list contains numbers or points, but this is a list",
+                           "write a point in parentheses, (1, 2); write several rows of points as "
+                           "one list, row by row");
             return {};
         }
         if (!value.failed()) {

@@ -8,18 +8,17 @@
 
 namespace balcony::lang {
 
-/// The number that an expression stands for, with what is wrong reported: a failed value if
-/// anything is.
+/// The number of an expression. Mistakes are reported; the value has then failed.
 [[nodiscard]] Value evaluate(const SyntaxTree& tree, ExpressionId id, Scope& scope,
                              expr::Graph& graph, Reporter& reporter);
 
-/// The same of a tuple or a list, written or named; nothing if the expression is neither. A name
-/// whose value has failed may have been either.
+/// The value of a tuple or a list, literal or named; nothing if the expression is neither. A name
+/// whose value has failed may be either.
 [[nodiscard]] std::optional<Value> evaluate_compound(const SyntaxTree& tree, ExpressionId id,
                                                      Scope& scope, expr::Graph& graph,
                                                      Reporter& reporter);
 
-/// The same of any expression that a name may stand for.
+/// The value of any expression that can be named.
 [[nodiscard]] Value evaluate_any(const SyntaxTree& tree, ExpressionId id, Scope& scope,
                                  expr::Graph& graph, Reporter& reporter);
 

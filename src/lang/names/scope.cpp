@@ -88,13 +88,13 @@ void report_duplicate(const Identifier& name, SourceSpan place, const SourceSpan
                       Reporter& reporter) {
     Diagnostic diagnostic = error(fmt::format("'{}' is defined twice", name.text), std::move(place),
                                   "rename one of the two");
-    diagnostic.notes.push_back({earlier, "it is defined here first"});
+    diagnostic.notes.push_back({earlier, "first defined here"});
     reporter.add(std::move(diagnostic));
 }
 
 namespace {
 
-// Depth-first search over the lets, without recursion: a let is evaluated after those it names.
+// Depth-first search over the lets, without recursion: a let is evaluated after those it uses.
 class LetOrder {
 public:
     LetOrder(const SyntaxTree& tree, Scope& scope, expr::Graph& graph, Reporter& reporter)
@@ -129,15 +129,15 @@ private:
     struct Entry {
         const Statement* let;
         State state;
-        std::size_t next_node;  // Where the search for names in its expression goes on.
-        bool failed = false;    // A definition of its own is reported to be wrong.
+        std::size_t next_node;  // Where the search for names in its expression continues.
+        bool failed = false;    // It is part of a reported cycle.
     };
 
     [[nodiscard]] std::size_t first_node(const Statement& let) const {
         return tree_[let.value].first.value();
     }
 
-    // The next let that an open let names.
+    // The next let that an open let uses.
     std::optional<std::size_t> next_used(Entry& entry) {
         if (!entry.let->value.valid()) {
             return std::nullopt;
@@ -197,8 +197,9 @@ private:
         }
         circle += lets_[begin].let->name.text;
         Diagnostic diagnostic =
-            error(fmt::format("'{}' is defined by itself: {}", lets_[begin].let->name.text, circle),
-                  tree_.at(lets_[begin].let->name.span), "give one of them a value of its own");
+            error(fmt::format("'{}' is defined in terms of itself: {}", lets_[begin].let->name.text,
+                              circle),
+                  tree_.at(lets_[begin].let->name.span), "define one of them without the others");
         for (auto i = first; i != path.end(); ++i) {
             if (*i != begin && diagnostic.notes.size() + 1 < max_shown) {
                 diagnostic.notes.push_back({tree_.at(lets_[*i].let->name.span),

@@ -21,27 +21,29 @@ struct Definition {
     bool used = false;
 };
 
-/// The names that are visible at some place; what is not found is looked for further out.
+/// The names visible at a position. Names that are not found are looked up in the enclosing scope.
 class Scope {
 public:
     explicit Scope(Scope* outer = nullptr) : outer_(outer) {}
     Scope(const Scope&) = delete;
     Scope& operator=(const Scope&) = delete;
 
-    /// False, with nothing changed, if this scope has the name.
+    /// Returns false and changes nothing if this scope already has the name.
     bool define(std::string_view name, Definition definition);
     [[nodiscard]] Definition* find(std::string_view name);
     [[nodiscard]] Definition* find_here(std::string_view name);
-    /// Says why a name that is defined further on cannot be used yet.
+    /// Stores the reason why a name that is defined later cannot be used yet.
     void announce(std::string_view name, std::string_view why_not_yet);
-    /// What was said of such a name; empty for others.
+    /// The stored reason for such a name; empty for others.
     [[nodiscard]] std::string_view announced(std::string_view name) const;
-    /// Says that names are missing for a reason that is reported, so that their uses are no errors.
+    /// Marks the scope as incomplete after a reported error, so that unknown names are not
+    /// reported.
     void mark_incomplete() { incomplete_ = true; }
     [[nodiscard]] bool incomplete() const {
         return incomplete_ || (outer_ != nullptr && outer_->incomplete());
     }
-    /// Defines what another scope itself defines; tells of names that mean something else here.
+    /// Copies the names that another scope itself defines. Calls `on_conflict` for each name that
+    /// is already defined differently.
     void copy_from(const Scope& other,
                    const std::function<void(std::string_view name, const Definition& here,
                                             const Definition& there)>& on_conflict);
@@ -55,15 +57,15 @@ private:
     bool incomplete_ = false;
 };
 
-/// The scope of what is defined everywhere: pi and t.
+/// The global scope with pi and t.
 [[nodiscard]] std::unique_ptr<Scope> constants(expr::Graph& graph);
 
-/// Reports that a name is defined twice, pointing at both.
+/// Reports that a name is defined twice, with both positions.
 void report_duplicate(const Identifier& name, SourceSpan place, const SourceSpan& earlier,
                       Reporter& reporter);
 
-/// Evaluates the lets of one scope in an order in which each finds what it uses, and defines them;
-/// lets that go in a circle are reported.
+/// Evaluates the lets of a scope in dependency order and defines them. Cyclic lets are
+/// reported.
 void define_lets(const SyntaxTree& tree, const std::vector<const Statement*>& lets, Scope& scope,
                  expr::Graph& graph, Reporter& reporter);
 

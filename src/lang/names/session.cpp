@@ -50,7 +50,7 @@ const SyntaxTree& Session::keep(SyntaxTree tree) {
     return *overrides_.back();
 }
 
-// Of a tuple or a list its length and then its elements; a mark tells it from a number.
+// For a tuple or a list: a mark that is not a number, its length and its elements.
 void Session::add_to_key(const Value& value, ParameterKey& key) {
     if (!value.elements) {
         key.emplace_back(value.expr.id().value(), value.dimension);
@@ -79,9 +79,8 @@ Module* Session::load(const fs::path& file) {
         return open_built_in(built_in->name);
     }
     if (!fs::exists(file, failure)) {
-        reporter_.error(
-            {}, fmt::format("there is no file '{}' and no built-in camera of that name", name),
-            suggestion(name, built_in_names(""), "the built-in cameras are"));
+        reporter_.error({}, fmt::format("there is no file and no built-in camera named '{}'", name),
+                        suggestion(name, built_in_names(""), "the built-in cameras are"));
         return nullptr;
     }
     return open_file(file, name, {});
@@ -106,7 +105,7 @@ bool Session::known(const std::string& key, const SourceSpan& asked, Module*& fo
         }
         const std::string& name = circle->module->tree.source->name();
         reporter_.error(asked, fmt::format("'{}' imports itself: {}{}", name, chain, name),
-                        "move what both files need into a third one");
+                        "move the shared definitions to a third file");
         found = nullptr;
         return true;
     }
@@ -172,7 +171,7 @@ void Session::import(Module& module, const Import& import) {
     }
     if (opened_.size() >= deepest_imports) {
         reporter_.error(place,
-                        fmt::format("imports nest more than {} files deep", deepest_imports));
+                        fmt::format("imports are nested more than {} files deep", deepest_imports));
         module.scope->mark_incomplete();
         return;
     }
@@ -188,10 +187,10 @@ void Session::import(Module& module, const Import& import) {
     module.scope->copy_from(*imported->scope, [&](std::string_view name, const Definition& here,
                                                   const Definition& there) {
         Diagnostic diagnostic =
-            error(fmt::format("this import brings '{}', which another one has brought", name),
+            error(fmt::format("this import defines '{}', which another import defines too", name),
                   place, "rename one of the two");
-        diagnostic.notes.push_back({here.place, "it is defined here first"});
-        diagnostic.notes.push_back({there.place, "and here again"});
+        diagnostic.notes.push_back({here.place, "first defined here"});
+        diagnostic.notes.push_back({there.place, "defined again here"});
         reporter_.add(std::move(diagnostic));
     });
 }
@@ -210,11 +209,11 @@ Module* Session::find_import(const Module& module, const Import& import) {
     const std::string folder = module.folder.empty() ? "." : module.folder.string();
     const auto nearest = nearest_name(name, built_in_names(".cam"));
     reporter_.error(place,
-                    fmt::format("there is no file '{}' beside this one and no built-in camera of "
+                    fmt::format("there is no file '{}' in this folder and no built-in camera of "
                                 "that name",
                                 name),
                     nearest ? fmt::format("did you mean '{}'?", *nearest)
-                            : fmt::format("it is looked for in the folder '{}'", folder));
+                            : fmt::format("the search folder is '{}'", folder));
     return nullptr;
 }
 

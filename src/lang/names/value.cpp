@@ -18,7 +18,7 @@ using Operands = std::span<const Expr>;
 
 Expr as_operation(Operands a, Op op) { return a[0].graph().apply(op, a); }
 
-// What the graph spells in another way.
+// Operations with a different name in the graph.
 constexpr std::array<Function, 4> added_operators = {{
     {"^", 2, as_operation, Op::power},
     {">", 2, [](Operands a, Op) { return a[1] < a[0]; }, Op::less},
@@ -31,7 +31,7 @@ constexpr std::array<Function, 2> added_functions = {{
     {"spow", 2, [](Operands a, Op) { return expr::signed_power(a[0], a[1]); }, Op::power},
 }};
 
-// The graph's operations that are written between operands, or those that are written as calls.
+// The graph's operations that are infix operators, or those that are calls.
 std::vector<Function> from_operations(bool infix) {
     std::vector<Function> rows;
     for (const expr::Operation& row : expr::operations()) {
@@ -69,7 +69,7 @@ DimensionResult mismatch(std::string error, std::string remedy = as_a_number) {
     return {Dimension::number, std::move(error), std::move(remedy)};
 }
 
-// The common unit of operands that must agree; a zero and a formula's parameter agree with all.
+// The common unit of operands that must agree; zero and formula parameters agree with any unit.
 DimensionResult common(const Function& function, std::span<const Value> operands) {
     const bool angle =
         std::any_of(operands.begin(), operands.end(), [](const Value& v) { return v.is_angle(); });
@@ -80,7 +80,7 @@ DimensionResult common(const Function& function, std::span<const Value> operands
                                       [](char c) { return c >= 'a' && c <= 'z'; });
         return mismatch(
             fmt::format("'{}' {} an angle and a plain number", function.name,
-                        call ? "is given" : "stands between"),
+                        call ? "is given" : "combines"),
             "write the number as an angle (30deg, 0.5rad), or divide the angle by 1rad");
     }
     if (angle) {
@@ -94,7 +94,7 @@ DimensionResult common(const Function& function, std::span<const Value> operands
 
 DimensionResult product(const Value& a, const Value& b) {
     if (a.is_angle() && b.is_angle()) {
-        return mismatch("the product of two angles has no use here");
+        return mismatch("the product of two angles is not supported");
     }
     if (a.is_angle() || b.is_angle()) {
         return {Dimension::angle, {}, {}};
@@ -116,7 +116,7 @@ DimensionResult plain(const Function& function, std::span<const Value> operands,
         std::any_of(operands.begin(), operands.end(), [](const Value& v) { return v.is_angle(); });
     if (angle) {
         return mismatch(
-            fmt::format("'{}' takes plain numbers, and this is an angle", function.name));
+            fmt::format("'{}' takes plain numbers, but this is an angle", function.name));
     }
     return {made, {}, {}};
 }

@@ -12,24 +12,24 @@
 
 namespace balcony::lang {
 
-/// What a value counts. A formula's parameters are of either kind, as its user decides.
+/// The dimension of a value. The parameters of a formula can have either dimension.
 enum class Dimension : std::uint8_t { number, angle, either };
 
 struct Element;
 
-/// What an expression stands for: a number, which is a node of the session's graph with its unit,
-/// or a tuple or a list of values. A failed value comes from something that is reported already;
-/// whatever uses it fails in silence.
+/// The value of an expression: a number, which is a node of the session's graph with its unit,
+/// or a tuple or a list of values. A failed value comes from an error that has been reported;
+/// uses of it fail without further diagnostics.
 struct Value {
     enum class Form : std::uint8_t { number, tuple, list };
 
     expr::Expr expr;
     Dimension dimension = Dimension::number;
-    /// What is wrong with the number itself (a division by 0); reported if the value is used, so
-    /// that if(c, a, b) may hold what it guards against.
+    /// An error of the number itself (such as a division by 0). It is reported only if the value is
+    /// used, so that if(c, a, b) may contain values that its condition excludes.
     std::shared_ptr<const Diagnostic> problem{};
     Form form = Form::number;
-    /// The numbers of a tuple, the numbers and tuples of a list; none of them has failed.
+    /// The numbers of a tuple, or the numbers and tuples of a list; none of these has failed.
     std::shared_ptr<const std::vector<Element>> elements{};
 
     [[nodiscard]] bool failed() const { return !expr.valid() && !elements; }
@@ -43,16 +43,16 @@ struct Value {
     }
 };
 
-/// A part of a tuple or a list, where it is written.
+/// An element of a tuple or a list and its position.
 struct Element {
     Value value;
     SourceSpan place;
 };
 
-/// What a value is, in words: a number, 3 numbers in parentheses, a list.
+/// A description of a value: "a number", "3 numbers in parentheses", "a list".
 [[nodiscard]] std::string form_of(const Value& value);
 
-/// A function or an operator of the language: an operation of the graph, or made of some.
+/// A function or an operator of the language: one or more operations of the graph.
 struct Function {
     std::string_view name;
     std::size_t arity;
@@ -60,14 +60,14 @@ struct Function {
     expr::Op op;
 };
 
-/// The function of a name; null if there is none. The names are those of expr::operations(), with
+/// The function with a name; null if there is none. The names are those of expr::operations(), with
 /// `if` for select and spow for the signed power.
 [[nodiscard]] const Function* find_function(std::string_view name);
-/// The operator of a symbol with so many operands, with ^, >, >= and != added to the graph's.
+/// The operator with a symbol and number of operands: those of the graph, and ^, >, >= and !=.
 [[nodiscard]] const Function* find_operator(std::string_view symbol, std::size_t arity);
 [[nodiscard]] std::vector<std::string> function_names();
 
-/// The unit of a result, or why the operands' units do not go together.
+/// The unit of a result, or the error of operands with incompatible units.
 struct DimensionResult {
     Dimension dimension = Dimension::number;
     std::string error;

@@ -20,7 +20,7 @@ struct BinaryOperator {
     int precedence;
 };
 
-// A power binds tighter than a sign on its left and is read elsewhere.
+// Powers bind more tightly than a sign on their left and are parsed elsewhere.
 constexpr std::array<BinaryOperator, 12> binary_operators = {{{"||", 1},
                                                               {"&&", 2},
                                                               {"==", 3},
@@ -44,7 +44,7 @@ const BinaryOperator* find_operator(const Token& token) {
     return nullptr;
 }
 
-// Counts how deep the parser is inside itself.
+// Counts the nesting depth of the parser.
 class Deeper {
 public:
     explicit Deeper(int& depth) : depth_(depth) { ++depth_; }
@@ -90,7 +90,7 @@ std::optional<ExpressionId> ExpressionParser::add_operation(const Token& symbol,
 
 std::optional<ExpressionId> ExpressionParser::expression() { return binary(1); }
 
-// Precedence climbing: operands of one level are joined from the left.
+// Precedence climbing: operators of one level are left-associative.
 std::optional<ExpressionId> ExpressionParser::binary(int min_precedence) {
     const std::size_t first = nodes_.size();
     std::optional<ExpressionId> left = unary();
@@ -102,7 +102,7 @@ std::optional<ExpressionId> ExpressionParser::binary(int min_precedence) {
         }
         if (row->precedence == comparison && compared) {
             tokens_.error(tokens_.peek().span, "comparisons cannot be chained",
-                          "join two with '&&': a < b && b < c");
+                          "combine two with '&&': a < b && b < c");
             return std::nullopt;
         }
         compared = row->precedence == comparison;
@@ -168,10 +168,10 @@ std::optional<ExpressionId> ExpressionParser::primary() {
 std::string ExpressionParser::missing_value_remedy() const {
     const std::string_view before = tokens_.previous().text;
     if (before == "*" && tokens_.peek().is("*")) {
-        return "a power is written x^2";
+        return "write a power as x^2";
     }
     return before == "," ? "remove the ',' before it, or write a value between them"
-                         : fmt::format("write a value behind '{}'", before);
+                         : fmt::format("write a value after '{}'", before);
 }
 
 std::optional<ExpressionId> ExpressionParser::parenthesised() {
@@ -234,7 +234,7 @@ std::optional<ExpressionId> ExpressionParser::name_or_call() {
     const Token name = tokens_.next();
     if (tokens_.peek().is("[")) {
         tokens_.expected("'('",
-                         fmt::format("arguments stand in parentheses: {}( ... )", name.text));
+                         fmt::format("write arguments in parentheses: {}( ... )", name.text));
         return std::nullopt;
     }
     if (!tokens_.peek().is("(")) {
@@ -256,14 +256,14 @@ std::optional<ExpressionId> ExpressionParser::name_or_call() {
     if (tokens_.peek().is("=") || tokens_.peek().is("[")) {
         tokens_.accept("=");
         tokens_.expected("'= [' and the results of a formula",
-                         fmt::format("such as {}(u, v) = [ ... ]", name.text));
+                         fmt::format("for example {}(u, v) = [ ... ]", name.text));
         return std::nullopt;
     }
     return add(std::move(node), first);
 }
 
-// What was read as the arguments of a call turns out to be the parameters of a formula; its nodes
-// stay in the list unused, and the formula begins behind them.
+// The parsed arguments of a call turn out to be the parameters of a formula. Their nodes stay in
+// the list unused, and the formula starts after them.
 std::optional<ExpressionId> ExpressionParser::formula(Expression call) {
     Expression node;
     node.kind = ExpressionKind::formula;
@@ -271,10 +271,10 @@ std::optional<ExpressionId> ExpressionParser::formula(Expression call) {
     for (const Argument& argument : call.arguments) {
         const Expression& parameter = nodes_[argument.value.value()];
         if (argument.name || parameter.kind != ExpressionKind::name) {
-            tokens_.error(
-                parameter.span,
-                fmt::format("the parameters of the formula '{}' are plain names", node.name.text),
-                fmt::format("such as {}(u, v) = [ ... ]", node.name.text));
+            tokens_.error(parameter.span,
+                          fmt::format("the parameters of the formula '{}' must be plain names",
+                                      node.name.text),
+                          fmt::format("for example {}(u, v) = [ ... ]", node.name.text));
             return std::nullopt;
         }
         node.parameters.push_back(parameter.name);
@@ -324,14 +324,14 @@ std::optional<ExpressionId> ExpressionParser::stage(std::string_view what) {
         const bool assigned = token.is("=") || token.is(":");
         tokens_.expected(what, assigned ? fmt::format("remove the '{}'", token.text)
                                : token.kind == TokenKind::text
-                                   ? fmt::format("leave out the quotation marks: {}", token.text)
-                                   : "'balcony list' names all there are");
+                                   ? fmt::format("remove the quotation marks: {}", token.text)
+                                   : "run 'balcony list' for a list of all stages");
         return std::nullopt;
     }
     return name_or_call();
 }
 
-// A plain name on the same line that does not open the next statement.
+// A plain name on the same line that does not start the next statement.
 bool ExpressionParser::at_word() const {
     return tokens_.peek().kind == TokenKind::name && !tokens_.at_new_line() &&
            find_keyword(tokens_.peek(), false) == nullptr && !is_file_keyword(tokens_.peek()) &&

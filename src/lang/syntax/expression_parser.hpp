@@ -10,18 +10,18 @@
 
 namespace balcony::lang {
 
-/// Reads expressions and stage calls into a tree's list of nodes. An error is reported once and
-/// ends the reading; the caller finds the next place to go on.
+/// Parses expressions and stage calls into a tree's list of nodes. An error is reported once and
+/// ends the parsing; the caller finds the position to continue.
 class ExpressionParser {
 public:
     ExpressionParser(TokenStream& tokens, std::vector<Expression>& nodes)
         : tokens_(tokens), nodes_(nodes) {}
 
-    /// Anything from a number to a condition.
+    /// Any expression, from a number to a condition.
     [[nodiscard]] std::optional<ExpressionId> expression();
     /// name, name(arguments) or name(parameters) = [results].
     [[nodiscard]] std::optional<ExpressionId> stage(std::string_view what);
-    /// The same, or name word word, with all on one line.
+    /// The same, or name word word, all on one line.
     [[nodiscard]] std::optional<ExpressionId> stage_with_words(std::string_view what);
 
 private:

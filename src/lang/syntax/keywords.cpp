@@ -31,14 +31,16 @@ constexpr std::array rows = {
     Keyword{StatementKind::layer, "layer", in_pictures},
     Keyword{StatementKind::clip, "clip", in_layer},
     Keyword{StatementKind::soft, "soft", in_layer,
-            "how wide the clip's edge is, half of it outside, as a fraction of the layer's height"},
+            "the width of the clip's soft edge, half of it outside the shape, as a fraction of the "
+            "layer's height"},
     Keyword{StatementKind::alpha, "alpha", in_layer,
-            "its opacity: from 0, nothing of it shows, to 1"},
+            "the opacity: from 0 (invisible) to 1 (opaque)"},
     Keyword{StatementKind::blend, "blend", in_layer},
     Keyword{StatementKind::frame, "frame", in_layer,
-            "a line inside the clip's edge; its width is a fraction of the picture's height"},
+            "a line along the inside of the clip's edge; its width is a fraction of the picture's "
+            "height"},
     Keyword{StatementKind::leader, "leader", in_layer,
-            "a line round a region of the picture, and lines from there to the layer"}};
+            "an outline of a region of the picture, and lines from there to the layer"}};
 
 constexpr std::array<std::string_view, 3> file_words = {"import", "camera", "picture"};
 

@@ -13,7 +13,7 @@
 
 namespace balcony::lang {
 
-/// What statements stand in.
+/// Blocks that contain statements.
 enum class Block : std::uint8_t {
     camera = 1,
     path = 2,  ///< eye { ... } and toward { ... }
@@ -21,12 +21,12 @@ enum class Block : std::uint8_t {
     layer = 8,
 };
 
-/// A word that opens a statement, and where it may stand: a set of Blocks.
+/// A word that starts a statement, and the Blocks in which it is allowed.
 struct Keyword {
     StatementKind kind;
     std::string_view text;
     std::uint8_t blocks;
-    std::string_view meaning{};  ///< One line for people, where no stage in it says what it does.
+    std::string_view meaning{};  ///< A description, if no stage in the statement provides one.
 
     [[nodiscard]] constexpr bool stands_in(Block block) const {
         return (blocks & static_cast<std::uint8_t>(block)) != 0;
@@ -34,17 +34,17 @@ struct Keyword {
 };
 
 [[nodiscard]] std::span<const Keyword> keywords();
-/// The row of a token that opens a statement in a camera and its paths, or in a picture and its
-/// layers; null if it does not.
+/// The row of a token that starts a statement in a camera and its paths, or in a picture and its
+/// layers; null for other tokens.
 [[nodiscard]] const Keyword* find_keyword(const Token& token, bool in_picture);
 /// Whether a token is import, camera or picture.
 [[nodiscard]] bool is_file_keyword(const Token& token);
 [[nodiscard]] std::vector<std::string> keywords_for(Block block);
-/// How a statement is written; empty for an unknown one.
+/// The keyword of a statement; empty for an unknown one.
 [[nodiscard]] std::string_view keyword(StatementKind kind);
-/// What the keyword's row says that it means.
+/// The meaning in the keyword's row.
 [[nodiscard]] std::string_view meaning_of(StatementKind kind);
-/// The statements that stages of a kind belong to.
+/// The statements that take stages of a kind.
 [[nodiscard]] std::vector<std::string> statements_for(camera::StageKind kind);
 
 }  // namespace balcony::lang

@@ -25,7 +25,7 @@ constexpr std::array<std::string_view, 24> symbols = {
     "..", "<=", ">=", "==", "!=", "&&", "||", "(", ")", "{", "}", "[",
     "]",  ",",  "=",  "+",  "-",  "*",  "/",  "^", "<", ">", "!", ":"};
 
-// The length of the code point that opens the bytes, 0 if they are not UTF-8.
+// The length of the first code point of the bytes; 0 if they are not UTF-8.
 std::size_t code_point_length(std::string_view bytes) {
     const auto lead = static_cast<unsigned char>(bytes.front());
     const std::size_t length = lead < 0x80                    ? 1
@@ -56,8 +56,8 @@ public:
         } else {
             tokens_.cut_short = true;
         }
-        // The end lies behind the last token, so that a message about it points at a line with
-        // something on it.
+        // The end token follows the last token, so that a message about it shows a line with
+        // text.
         const std::size_t end = tokens_.tokens.empty() ? 0 : tokens_.tokens.back().span.end;
         tokens_.tokens.push_back({TokenKind::end, {end, end}, {}, 0.0, NumberUnit::none});
         return std::move(tokens_);
@@ -78,7 +78,7 @@ private:
             const std::size_t length = code_point_length(text_.substr(i));
             if (length == 0 || text_[i] == '\0') {
                 error(i, i + 1,
-                      fmt::format("'{}' is not a text file: byte {} of it is {}", source_->name(),
+                      fmt::format("'{}' is not a text file: its byte {} is {}", source_->name(),
                                   i + 1, text_[i] == '\0' ? "zero" : "not UTF-8"),
                       "a camera file is plain text in UTF-8");
                 return false;
@@ -145,7 +145,7 @@ private:
         const std::size_t close = text_.find('"', at_ + 1);
         if (close >= line_end) {
             error(begin, begin + 1, "this quotation mark is not closed on its line",
-                  "end the file name with \"");
+                  "close the file name with \"");
             at_ = line_end;
             push(TokenKind::stray, begin);
             return;
@@ -162,7 +162,7 @@ private:
         }
     }
 
-    // A point belongs to the number unless it opens '..'; an e only if an exponent follows.
+    // A point belongs to the number unless it starts '..'; an e only if an exponent follows.
     void number() {
         const std::size_t begin = at_;
         skip_digits();
@@ -182,7 +182,7 @@ private:
             skip_digits();
             push(TokenKind::stray, begin);
             error(begin, at_, "this number has two decimal points",
-                  "leave one out; a range is written 0.5 .. 1");
+                  "remove one; a range is written 0.5 .. 1");
             return;
         }
         const std::size_t digits_end = at_;
@@ -198,7 +198,7 @@ private:
             std::from_chars(digits.data(), digits.data() + digits.size(), token.value);
         if (status != std::errc()) {
             error(begin, digits_end, "this number cannot be represented",
-                  "numbers go from about 1e-308 to 1e308");
+                  "the range of numbers is about 1e-308 to 1e308");
             token.kind = TokenKind::stray;
         }
         const std::string_view unit = text_.substr(digits_end, at_ - digits_end);
@@ -206,7 +206,7 @@ private:
             token.unit = unit == "deg" ? NumberUnit::degrees : NumberUnit::radians;
         } else if (!unit.empty()) {
             const bool angle = nearest_name(unit, {"deg", "rad", "degrees", "radians"}).has_value();
-            error(digits_end, at_, fmt::format("there is no unit '{}'", unit),
+            error(digits_end, at_, fmt::format("unknown unit '{}'", unit),
                   angle ? "angles are written 30deg or 0.5rad"
                         : fmt::format("angles are written 30deg or 0.5rad, lengths {}, in units of "
                                       "the scene, products {}*{}",
@@ -232,7 +232,7 @@ private:
         if (peek() == ';') {
             ++at_;
             error(begin, at_, "';' is not needed",
-                  "remove it: a statement ends where the next begins");
+                  "remove it: a statement ends where the next one starts");
             return;
         }
         const bool ascii = is_ascii(peek());
@@ -242,7 +242,7 @@ private:
         const std::string_view what = text_.substr(begin, at_ - begin);
         const bool third_point = what == "." && begin > 0 && text_[begin - 1] == '.';
         error(begin, at_, fmt::format("'{}' is not part of the language", what),
-              third_point ? "a range is written with two points, 0 .. 1" : remedy_for(what));
+              third_point ? "write a range with two dots, 0 .. 1" : remedy_for(what));
         push(TokenKind::stray, begin);
     }
 
@@ -251,7 +251,7 @@ private:
             std::string_view written, meant;
         };
         constexpr std::array<Instead, 15> instead = {
-            {{".", "\"vase.obj\", in quotation marks, for a file's name; 0.5 for a number"},
+            {{".", "\"vase.obj\", in quotation marks, for a file name; 0.5 for a number"},
              {"\\", "'/' between a folder and a file"},
              {"%", "mod(a, b) for a remainder, 0.5 for 50 %"},
              {"?", "if(condition, a, b) for a choice"},
@@ -272,8 +272,8 @@ private:
             }
         }
         return is_ascii(what.front()) ? "remove it"
-                                      : "names are made of the letters a to z and A to Z, digits "
-                                        "and _; anything may stand in a comment";
+                                      : "names consist of the letters a to z and A to Z, digits "
+                                        "and _; comments may contain any character";
     }
 
     const std::shared_ptr<const SourceText>& source_;

@@ -11,13 +11,13 @@
 namespace balcony::lang {
 
 struct Tokens {
-    std::vector<Token> tokens;   ///< The last one is the end.
+    std::vector<Token> tokens;   ///< The last token marks the end.
     std::vector<Span> comments;  ///< With their // or /* */, in order.
-    bool cut_short = false;      ///< What follows the tokens is no text or an unclosed comment.
+    bool cut_short = false;  ///< The tokens are followed by invalid bytes or an unclosed comment.
 };
 
-/// Cuts a text into tokens. What is no text at all (other than UTF-8, zero bytes) is reported once
-/// and gives no tokens but the end.
+/// Splits a text into tokens. Bytes that are not text (invalid UTF-8, zero bytes) are reported once
+/// and give only the end token.
 [[nodiscard]] Tokens tokenize(const std::shared_ptr<const SourceText>& source, Reporter& reporter);
 
 }  // namespace balcony::lang

@@ -40,17 +40,18 @@ public:
 
     bool override_value() {
         if (tokens_.peek().kind != TokenKind::name) {
-            tokens_.expected("the name of a parameter", "--set takes name=value");
+            tokens_.expected("the name of a parameter", "the syntax is --set name=value");
             return false;
         }
         tokens_.next();
-        if (!tokens_.expect("=", "after the parameter's name", "--set takes name=value") ||
+        if (!tokens_.expect("=", "after the parameter's name", "the syntax is --set name=value") ||
             !expressions_.expression()) {
             return false;
         }
         if (!tokens_.at_end()) {
-            tokens_.expected("the end of the value",
-                             "join its parts by operators; another parameter takes another --set");
+            tokens_.expected(
+                "the end of the value",
+                "combine its parts with operators; use a separate --set for each parameter");
             return false;
         }
         return true;
@@ -72,21 +73,21 @@ private:
         const bool camera_follows = looks_like_camera();
         if (opens_statement) {
             tokens_.error(token.span,
-                          fmt::format("'{}' stands outside of any camera or picture", token.text),
-                          "put it between the braces of camera name { ... }");
+                          fmt::format("'{}' is outside of any camera or picture", token.text),
+                          "move it into the braces of camera name { ... }");
         } else if (token.kind == TokenKind::name) {
             tokens_.expected(
                 "'import', 'let', 'camera' or 'picture'",
                 suggestion(token.text, {"import", "let", "camera", "picture"}, "write"));
         } else {
             tokens_.expected("'import', 'let', 'camera' or 'picture'",
-                             "a camera is written camera name { ... }");
+                             "the syntax is camera name { ... }");
         }
         if (camera_follows) {
             camera();
             return;
         }
-        // One message for all that follows up to the next item.
+        // One message for everything up to the next item.
         int braces = 0;
         do {
             braces += tokens_.peek().is("{") ? 1 : tokens_.peek().is("}") ? -1 : 0;
@@ -95,7 +96,7 @@ private:
                                         (braces <= 0 && tokens_.peek().is_name("let"))));
     }
 
-    // word name { or word name (, with a word that should be camera.
+    // word name { or word name (, where the word is probably a misspelled `camera`.
     [[nodiscard]] bool looks_like_camera() const {
         return tokens_.peek().kind == TokenKind::name && tokens_.peek(1).kind == TokenKind::name &&
                (tokens_.peek(2).is("{") || tokens_.peek(2).is("(")) &&
@@ -107,7 +108,7 @@ private:
         const Token& token = tokens_.peek();
         if (token.kind != TokenKind::text) {
             tokens_.expected("a file name in quotation marks after 'import'",
-                             "such as import \"lengths.cam\"");
+                             "for example import \"lengths.cam\"");
             skip_to_item();
             tree_.items.emplace_back(Import{begin, {}, true});
             return;
@@ -143,8 +144,8 @@ private:
             size(camera);
         }
         if (!tokens_.peek().is("{")) {
-            tokens_.expected(fmt::format("'{{' to begin the {}", what),
-                             fmt::format("it is written {} name {{ ... }}; names are made of "
+            tokens_.expected(fmt::format("'{{' to start the {}", what),
+                             fmt::format("the syntax is {} name {{ ... }}; names consist of "
                                          "letters, digits and _",
                                          what));
             while (!tokens_.at_end() && !tokens_.peek().is("{") &&
@@ -168,7 +169,7 @@ private:
             return;
         }
         if (!tokens_.peek().is_name("x")) {
-            tokens_.expected("'x' and the height of the picture", "such as 1920 x 1080");
+            tokens_.expected("'x' and the height of the picture", "for example 1920 x 1080");
             return;
         }
         tokens_.next();
@@ -192,7 +193,8 @@ private:
             camera.parameters.push_back({*name, ExpressionId()});
             if (!tokens_.peek().is("=")) {
                 tokens_.expected(fmt::format("'=' and a default value for '{}'", name->text),
-                                 "every parameter has a default, so that a camera works by itself");
+                                 "every parameter needs a default, so that a camera can be used "
+                                 "without arguments");
                 skip_parameters(camera);
                 return;
             }
@@ -209,8 +211,8 @@ private:
         }
     }
 
-    // Goes to the camera's opening brace. Parameters on the way are taken note of, so that their
-    // uses are no errors.
+    // Skips to the camera's opening brace. Parameters on the way are recorded, so that their
+    // uses are not errors.
     void skip_parameters(DefinitionSyntax& camera) {
         int depth = 0;
         while (!tokens_.at_end() && !tokens_.peek().is("{") && !is_file_keyword(tokens_.peek()) &&

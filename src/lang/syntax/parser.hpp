@@ -11,10 +11,10 @@
 
 namespace balcony::lang {
 
-/// Reads a camera file. What has errors is reported and left out or marked; the rest is there.
+/// Parses a camera file. Parts with errors are reported, and omitted or marked in the tree.
 [[nodiscard]] SyntaxTree parse(std::shared_ptr<const SourceText> source, Reporter& reporter);
 
-/// Reads `name = expression`, as given to --set. The expression is the tree's last; there is none
+/// Parses `name = expression`, the value of --set. The expression is the tree's last; there is none
 /// if there were errors.
 [[nodiscard]] SyntaxTree parse_override(std::shared_ptr<const SourceText> source,
                                         Reporter& reporter);

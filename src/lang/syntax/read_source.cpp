@@ -27,16 +27,16 @@ Result<std::shared_ptr<const SourceText>> read_source(const fs::path& file, cons
     }
     if (fs::is_directory(status)) {
         return error(fmt::format("'{}' is a folder, not a file", name), asked,
-                     "name a .cam file in it");
+                     "name a .cam file in the folder");
     }
-    // Opening a pipe waits for whoever writes to it, perhaps for ever.
+    // Opening a pipe waits for a writer, perhaps forever.
     if (fs::is_fifo(status) || fs::is_socket(status)) {
         return error(fmt::format("'{}' is a pipe, not a file", name), asked,
-                     "save what comes from it in a .cam file");
+                     "save its output to a .cam file");
     }
     const auto too_large = [&] {
-        return error(fmt::format("'{}' is larger than 1 MB, which no camera file is", name), asked,
-                     "check that it is the file you mean");
+        return error(fmt::format("'{}' is larger than 1 MB, the maximum for camera files", name),
+                     asked, "check that it is a camera file");
     };
     if (fs::is_regular_file(status) && fs::file_size(file, failure) > max_file && !failure) {
         return too_large();
@@ -45,8 +45,7 @@ Result<std::shared_ptr<const SourceText>> read_source(const fs::path& file, cons
     std::string text(max_file + 1, '\0');
     stream.read(text.data(), static_cast<std::streamsize>(text.size()));
     if (!stream.is_open() || stream.bad()) {
-        return error(fmt::format("'{}' cannot be read", name), asked,
-                     "check that you have the right to read it");
+        return error(fmt::format("'{}' cannot be read", name), asked, "check its read permission");
     }
     text.resize(static_cast<std::size_t>(stream.gcount()));
     if (text.size() > max_file) {

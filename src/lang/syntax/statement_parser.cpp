@@ -14,16 +14,16 @@ namespace balcony::lang {
 
 namespace {
 
-// Names that mean something everywhere.
+// Globally reserved names.
 constexpr std::array<std::string_view, 2> constants = {"pi", "t"};
 
-// What a word may be that opens no statement: a range of map, a stage, or a statement misspelled.
+// Suggests a fix for a word that starts no statement: a range, a stage, or a misspelled keyword.
 std::string statement_suggestion(std::string_view word, const std::vector<std::string>& known) {
     const auto opens = [&known](const std::string& statement) {
         return std::find(known.begin(), known.end(), statement) != known.end();
     };
     if ((word == "u" || word == "v") && opens("map")) {
-        return "ranges belong to one map, with a ',' between them: map u = -1 .. 1, v = -1 .. 1";
+        return "write both ranges in one map, separated by ',': map u = -1 .. 1, v = -1 .. 1";
     }
     std::vector<std::string> with_statement;
     for (const camera::StageEntry& row : camera::catalogue()) {
@@ -47,15 +47,15 @@ std::optional<Identifier> StatementParser::new_name(std::string_view what) {
     const Token& after = tokens_.peek(1);
     const bool meant_as_name = after.is("=") || after.is("{") || after.is("(");
     if (token.kind != TokenKind::name || (opens_statement && !meant_as_name)) {
-        tokens_.expected(what, "names are made of letters, digits and _, and begin with a letter");
+        tokens_.expected(what, "names consist of letters, digits and _, and start with a letter");
         return std::nullopt;
     }
     if (constant || opens_statement) {
         tokens_.error(token.span,
-                      fmt::format("'{}' is taken: it {}", token.text,
+                      fmt::format("'{}' is reserved: it {}", token.text,
                                   token.text == "t"    ? "is time"
                                   : token.text == "pi" ? "is the number 3.14159..."
-                                                       : "opens a statement"),
+                                                       : "starts a statement"),
                       "choose another name");
     }
     tokens_.next();
@@ -97,7 +97,7 @@ Statement StatementParser::statement(Block block) {
         tokens_.next();
     } else {
         made.kind = row->kind;
-        // That of a frame is the name of what is called.
+        // The keyword of a frame is the name of its call.
         if (made.kind != StatementKind::frame) {
             tokens_.next();
         }
@@ -114,22 +114,22 @@ StatementKind StatementParser::unknown_statement(Block block) {
     const Token& token = tokens_.peek();
     const std::vector<std::string> known = keywords_for(block);
     if (token.is(")") || token.is("]")) {
-        tokens_.error(token.span, fmt::format("this '{}' closes nothing", token.text),
-                      "remove it, or add what opens it");
+        tokens_.error(token.span, fmt::format("this '{}' has no opening bracket", token.text),
+                      "remove it, or add the opening bracket");
         return StatementKind::unknown;
     }
     if (token.is(",")) {
-        tokens_.error(token.span, "this ',' separates nothing",
-                      "it stands between the ranges of map and between the stages of warp, "
+        tokens_.error(token.span, "unexpected ','",
+                      "a ',' separates the ranges of map and the stages of warp, "
                       "move and arrange");
         return StatementKind::unknown;
     }
     if (token.kind != TokenKind::name) {
         tokens_.expected(fmt::format("a statement ({})", one_of(known)),
-                         "what a stage is given stands in parentheses, as in sphere(1)");
+                         "write the arguments of a stage in parentheses, for example sphere(1)");
         return StatementKind::unknown;
     }
-    tokens_.error(token.span, fmt::format("there is no statement '{}'", token.text),
+    tokens_.error(token.span, fmt::format("unknown statement '{}'", token.text),
                   statement_suggestion(token.text, known));
     const auto nearest = nearest_name(token.text, known);
     for (const Keyword& row : keywords()) {
@@ -143,22 +143,22 @@ StatementKind StatementParser::unknown_statement(Block block) {
 void StatementParser::misplaced_statement(const Keyword& row, Block block) {
     if (block == Block::path || block == Block::layer) {
         tokens_.error(tokens_.peek().span,
-                      fmt::format("'{}' cannot stand in a block of {}", row.text,
+                      fmt::format("'{}' is not allowed in a block of {}", row.text,
                                   block == Block::path ? "eye or toward" : "a layer"),
-                      fmt::format("move it out, beside the block; a block holds {}",
+                      fmt::format("move it out of the block, which may contain {}",
                                   one_of(keywords_for(block))));
     } else if (block == Block::picture) {
         tokens_.error(tokens_.peek().span,
-                      fmt::format("'{}' stands in a block of a layer only", row.text),
+                      fmt::format("'{}' is allowed in the block of a layer only", row.text),
                       fmt::format("write layer NAME {{ {} ... }}", row.text));
     } else {
         tokens_.error(tokens_.peek().span,
-                      fmt::format("'{}' stands in a block of eye or toward only", row.text),
+                      fmt::format("'{}' is allowed in a block of eye or toward only", row.text),
                       "write eye { object sphere(1) }, or shorter: eye sphere(1)");
     }
 }
 
-// Goes to the next statement or the brace that ends this block.
+// Skips to the next statement or the brace that ends this block.
 void StatementParser::skip_statement() {
     int braces = 0;
     while (!tokens_.at_end() && !is_file_keyword(tokens_.peek())) {
@@ -205,12 +205,11 @@ bool StatementParser::body(Statement& made) {
     return false;
 }
 
-// Says what the next statement, or nothing, stands in the place of.
+// Reports that the expected part of a statement is missing.
 void StatementParser::missing(std::string_view what) {
     const std::string_view before = tokens_.previous().text;
-    tokens_.expected(what, before == ","
-                               ? "remove the ',' before it, or write one more between them"
-                               : fmt::format("write it behind '{}'", before));
+    tokens_.expected(what, before == "," ? "remove the ',' before it, or add the missing part"
+                                         : fmt::format("write it after '{}'", before));
 }
 
 bool StatementParser::value(Statement& made) {
@@ -227,7 +226,7 @@ bool StatementParser::let(Statement& made) {
         return false;
     }
     made.name = *name;
-    return tokens_.expect("=", "after the name", "such as let width = 4") && value(made);
+    return tokens_.expect("=", "after the name", "for example let width = 4") && value(made);
 }
 
 bool StatementParser::word(Statement& made, std::string_view what) {
@@ -245,14 +244,14 @@ bool StatementParser::map(Statement& made) {
     do {
         const Token& coordinate = tokens_.peek();
         if (coordinate.kind != TokenKind::name || keyword_at(coordinate) != nullptr) {
-            tokens_.expected("'u' or 'v'", "such as map u = -1 .. 1, v = square");
+            tokens_.expected("'u' or 'v'", "for example map u = -1 .. 1, v = square");
             return false;
         }
         MapRange range;
         range.coordinate = {coordinate.text, coordinate.span};
         tokens_.next();
         if (!tokens_.expect("=", fmt::format("after '{}'", coordinate.text),
-                            "such as map u = -1 .. 1, v = square") ||
+                            "for example map u = -1 .. 1, v = square") ||
             !range_value(range)) {
             return false;
         }
@@ -291,7 +290,7 @@ bool StatementParser::corners(Statement& made) {
         tokens_.expected("a corner, such as (0.7, 0.1)",
                          "write the top left and the bottom right corner as fractions of the "
                          "picture: (0.7, 0.1) .. (0.95, 0.5)");
-        // Not to be read as one more statement.
+        // Prevents parsing the rest as another statement.
         if (tokens_.peek().is_name("place")) {
             tokens_.next();
         }
@@ -352,7 +351,7 @@ bool StatementParser::look(Statement& made, std::string_view what) {
     return rule.has_value();
 }
 
-// A stage that has the name of a keyword is written with its parentheses.
+// A stage with the name of a keyword needs parentheses.
 bool StatementParser::opens_next_statement() const {
     return keyword_at(tokens_.peek()) != nullptr && !tokens_.peek(1).is("(");
 }

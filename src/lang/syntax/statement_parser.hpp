@@ -13,19 +13,19 @@
 
 namespace balcony::lang {
 
-/// Reads statements of cameras and pictures. One with an error is reported and marked as broken;
-/// reading goes on at the next.
+/// Parses statements of cameras and pictures. One with an error is reported and marked as broken;
+/// parsing continues with the next.
 class StatementParser {
 public:
     StatementParser(TokenStream& tokens, ExpressionParser& expressions, Reporter& reporter)
         : tokens_(tokens), expressions_(expressions), reporter_(reporter) {}
 
-    /// Whether what follows belongs to a picture, and so which words open statements.
+    /// Selects the keywords of pictures or of cameras for the following statements.
     void enter(bool in_picture) { in_picture_ = in_picture; }
     [[nodiscard]] const Keyword* keyword_at(const Token& token) const {
         return find_keyword(token, in_picture_);
     }
-    /// A name that is being defined. One that is taken is reported and read all the same.
+    /// Parses a name to be defined. A reserved name is reported and returned anyway.
     [[nodiscard]] std::optional<Identifier> new_name(std::string_view what);
     [[nodiscard]] Statement statement(Block block);
     /// { statements }

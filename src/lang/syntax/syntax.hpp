@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The syntax tree of a camera file: what is written, in the order of the file, with nothing
-// resolved. Comments are kept beside it with their places, so that a file can be printed again.
+// The syntax tree of a camera file, in the order of the file, without name
+// resolution. Comments are kept separately with their positions, so that a file can be reprinted.
 
 #include <memory>
 #include <optional>
@@ -16,7 +16,7 @@
 
 namespace balcony::lang {
 
-/// A name where it is written.
+/// A name and its position in the source.
 struct Identifier {
     std::string_view text;
     Span span;
@@ -31,7 +31,7 @@ enum class ExpressionKind : std::uint8_t {
     call,       ///< name(arguments): a function or a stage.
     tuple,      ///< (a, b) or (a, b, c).
     list,       ///< [a, b, ...], with expressions or tuples; may be empty.
-    text,       ///< "seeds.csv"; `name` is what the quotes hold and the place of the quotes.
+    text,       ///< "seeds.csv"; `name` is the text in the quotes and their position.
     formula,    ///< name(parameters) = [results].
 };
 
@@ -40,18 +40,18 @@ struct Argument {
     ExpressionId value;
 };
 
-/// One node. Operands stand before the node in the file's list, so that the nodes [first, id] are
+/// One node. Operands precede the node in the file's list, so that the nodes [first, id] are
 /// the whole expression in the order of evaluation, and a walk needs no recursion.
 struct Expression {
     ExpressionKind kind = ExpressionKind::number;
     Span span;
     ExpressionId first;
-    Identifier name;     ///< The name or operator, where it is written.
-    double value = 0.0;  ///< Of a number, its unit aside.
+    Identifier name;     ///< The name or operator and its position.
+    double value = 0.0;  ///< The value of a number, without its unit.
     NumberUnit unit = NumberUnit::none;
     std::vector<Argument> arguments;  ///< Operands, arguments, elements, results.
-    bool words = false;  ///< A call whose arguments are words behind its name: normal outward.
-    std::vector<Identifier> parameters;  ///< Of a formula.
+    bool words = false;  ///< A call whose arguments are words after its name: normal outward.
+    std::vector<Identifier> parameters;  ///< The parameters of a formula.
 };
 
 enum class StatementKind : std::uint8_t {
@@ -77,8 +77,8 @@ enum class StatementKind : std::uint8_t {
     unknown,
 };
 
-/// u = first .. last, or u = square; without a name that of place and leader, from corner to
-/// corner.
+/// u = first .. last, or u = square; without a name the corners of place and
+/// leader.
 struct MapRange {
     Identifier coordinate;
     Span span;
@@ -89,24 +89,26 @@ struct Statement {
     StatementKind kind = StatementKind::unknown;
     Span keyword;
     Span span;
-    bool broken = false;           ///< It had a syntax error, which is reported.
-    Identifier name;               ///< Of a let, and the word after axes and blend.
-    ExpressionId value;            ///< Of let, aspect, soft and alpha.
-    std::vector<MapRange> ranges;  ///< Of map; of place and leader one.
-    /// Of eye, toward, object, look, clip, layer and frame one; of warp, move and arrange more.
+    bool broken = false;           ///< It has a syntax error, which is reported.
+    Identifier name;               ///< The name of a let, or the word after axes and blend.
+    ExpressionId value;            ///< The value of let, aspect, soft and alpha.
+    std::vector<MapRange> ranges;  ///< The ranges of map; one for place and leader.
+    /// One stage for eye, toward, object, look, clip, layer and frame; any number for warp, move
+    /// and arrange.
     std::vector<ExpressionId> stages;
-    std::vector<Statement> block;  ///< Of eye { ... }, toward { ... } and layer NAME { ... }.
+    std::vector<Statement>
+        block;  ///< The block of eye { ... }, toward { ... } and layer NAME { ... }.
 };
 
 struct Import {
     Span span;
-    Identifier file;      ///< What the quotes hold, and the place of the quotes.
-    bool broken = false;  ///< It had a syntax error, which is reported.
+    Identifier file;      ///< The text in the quotes, and their position.
+    bool broken = false;  ///< It has a syntax error, which is reported.
 };
 
 struct DefinitionParameter {
     Identifier name;
-    ExpressionId default_value;  ///< Invalid if it had a syntax error.
+    ExpressionId default_value;  ///< Invalid after a syntax error.
 };
 
 /// A camera or a picture.
@@ -115,7 +117,7 @@ struct DefinitionSyntax {
     Identifier name;
     Span span;
     std::vector<DefinitionParameter> parameters;
-    std::vector<ExpressionId> size;  ///< Of a picture, width and height if they are said.
+    std::vector<ExpressionId> size;  ///< Width and height of a picture, if given.
     std::vector<Statement> statements;
 };
 

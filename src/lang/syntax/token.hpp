@@ -8,7 +8,7 @@
 
 namespace balcony::lang {
 
-/// Bytes [begin, end) of the source that is being read.
+/// Bytes [begin, end) of the current source.
 struct Span {
     std::size_t begin = 0;
     std::size_t end = 0;
@@ -20,7 +20,7 @@ enum class TokenKind : std::uint8_t {
     number,
     text,    ///< A file name in double quotes.
     symbol,  ///< An operator, a bracket, ...
-    stray,   ///< Something that the lexer has reported.
+    stray,   ///< Invalid text that the lexer has reported.
 };
 
 enum class NumberUnit : std::uint8_t { none, degrees, radians };
@@ -28,8 +28,8 @@ enum class NumberUnit : std::uint8_t { none, degrees, radians };
 struct Token {
     TokenKind kind = TokenKind::end;
     Span span;
-    std::string_view text;  ///< As written; of a text, what the quotes hold.
-    double value = 0.0;     ///< Of a number, its unit aside.
+    std::string_view text;  ///< The source text; for a text token, the part inside the quotes.
+    double value = 0.0;     ///< The value of a number, without its unit.
     NumberUnit unit = NumberUnit::none;
 
     [[nodiscard]] bool is(std::string_view symbol) const {

@@ -9,7 +9,7 @@ namespace balcony::lang {
 
 namespace {
 
-constexpr std::string_view unit_remedy = "attach the unit to its number: 30deg, 0.5rad";
+constexpr std::string_view unit_remedy = "append the unit to its number: 30deg, 0.5rad";
 
 }  // namespace
 
@@ -45,24 +45,26 @@ bool TokenStream::expect(std::string_view symbol, std::string_view where, std::s
     return false;
 }
 
-// Why a bracket may not be closed where it should be.
+// A suggested fix for a missing closing bracket.
 std::string TokenStream::closing_remedy(std::string_view symbol) const {
     const Token& token = peek();
     if (at_unit()) {
         return std::string(unit_remedy);
     }
     if (token.is(":") || token.is("=")) {
-        return "a value is given to a name as in radius = 1";
+        return "write name = value, for example radius = 1";
     }
     if (token.is(")") || token.is("]") || token.is("}")) {
-        return fmt::format("write '{}' here, or what '{}' closes before it", symbol, token.text);
+        return fmt::format("write '{}' here, or add the opening bracket of '{}' before it", symbol,
+                           token.text);
     }
     const bool next_value = token.kind == TokenKind::name || token.kind == TokenKind::number;
     if (symbol != "}" && next_value && !at_new_line()) {
-        return "',' stands between arguments, '*' between factors, and parentheses round what a "
-               "function is of: sin(u)";
+        return "use ',' between arguments, '*' between factors, and parentheses around the "
+               "argument of a "
+               "function: sin(u)";
     }
-    return fmt::format("add '{}' {}", symbol, at_end() ? "at the end" : "in front of this");
+    return fmt::format("add '{}' {}", symbol, at_end() ? "at the end" : "before this");
 }
 
 bool TokenStream::expect_closing(std::string_view symbol, Span opening) {
@@ -75,8 +77,7 @@ bool TokenStream::expect_closing(std::string_view symbol, Span opening) {
             balcony::error(fmt::format("expected {}'{}', but {}", or_comma, symbol, found()),
                            at(peek().span), closing_remedy(symbol));
         const char* bracket = symbol == "}" ? "{" : symbol == "]" ? "[" : "(";
-        diagnostic.notes.push_back(
-            {at(opening), fmt::format("this is the '{}' to close", bracket)});
+        diagnostic.notes.push_back({at(opening), fmt::format("the unmatched '{}'", bracket)});
         reporter_->add(std::move(diagnostic));
     }
     return false;

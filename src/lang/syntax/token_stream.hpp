@@ -12,7 +12,7 @@
 
 namespace balcony::lang {
 
-/// What parsers read from, with the messages that all of them give.
+/// The tokens that parsers read, with functions for their common messages.
 class TokenStream {
 public:
     TokenStream(std::shared_ptr<const SourceText> source, Tokens read, Reporter& reporter)
@@ -25,11 +25,11 @@ public:
         return tokens_[std::min(at_ + ahead, tokens_.size() - 1)];
     }
     [[nodiscard]] const Token& previous() const { return tokens_[at_ == 0 ? 0 : at_ - 1]; }
-    /// Whether the next token is, or hides, something that the lexer has reported.
+    /// Whether the next token is, or is preceded by, text that the lexer has reported.
     [[nodiscard]] bool at_reported() const {
         return peek().kind == TokenKind::stray || (cut_short_ && at_end());
     }
-    /// Whether a line break stands before the next token.
+    /// Whether a line break precedes the next token.
     [[nodiscard]] bool at_new_line() const {
         const std::size_t begin = previous().span.end;
         return source_->text().substr(begin, peek().span.begin - begin).find('\n') !=
@@ -41,7 +41,7 @@ public:
         at_ += at_ + 1 < tokens_.size() ? 1 : 0;
         return token;
     }
-    /// Steps over a symbol if it is the next token.
+    /// Skips a symbol if it is the next token.
     bool accept(std::string_view symbol) {
         const bool found = peek().is(symbol);
         if (found) {
@@ -51,12 +51,12 @@ public:
     }
 
     void error(Span span, std::string message, std::string remedy = {}) const;
-    /// Says what should stand here instead of the next token; silent where the lexer has
-    /// reported something.
+    /// Reports what is expected instead of the next token, unless the lexer has already
+    /// reported an error there.
     void expected(std::string_view what, std::string remedy = {}) const;
-    /// Steps over a symbol or says that it is missing.
+    /// Skips a symbol or reports that it is missing.
     bool expect(std::string_view symbol, std::string_view where, std::string remedy);
-    /// Steps over a closing bracket or says that it is missing, pointing at the opening one.
+    /// Skips a closing bracket or reports that it is missing, with the opening bracket.
     bool expect_closing(std::string_view symbol, Span opening);
 
     [[nodiscard]] SourceSpan at(Span span) const { return {source_, span.begin, span.end}; }

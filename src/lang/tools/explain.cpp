@@ -1,8 +1,8 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// A camera or a picture in words: its statements in the order in which a picture point goes through
-// them, with what the catalogue says of each stage.
+// Describes a camera or a picture: its statements in the order in which they apply to a picture
+// point, with the meaning of each stage from the catalogue.
 
 #include "lang/tools/explain.hpp"
 
@@ -24,7 +24,7 @@ namespace {
 using camera::ParameterType;
 using camera::StageKind;
 
-// What is written, with single spaces and without comments.
+// The source text, with single spaces and without comments.
 std::string one_line(const SyntaxTree& tree, Span span) {
     std::string line;
     for (std::size_t i = span.begin; i < span.end; ++i) {
@@ -46,7 +46,7 @@ std::string one_line(const SyntaxTree& tree, Span span) {
     return line;
 }
 
-// ------------------------------------------------------------------------ what a statement means
+// ----------------------------------------------------------------------- meaning of a statement
 
 using Meanings = std::vector<std::string>;
 
@@ -54,8 +54,8 @@ std::string meaning(const camera::StageEntry& row) {
     return fmt::format("{}: {}", row.name, row.meaning);
 }
 
-// The parameter of a stage that takes this argument as a stage; null if it is something else, as a
-// choice and a number are that have the name of a stage.
+// The parameter of a stage that takes this argument as a stage; null for other arguments, such as
+// choices and numbers with the name of a stage.
 const camera::StageParameter* stage_parameter(const camera::StageEntry& row,
                                               const Argument& argument) {
     const auto found = std::find_if(
@@ -68,8 +68,8 @@ const camera::StageParameter* stage_parameter(const camera::StageEntry& row,
     return found != row.parameters.end() ? &*found : nullptr;
 }
 
-// What the catalogue says of a call and of the stages inside it, each once.
-void add_stages(const SyntaxTree& tree, ExpressionId call, StageKind kind, Meanings& said) {
+// The catalogue's descriptions of a call and of the stages inside it, each once.
+void add_stages(const SyntaxTree& tree, ExpressionId call, StageKind kind, Meanings& meanings) {
     const Expression& node = tree[call];
     const bool may_be_stage = node.kind == ExpressionKind::call ||
                               node.kind == ExpressionKind::name ||
@@ -79,26 +79,26 @@ void add_stages(const SyntaxTree& tree, ExpressionId call, StageKind kind, Meani
     if (row == nullptr) {
         return;
     }
-    if (std::find(said.begin(), said.end(), meaning(*row)) == said.end()) {
-        said.push_back(meaning(*row));
+    if (std::find(meanings.begin(), meanings.end(), meaning(*row)) == meanings.end()) {
+        meanings.push_back(meaning(*row));
     }
     if (node.kind == ExpressionKind::formula) {
         return;
     }
     for (const Argument& argument : node.arguments) {
         if (const camera::StageParameter* parameter = stage_parameter(*row, argument)) {
-            add_stages(tree, argument.value, parameter->stage_kind, said);
+            add_stages(tree, argument.value, parameter->stage_kind, meanings);
         }
     }
 }
 
 template <StageKind kind>
 Meanings of_stages(const SyntaxTree& tree, const Statement& statement) {
-    Meanings said;
+    Meanings meanings;
     for (const ExpressionId call : statement.stages) {
-        add_stages(tree, call, kind, said);
+        add_stages(tree, call, kind, meanings);
     }
-    return said;
+    return meanings;
 }
 
 Meanings of_place(const SyntaxTree&, const Statement&) {
@@ -106,16 +106,16 @@ Meanings of_place(const SyntaxTree&, const Statement&) {
 }
 
 Meanings of_map(const SyntaxTree&, const Statement& statement) {
-    Meanings said;
+    Meanings meanings;
     for (const MapRange& range : statement.ranges) {
         const bool u = range.coordinate.text == "u";
-        said.push_back(
+        meanings.push_back(
             range.first.valid()
-                ? fmt::format("{} goes from the {} edge of the picture to the {}",
+                ? fmt::format("{} runs from the {} edge of the picture to the {}",
                               range.coordinate.text, u ? "left" : "bottom", u ? "right" : "top")
-                : fmt::format("{} is 0 in the middle, with square pixels", range.coordinate.text));
+                : fmt::format("{} is 0 in the centre, with square pixels", range.coordinate.text));
     }
-    return said;
+    return meanings;
 }
 
 Meanings of_blend(const SyntaxTree&, const Statement& statement) {
@@ -128,8 +128,8 @@ Meanings of_keyword(const SyntaxTree&, const Statement& statement) {
     return {std::string(meaning_of(statement.kind))};
 }
 
-// The statements that say what happens to a point or a layer. What is of one phase happens as it is
-// written.
+// The statements that apply to a point or a layer. Statements of the same phase apply in the order
+// in which they are written.
 struct PipelineRow {
     StatementKind statement;
     int phase;
@@ -197,7 +197,7 @@ std::string value_text(const Value& value) {
                             : fmt::format("{:.6g}", value.constant());
 }
 
-// Where rays start and where they go, in one sentence.
+// The origins and directions of the rays in one sentence.
 std::string summary_of(const camera::Camera& camera) {
     const auto place = [](int dimension) {
         return dimension == 0 ? "at a point" : dimension == 1 ? "on a curve" : "on a surface";
@@ -206,11 +206,11 @@ std::string summary_of(const camera::Camera& camera) {
     std::string text = fmt::format("Rays start {}", place(parts.eye.generator->dimension()));
     if (parts.toward) {
         const int dimension = parts.toward->generator->dimension();
-        text += fmt::format("; a {} helps to give their directions", dimension == 0   ? "point"
-                                                                     : dimension == 1 ? "curve"
-                                                                                      : "surface");
+        text += fmt::format("; a {} contributes to their directions", dimension == 0   ? "point"
+                                                                      : dimension == 1 ? "curve"
+                                                                                       : "surface");
     } else {
-        text += "; the same object gives their directions";
+        text += "; the same object determines their directions";
     }
     return text + ".";
 }
@@ -221,7 +221,7 @@ std::string summary_of(const camera::Picture& picture) {
         fmt::format("{} layer{}", parts.layers.size(), parts.layers.size() == 1 ? "" : "s");
     return parts.size ? fmt::format("A picture of {} x {} pixels in {}.", (*parts.size)[0],
                                     (*parts.size)[1], layers)
-                      : fmt::format("A picture in {}, {:.4g} times as wide as high.", layers,
+                      : fmt::format("A picture in {}, with an aspect ratio of {:.4g}.", layers,
                                     parts.aspect);
 }
 
@@ -282,7 +282,7 @@ private:
         return made;
     }
 
-    // The number of what a layer shows, explained when it is first met.
+    // The index of a layer's camera or picture, which is explained at its first occurrence.
     std::size_t show(const ResolvedLayer& content, const camera::Layer& layer) {
         const auto* nested = std::get_if<std::shared_ptr<const camera::Picture>>(&layer.content);
         const auto* single = std::get_if<camera::Camera>(&layer.content);

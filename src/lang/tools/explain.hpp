@@ -7,7 +7,7 @@
 
 namespace balcony::lang {
 
-/// Says what a camera or a picture without errors does, of which build_picture() has made `picture`
+/// Explains a camera or a picture without errors, from which build_picture() has made `picture`
 /// with the same parameters.
 [[nodiscard]] Explanation explain(const LocatedDefinition& place, const camera::Picture& picture,
                                   const GivenParameters& given, Session& session);

@@ -1,8 +1,8 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// Prints a camera file in its one layout: the same tokens and comments in the same order, one
-// statement a line, arguments aligned, long lines broken behind commas.
+// Prints a camera file in the standard layout: the same tokens and comments in the same order, one
+// statement per line, arguments aligned, long lines broken after commas.
 
 #include <algorithm>
 #include <array>
@@ -22,16 +22,16 @@ namespace {
 constexpr std::size_t max_line = 100;
 constexpr std::size_t indent_step = 4;
 
-// A token or a comment with the layout that it asks for.
+// A token or a comment with its layout.
 struct Piece {
     std::string_view text;
-    bool space = false;          // A space before it, unless it begins a line.
-    bool comma = false;          // A line may be broken behind it.
+    bool space = false;          // Preceded by a space, unless it starts a line.
+    bool comma = false;          // A line may be broken after it.
     bool sum = false;            // An operator with spaces: a line may be broken before it.
     bool opens = false;          // ( or [
     bool closes = false;         // ) or ]
-    bool on_new_line = false;    // It began a line in the source.
-    bool breaks_before = false;  // A comment that had a line of its own.
+    bool on_new_line = false;    // It started a line in the source.
+    bool breaks_before = false;  // A comment on its own line.
     bool breaks_after = false;   // A // comment.
 };
 
@@ -40,14 +40,14 @@ struct Line {
     std::vector<Piece> pieces;
     std::size_t depth = 0;
     bool blank_before = false;
-    bool statement = false;  // Begins with a keyword whose arguments are aligned.
+    bool statement = false;  // Starts with a keyword whose arguments are aligned.
     bool opens_block = false;
     bool closes_block = false;
     bool comment = false;
 };
 
 std::size_t length(std::string_view text) {
-    // Code points: a byte that goes on another one has the bits 10 in front.
+    // Counts code points: a UTF-8 continuation byte starts with the bits 10.
     return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
         return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
     }));
@@ -67,7 +67,7 @@ bool ends_operand(const Token& token) {
 
 enum class Role { plain, sign, tight, loose };
 
-// What an operator is: a sign before its operand, or between two, with spaces or without.
+// The role of an operator: a prefix, or between two operands with or without spaces.
 Role role_of(const Token& token, const Token* previous, bool previous_is_keyword) {
     const bool between = previous != nullptr && ends_operand(*previous) && !previous_is_keyword;
     if (is_any(token, {"-", "!"}) && !between) {
@@ -85,7 +85,7 @@ Role role_of(const Token& token, const Token* previous, bool previous_is_keyword
 struct Previous {
     const Token* token = nullptr;
     Role role = Role::plain;
-    bool keyword = false;  // The word that opens a statement.
+    bool keyword = false;  // The word that starts a statement.
 };
 
 bool space_before(const Token& token, Role role, const Previous& previous) {
@@ -110,7 +110,7 @@ void add_starts(const std::vector<Statement>& statements, std::set<std::size_t>&
     }
 }
 
-// Where statements and items begin.
+// Where statements and items start.
 std::set<std::size_t> starts_in(const SyntaxTree& tree) {
     std::set<std::size_t> starts;
     for (const Item& item : tree.items) {
@@ -178,7 +178,8 @@ private:
             Line& line = new_line(token.span.begin);
             line.closes_block = token.is("}");
             line.statement = depth_ > 0 && !line.closes_block;
-            // A block ends without a blank line; one stands above it unless comments do.
+            // No blank line precedes the end of a block; one precedes its start, unless comments
+            // do.
             line.blank_before = line.blank_before && !line.closes_block;
             const bool below_comment = lines_.size() > 1 && lines_[lines_.size() - 2].comment;
             if (token.is_name("camera") || token.is_name("picture")) {
@@ -195,7 +196,7 @@ private:
         piece.closes = is_any(token, {")", "]"});
         piece.sum = role == Role::loose && !is_any(token, {"=", ".."});
         lines_.back().pieces.push_back(piece);
-        // A frame is written as a call, other statements have their arguments behind a space.
+        // A frame is written like a call; other statements have a space before their arguments.
         previous_ = {&token, role, first && !token.is_name("frame")};
         if (token.is("{")) {
             ++depth_;
@@ -206,7 +207,7 @@ private:
         last_end_ = token.span.end;
     }
 
-    // Behind what stands in its line, on a line of its own, or in the middle of a statement.
+    // After the code in its line, on a separate line, or inside a statement.
     void add_comment(const Span& span, const Token& next) {
         const bool trails = !lines_.empty() && line_breaks_since(span.begin) == 0;
         const bool between = lines_.empty() || lines_.back().comment || line_ended_ ||
@@ -237,7 +238,7 @@ private:
 
 // -------------------------------------------------------------------------------- printing a line
 
-// Statements in sequence have their arguments in one column, which the longest keyword gives.
+// Consecutive statements have their arguments in one column, given by the longest keyword.
 std::vector<std::size_t> argument_columns(const std::vector<Line>& lines) {
     std::vector<std::size_t> columns(lines.size(), 0);
     for (std::size_t begin = 0; begin < lines.size();) {
@@ -278,7 +279,7 @@ public:
 
 private:
     struct Bracket {
-        std::size_t column;  // Behind it.
+        std::size_t column;  // After it.
         bool of_list;
     };
 
@@ -316,7 +317,7 @@ private:
         if (before.breaks_after || piece.breaks_before) {
             return true;
         }
-        // The rows of a list, as of a net of control points, are the writer's.
+        // The rows of a list, such as a control net, keep the author's line breaks.
         if (before.comma && piece.on_new_line && !brackets_.empty() && brackets_.back().of_list) {
             return true;
         }
@@ -325,7 +326,7 @@ private:
                column_ + (piece.space ? 1 : 0) + width_of_element(i) > max_line;
     }
 
-    // Up to the next place where a line may be broken at this depth of brackets, or their end.
+    // Up to the next possible line break at this bracket depth, or the closing bracket.
     [[nodiscard]] std::size_t width_of_element(std::size_t i) const {
         std::size_t width = 0;
         std::size_t depth = 0;
@@ -375,9 +376,11 @@ Result<std::string> format(const std::shared_ptr<const SourceText>& source) {
         out += '\n';
     }
     if (out.size() > max_file) {
-        return error(fmt::format("'{}' laid out would be larger than 1 MB, which no camera file is",
-                                 source->name()),
-                     {}, "move a part of it to another file, and import that");
+        return error(
+            fmt::format(
+                "'{}' would be larger than 1 MB after formatting, the maximum for camera files",
+                source->name()),
+            {}, "move a part of it to another file and import that file");
     }
     return out;
 }

@@ -341,7 +341,7 @@ Result<Accelerator> Accelerator::build(const scene::Scene& scene) {
     auto state = std::make_shared<State>();
     state->device.reset(rtcNewDevice(nullptr));
     if (!state->device) {
-        return error("Embree cannot be started on this machine");
+        return error("Embree cannot start on this machine");
     }
     rtcSetDeviceErrorFunction(state->device.get(), record_error, state->errors.get());
 
@@ -364,7 +364,7 @@ Result<Accelerator> Accelerator::build(const scene::Scene& scene) {
 
     if (!state->errors->first.empty()) {
         return error(
-            fmt::format("the scene cannot be made ready to trace: {}", state->errors->first));
+            fmt::format("the acceleration structure cannot be built: {}", state->errors->first));
     }
     return {Accelerator(std::move(state)), name_left_out(scene, uses)};
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The one place that knows Embree: a scene built once, then asked for the nearest hit and for what
-// lies between two points.
+// The only layer that uses Embree: a scene is built once and then queried for the nearest hit and
+// the transmittance between two points.
 
 #include <cmath>
 #include <cstddef>
@@ -31,7 +31,7 @@ template <class Vector>
     return std::abs(v.x) <= limit && std::abs(v.y) <= limit && std::abs(v.z) <= limit;
 }
 
-/// A ray in world co-ordinates; distances are in lengths of the direction.
+/// A ray in world coordinates; distances are in lengths of the direction.
 struct Ray {
     V3f origin;
     V3f direction;
@@ -50,7 +50,7 @@ struct Hit {
     [[nodiscard]] bool any() const { return instance != nothing; }
 };
 
-/// How much of the light a surface with transparency stops.
+/// The fraction of the light that a transparent surface blocks.
 class OpacitySource {
 public:
     virtual ~OpacitySource() = default;

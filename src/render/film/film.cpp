@@ -54,9 +54,9 @@ Diagnostics check(const FilmLayout& layout, const Region& window) {
     const auto memory = static_cast<double>(OIIO::Sysutil::physical_memory());
     if (memory > 0.0 && bytes > memory) {
         return {error(
-            fmt::format("a film of {} x {} pixels takes {:.1f} GB, this machine has {:.1f} GB",
+            fmt::format("a film of {} x {} pixels needs {:.1f} GB, but this machine has {:.1f} GB",
                         window.width, window.height, bytes / 1e9, memory / 1e9),
-            {}, "make the picture smaller, or leave out the data layers")};
+            {}, "make the picture smaller, or omit the data layers")};
     }
     return {};
 }
@@ -143,7 +143,7 @@ Result<Film> make_film(const FilmLayout& layout) {
         return film;
     } catch (const std::bad_alloc&) {
         return error("memory ran out while the film was made", {},
-                     "make the picture smaller, or leave out the data layers");
+                     "make the picture smaller, or omit the data layers");
     }
 }
 

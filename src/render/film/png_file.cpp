@@ -27,10 +27,10 @@ bool encode(const void* samples, OIIO::TypeDesc type, const PngSize& size,
 
 Diagnostics write(const void* samples, OIIO::TypeDesc type, const PngSize& size,
                   const std::filesystem::path& file) {
-    // Encoded in memory, so that writing has one place to fail.
+    // Encoded in memory first, so that only one call can fail to write.
     std::vector<unsigned char> bytes;
     if (!encode(samples, type, size, bytes)) {
-        return {error(fmt::format("'{}' cannot be made: {}", file.string(), OIIO::geterror()))};
+        return {error(fmt::format("'{}' cannot be written: {}", file.string(), OIIO::geterror()))};
     }
     return write_whole(file, bytes);
 }

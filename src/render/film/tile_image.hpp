@@ -14,7 +14,7 @@
 
 namespace balcony::render {
 
-/// The first surface on a ray that is there at all.
+/// The first surface on a ray that is not fully transparent.
 struct VisibleSurface {
     bool any = false;
     V3f position;
@@ -25,7 +25,7 @@ struct VisibleSurface {
 
 /// What the data layers say of a point.
 struct PointData {
-    bool valid = false;  ///< There is a ray; if not, nothing else is said.
+    bool valid = false;  ///< Whether there is a ray; otherwise all other values are undefined.
     std::uint16_t layer = 0;
     Imath::V3d origin;
     Imath::V3d direction;

@@ -27,8 +27,8 @@ Diagnostics check_output(const std::filesystem::path& file) {
     const std::string format = ending(file);
     if (format != ".png" && format != ".exr") {
         return {
-            error(fmt::format("'{}' has no ending that says how to write a picture", file.string()),
-                  {}, "let the file's name end in .png or .exr")};
+            error(fmt::format("the file extension of '{}' is not a picture format", file.string()),
+                  {}, "use a file name that ends in .png or .exr")};
     }
     return OutputFile::check(file);
 }

@@ -67,7 +67,7 @@ constexpr Channel layer_channels[] = {
 constexpr const char* object_channel = "object.ID";
 constexpr const char* layer_channel = "layer.ID";
 
-// The stream of an output file, as OpenEXR wants it.
+// The stream of an output file for OpenEXR.
 class ExrStream final : public Imf::OStream {
 public:
     explicit ExrStream(std::ofstream& stream) : Imf::OStream("picture.exr"), stream_(stream) {}
@@ -121,7 +121,7 @@ Imf::Header make_header(const Film& film, const std::vector<Channel>& channels) 
     return header;
 }
 
-// Some rows at a time, channel after channel.
+// Some rows at a time, by channel.
 void write_pixels(const Film& film, const std::vector<Channel>& channels, Imf::OutputFile& output) {
     constexpr std::size_t rows_at_once = 64;
     const std::size_t width = film.window.width;
@@ -171,7 +171,7 @@ Diagnostics write_exr(const Film& film, const std::filesystem::path& file) {
         write_pixels(film, channels, exr);
     } catch (const std::exception& failed) {
         return {output.stream()
-                    ? error(fmt::format("'{}' cannot be made: {}", file.string(), failed.what()))
+                    ? error(fmt::format("'{}' cannot be written: {}", file.string(), failed.what()))
                     : output.failure()};
     }
     return output.commit();

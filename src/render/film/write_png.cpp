@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t channels = 4;
 
-// IEC 61966-2-1; what is no number is black.
+// IEC 61966-2-1; NaN becomes black.
 float srgb_from_linear(float value) {
     if (!(value > 0.0F)) {
         return 0.0F;
@@ -55,9 +55,10 @@ std::vector<Sample> to_samples(const Film& film, float gain) {
 Diagnostics write_png(const Film& film, const std::filesystem::path& file,
                       const PngOptions& options) {
     if ((options.bits != 8 && options.bits != 16) || !std::isfinite(options.exposure)) {
-        return {error(fmt::format("a PNG file cannot have {} bits a channel and an exposure of {}",
-                                  options.bits, options.exposure),
-                      {}, "give 8 or 16 bits and a finite exposure")};
+        return {
+            error(fmt::format("a PNG file cannot have {} bits per channel and an exposure of {}",
+                              options.bits, options.exposure),
+                  {}, "use 8 or 16 bits and a finite exposure")};
     }
     const auto gain = static_cast<float>(std::exp2(options.exposure));
     const PngSize size{film.window.width, film.window.height, channels};

@@ -27,7 +27,7 @@ class Integrator {
 public:
     virtual ~Integrator() = default;
 
-    /// What a camera ray sees, given where it hits first. The sampler is that of the ray's pixel
+    /// The radiance of a camera ray, given its first hit. The sampler is that of the ray's pixel
     /// and pass; two rays with equal samplers see the same, in whatever order they are traced.
     [[nodiscard]] virtual Seen trace(const Ray& ray, const embree::Hit& first, Sampler sampler) = 0;
 };

@@ -22,7 +22,7 @@ public:
     [[nodiscard]] Seen trace(const Ray& ray, const embree::Hit& first, Sampler sampler) final;
 
 protected:
-    /// A ray yet to be followed, and how much of what it finds reaches the camera.
+    /// A pending ray, and the fraction of its radiance that reaches the camera.
     struct Branch {
         Ray ray;
         Color3f weight{1.0F};

@@ -20,7 +20,7 @@ using Imath::V3d;
 [[nodiscard]] bool traceable(const rays::RayBatch& rays, std::size_t i);
 /// 0 where a parameter is not finite.
 [[nodiscard]] V2f parameters(const rays::RayBatch& rays, std::size_t i);
-/// The ray's change over a part of a pixel; 0 along x or y where it is not finite.
+/// The ray's change over a fraction of a pixel; 0 along x or y where it is not finite.
 [[nodiscard]] RayDifferentials differentials(const rays::RayBatch& rays, std::size_t i,
                                              double part);
 

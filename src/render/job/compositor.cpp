@@ -73,8 +73,8 @@ Compositor::Compositor(const rays::CompiledPicture& picture, PictureRays rays, T
       tracer_(std::move(tracer)),
       counts_(picture.layers().size()) {}
 
-// Rays first, from the front to the back, since what is hidden needs none; then the colours, from
-// the back to the front.
+// Traces rays from front to back, because hidden layers need none; then composites the colours from
+// back to front.
 TileImage Compositor::sample(const TilePoints& points, const Region& counted, bool with_data) {
     const std::size_t size = points.size();
     Work work{points, counted, rays_.coverages(points.grid),

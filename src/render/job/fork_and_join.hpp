@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What ThreadSanitizer cannot see for itself, oneTBB being compiled without it: work that is handed
-// out to threads begins after what came before it and is over before what comes after it. Two
-// pieces of the work are not ordered, so races between them are still found.
+// Tells ThreadSanitizer what it cannot see, because oneTBB is compiled without it: work handed
+// to threads starts after the preceding code and ends before the following code. Two
+// pieces of the work are unordered, so races between them are still detected.
 
 #if defined(__SANITIZE_THREAD__)
 #include <sanitizer/tsan_interface.h>
@@ -12,7 +12,7 @@
 
 namespace balcony::render::fork_and_join {
 
-// For ThreadSanitizer alone; in other builds these do nothing. They are no members, so that nothing
+// Only for ThreadSanitizer; in other builds these do nothing. They are not members, so that nothing
 // is read before the order is known.
 #if defined(__SANITIZE_THREAD__)
 inline char forked = 0;

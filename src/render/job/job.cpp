@@ -89,7 +89,7 @@ public:
           stop_(std::move(stop)) {}
 
     Summary operator()() {
-        // More threads than the machine has would not run at once.
+        // More threads than the machine has would not run at the same time.
         const auto all = static_cast<std::size_t>(tbb::info::default_concurrency());
         const std::size_t asked = parts_.settings.threads;
         tbb::task_arena arena(static_cast<int>(asked == 0 ? all : std::min(asked, all)));
@@ -187,8 +187,8 @@ private:
 };
 
 Diagnostic out_of_memory() {
-    return error("memory ran out while rendering", {},
-                 "make the picture smaller, or leave out the data layers");
+    return error("out of memory while rendering", {},
+                 "make the picture smaller, or omit the data layers");
 }
 
 }  // namespace
@@ -211,7 +211,7 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
     try {
         const TracedScene& traced = renderer.state_->traced;
         const Stopwatch watch;
-        // Footprints are of use to textures alone.
+        // Only textures need footprints.
         Result<rays::CompiledPicture> compiled = rays::compile(
             picture, static_cast<double>(film.width), static_cast<double>(film.height),
             {.axes = traced.scene->axes, .footprints = traced.textured});

@@ -19,7 +19,7 @@ bool is_finite(const Color4f& c) {
 TileTracer::TileTracer(const TracedScene& traced, const Settings& settings, IntegratorMaker make)
     : traced_(&traced),
       opaque_background_(settings.background.has_value()),
-      // Many samples share the work of filtering; pbrt bounds the sharing alike.
+      // Many samples share the filtering; pbrt limits the reduction in the same way.
       footprint_scale_(std::max(0.125, 1.0 / std::sqrt(static_cast<double>(settings.samples)))),
       integrator_(make(traced, settings)) {}
 

@@ -28,8 +28,8 @@ Region traced_part(const Region& tile, const Region& window) {
     return {x, y, width, height};
 }
 
-// What the filter reaches beyond the picture counts as at its border, since there the camera may go
-// on with something else or nothing; just inside, for what ends there.
+// Samples that the filter puts beyond the picture are moved to its border, because the camera may
+// see something else or be undefined there; just inside, for cameras that end at the border.
 TilePoints points_of(const Region& region, std::size_t pass, const Film& film, double time) {
     constexpr double just_inside = 1e-6;
     const auto limits = [](std::size_t extent) {

@@ -29,7 +29,7 @@ struct PointHash {
     }
 };
 
-/// Points by their place, and how often edges between them are passed.
+/// Points by position, and the number of times that edges between them are traversed.
 class SurfaceEdges {
 public:
     void add(const std::array<V3f, 3>& corners) {
@@ -63,7 +63,7 @@ private:
         if (numbers_.empty()) {
             first_ = place;
         }
-        // 0 and -0 are one place.
+        // 0 and -0 are the same position.
         const V3f key(place.x + 0.0F, place.y + 0.0F, place.z + 0.0F);
         return numbers_.try_emplace(key, numbers_.size()).first->second;
     }

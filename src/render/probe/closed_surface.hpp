@@ -6,8 +6,9 @@
 
 namespace balcony::render {
 
-/// Whether the triangles of an object, all its instances taken together, enclose a volume that they
-/// face away from: every edge is passed once in either direction. Points at the same place are one.
+/// Whether the triangles of an object, including all instances, enclose a volume that they
+/// face away from: every edge is traversed once in each direction. Points at the same position are
+/// merged.
 [[nodiscard]] bool encloses_volume(const scene::Scene& scene, std::uint32_t object);
 
 }  // namespace balcony::render

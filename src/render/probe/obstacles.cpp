@@ -18,7 +18,7 @@ namespace {
 
 using Imath::V3d;
 
-/// Looks along lines, one after another; belongs to one thread.
+/// Traces lines, one after another; belongs to one thread.
 class SightTracer {
 public:
     SightTracer(const scene::Scene& scene, const embree::Accelerator& accelerator,
@@ -31,8 +31,8 @@ public:
     [[nodiscard]] std::optional<Obstacle> operator()(const V3d& from, const V3d& to) const {
         const V3d way = to - from;
         const double size = std::max({std::abs(way.x), std::abs(way.y), std::abs(way.z)});
-        const V3d scaled = way / size;  // Squares of what is very long would overflow.
-        // No way leads nowhere or to what is no number; the renderer traces no ray from so far.
+        const V3d scaled = way / size;  // Avoids overflow of squares.
+        // Rejects lines without length, with NaN, or too long for the renderer.
         if (!(scaled.length() > 0.0) || !embree::in_range(from)) {
             return std::nullopt;
         }
@@ -57,8 +57,8 @@ public:
     }
 
 private:
-    // Whether a point lies in the plane of the triangle. Of a line that ends there flatly the hit
-    // may come far from the end, but rounding does not take it off the plane.
+    // Whether a point lies in the plane of the triangle. If the line is nearly parallel to the
+    // plane, the hit may be far from its end, but rounding does not move it off the plane.
     static bool holds(const Surface& surface, const V3d& point) {
         const double height = (point - V3d(surface.position)).dot(V3d(surface.geometric_normal));
         return std::abs(height) <= surface.offset;

@@ -98,7 +98,7 @@ private:
         return {V3f(tile.rays.origin(i)), V3f(tile.rays.direction(i))};
     }
 
-    // Marks what the rays of a tile meet.
+    // Marks the objects that the rays of a tile hit.
     void look(const RayTile& tile, bool measure) {
         std::vector<embree::Ray> rays(tile.size());
         std::vector<std::uint8_t> active(tile.size());
@@ -133,7 +133,7 @@ private:
         }
     }
 
-    // Past the surface by more than rounding.
+    // Beyond the surface by more than the rounding error.
     [[nodiscard]] V3f beyond(const embree::Ray& ray, const Hit& hit) const {
         constexpr float share = 1e-5F;
         const V3f place = place_of(hit);
@@ -162,9 +162,9 @@ private:
         return V3f(p[0] + double{hit.u} * (p[1] - p[0]) + double{hit.v} * (p[2] - p[0]));
     }
 
-    // For the rays of a tile, whether they start inside something. Whoever looks out from an inside
-    // sees the back of the surface round him, or something that is in there with him; so both ways
-    // along the ray are looked at.
+    // For the rays of a tile, whether they start inside an object. From inside, a ray
+    // hits the back of the surrounding surface, or another object inside it. So both directions
+    // along the ray are traced.
     void look_round(const RayTile& tile) {
         std::optional<V3f> last_origin;
         std::optional<std::uint32_t> last_object;
@@ -173,7 +173,7 @@ private:
                 continue;
             }
             embree::Ray ray = ray_of(tile, i);
-            // Rays that leave one point are not asked for each by itself.
+            // Rays from the same origin are tested only once.
             if (last_origin != ray.origin) {
                 last_origin = ray.origin;
                 last_object = object_round(ray);

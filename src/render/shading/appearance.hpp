@@ -15,7 +15,7 @@ namespace balcony::render {
 using Imath::Color3f;
 using Imath::V3f;
 
-/// A material with its textures looked up.
+/// A material with its textures evaluated.
 struct Appearance {
     Color3f base_color;
     Color3f emission;
@@ -30,7 +30,7 @@ struct Appearance {
                                  const TextureFootprint& footprint,
                                  TextureLibrary::ThreadCache cache);
 
-/// The opacity alone: after the mask, with the mode taken into account.
+/// The opacity only, after the alpha mask and according to the mode.
 [[nodiscard]] float look_up_opacity(const scene::Material& material, const TextureLibrary& textures,
                                     const TextureFootprint& footprint,
                                     TextureLibrary::ThreadCache cache);

@@ -30,7 +30,7 @@ struct BsdfSample {
 /// Fresnel's reflectance. Where the roughness is below 0.1 the layer is a perfect mirror, a delta
 /// lobe: eval() and pdf() leave it out, sample() and sample_mirror() find it.
 ///
-/// Directions are in world co-ordinates, unit, and point away from the surface; the viewer is above
+/// Directions are in world coordinates, unit, and point away from the surface; the viewer is above
 /// the surface, in front of both normals. Light from below is not reflected.
 ///
 /// Both lobes share the light by Fresnel's reflectance at the half vector. That is reciprocal, but

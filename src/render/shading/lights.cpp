@@ -12,7 +12,7 @@ namespace balcony::render {
 
 namespace {
 
-// 1 inside the inner cone, 0 outside the outer one, and the extension's smooth step between.
+// 1 inside the inner cone, 0 outside the outer one, and the extension's smooth step in between.
 double cone_weight(const scene::Light& light, const scene::V3d& to_light) {
     const double inner = std::cos(static_cast<double>(light.inner_cone));
     const double outer = std::cos(static_cast<double>(light.outer_cone));
@@ -22,7 +22,7 @@ double cone_weight(const scene::Light& light, const scene::V3d& to_light) {
     return weight * weight;
 }
 
-// The extension's window that lets a light end at its range.
+// The extension's window function, which reaches 0 at the light's range.
 double range_weight(const scene::Light& light, double distance) {
     if (light.range <= 0.0F) {
         return 1.0;
@@ -63,7 +63,7 @@ Illumination LightSet::arriving(std::size_t light, const LitPoint& point) const 
     if (light > 0) {
         return from_lamp(scene_->lights[light - 1], point.position, scene_->meters_per_unit);
     }
-    // Such that a white wall seen straight on has radiance 1.
+    // Such that a white wall seen frontally has radiance 1.
     return {point.to_viewer, 0.0F, Imath::Color3f(std::numbers::pi_v<float>)};
 }
 

@@ -17,16 +17,16 @@ namespace balcony::render {
 
 /// A point that is lit, and where it is seen from.
 struct LitPoint {
-    Imath::V3f position;   ///< World co-ordinates.
+    Imath::V3f position;   ///< World coordinates.
     Imath::V3f to_viewer;  ///< Unit.
 };
 
-/// The light that arrives at a point from one lamp, if nothing is in between.
+/// The light that arrives at a point from one light source, without occlusion.
 struct Illumination {
     Imath::V3f to_light;           ///< Unit.
     float distance = 0.0F;         ///< Scene units; infinite for a directional light, 0 for the
                                    ///< light at the viewer, which nothing shadows.
-    Imath::Color3f irradiance{0};  ///< On a plane across its direction, lux.
+    Imath::Color3f irradiance{0};  ///< On a plane perpendicular to its direction, in lux.
 };
 
 /// One light, chosen with a probability.

@@ -6,7 +6,7 @@
 
 namespace balcony::render {
 
-/// Whether a scene holds together: indices that lead somewhere, normals and texture co-ordinates
+/// Whether a scene holds together: indices that lead somewhere, normals and texture coordinates
 /// empty or one a vertex. Errors name what does not.
 [[nodiscard]] Diagnostics check(const scene::Scene& scene);
 

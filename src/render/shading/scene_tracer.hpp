@@ -15,7 +15,7 @@
 
 namespace balcony::render {
 
-/// A scene with all that tracing it needs. Immutable.
+/// A scene with the data needed to trace it. Immutable.
 struct TracedScene {
     std::shared_ptr<const scene::Scene> scene;
     embree::Accelerator accelerator;

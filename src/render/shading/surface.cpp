@@ -15,7 +15,7 @@ float max_coordinate(const V3f& p) {
     return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
 }
 
-// A shading normal that the viewer sees from below is bent until it is just above the horizon.
+// A shading normal that faces away from the viewer is bent until it is just above the horizon.
 V3f bent_towards(const V3f& normal, const V3f& to_viewer) {
     constexpr float min_cosine = 1e-3F;
     const float cosine = normal.dot(to_viewer);
@@ -23,7 +23,7 @@ V3f bent_towards(const V3f& normal, const V3f& to_viewer) {
                                 : (normal + (min_cosine - cosine) * to_viewer).normalized();
 }
 
-// Imath's own product divides by the last co-ordinate, which is 1 here.
+// Imath's own product divides by the last coordinate, which is 1 here.
 V3f placed(const V3f& p, const Imath::M44f& m) {
     return {p.x * m[0][0] + p.y * m[1][0] + p.z * m[2][0] + m[3][0],
             p.x * m[0][1] + p.y * m[1][1] + p.z * m[2][1] + m[3][1],
@@ -57,7 +57,8 @@ TextureFootprint Surface::texture_footprint(const PositionDifferentials& moved) 
         const float u = along.cross(edge_2).dot(across) / square;
         const float v = edge_1.cross(along).dot(across) / square;
         const V2f slope = u * texture_edge_1 + v * texture_edge_2;
-        // A footprint of many images looks like one of some images, and keeps to safe numbers.
+        // A footprint that covers many repetitions is clamped, for numerical safety, without
+        // visible effect.
         constexpr float widest = 64.0F;
         const float width = std::max(std::abs(slope.x), std::abs(slope.y));
         return !is_finite(slope) ? V2f(0.0F, 0.0F)
@@ -106,7 +107,7 @@ Surface SurfaceFinder::find(const embree::Hit& hit, const V3f& direction) const 
     surface.edge_1 = p1 - p0;
     surface.edge_2 = p2 - p0;
     surface.position = p0 + hit.u * surface.edge_1 + hit.v * surface.edge_2;
-    // Eight roundings of the largest number that takes part in finding the point or in meeting the
+    // Eight rounding errors of the largest number used to compute the point or to intersect the
     // triangle from it.
     surface.offset = 8.0F * std::numeric_limits<float>::epsilon() *
                      std::max({max_coordinate(p0), max_coordinate(p1), max_coordinate(p2),

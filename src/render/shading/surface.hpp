@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What a ray meets: the surface at a hit, and the ray's footprint on it.
+// The surface at the hit of a ray, and the ray's footprint on it.
 
 #include <cstddef>
 #include <cstdint>
@@ -20,7 +20,7 @@ namespace balcony::render {
 using Imath::V2f;
 using Imath::V3f;
 
-/// How a ray changes from a pixel to the next on the right (x) and below (y): the ray differentials
+/// The change of a ray from a pixel to its right (x) and lower (y) neighbour: the ray differentials
 /// of Igehy, "Tracing Ray Differentials" (1999).
 struct RayDifferentials {
     V3f origin_x{0.0F}, origin_y{0.0F};
@@ -34,15 +34,15 @@ struct Ray {
     RayDifferentials differentials{};
 };
 
-/// How a point of a surface moves from a pixel to the next.
+/// The change of a surface point from a pixel to the next.
 struct PositionDifferentials {
     V3f along_x{0.0F}, along_y{0.0F};
 };
 
-/// Transparent surfaces one behind the other that a ray passes; the next one is taken as opaque.
+/// The maximum number of transparent surfaces that a ray passes; the next one is treated as opaque.
 inline constexpr std::size_t max_crossings = 64;
 
-/// A ray to a point ends just before it, by more than its length is rounded.
+/// A ray to a point ends slightly before it, by more than the rounding error of its length.
 inline constexpr float nearly_all = 1.0F - 1e-5F;
 
 struct Surface {
@@ -52,24 +52,25 @@ struct Surface {
     V3f edge_1, edge_2;    ///< Of the triangle, from its first vertex.
     V2f texture_point;
     V2f texture_edge_1, texture_edge_2;
-    float offset = 0.0F;  ///< A distance from the surface that rounding cannot bridge.
+    float offset = 0.0F;  ///< A distance from the surface larger than any rounding error.
     const scene::Material* material = nullptr;
     std::uint32_t object = 0;
 
-    /// Where a ray that leaves in a direction starts, safe from meeting this surface again.
+    /// The origin of a ray that leaves in a direction, offset to avoid hitting this surface again.
     [[nodiscard]] V3f start(const V3f& direction) const;
-    /// Where the neighbouring pixels' rays meet the plane of the triangle, as differences.
+    /// The intersections of the neighbouring pixels' rays with the plane of the triangle, as
+    /// differences.
     [[nodiscard]] PositionDifferentials transfer(const Ray& ray) const;
     [[nodiscard]] TextureFootprint texture_footprint(const PositionDifferentials& position) const;
 };
 
-/// Makes surfaces of hits.
+/// Computes surfaces from hits.
 class SurfaceFinder {
 public:
     explicit SurfaceFinder(const scene::Scene& scene);
 
     [[nodiscard]] Surface find(const embree::Hit& hit, const V3f& direction) const;
-    /// The texture co-ordinates of a hit alone.
+    /// Only the texture coordinates of a hit.
     [[nodiscard]] V2f texture_point(const embree::Hit& hit) const;
     [[nodiscard]] const scene::Material& material(const embree::Hit& hit) const;
 

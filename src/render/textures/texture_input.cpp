@@ -25,7 +25,7 @@ float linear_from_srgb(float value) {
     return value <= 0.04045F ? value / 12.92F : std::pow((value + 0.055F) / 1.055F, 2.4F);
 }
 
-// Most images have 8 bits a channel, which is 256 values to be decoded.
+// Most images have 8 bits per channel, so 256 values to decode.
 class SrgbDecoder {
 public:
     SrgbDecoder() {
@@ -52,8 +52,8 @@ Result<scene::ImageFile> open_image(const scene::Texture& texture) {
                                 : scene::ImageFile::open(texture.file);
 }
 
-// Gives the rows of an image as they are asked for, and lets go of it behind the last: what a
-// decoder holds of it is there only while the image is read from top to bottom.
+// Returns the rows of an image on request, and releases it after the last: the memory of
+// a decoder is needed only while the image is read from top to bottom.
 class TextureInput final : public OIIO::ImageInput {
 public:
     const char* format_name() const override { return "balcony texture"; }
@@ -140,7 +140,7 @@ private:
     }
 
     const TextureSource* source_ = nullptr;
-    std::optional<scene::ImageFile> image_;  // While rows of it are read.
+    std::optional<scene::ImageFile> image_;  // Only while its rows are read.
 };
 
 }  // namespace

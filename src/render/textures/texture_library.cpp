@@ -24,7 +24,7 @@ OIIO::TextureOpt::Wrap to_wrap(scene::Wrap wrap) {
     return OIIO::TextureOpt::WrapPeriodic;
 }
 
-// Reads an image into the cache from top to bottom, once, before tiles of it are asked for in any
+// Reads an image into the cache once, from top to bottom, before tiles are requested in any
 // order: most formats can only be decoded from the top. False if a part cannot be read.
 bool read_through(OIIO::ImageCache& cache, OIIO::ustring name) {
     OIIO::ImageCache::ImageHandle* const image = cache.get_image_handle(name);
@@ -32,7 +32,7 @@ bool read_through(OIIO::ImageCache& cache, OIIO::ustring name) {
     if (!cache.get_imagespec(image, nullptr, spec)) {
         return false;
     }
-    // One tile brings all of its row.
+    // One tile loads its whole row of tiles.
     for (int y = 0; y < spec.height; y += tile_side) {
         OIIO::ImageCache::Tile* const tile = cache.get_tile(image, nullptr, 0, 0, 0, y, 0);
         if (tile == nullptr) {
@@ -45,11 +45,11 @@ bool read_through(OIIO::ImageCache& cache, OIIO::ustring name) {
 
 Diagnostic unreadable(const TextureSource& source) {
     const Diagnostic reason = source.failure.value_or(Diagnostic{});
-    return warning(
-        fmt::format("texture '{}' cannot be read{}{}", source.texture->name,
-                    reason.message.empty() ? "" : ": ", reason.message),
-        {},
-        reason.remedy.empty() ? "its material is rendered with its factors alone" : reason.remedy);
+    return warning(fmt::format("texture '{}' cannot be read{}{}", source.texture->name,
+                               reason.message.empty() ? "" : ": ", reason.message),
+                   {},
+                   reason.remedy.empty() ? "its material is rendered with its constant factors"
+                                         : reason.remedy);
 }
 
 }  // namespace
@@ -85,7 +85,7 @@ void TextureLibrary::open(const scene::Texture& texture, TextureEncoding encodin
     entry.wrap_u = to_wrap(texture.wrap_u);
     entry.wrap_v = to_wrap(texture.wrap_v);
 
-    // The cache knows its images by name.
+    // The cache identifies images by name.
     const OIIO::ustring name(fmt::format("{}:{}", index, static_cast<int>(encoding)));
     OIIO::ImageSpec config;
     void* const source = &entry.source;
@@ -123,7 +123,7 @@ Imath::Color4f TextureLibrary::look_up(scene::TextureIndex texture, TextureEncod
     if (entry.failed.load(std::memory_order_relaxed)) {
         return color;
     }
-    // Beyond this a float does not tell the texels of an image apart.
+    // Beyond this, a float cannot distinguish the texels of an image.
     constexpr float farthest = 1e6F;
     if (!(std::abs(footprint.at.x) < farthest && std::abs(footprint.at.y) < farthest)) {
         return color;

@@ -23,14 +23,14 @@ using OIIO::Filesystem::IOProxy;
 namespace {
 
 Diagnostic unknown_format() {
-    return error("it is of no format that is read", {},
-                 "images are read from PNG, JPEG, WebP, TIFF, OpenEXR, HDR, TGA and BMP files");
+    return error("its format is not supported", {},
+                 "the supported formats are PNG, JPEG, WebP, TIFF, OpenEXR, HDR, TGA and BMP");
 }
 
 // Some readers repeat themselves on the next line, or have nothing to report.
 Diagnostic reported_by(OIIO::ImageInput& input) {
     const std::string reason = input.geterror();
-    return error(reason.empty() ? "its content is broken" : reason.substr(0, reason.find('\n')));
+    return error(reason.empty() ? "its content is corrupt" : reason.substr(0, reason.find('\n')));
 }
 
 std::optional<Diagnostic> check_size(std::size_t width, std::size_t height) {
@@ -45,37 +45,37 @@ std::optional<Diagnostic> check_size(std::size_t width, std::size_t height) {
     return std::nullopt;
 }
 
-// What the header declares, before the reader reserves memory for it.
+// Checks the header before the reader allocates memory for it.
 std::optional<Diagnostic> check_header(const ImageFormat& format, IOProxy& bytes) {
     if (format.is_whole != nullptr && !format.is_whole(bytes)) {
-        return error("it is cut off", {}, "copy or export it again");
+        return error("it is truncated", {}, "copy or export it again");
     }
     if (format.declared_size == nullptr) {
         return std::nullopt;
     }
     const std::optional<DeclaredSize> size = format.declared_size(bytes);
     if (!size) {
-        return error("its header is broken");
+        return error("its header is corrupt");
     }
     if (auto failure = check_size(size->width, size->height)) {
         return failure;
     }
     if (format.max_pixels_per_byte > 0 &&
         size->width * size->height / format.max_pixels_per_byte > bytes.size()) {
-        return error(fmt::format("it declares {} x {} pixels, more than its {} bytes can hold",
+        return error(fmt::format("it declares {} x {} pixels, more than its {} bytes can contain",
                                  size->width, size->height, bytes.size()),
                      {}, "copy or export it again");
     }
     return std::nullopt;
 }
 
-// What the reader makes of the header.
+// Checks the header as parsed by the reader.
 std::optional<Diagnostic> check_spec(const OIIO::ImageSpec& spec) {
     if (spec.depth > 1) {
         return error("it is a volume");
     }
     if (spec.deep) {
-        return error("its pixels hold several samples each");
+        return error("its pixels contain several samples each");
     }
     const auto size = [](int value) { return static_cast<std::size_t>(std::max(value, 0)); };
     if (auto failure = check_size(size(spec.width), size(spec.height))) {
@@ -85,29 +85,29 @@ std::optional<Diagnostic> check_spec(const OIIO::ImageSpec& spec) {
         return error("it has no channels");
     }
     if (size(spec.nchannels) > max_image_values / (size(spec.width) * size(spec.height))) {
-        return error(fmt::format("it has {} channels, more than are read of {} x {} pixels",
+        return error(fmt::format("it has {} channels, too many for {} x {} pixels",
                                  spec.nchannels, spec.width, spec.height),
-                     {}, "keep its colour and alpha alone");
+                     {}, "keep only its colour and alpha channels");
     }
     const std::size_t columns = std::max(size(spec.width), size(spec.tile_width));
     if (spec.tile_width < 0 || spec.tile_height < 0 ||
         size(spec.tile_height) > max_tile_row_pixels / columns) {
         return error(fmt::format("its tiles of {} x {} pixels are too large", spec.tile_width,
                                  spec.tile_height),
-                     {}, "export it with tiles of 64 x 64 pixels, or without");
+                     {}, "export it with tiles of 64 x 64 pixels, or without tiles");
     }
     return std::nullopt;
 }
 
-// The boundary to readers that throw at what they do not expect.
+// The boundary to readers that throw on unexpected input.
 template <class Action>
 std::optional<Diagnostic> guarded(const Action& action) {
     try {
         return action();
     } catch (const std::bad_alloc&) {
-        return error("it needs more memory than there is");
+        return error("it needs more memory than available");
     } catch (const std::exception&) {
-        return error("its content is broken");
+        return error("its content is corrupt");
     }
 }
 
@@ -118,7 +118,7 @@ struct ImageFile::State {
     const ImageFormat* format = nullptr;
     std::unique_ptr<OIIO::ImageInput> input;
     OIIO::ImageSpec spec;
-    int next_row = 0;  // Behind the last that was read.
+    int next_row = 0;  // After the last row that was read.
 
     [[nodiscard]] static Result<ImageFile> open(std::unique_ptr<IOProxy> bytes,
                                                 const fs::path& name);
@@ -129,7 +129,7 @@ struct ImageFile::State {
         next_row = 0;
         input = OIIO::ImageInput::create(format->reader);
         if (!input) {
-            (void)OIIO::geterror();  // Says no more, in words for those who build the library.
+            (void)OIIO::geterror();  // Clears a message that is of no use to users.
             return unknown_format();
         }
         bytes->seek(0);
@@ -140,7 +140,7 @@ struct ImageFile::State {
                                                   : std::optional(reported_by(*input));
     }
 
-    // Reads the rows of tiles that hold the rows [begin, end), and copies those.
+    // Reads the rows of tiles that contain the rows [begin, end), and copies the latter.
     [[nodiscard]] bool read_tiles(int begin, int end, std::span<float> values) const {
         const int top = begin - begin % spec.tile_height;
         const int tile_rows = (end - top + spec.tile_height - 1) / spec.tile_height;
@@ -165,7 +165,7 @@ struct ImageFile::State {
 
     [[nodiscard]] std::optional<Diagnostic> read(int begin, int end, std::span<float> values) {
         const bool tiled = spec.tile_width > 0;
-        // Readers that go back by themselves look for a file on the disk.
+        // Readers that rewind by themselves open a file on disk.
         if (begin < next_row && !tiled) {
             if (auto failure = open_input()) {
                 return failure;
@@ -203,7 +203,7 @@ Result<ImageFile> ImageFile::open(const fs::path& file) {
     }
     auto bytes = std::make_unique<OIIO::Filesystem::IOFile>(file.string(), IOProxy::Read);
     if (!bytes->opened()) {
-        return error("it cannot be opened", {}, "check that you may read it");
+        return error("it cannot be opened", {}, "check its read permission");
     }
     return State::open(std::move(bytes), file);
 }

@@ -23,7 +23,7 @@ std::string bytes_at(IOProxy& file, std::size_t offset, std::size_t count) {
     return bytes;
 }
 
-// An unsigned number of so many bytes; 0 past the end.
+// An unsigned number of `count` bytes; 0 past the end.
 std::size_t big_endian(std::string_view bytes, std::size_t offset, std::size_t count) {
     std::size_t number = 0;
     for (std::size_t i = 0; i < count && offset + count <= bytes.size(); ++i) {
@@ -59,8 +59,8 @@ bool is_webp(const std::string& start, const std::string&) {
     return start.starts_with("RIFF") && start.compare(8, 4, "WEBP") == 0;
 }
 
-// TGA has no signature, but few headers make sense: a kind of image, with or without a colour map,
-// and a depth that exists.
+// TGA has no signature, but few headers are plausible: a kind of image, with or without a colour map,
+// and a valid depth.
 bool is_tga(const std::string& start, const std::string& ending) {
     if (ending != ".tga" || start.size() < 18) {
         return false;
@@ -80,7 +80,7 @@ Size png_size(IOProxy& file) {
                : std::nullopt;
 }
 
-// Chunk after chunk up to the last.
+// Visits all chunks up to the last.
 bool png_is_whole(IOProxy& file) {
     constexpr std::size_t around_data = 12;  // Length, kind and checksum.
     for (std::size_t at = png_signature.size(); at + around_data <= file.size();) {
@@ -93,7 +93,7 @@ bool png_is_whole(IOProxy& file) {
     return false;
 }
 
-// Marker after marker up to the one that begins a frame.
+// Visits all markers up to the start of a frame.
 Size jpeg_size(IOProxy& file) {
     for (std::size_t at = 2; at + 4 <= file.size();) {
         const std::string segment = bytes_at(file, at, 9);
@@ -130,7 +130,7 @@ Size tga_size(IOProxy& file) {
     return DeclaredSize{little_endian(header, 12, 2), little_endian(header, 14, 2)};
 }
 
-// A negative height means that the rows run from the top.
+// A negative height means that the rows start at the top.
 Size bmp_size(IOProxy& file) {
     const std::string header = bytes_at(file, 0, 26);
     constexpr std::size_t old_header = 12;

@@ -11,25 +11,25 @@
 
 namespace balcony::scene {
 
-/// What the header of an image declares.
+/// The contents of an image header.
 struct DeclaredSize {
     std::size_t width = 0;
     std::size_t height = 0;
 };
 
-/// A format of images that is opened.
+/// A supported image format.
 struct ImageFormat {
     const char* reader;               ///< OpenImageIO's name.
-    std::size_t max_pixels_per_byte;  ///< The most that the format packs into one; 0 is no bound.
+    std::size_t max_pixels_per_byte;  ///< The maximum compression of the format; 0 is no limit.
     bool (*matches)(const std::string& start, const std::string& ending);
-    /// The size by the header alone, for formats whose reader reserves memory as it opens the file;
-    /// {} for a header that is none. Null where opening is cheap whatever the header declares.
+    /// The size from the header, for formats whose reader allocates memory when it opens the file;
+    /// {} for an invalid header. Null if opening is cheap for any header.
     std::optional<DeclaredSize> (*declared_size)(OIIO::Filesystem::IOProxy& bytes);
-    /// Whether the file ends where it should. Null where the reader reports this without printing.
+    /// Whether the file is complete. Null if the reader reports this without printing.
     bool (*is_whole)(OIIO::Filesystem::IOProxy& bytes);
 };
 
-/// The format that the first bytes tell; null if it is none that is opened.
+/// The format according to the first bytes; null if it is not supported.
 [[nodiscard]] const ImageFormat* image_format(OIIO::Filesystem::IOProxy& bytes,
                                               const std::filesystem::path& name);
 
