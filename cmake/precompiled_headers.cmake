@@ -38,9 +38,6 @@ set(layer_headers ${standard_headers} <fmt/format.h> <Imath/ImathBox.h> <Imath/I
 balcony_precompiled_headers(layer POSITION_INDEPENDENT
     HEADERS ${layer_headers}
     LINKS fmt::fmt Imath::Imath)
-balcony_precompiled_headers(program
-    HEADERS ${layer_headers} <CLI/CLI.hpp> <nlohmann/json.hpp>
-    LINKS fmt::fmt Imath::Imath CLI11::CLI11 nlohmann_json::nlohmann_json)
 if(BUILD_TESTING)
     balcony_precompiled_headers(test
         HEADERS ${layer_headers} <fstream> <random> <gtest/gtest.h>

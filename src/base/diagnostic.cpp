@@ -6,14 +6,13 @@
 #include <fmt/format.h>
 
 #include "balcony/base.hpp"
+#include "base/utf8.hpp"
 
 namespace balcony {
 
 namespace {
 
 constexpr std::size_t excerpt_columns = 100;
-
-bool continues_code_point(char byte) { return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U; }
 
 std::size_t columns(std::string_view text) {
     return static_cast<std::size_t>(

@@ -5,12 +5,11 @@
 #include <array>
 
 #include "balcony/base.hpp"
+#include "base/utf8.hpp"
 
 namespace balcony {
 
 namespace {
-
-bool continues_code_point(char byte) { return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U; }
 
 struct CodePoint {
     std::size_t length = 0;  // In bytes; 0 for invalid UTF-8.

@@ -1,17 +1,12 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "balcony/base.hpp"
-
 #include <algorithm>
 
+#include "balcony/base.hpp"
+#include "base/utf8.hpp"
+
 namespace balcony {
-
-namespace {
-
-bool continues_code_point(char byte) { return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U; }
-
-}  // namespace
 
 SourceText::SourceText(std::string name, std::string text)
     : name_(std::move(name)), text_(std::move(text)) {

@@ -40,7 +40,7 @@ sigset_t watched_signals() {
 // On a terminal, keeps the current line and starts a new one for the prompt.
 [[noreturn]] void end_at_once() {
     if (isatty(STDERR_FILENO) != 0) {
-        [[maybe_unused]] const auto written = write(STDERR_FILENO, "\n", 1);
+        [[maybe_unused]] const auto written = ::write(STDERR_FILENO, "\n", 1);
     }
     _exit(static_cast<int>(ExitCode::interrupted));
 }

@@ -22,13 +22,13 @@ struct Format {
     void (*read)(Import&);
 };
 
-constexpr Format formats[] = {{".glb", read_gltf}, {".gltf", read_gltf}, {".obj", read_obj}};
+constexpr Format scene_formats[] = {{".glb", read_gltf}, {".gltf", read_gltf}, {".obj", read_obj}};
 
 const Format* format_of(const fs::path& file) {
     std::string extension = file.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char byte) { return static_cast<char>(std::tolower(byte)); });
-    for (const Format& format : formats) {
+    for (const Format& format : scene_formats) {
         if (extension == format.extension) {
             return &format;
         }

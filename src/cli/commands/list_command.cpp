@@ -200,7 +200,7 @@ ExitCode list_cameras(const ListOptions& options) {
     return cameras ? ExitCode::done : ExitCode::bad_input;
 }
 
-ExitCode refuse(const ListOptions& options) {
+ExitCode refuse_unknown(const ListOptions& options) {
     std::vector<std::string> known = lang::built_in_cameras();
     known.insert(known.end(), {"stages", "cameras"});
     for (const StageEntry& row : camera::catalogue()) {
@@ -252,7 +252,7 @@ ExitCode list(const ListOptions& options) {
         options.what.ends_with(".cam") || std::filesystem::is_regular_file(options.what, ignored)) {
         return list_cameras(options);
     }
-    return refuse(options);
+    return refuse_unknown(options);
 }
 
 }  // namespace

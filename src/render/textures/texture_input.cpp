@@ -18,7 +18,7 @@ namespace balcony::render {
 
 namespace {
 
-constexpr std::size_t channels = 4;
+constexpr std::size_t texel_channels = 4;
 
 // IEC 61966-2-1.
 float linear_from_srgb(float value) {
@@ -75,7 +75,7 @@ public:
         }
         m_spec =
             OIIO::ImageSpec(static_cast<int>(image_->width()), static_cast<int>(image_->height()),
-                            static_cast<int>(channels), OIIO::TypeDesc::HALF);
+                            static_cast<int>(texel_channels), OIIO::TypeDesc::HALF);
         spec = m_spec;
         return true;
     }

@@ -12,7 +12,7 @@ namespace balcony::render {
 
 namespace {
 
-constexpr int channels = 4;
+constexpr int texture_channels = 4;
 constexpr int tile_side = 64;
 
 OIIO::TextureOpt::Wrap to_wrap(scene::Wrap wrap) {
@@ -136,7 +136,7 @@ Imath::Color4f TextureLibrary::look_up(scene::TextureIndex texture, TextureEncod
     options.anisotropic = 16;
     if (!system_->texture(entry.handle, cache, options, footprint.at.x, footprint.at.y,
                           footprint.along_x.x, footprint.along_x.y, footprint.along_y.x,
-                          footprint.along_y.y, channels, &color.r)) {
+                          footprint.along_y.y, texture_channels, &color.r)) {
         static_cast<void>(system_->geterror());
         entry.failed.store(true, std::memory_order_release);
         return {1.0F, 1.0F, 1.0F, 1.0F};
