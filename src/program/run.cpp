@@ -102,7 +102,7 @@ public:
     }
 
 private:
-    // What a row of points reads anew for each row.
+    // Registers that are updated for each row of points.
     struct PixelInput {
         std::uint32_t offset;
         std::span<const double> values;

@@ -10,14 +10,15 @@
 
 namespace balcony::scene {
 
-/// How much of something a file may ask for. A few bytes can refer to the same data again and
-/// again, so what is made of a file is limited by its size; docs/scenes.md states the limits.
+/// A limit on the amount of data that a file may request. A few bytes can refer to the same data
+/// again and again, so the data created from a file is limited by its size; docs/scenes.md states
+/// the limits.
 class Budget {
 public:
-    /// `reason` completes a sentence about the part that goes beyond the budget.
+    /// `reason` completes a sentence about the part that exceeds the budget.
     Budget(std::size_t total, std::string reason) : left_(total), reason_(std::move(reason)) {}
 
-    /// Throws PartError, and takes nothing, if less is left.
+    /// Throws PartError, and takes nothing, if less remains.
     void take(std::size_t count) {
         if (count > left_) {
             throw PartError{reason_};

@@ -119,7 +119,7 @@ void GltfAccessor::replace(const GltfAccessor& indices, const GltfAccessor& valu
 
 const std::uint8_t* GltfAccessor::at(std::size_t element) const {
     assert(element < count_);
-    // What has no bytes is zero.
+    // Elements without bytes are zero.
     static constexpr std::array<std::uint8_t, 16> zero{};
     if (!replaced_.empty()) {
         if (const auto found = replaced_.find(element); found != replaced_.end()) {
@@ -138,7 +138,7 @@ std::uint32_t GltfAccessor::integer(std::size_t element) const {
     return decode_integer(at(element), component_);
 }
 
-// Where the parts of a file's accessors lie is in the file's JSON.
+// The location of an accessor's parts is in the file's JSON.
 
 GltfAccessor GltfDocument::read_accessor(const Json& json) {
     const std::size_t count = count_in(json, "count", 0);

@@ -9,16 +9,17 @@
 
 namespace balcony::scene {
 
-/// The elements of an accessor, decoded where they lie: all of them are inside the file's bytes.
+/// The elements of an accessor, decoded in place: all of them are inside the file's bytes.
 class GltfAccessor {
 public:
-    /// The kind of the components, by glTF's number for it. Throws PartError if there is none such.
+    /// The type of the components, by glTF's number. Throws PartError if it is unknown.
     GltfAccessor(std::size_t component, std::size_t components, std::size_t count, bool normalized);
 
-    /// Places the elements; without this all are zero. Throws PartError unless they fit.
+    /// Sets the location of the elements; by default all are zero. Throws PartError unless they
+    /// fit.
     void place(std::span<const std::uint8_t> bytes, std::size_t offset, std::size_t stride);
 
-    /// Elements of `values` take the place of those that `indices` names. Throws PartError if one
+    /// Elements of `values` replace those listed in `indices`. Throws PartError if an index
     /// is past the end.
     void replace(const GltfAccessor& indices, const GltfAccessor& values);
 
@@ -30,7 +31,7 @@ public:
     /// A component of an element; normalised integers in 0 .. 1 or -1 .. 1.
     [[nodiscard]] float number(std::size_t element, std::size_t component) const;
 
-    /// An element of unsigned scalars. Throws PartError if they are none.
+    /// An element of unsigned scalars. Throws PartError if they are not unsigned.
     [[nodiscard]] std::uint32_t integer(std::size_t element) const;
 
 private:

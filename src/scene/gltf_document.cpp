@@ -183,7 +183,7 @@ void GltfDocument::parse(std::string text) {
     }
 }
 
-// A file that several buffers name is read once.
+// A file used by several buffers is read once.
 GltfDocument::Bytes GltfDocument::buffer_bytes(const std::string& uri) {
     if (uri.starts_with("data:")) {
         return embedded_.emplace_back(decode_data_uri(uri));

@@ -28,14 +28,14 @@ public:
     [[nodiscard]] const Json& root() const { return root_; }
     [[nodiscard]] bool is_binary() const { return is_binary_; }
 
-    /// How many bytes the file has, with its buffers in other files.
+    /// The size of the file in bytes, including its external buffers.
     [[nodiscard]] std::size_t size() const { return size_; }
 
     /// The bytes of a buffer view.
     [[nodiscard]] std::span<const std::uint8_t> view(std::size_t index) const;
 
-    /// An accessor, which must have this number of components. It is read once and stays where it
-    /// is.
+    /// An accessor, which must have this number of components. It is read once and its address
+    /// is stable.
     [[nodiscard]] const GltfAccessor& accessor(std::size_t index, std::size_t components);
 
 private:
@@ -50,8 +50,8 @@ private:
     std::vector<std::uint8_t> bytes_;
     Json root_;
     bool is_binary_ = false;
-    std::map<std::filesystem::path, std::vector<std::uint8_t>> files_;  // Beside this one.
-    std::deque<std::vector<std::uint8_t>> embedded_;                    // As data URIs.
+    std::map<std::filesystem::path, std::vector<std::uint8_t>> files_;  // External files.
+    std::deque<std::vector<std::uint8_t>> embedded_;                    // From data URIs.
     std::vector<Bytes> buffers_;
     std::size_t size_ = 0;
     Budget sparse_elements_{0, ""};

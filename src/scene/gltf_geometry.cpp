@@ -26,7 +26,7 @@ enum class Mode : std::uint8_t {
     triangle_fan = 6,
 };
 
-// glTF 2.0, section 3.5.3: matrices have no perspective. Writers round what is 0 or 1.
+// glTF 2.0, section 3.5.3: matrices have no perspective. Writers may round the values 0 and 1.
 M44d affine(M44d matrix) {
     constexpr double rounding = 1e-6;
     const bool is_affine =
@@ -96,7 +96,7 @@ bool is_within_range(const V3d& point) {
     return fits(point.x) && fits(point.y) && fits(point.z);
 }
 
-// Throws PartError unless a mesh with these bounds can be placed so.
+// Throws PartError unless a mesh with these bounds can be placed with this matrix.
 void check_placement(const Box3f& box, const M44d& world_from_mesh) {
     if (!invertible(world_from_mesh)) {
         throw PartError{"its transform is singular"};
@@ -170,8 +170,8 @@ void read_gltf(Import& import) {
     GltfReader(document, import).read();
 }
 
-// Each byte of a file may be an index of its own, and small files may share more than that; small
-// models are instantiated more often than they have bytes. An image may have two textures of its
+// Each byte of a file may be a separate index, and small files may share more than that; small
+// models may have more instances than bytes. An image may have two textures of its
 // own, and is copied for each.
 GltfReader::GltfReader(GltfDocument& document, Import& import)
     : document_(document),
@@ -320,7 +320,7 @@ void GltfReader::read_primitive(const Json& primitive, const std::string& name,
     }
 }
 
-// Only the vertices that the triangles use: primitives may share accessors much larger than they
+// Only the vertices used by the triangles: primitives may share accessors much larger than they
 // need.
 Mesh GltfReader::read_mesh(const Json& primitive, std::size_t mode, const GltfMaterial& shaded) {
     const Json& attributes = member(primitive, "attributes");
@@ -365,7 +365,7 @@ Mesh GltfReader::read_mesh(const Json& primitive, std::size_t mode, const GltfMa
     return mesh;
 }
 
-// Numbers the vertices that triangles use by their first use; one that is out of range stays so.
+// Numbers the vertices in the order of their first use; an index out of range remains out of range.
 std::vector<std::uint32_t> GltfReader::number_vertices(
     std::vector<std::array<std::uint32_t, 3>>& triangles, std::size_t count) {
     constexpr std::uint32_t none = 0xffffffffU;

@@ -46,7 +46,7 @@ struct PartError {
 [[nodiscard]] std::vector<double> numbers_in(const Json& value, std::string_view key,
                                              std::vector<double> fallback);
 
-/// Quantities of light are in 0 .. max_quantity; PartError names the key of one that is not.
+/// Quantities of light are in 0 .. max_quantity; a PartError names the key of an invalid one.
 [[nodiscard]] float to_quantity(double number, std::string_view key);
 [[nodiscard]] float quantity_in(const Json& value, std::string_view key, float fallback);
 [[nodiscard]] Color3f to_color(const std::array<double, 3>& numbers, std::string_view key);

@@ -158,7 +158,7 @@ GltfReader::TextureUse GltfReader::texture_use(const Json& owner, const char* ke
     return use;
 }
 
-// Textures that show one image in one way are one.
+// Textures with the same image and sampler are merged.
 TextureIndex GltfReader::texture(const Json& json, const std::string& material_name) {
     const auto source = index_in(json, "source");
     if (!source) {

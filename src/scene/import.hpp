@@ -33,9 +33,9 @@ struct Import {
 
     static constexpr std::size_t max_warnings = 50;
 
-    /// Adds a warning, or counts it if there are so many that one more would bury the others.
+    /// Adds a warning, or only counts it if there are too many.
     void warn(std::string message, std::string remedy = {});
-    /// similar_file() while warnings are added, since it looks through a directory.
+    /// similar_file() while warnings are added, because it searches a directory.
     [[nodiscard]] std::string advice_on(const std::filesystem::path& missing) const;
     [[nodiscard]] bool adds_warnings() const { return diagnostics.size() < max_warnings; }
     /// The bytes of the file. Throws ReadError if it cannot be read.

@@ -46,7 +46,7 @@ Box3f Scene::bounds() const {
     for (const Instance& instance : instances) {
         vertices += meshes[instance.mesh.value()].positions.size();
     }
-    // A second's work.
+    // About one second of work.
     constexpr std::size_t max_vertices = std::size_t{1} << 28U;
     std::vector<std::array<V3f, 8>> corners;
     if (vertices > max_vertices) {

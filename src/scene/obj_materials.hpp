@@ -38,7 +38,8 @@ private:
     TextureIndex add_texture(const Source& source, const std::string& map);
 
     Import& import_;
-    std::map<std::string, Source, std::less<>> sources_;  // By name; the last of a name counts.
+    std::map<std::string, Source, std::less<>>
+        sources_;  // By name; the last one with a name applies.
     std::map<std::pair<std::filesystem::path, Wrap>, TextureIndex> textures_;
 };
 

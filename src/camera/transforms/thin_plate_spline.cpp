@@ -95,7 +95,7 @@ std::optional<ThinPlateSpline> fit_thin_plate(std::span<const double> sites, std
     const auto site = [&](std::size_t i) { return sites.subspan(i * dimension, dimension); };
 
     // (K + n smoothing 1) w + P a = values and P^T w = 0, where the rows of P are (1, site). P is
-    // scaled to the size of what stands beside it, and a by the inverse.
+    // scaled to the size of the neighbouring block, and a by the inverse.
     const double scale = 1.0 + static_cast<double>(n) * smoothing;
     Matrix system(n + affine, n + affine + results);
     for (std::size_t i = 0; i < n; ++i) {

@@ -55,12 +55,13 @@ Hit to_hit(unsigned instance, unsigned geometry, unsigned triangle, float u, flo
 }
 
 struct ShadowQuery {
-    RTCIntersectContext context;  // First, so that a filter can find the rest from it.
+    RTCIntersectContext
+        context;  // The first member, so that a filter can access the others through it.
     const OpacitySource* opacities;
     float transmittance;
 };
 
-// Lets a shadow ray pass a surface that is not opaque, weakened by what the surface stops.
+// Lets a shadow ray pass a transparent surface, attenuated by its opacity.
 void pass_transparent(const RTCFilterFunctionNArguments* arguments) {
     auto* query = reinterpret_cast<ShadowQuery*>(arguments->context);
     const unsigned count = arguments->N;
@@ -79,7 +80,7 @@ void pass_transparent(const RTCFilterFunctionNArguments* arguments) {
     }
 }
 
-// Whether a matrix places finite points at finite points: an affine map of numbers.
+// Whether a matrix is finite and affine, so that it maps finite points to finite points.
 bool is_affine(const scene::M44d& m) {
     for (int row = 0; row < 4; ++row) {
         for (int column = 0; column < 3; ++column) {
@@ -91,7 +92,7 @@ bool is_affine(const scene::M44d& m) {
     return m[0][3] == 0.0 && m[1][3] == 0.0 && m[2][3] == 0.0 && m[3][3] == 1.0;
 }
 
-// Whether all of a mesh can be traced where it is and where it is placed.
+// Whether the whole mesh can be traced, in its own coordinates and as placed.
 bool can_be_traced(const scene::Mesh& mesh, const scene::M44d& world_from_mesh) {
     return is_affine(world_from_mesh) &&
            std::all_of(mesh.positions.begin(), mesh.positions.end(), [&](const V3f& p) {
@@ -99,7 +100,7 @@ bool can_be_traced(const scene::Mesh& mesh, const scene::M44d& world_from_mesh) 
            });
 }
 
-// The largest coordinate that a linear map makes of coordinates up to 1.
+// The largest coordinate in the image of the unit cube under a linear map.
 double norm(const scene::M44d& m) {
     double maximum = 0.0;
     for (int column = 0; column < 3; ++column) {
@@ -109,9 +110,9 @@ double norm(const scene::M44d& m) {
     return maximum;
 }
 
-// How far out a ray may start so that Embree, which inverts the matrix in floats, can take it into
-// the coordinates of a shared mesh. Nothing where such a ray might not be safe at 1e12: the matrix
-// is then nearly singular, or scales by more than a million.
+// The largest coordinate of a ray's origin for which Embree, which inverts the matrix in floats,
+// can transform it to the coordinates of a shared mesh. Nothing if this may fail even at 1e12: the
+// matrix is then nearly singular, or scales by more than a million.
 std::optional<double> reach_into(const scene::M44d& world_from_mesh) {
     constexpr double max_scale = 1e6;
     constexpr double max_condition = 1e3;  // Its square times a float's rounding is below 0.1.
@@ -134,7 +135,7 @@ std::optional<double> reach_into(const scene::M44d& world_from_mesh) {
     return reach >= min_reach ? std::optional(reach) : std::nullopt;
 }
 
-// A mesh as triangles, its positions taken through a matrix if one is given.
+// A mesh as triangles, with its positions transformed by a matrix if one is given.
 Geometry make_triangles(RTCDevice device, const scene::Scene& scene, const scene::Mesh& mesh,
                         const scene::M44d* world_from_mesh) {
     Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
@@ -161,7 +162,7 @@ Geometry make_triangles(RTCDevice device, const scene::Scene& scene, const scene
 BuiltScene make_scene(RTCDevice device) {
     BuiltScene built(rtcNewScene(device));
     rtcSetSceneFlags(built.get(), RTC_SCENE_FLAG_ROBUST);
-    // Of the qualities, medium is the best whose result does not depend on the number of threads.
+    // Medium is the highest quality whose result does not depend on the number of threads.
     rtcSetSceneBuildQuality(built.get(), RTC_BUILD_QUALITY_MEDIUM);
     return built;
 }
@@ -169,7 +170,7 @@ BuiltScene make_scene(RTCDevice device) {
 Geometry make_instance(RTCDevice device, RTCScene mesh, const scene::M44d& world_from_mesh) {
     Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE));
     rtcSetGeometryInstancedScene(geometry.get(), mesh);
-    // Column after column of a matrix for column vectors: the rows of ours.
+    // The columns of a matrix for column vectors, which are the rows of Imath's matrix.
     std::array<float, 16> columns{};
     for (int row = 0; row < 4; ++row) {
         for (int column = 0; column < 4; ++column) {
@@ -182,10 +183,10 @@ Geometry make_instance(RTCDevice device, RTCScene mesh, const scene::M44d& world
     return geometry;
 }
 
-// What becomes of an instance: it is left out, copied into the world or placed by a matrix.
+// How an instance is built: it is skipped, copied into world space, or placed by a matrix.
 enum class Use : std::uint8_t { none, copied, placed };
 
-// A mesh with one instance goes into the world directly, which is faster to trace.
+// A mesh with one instance is copied into world space, which is faster to trace.
 std::vector<Use> choose_uses(const scene::Scene& scene) {
     std::vector<std::size_t> counts(scene.meshes.size());
     std::vector<Use> uses(scene.instances.size(), Use::none);
@@ -207,7 +208,7 @@ std::vector<Use> choose_uses(const scene::Scene& scene) {
     return uses;
 }
 
-// One warning for each object of which something is left out.
+// One warning for each object with a skipped part.
 Diagnostics name_left_out(const scene::Scene& scene, const std::vector<Use>& uses) {
     std::set<std::uint32_t> objects;
     for (std::size_t i = 0; i < uses.size(); ++i) {
@@ -218,8 +219,8 @@ Diagnostics name_left_out(const scene::Scene& scene, const std::vector<Use>& use
     Diagnostics warnings;
     for (const std::uint32_t object : objects) {
         warnings.push_back(warning(
-            fmt::format("object '{}' reaches beyond {:.3g} or is placed by a matrix that is not "
-                        "affine, and is left out",
+            fmt::format("object '{}' extends beyond {:.3g} or is placed by a matrix that is not "
+                        "affine; it is skipped",
                         scene.objects[object].name, max_coordinate),
             {}, "scale the scene down, or repair its transforms"));
     }
@@ -249,8 +250,8 @@ constexpr std::size_t packet_side = Accelerator::packet_side;
 constexpr std::size_t packet_size = packet_side * packet_side;
 
 // Embree's coherent packets lose rays with a direction component of nearly 0, whose reciprocal is
-// out of range for the bounds of a packet. The least that is given to it is less than the rounding
-// of the other components of a unit direction.
+// out of range for the bounds of a packet. The minimum passed to Embree is less than the rounding
+// error of the other components of a unit direction.
 float away_from_zero(float component) {
     constexpr float minimum = 1e-8F;
     return std::fabs(component) < minimum ? std::copysign(minimum, component) : component;
@@ -328,7 +329,7 @@ void Accelerator::State::copy(const scene::Scene& scene, const scene::Instance& 
     }
 }
 
-// What Embree asserts of a ray, with its origin also in the coordinates of placed meshes.
+// Embree's requirements on a ray, with its origin also in the coordinates of placed meshes.
 bool Accelerator::State::traceable(const Ray& ray) const {
     return std::abs(ray.origin.x) <= reach && std::abs(ray.origin.y) <= reach &&
            std::abs(ray.origin.z) <= reach && in_range(ray.direction) && ray.farthest >= 0.0F;

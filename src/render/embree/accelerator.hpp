@@ -21,10 +21,11 @@ namespace balcony::render::embree {
 
 using Imath::V3f;
 
-/// The largest coordinate, by size, that Embree takes in vertices and rays: its FLT_LARGE.
+/// The largest absolute value of a coordinate that Embree accepts in vertices and rays: its
+/// FLT_LARGE.
 inline constexpr float max_coordinate = 1.844e18F;
 
-/// Whether all coordinates are numbers up to that limit.
+/// Whether all coordinates are finite and within that limit.
 template <class Vector>
 [[nodiscard]] bool in_range(const Vector& v) {
     constexpr typename Vector::BaseType limit = max_coordinate;
@@ -59,20 +60,20 @@ public:
 
 /// The acceleration structure of a scene. Immutable, for any number of threads.
 ///
-/// Any ray may be asked for: one that starts beyond reach(), or that holds something other than
-/// numbers, hits nothing and lets all light pass.
+/// Any ray may be traced: one that starts beyond reach(), or that contains values that are not
+/// finite, hits nothing and transmits all light.
 class Accelerator {
 public:
-    /// Rays of a grid are traced together in squares of this side.
+    /// Rays of a grid are traced together in squares with this side.
     static constexpr std::size_t packet_side = 4;
 
-    /// Builds. An instance that Embree cannot take (placed by no finite affine matrix, or with a
-    /// vertex beyond max_coordinate) is left out with a warning that names its object; a scene
-    /// whose indices lead nowhere and memory that runs out are errors.
+    /// Builds the structure. An instance that Embree cannot handle (without a finite affine matrix,
+    /// or with a vertex beyond max_coordinate) is skipped with a warning that names its object; a
+    /// scene with invalid indices and a lack of memory are errors.
     [[nodiscard]] static Result<Accelerator> build(const scene::Scene& scene);
 
-    /// The largest coordinate, by size, of a ray's origin: max_coordinate, or less where a shared
-    /// mesh is placed by a matrix that makes it smaller.
+    /// The largest absolute coordinate of a ray's origin: max_coordinate, or less if a shared
+    /// mesh is placed by a matrix that shrinks it.
     [[nodiscard]] float reach() const;
 
     [[nodiscard]] Hit intersect(const Ray& ray) const;
@@ -82,8 +83,8 @@ public:
     void intersect_grid(std::size_t width, std::span<const Ray> rays,
                         std::span<const std::uint8_t> active, std::span<Hit> hits) const;
 
-    /// The part of the light that comes through between a ray's origin and its end; surfaces whose
-    /// material is not opaque are asked for their opacity.
+    /// The transmittance between a ray's origin and its end; looks up the opacity of surfaces whose
+    /// material is not opaque.
     [[nodiscard]] float transmittance(const Ray& ray, const OpacitySource& opacities) const;
 
 private:

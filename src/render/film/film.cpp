@@ -76,7 +76,7 @@ DataLayers empty_layers(std::size_t pixels) {
     return layers;
 }
 
-// How many tiles of a grid from 0 a stretch of pixels touches.
+// The number of tiles of a grid from 0 that a range of pixels touches.
 std::size_t tiles_touched(std::size_t begin, std::size_t length, std::size_t side) {
     return length == 0 ? 0 : (begin + length - 1) / side - begin / side + 1;
 }
@@ -142,7 +142,7 @@ Result<Film> make_film(const FilmLayout& layout) {
         film.passes.assign(film.tile_count(), 0);
         return film;
     } catch (const std::bad_alloc&) {
-        return error("memory ran out while the film was made", {},
+        return error("out of memory while creating the film", {},
                      "make the picture smaller, or omit the data layers");
     }
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// One pass over one tile, and its way onto the film.
+// One pass over one tile, and its addition to the film.
 
 #include <cstddef>
 #include <cstdint>
@@ -23,7 +23,7 @@ struct VisibleSurface {
     std::uint32_t object = 0;  ///< Index into Scene::objects plus 1.
 };
 
-/// What the data layers say of a point.
+/// The data layers of a point.
 struct PointData {
     bool valid = false;  ///< Whether there is a ray; otherwise all other values are undefined.
     std::uint16_t layer = 0;
@@ -37,11 +37,11 @@ struct PointData {
 struct TileImage {
     Region region;
     std::vector<Color4f> colors;
-    std::vector<PointData> data;  ///< Empty where it was not asked for.
+    std::vector<PointData> data;  ///< Empty if not requested.
 };
 
-/// Adds the samples of a tile's next pass, as far as they lie in the film's window. Two tiles may
-/// be added to at once.
+/// Adds the samples of a tile's next pass that are in the film's window. Two tiles may
+/// be added at the same time.
 void add_pass(Film& film, std::size_t tile, const TileImage& image);
 
 }  // namespace balcony::render

@@ -132,7 +132,8 @@ void write_pixels(const Film& film, const std::vector<Channel>& channels, Imf::O
     for (std::size_t first = 0; first < film.window.height; first += rows_at_once) {
         const std::size_t rows = std::min(rows_at_once, film.window.height - first);
         Imf::FrameBuffer buffer;
-        // OpenEXR counts from the picture's top left, so a slice begins before the rows at hand.
+        // OpenEXR addresses pixels from the picture's top left, so the base of a slice is before
+        // the current rows.
         const auto slice = [&](Imf::PixelType type, void* data) {
             const std::size_t pixels = (film.window.y + first) * width + film.window.x;
             const auto before = static_cast<std::ptrdiff_t>(pixels * sizeof(float));

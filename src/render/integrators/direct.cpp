@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// The lights of the scene with sharp shadows, ambient light without any, and mirrors.
+// The lights of the scene with sharp shadows, ambient light without shadows, and mirrors.
 
 #include <algorithm>
 
@@ -12,7 +12,7 @@ namespace balcony::render {
 
 namespace {
 
-// The weight below which no reflection is followed: less than half a step of an 8-bit picture.
+// The minimum weight of a traced reflection: less than half a step of an 8-bit picture.
 constexpr float min_weight = 1.0F / 512.0F;
 
 float largest(const Color3f& color) { return std::max({color.x, color.y, color.z}); }

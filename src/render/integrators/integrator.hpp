@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What an integrator is: a way to find the light that comes along a ray.
+// The interface of integrators, which compute the radiance along a ray.
 
 #include <memory>
 #include <string_view>
@@ -15,24 +15,24 @@
 
 namespace balcony::render {
 
-/// What a ray sees.
+/// The result of tracing a ray.
 struct Seen {
     Color4f radiance{0.0F};  ///< Premultiplied.
     VisibleSurface visible;
 };
 
-/// Belongs to one thread. A new one is a file with a class and a maker, and a row in
+/// Belongs to one thread. A new integrator needs a file with a class and a maker, and a row in
 /// integrators.cpp.
 class Integrator {
 public:
     virtual ~Integrator() = default;
 
     /// The radiance of a camera ray, given its first hit. The sampler is that of the ray's pixel
-    /// and pass; two rays with equal samplers see the same, in whatever order they are traced.
+    /// and pass; equal rays with equal samplers give the same result, in any order.
     [[nodiscard]] virtual Seen trace(const Ray& ray, const embree::Hit& first, Sampler sampler) = 0;
 };
 
-/// The scene and the settings outlive what is made.
+/// The scene and the settings must outlive the integrator.
 using IntegratorMaker = std::unique_ptr<Integrator> (*)(const TracedScene& traced,
                                                         const Settings& settings);
 

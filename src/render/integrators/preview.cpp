@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// The base colour, lit from where the ray comes.
+// The base colour, lit from the ray's origin.
 
 #include <cmath>
 

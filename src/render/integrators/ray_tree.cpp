@@ -7,7 +7,7 @@ namespace balcony::render {
 
 namespace {
 
-// Rays that one camera ray may lead to.
+// The maximum number of rays per camera ray.
 constexpr std::size_t max_rays = 256;
 
 }  // namespace

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What integrators without chance have in common.
+// The common part of deterministic integrators.
 
 #include <optional>
 #include <vector>
@@ -11,9 +11,9 @@
 
 namespace balcony::render {
 
-/// Follows a ray through surfaces that are not opaque and along reflections: Whitted's tree of rays
-/// ("An Improved Illumination Model for Shaded Display", 1980). What a surface shows, and what it
-/// reflects, is said by the class that derives from it.
+/// Traces a ray through transparent surfaces and along reflections: Whitted's ray tree
+/// ("An Improved Illumination Model for Shaded Display", 1980). The derived class defines the
+/// radiance and the reflection of a surface.
 class RayTree : public Integrator {
 public:
     RayTree(const TracedScene& traced, const Settings& settings)
@@ -30,9 +30,9 @@ protected:
         std::size_t crossings = 0;
     };
 
-    /// The radiance of a surface towards the ray's origin, without what reflect() follows.
+    /// The radiance of a surface towards the ray's origin, without the branch of reflect().
     [[nodiscard]] virtual Color3f shade(const Ray& ray, const Interaction& at) const = 0;
-    /// The branch that goes on from a surface by reflection, if one does.
+    /// The reflected branch from a surface, if any.
     [[nodiscard]] virtual std::optional<Branch> reflect(const Branch& arriving,
                                                         const Interaction& at) const;
 
@@ -44,7 +44,7 @@ private:
 
     SceneTracer tracer_;
     const Settings* settings_;
-    std::vector<Branch> open_;  // Empty between two camera rays; kept for its memory.
+    std::vector<Branch> open_;  // Empty between two camera rays; kept to reuse its memory.
 };
 
 }  // namespace balcony::render

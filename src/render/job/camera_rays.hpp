@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The rays of a camera as the tracer takes them, in floats.
+// The rays of a camera as input of the tracer, in floats.
 
 #include <cstddef>
 
@@ -16,7 +16,7 @@ namespace balcony::render {
 using Imath::V2f;
 using Imath::V3d;
 
-/// There is a ray, and Embree takes its origin.
+/// Whether there is a ray whose origin is within Embree's limits.
 [[nodiscard]] bool traceable(const rays::RayBatch& rays, std::size_t i);
 /// 0 where a parameter is not finite.
 [[nodiscard]] V2f parameters(const rays::RayBatch& rays, std::size_t i);

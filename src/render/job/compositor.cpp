@@ -16,7 +16,7 @@ void mark(std::uint8_t& flag, bool set) {
     }
 }
 
-// What a point shows when all elements are put together, the back one first.
+// Composites all elements at a point, from back to front.
 class Blender {
 public:
     Blender(const TileCoverages& coverages, const std::vector<std::vector<Drawn>>& layers)
@@ -52,19 +52,19 @@ private:
 
 }  // namespace
 
-/// A tile under way: what is asked for and what has been found.
+/// A tile in progress: the requested parts and the results so far.
 struct Compositor::Work {
     const TilePoints& points;
     Region counted;
     TileCoverages coverages;
-    std::vector<std::vector<Drawn>> layers;  // By camera layer; empty where it does not show.
-    std::vector<PointData> data;             // Empty if not asked for.
+    std::vector<std::vector<Drawn>> layers;  // By camera layer; empty if it is invisible.
+    std::vector<PointData> data;             // Empty if not requested.
 };
 
-/// What lies over the elements that are yet to be traced, by point.
+/// What covers the elements that are still to be traced, by point.
 struct Compositor::Veil {
-    Mask hidden;               // Something in front covers it all.
-    std::vector<float> share;  // How much the groups round the elements cover.
+    Mask hidden;               // Whether something in front covers the point completely.
+    std::vector<float> share;  // The coverage of the enclosing groups.
 };
 
 Compositor::Compositor(const rays::CompiledPicture& picture, PictureRays rays, TileTracer tracer)
@@ -94,7 +94,7 @@ TileImage Compositor::sample(const TilePoints& points, const Region& counted, bo
     return image;
 }
 
-// The front one first; what each hides is marked in the veil.
+// From front to back; marks in the veil what each element hides.
 void Compositor::trace(const std::vector<Element>& elements, Veil& veil, Work& work) {
     for (auto element = elements.rbegin(); element != elements.rend(); ++element) {
         const bool hides = element->blend == camera::BlendMode::normal;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// How the layers of a picture join in a tile.
+// Composites the layers of a picture in a tile.
 
 #include <cstdint>
 #include <vector>
@@ -23,8 +23,8 @@ class Compositor {
 public:
     Compositor(const rays::CompiledPicture& picture, PictureRays rays, TileTracer tracer);
 
-    /// One sample at each point, with its data if asked for. Only points in the region `counted`
-    /// take part in the counts.
+    /// One sample at each point, with its data if requested. Only points in the region `counted`
+    /// are counted.
     [[nodiscard]] TileImage sample(const TilePoints& points, const Region& counted, bool with_data);
 
     [[nodiscard]] const std::vector<RayCounts>& ray_counts() const { return counts_; }

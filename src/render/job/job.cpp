@@ -37,9 +37,9 @@ Diagnostic unknown_integrator(const std::string& name) {
         list += fmt::format("{}{}", list.empty() ? "" : ", ", info.name);
     }
     const auto nearest = nearest_name(name, names);
-    return error(fmt::format("there is no integrator named '{}'", name), {},
+    return error(fmt::format("unknown integrator '{}'", name), {},
                  nearest ? fmt::format("did you mean '{}'?", *nearest)
-                         : fmt::format("use one of these: {}", list));
+                         : fmt::format("the integrators are {}", list));
 }
 
 Diagnostics check(const Settings& settings) {
@@ -63,7 +63,7 @@ Diagnostics check(const Settings& settings) {
     return found;
 }
 
-// Whether the vectors of a film have the sizes that it says.
+// Whether the sizes of a film's vectors match its window.
 bool holds_together(const Film& film) {
     const std::size_t pixels = film.window.size();
     const bool layers = !film.layers || film.layers->valid.size() == pixels;
@@ -113,8 +113,8 @@ private:
         return *std::min_element(film_.passes.begin(), film_.passes.end());
     }
 
-    // Gives one more pass to the tiles that have so many and are to have more. Whether the pass was
-    // completed.
+    // Adds one pass to the tiles that have this number of passes and need more. Returns whether the
+    // pass was completed.
     bool add_pass(tbb::task_arena& arena, std::uint32_t pass) {
         std::vector<std::size_t> tiles;
         for (std::size_t tile = 0; tile < passes_.size(); ++tile) {
@@ -175,9 +175,9 @@ private:
 
     const JobParts& parts_;
     Film& film_;
-    std::span<const std::uint32_t> passes_;  // To reach, by tile.
+    std::span<const std::uint32_t> passes_;  // The target, by tile.
     std::uint32_t last_pass_;
-    std::size_t tiles_;  // To do, over all passes.
+    std::size_t tiles_;  // The total number, over all passes.
     tbb::enumerable_thread_specific<TileWorker> workers_;
     const ProgressCallback& progress_;
     std::stop_token stop_;
@@ -206,7 +206,7 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
     }
     if (!holds_together(film)) {
         return error("the film's vectors do not have the size of its window", {},
-                     "make the film with make_film()");
+                     "create the film with make_film()");
     }
     try {
         const TracedScene& traced = renderer.state_->traced;
@@ -245,7 +245,7 @@ Result<Summary> Job::run(const ProgressCallback& progress, std::stop_token stop)
 Result<Summary> Job::run(std::span<const std::uint32_t> passes, const ProgressCallback& progress,
                          std::stop_token stop) {
     if (!holds_together(*state_->film) || passes.size() != state_->film->tile_count()) {
-        return error(fmt::format("the film has {} tiles, and {} numbers of passes are given",
+        return error(fmt::format("the film has {} tiles, but {} numbers of passes are given",
                                  state_->film->tile_count(), passes.size()));
     }
     try {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What a picture's formulas say of a tile: the rays of its camera layers, and what covers what.
+// Evaluates a picture's formulas over a tile: the rays of its camera layers, and the coverages.
 
 #include <cstddef>
 #include <cstdint>
@@ -21,14 +21,14 @@ using Mask = std::vector<std::uint8_t>;
 /// The rays of one camera layer at the points of a tile.
 struct TileRays {
     rays::RayBatch all;
-    Mask valid;                     ///< There is a ray that can be traced.
-    std::vector<embree::Ray> rays;  ///< Where valid.
+    Mask valid;                     ///< Whether there is a ray that can be traced.
+    std::vector<embree::Ray> rays;  ///< Defined where valid.
 };
 
 /// The coverages and paints of a picture at the points of a tile.
 class TileCoverages {
 public:
-    /// From 0 to 1; what is no number counts as 0.
+    /// From 0 to 1; NaN counts as 0.
     [[nodiscard]] float coverage(const rays::CompiledPicture::Element& element,
                                  std::size_t i) const;
     [[nodiscard]] Color4f paint(std::size_t root, std::size_t i) const;
@@ -46,7 +46,7 @@ public:
     [[nodiscard]] TileCoverages coverages(const rays::Tile& points);
     [[nodiscard]] TileRays rays(std::size_t layer, const rays::Tile& points);
 
-    /// Spent in all of these so far.
+    /// The total time spent in these functions.
     [[nodiscard]] double seconds() const { return seconds_; }
 
 private:

@@ -6,7 +6,7 @@
 
 namespace balcony::render {
 
-/// Counts from when it is made.
+/// Measures the time since its construction.
 class Stopwatch {
 public:
     [[nodiscard]] double seconds() const {

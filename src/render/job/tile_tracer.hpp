@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What the rays of a tile see.
+// Traces the rays of a tile.
 
 #include <cstdint>
 #include <memory>
@@ -27,16 +27,16 @@ struct TilePoints {
     }
 };
 
-/// Traces; belongs to one thread.
+/// Traces rays; belongs to one thread.
 class TileTracer {
 public:
     TileTracer(const TracedScene& traced, const Settings& settings, IntegratorMaker make);
 
-    /// What each ray that is asked for sees. Radiance that is no finite number is black.
+    /// The result of each requested ray. Radiance that is not finite is replaced by black.
     [[nodiscard]] std::vector<Seen> trace(const TilePoints& points, const TileRays& rays,
                                           const Mask& wanted);
 
-    /// How often radiance was no finite number.
+    /// The number of samples whose radiance was not finite.
     [[nodiscard]] std::uint64_t repaired() const { return repaired_; }
 
 private:

@@ -12,9 +12,9 @@ namespace balcony::render {
 
 namespace {
 
-// The part of a tile whose rays are traced so that the window's come out as they do in the whole
-// picture: rays are traced in packets, and where two triangles are equally near it may depend on
-// the other rays of a packet which one is found.
+// The part of a tile whose rays are traced so that the results in the window are the same as in the
+// whole picture: rays are traced in packets, and if two triangles are equally near, the other rays
+// of a packet may determine which one is found.
 Region traced_part(const Region& tile, const Region& window) {
     const auto part = [](std::size_t begin, std::size_t side, std::size_t from, std::size_t to) {
         constexpr std::size_t packet = embree::Accelerator::packet_side;

@@ -12,7 +12,7 @@
 
 namespace balcony::render {
 
-/// What all threads of a job share.
+/// Data shared by all threads of a job.
 struct JobParts {
     const TracedScene& traced;
     rays::CompiledPicture picture;
@@ -21,7 +21,7 @@ struct JobParts {
     double compile_seconds = 0.0;
 };
 
-/// What was done, by one thread or by several together.
+/// The counts of one thread, or the sum of several.
 struct WorkCounts {
     std::vector<RayCounts> layers;  ///< By camera layer.
     std::uint64_t invalid_pixels = 0;

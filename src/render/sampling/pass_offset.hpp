@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Where in their pixels the samples of a pass lie.
+// The sample positions of a pass in the pixels.
 
 #include <cstddef>
 
@@ -11,8 +11,8 @@
 namespace balcony::render {
 
 /// From the pixel's centre: the centre itself in pass 0, then points of a low-discrepancy sequence,
-/// spread like a tent of radius 1. Multiples of 2^-30, so that a picture point is the same number
-/// whichever tile it is computed from.
+/// warped to a tent of radius 1. Multiples of 2^-30, so that a picture point is the same number
+/// in every tile.
 [[nodiscard]] Imath::V2d pass_offset(std::size_t pass);
 
 }  // namespace balcony::render

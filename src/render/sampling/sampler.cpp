@@ -53,7 +53,7 @@ std::uint32_t sobol_second(std::uint32_t index) {
     return result;
 }
 
-// The 24 bits that a float below 1 can hold.
+// The 24 bits of a float below 1.
 float unit_float(std::uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24F; }
 
 }  // namespace

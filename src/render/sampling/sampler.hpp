@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Random numbers that are the same whoever asks for them, and when.
+// Random numbers that do not depend on the order of requests.
 
 #include <cstddef>
 #include <cstdint>
@@ -11,12 +11,12 @@
 
 namespace balcony::render {
 
-/// The numbers of one sample of one pixel, one dimension after another. They depend on pixel, pass
-/// and dimension alone.
+/// The numbers of one sample of one pixel, by dimension. They depend only on pixel, pass
+/// and dimension.
 ///
 /// Over the passes of a pixel, each dimension and each pair is an Owen-scrambled Sobol' sequence:
 /// of any 2^k passes from a multiple of 2^k on, one lies in each of 2^k equal parts of [0, 1), and
-/// so for the elementary rectangles of a pair. Dimensions are shuffled against each other: Burley,
+/// likewise for the elementary rectangles of a pair. Dimensions are shuffled independently: Burley,
 /// "Practical Hash-based Owen Scrambling" (JCGT 2020).
 class Sampler {
 public:

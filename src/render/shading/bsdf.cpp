@@ -14,7 +14,7 @@ namespace {
 constexpr Color3f white(1.0F, 1.0F, 1.0F);
 constexpr float pi = std::numbers::pi_v<float>;
 
-// Below this roughness a surface mirrors.
+// Surfaces with a roughness below this are mirrors.
 constexpr float smooth_roughness = 0.1F;
 
 float square(float x) { return x * x; }
@@ -34,7 +34,7 @@ float masking(float a2, float n_l, float n_v) {
            n_v * std::sqrt(square(n_l) * (1.0F - a2) + a2);
 }
 
-// The part of the facets turned to the viewer that he sees, over the cosine to him.
+// The visible fraction of the facets turned to the viewer, divided by the viewing cosine.
 float visible_part(float a2, float n_v) {
     return 2.0F / (n_v + std::sqrt(a2 + (1.0F - a2) * square(n_v)));
 }
@@ -63,7 +63,7 @@ V3f sample_cosine(float u, float v) {
     return {radius * std::cos(angle), radius * std::sin(angle), std::sqrt(1.0F - u)};
 }
 
-// A facet of those that the viewer sees: Dupuy and Benyoub, "Sampling Visible GGX Normals with
+// Samples a visible facet: Dupuy and Benyoub, "Sampling Visible GGX Normals with
 // Spherical Caps" (2023).
 V3f sample_facet(const V3f& to_viewer, float alpha, float u, float v) {
     const V3f stretched = V3f(alpha * to_viewer.x, alpha * to_viewer.y, to_viewer.z).normalized();
@@ -76,7 +76,7 @@ V3f sample_facet(const V3f& to_viewer, float alpha, float u, float v) {
 
 }  // namespace
 
-// Reflectance at normal incidence: 4 % of an index of refraction of 1.5, or the metal's colour.
+// Reflectance at normal incidence: 4 %, for an index of refraction of 1.5, or the metal's colour.
 Bsdf::Bsdf(const Appearance& appearance, const V3f& normal, const V3f& geometric_normal)
     : diffuse_((1.0F - appearance.metallic) * appearance.base_color),
       specular_((1.0F - appearance.metallic) * 0.04F * white +

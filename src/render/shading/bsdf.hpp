@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// How a point of a surface reflects light.
+// The reflection of light at a point of a surface.
 
 #include <optional>
 
@@ -16,49 +16,49 @@ namespace balcony::render {
 using Imath::Color3f;
 using Imath::V3f;
 
-/// A direction that light comes from, chosen with a probability.
+/// A sampled direction of incident light.
 struct BsdfSample {
     V3f to_light;
-    Color3f weight;      ///< eval() over the density: what the light's radiance is multiplied by.
+    Color3f weight;      ///< eval() divided by the density: the factor for the incident radiance.
     float pdf = 0.0F;    ///< Bsdf::pdf() of the direction; 0 of a delta lobe, which has no density.
-    bool delta = false;  ///< From the mirror.
+    bool delta = false;  ///< Whether it is from the mirror lobe.
     V3f facet_normal;    ///< Unit: that of the facet that reflects, or of the surface if diffuse.
 };
 
 /// glTF 2.0's metallic-roughness material (appendix B): Lambert's law under a GGX microfacet layer
 /// (Walter et al. 2007) with Smith's height-correlated masking and Schlick's approximation of
 /// Fresnel's reflectance. Where the roughness is below 0.1 the layer is a perfect mirror, a delta
-/// lobe: eval() and pdf() leave it out, sample() and sample_mirror() find it.
+/// lobe: eval() and pdf() exclude it; sample() and sample_mirror() include it.
 ///
 /// Directions are in world coordinates, unit, and point away from the surface; the viewer is above
 /// the surface, in front of both normals. Light from below is not reflected.
 ///
-/// Both lobes share the light by Fresnel's reflectance at the half vector. That is reciprocal, but
-/// a dielectric seen at a grazing angle gives off more than it receives, as glTF's own formula
-/// does: docs/rendering.md has the figures.
+/// Both lobes share the light by the Fresnel reflectance at the half vector. This is reciprocal,
+/// but a dielectric seen at a grazing angle reflects more light than it receives, as in glTF's own
+/// formula; docs/rendering.md has the figures.
 class Bsdf {
 public:
     Bsdf(const Appearance& appearance, const V3f& normal, const V3f& geometric_normal);
 
     /// The reflectance times the cosine between normal and light: the radiance towards the viewer
-    /// for an irradiance of 1 on a plane across the light's direction.
+    /// for an irradiance of 1 on a plane perpendicular to the light's direction.
     [[nodiscard]] Color3f eval(const V3f& to_viewer, const V3f& to_light) const;
 
     /// The density, by solid angle, with which sample() chooses a direction from its lobes other
-    /// than the mirror. Over the sphere it integrates to 1 less the probability of the mirror; part
-    /// of it lies below the surface, where sample() finds nothing.
+    /// than the mirror. Over the sphere it integrates to 1 minus the probability of the mirror;
+    /// part of it is below the surface, where sample() returns nothing.
     [[nodiscard]] float pdf(const V3f& to_viewer, const V3f& to_light) const;
 
-    /// A direction by three numbers from [0, 1): the first chooses the lobe. Nothing where the
-    /// direction leads into the surface, and where the surface is black.
+    /// A direction from three numbers in [0, 1): the first selects the lobe. Nothing if the
+    /// direction points into the surface, or if the surface is black.
     [[nodiscard]] std::optional<BsdfSample> sample(const V3f& to_viewer, const V3f& random) const;
 
-    /// The mirror alone, with its whole weight; nothing where there is none. A direction that would
-    /// lead into the surface is mirrored by the geometric normal instead.
+    /// Only the mirror lobe, with its whole weight; nothing if there is none. A direction that
+    /// would point into the surface is reflected by the geometric normal instead.
     [[nodiscard]] std::optional<BsdfSample> sample_mirror(const V3f& to_viewer) const;
 
-    /// What becomes of light that comes evenly from everywhere, without the mirror and without
-    /// Fresnel's effect: an approximation for ambient light.
+    /// The reflectance for uniform light from all directions, without the mirror and without
+    /// the Fresnel effect: an approximation for ambient light.
     [[nodiscard]] Color3f ambient_reflectance() const;
 
 private:
@@ -68,7 +68,7 @@ private:
 
     Color3f diffuse_;
     Color3f specular_;  // Reflectance at normal incidence.
-    Color3f metal_;     // The metal's part of the base colour.
+    Color3f metal_;     // The metallic part of the base colour.
     float alpha_;       // GGX's width: the roughness squared.
     bool mirror_;
     V3f normal_;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The lights of a scene: punctual ones, as the glTF extension KHR_lights_punctual defines them, and
-// the light at the viewer that shows a scene without any.
+// The lights of a scene: punctual lights, as defined by the glTF extension KHR_lights_punctual, and
+// the default light at the viewer.
 
 #include <cstddef>
 #include <optional>
@@ -15,7 +15,7 @@
 
 namespace balcony::render {
 
-/// A point that is lit, and where it is seen from.
+/// An illuminated point, and the direction to its viewer.
 struct LitPoint {
     Imath::V3f position;   ///< World coordinates.
     Imath::V3f to_viewer;  ///< Unit.
@@ -25,14 +25,14 @@ struct LitPoint {
 struct Illumination {
     Imath::V3f to_light;           ///< Unit.
     float distance = 0.0F;         ///< Scene units; infinite for a directional light, 0 for the
-                                   ///< light at the viewer, which nothing shadows.
+                                   ///< light at the viewer, which casts no shadows.
     Imath::Color3f irradiance{0};  ///< On a plane perpendicular to its direction, in lux.
 };
 
 /// One light, chosen with a probability.
 struct LightSample {
     Illumination arriving;
-    float probability = 0.0F;  ///< Of this light among all. Its direction is then certain.
+    float probability = 0.0F;  ///< The probability of selecting this light.
 };
 
 /// All lights of a scene, which must outlive the set.
@@ -42,11 +42,11 @@ public:
 
     [[nodiscard]] std::size_t size() const;
 
-    /// What arrives from a light, by index. Nothing from one that lies on the point.
+    /// The light from one source, by index. Nothing from a source at the point itself.
     [[nodiscard]] Illumination arriving(std::size_t light, const LitPoint& point) const;
 
-    /// One light by a number from [0, 1). The mean of irradiance / probability is the sum over all
-    /// lights. Nothing where there are none.
+    /// Selects one light by a number in [0, 1). The mean of irradiance / probability is the sum
+    /// over all lights. Nothing if there are none.
     [[nodiscard]] std::optional<LightSample> sample(const LitPoint& point, float random) const;
 
 private:

@@ -35,12 +35,12 @@ Diagnostics check(const scene::Scene& scene) {
     for (const scene::Mesh& mesh : scene.meshes) {
         if (!holds_together(mesh) || !leads_into(mesh.material, scene.materials)) {
             found.push_back(error(fmt::format(
-                "mesh '{}' refers to vertices or a material that are not there", mesh.name)));
+                "mesh '{}' refers to missing vertices or to a missing material", mesh.name)));
         }
     }
     for (const scene::Instance& instance : scene.instances) {
         if (!leads_into(instance.mesh, scene.meshes) || instance.object >= scene.objects.size()) {
-            found.push_back(error("an instance refers to a mesh or an object that is not there"));
+            found.push_back(error("an instance refers to a missing mesh or object"));
         }
     }
     for (const scene::Material& material : scene.materials) {
@@ -48,8 +48,8 @@ Diagnostics check(const scene::Scene& scene) {
              {material.base_color_texture, material.emission_texture,
               material.metallic_roughness_texture}) {
             if (texture.valid() && !leads_into(texture, scene.textures)) {
-                found.push_back(error(fmt::format(
-                    "material '{}' refers to a texture that is not there", material.name)));
+                found.push_back(
+                    error(fmt::format("material '{}' refers to a missing texture", material.name)));
             }
         }
     }

@@ -6,8 +6,8 @@
 
 namespace balcony::render {
 
-/// Whether a scene holds together: indices that lead somewhere, normals and texture coordinates
-/// empty or one a vertex. Errors name what does not.
+/// Whether a scene is consistent: valid indices, and normals and texture coordinates
+/// empty or one per vertex. Errors name the inconsistent part.
 [[nodiscard]] Diagnostics check(const scene::Scene& scene);
 
 }  // namespace balcony::render

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// A scene made ready to trace, and the questions that an integrator asks of it.
+// A scene prepared for tracing, and its queries for integrators.
 
 #include <memory>
 
@@ -25,14 +25,14 @@ struct TracedScene {
     bool textured = false;  ///< Some material has a texture, so footprints matter.
 };
 
-/// What a ray meets.
+/// The first surface on a ray.
 struct Interaction {
     Surface surface;
     PositionDifferentials moved;  ///< The ray's footprint; 0 in scenes without textures.
     Appearance appearance;
 };
 
-/// Asks a scene; belongs to one thread.
+/// Queries a scene; belongs to one thread.
 class SceneTracer final : private embree::OpacitySource {
 public:
     explicit SceneTracer(const TracedScene& traced)
@@ -44,10 +44,10 @@ public:
         return traced_->accelerator.intersect({ray.origin, ray.direction});
     }
 
-    /// What is at a hit of the ray.
+    /// The surface at a hit of the ray.
     [[nodiscard]] Interaction interaction(const Ray& ray, const embree::Hit& hit) const;
 
-    /// The part of the light that reaches a surface from a direction and a distance.
+    /// The fraction of the light that reaches a surface from a direction and a distance.
     [[nodiscard]] float transmittance(const Surface& surface, const V3f& to_light,
                                       float distance) const;
 
