@@ -3,7 +3,6 @@
 
 // Any curve by its length.
 
-#include <ctime>
 #include <numbers>
 
 #include "support.hpp"
@@ -136,19 +135,6 @@ TEST(ArcLengthCurve, SaysWhatItCannotTabulate) {
     EXPECT_NE(said(hyperbola, 0.0, 1.0).find("has no point at its parameter 0.785"),
               std::string::npos);
     EXPECT_EQ(said(bezier, 0.2, 0.9), "");
-}
-
-// A table takes about 1 ms; ten times that is left for a slow or instrumented build.
-TEST(ArcLengthCurve, IsMadeQuickly) {
-    const ObjectGeneratorPointer curve = ellipse();
-    constexpr int times = 10;
-    const std::clock_t begin = std::clock();
-    for (int i = 0; i < times; ++i) {
-        (void)by_length(curve, 0.0, 2.0 * pi);
-    }
-    const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC / times;
-    EXPECT_LT(seconds, 0.01);
-    RecordProperty("microseconds", static_cast<int>(seconds * 1e6));
 }
 
 }  // namespace balcony::camera

@@ -3,7 +3,6 @@
 
 #include "camera/arc_length.hpp"
 
-#include <ctime>
 #include <numbers>
 
 #include "support.hpp"
@@ -107,18 +106,6 @@ TEST(ArcLength, NeedsConstantsAndAGammaItResolves) {
     EXPECT_FALSE(try_stage(StageKind::object_generator, "superellipse", moving));
     EXPECT_FALSE(
         try_stage(StageKind::object_generator, "superellipse", parts(1.0, 1.0, 2.1, "arc_length")));
-}
-
-// A table is made in about 1 ms; ten times that is left for a slow or instrumented build.
-TEST(ArcLength, IsMadeQuickly) {
-    constexpr int times = 20;
-    const std::clock_t begin = std::clock();
-    for (int i = 0; i < times; ++i) {
-        (void)object("superellipse", parts(45.0, 25.0, 0.25, "arc_length"));
-    }
-    const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC / times;
-    EXPECT_LT(seconds, 0.01);
-    RecordProperty("microseconds", static_cast<int>(seconds * 1e6));
 }
 
 TEST(EndGrading, MapsTheUnitRangeOntoItselfWithTheSlopeItStates) {
