@@ -130,8 +130,7 @@ private:
                                             percent(finding.share), in_regions(none.size()));
         finding.remedy =
             "if this is unintended, restrict map to the range in which the objects and formulas "
-            "are defined "
-            "for";
+            "are defined";
     }
 
     [[nodiscard]] std::size_t count_orientation(int orientation) const {

@@ -280,7 +280,7 @@ std::vector<StageEntry> complex_maps() {
            .constant = true,
            .meaning =
                "number of scale factors per turn; 0 is the picture within the picture, without "
-               "twisted"},
+               "rotation"},
           {.name = "grows",
            .type = choice,
            .choices = {"clockwise", "counter_clockwise"},

@@ -291,7 +291,7 @@ std::vector<StageEntry> seed_warps() {
         {object_kind,
          "inverse_distance",
          "a deformation of space: the mean of the offsets of seed points, weighted by inverse "
-         "more",
+         "distance",
          inverse_distance_parameters(object_kind),
          inverse_distance<ObjectOffset>,
          {},
