@@ -292,8 +292,8 @@ camera round_the_block {
          {},
          1,
          R"(
-// Two walls that meet in a corner, both seen at right angles, with a narrow bend in between: the rays
-// pass from one superhyperbola to another.
+// Two walls that meet in a corner, both seen at right angles, with a narrow bend between them. The
+// rays pass from one superhyperbola to another.
 camera corner(gamma = 1/2) {
     map    u = -2 .. 2, v = -1 .. 1
     eye    superhyperbola(2, 2, gamma)
