@@ -97,7 +97,7 @@ TEST(NamedPoints, MismatchesAreReported) {
     EXPECT_EQ(error_of(with("eye sphere(1 + two)")),
               "expected a number, but 'two' is 2 numbers in parentheses");
     EXPECT_EQ(error_of(with("eye sphere(many)")),
-              "'radius' of 'sphere' takes one number, but this is a list");
+              "'radius' of 'sphere' takes a number, but this is a list");
     EXPECT_EQ(error_of(with("eye disc(2) move translate(three, 4)")),
               "'translate' takes 3 arguments, but 4 are given");
     EXPECT_EQ(error_of(with("eye disc(2) move translate(three, x = 4)")), "'x' is given twice");
