@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Drawings of cameras: what must be on the page, whatever it looks like.
+// Drawings of cameras: the required contents of the page, independent of its design.
 
 #include "balcony/drawing.hpp"
 

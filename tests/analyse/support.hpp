@@ -13,7 +13,7 @@ namespace balcony::analyse::test {
 /// The last camera of a text in the camera language; the text must be good.
 camera::Camera camera_of(const std::string& text);
 
-/// A camera that comes along.
+/// A built-in camera.
 camera::Camera standard(const std::string& name, const std::vector<lang::Override>& overrides = {});
 
 /// On a picture of a size in pixels, measured at a distance if one is given.

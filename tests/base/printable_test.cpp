@@ -39,7 +39,7 @@ TEST(Printable, LineFeedsAreKeptOnRequest) {
     EXPECT_EQ(printable("a\r\nb", LineFeeds::keep), "a?\nb");
 }
 
-// Nothing is left to replace the second time, whatever the bytes.
+// For any bytes, a second call replaces nothing.
 TEST(Printable, IsIdempotent) {
     std::mt19937 random(1);
     for (int round = 0; round < 2000; ++round) {

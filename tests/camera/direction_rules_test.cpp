@@ -225,7 +225,7 @@ TEST(BlendRule, IsItsRulesAtTheWeightsZeroAndOne) {
     }
 }
 
-// Unit vectors are mixed, whatever the lengths of the rules' own: half and half is the bisector.
+// Unit vectors are mixed, for any lengths of the rules' vectors: half and half is the bisector.
 TEST(BlendRule, MixesUnitVectorsByItsFormula) {
     const auto plane = object("plane");
     const auto rule =

@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// Cameras put together at random from the whole catalogue.
+// Random cameras from the whole catalogue.
 
 #include <random>
 

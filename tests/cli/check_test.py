@@ -1,6 +1,6 @@
 # Balcony: rendering through extended cameras.
 # SPDX-License-Identifier: Apache-2.0
-"""What `balcony check` says of cameras, besides what is wrong with their text."""
+"""balcony check: the analysis of cameras, apart from errors in their text."""
 
 import os
 import struct

@@ -1,6 +1,6 @@
 # Balcony: rendering through extended cameras.
 # SPDX-License-Identifier: Apache-2.0
-"""balcony draw: pictures and scenes of cameras, and what it refuses."""
+"""balcony draw: pictures and scenes of cameras, and errors."""
 
 import xml.etree.ElementTree as ElementTree
 

@@ -1,6 +1,6 @@
 # Balcony: rendering through extended cameras.
 # SPDX-License-Identifier: Apache-2.0
-"""Signals: what was rendered is saved, or nothing happens to the files."""
+"""Signals: the partial picture is saved, or the files are unchanged."""
 
 import os
 import pty

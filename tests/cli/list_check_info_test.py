@@ -1,6 +1,6 @@
 # Balcony: rendering through extended cameras.
 # SPDX-License-Identifier: Apache-2.0
-"""The commands that look and do not render."""
+"""The commands that do not render."""
 
 import support
 

@@ -1,6 +1,6 @@
 # Balcony: rendering through extended cameras.
 # SPDX-License-Identifier: Apache-2.0
-"""balcony locate: where points in space are seen."""
+"""balcony locate: positions of points in space."""
 
 import math
 import subprocess

@@ -1,6 +1,6 @@
 # Balcony: rendering through extended cameras.
 # SPDX-License-Identifier: Apache-2.0
-"""Files are written whole or not at all, and never over what they are made from."""
+"""Output files are complete or not written, and never replace an input."""
 
 import os
 import shutil

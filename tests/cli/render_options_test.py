@@ -1,6 +1,6 @@
 # Balcony: rendering through extended cameras.
 # SPDX-License-Identifier: Apache-2.0
-"""What render takes and refuses, what it says, and that the picture is right."""
+"""Options, errors and reports of render, and the correct picture."""
 
 import os
 import pty

@@ -1,10 +1,10 @@
 # Balcony: rendering through extended cameras.
 # SPDX-License-Identifier: Apache-2.0
-"""docs/stages says what the catalogue says, and has a picture of every example."""
+"""docs/stages matches the catalogue and has a picture of every example."""
 
 import support
 
-REMEDY = "docs/stages is not what the catalogue says: run scripts/pictures --stages and commit the result"
+REMEDY = "docs/stages does not match the catalogue: run scripts/pictures --stages and commit the result"
 MOST_BYTES = 60_000
 
 

@@ -1,6 +1,6 @@
 # Balcony: rendering through extended cameras.
 # SPDX-License-Identifier: Apache-2.0
-"""What the tests of the command share: a folder with a small scene, and runs of the command."""
+"""Common parts of the tests of the command: a folder with a small scene, and runs of the command."""
 
 import base64
 import json

@@ -1,6 +1,6 @@
 # Balcony: rendering through extended cameras.
 # SPDX-License-Identifier: Apache-2.0
-"""Nothing that others wrote, be it a name in a file or the name of a file, acts on a terminal."""
+"""Names in files and names of files cannot control a terminal."""
 
 import json
 import os

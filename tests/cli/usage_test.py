@@ -1,6 +1,6 @@
 # Balcony: rendering through extended cameras.
 # SPDX-License-Identifier: Apache-2.0
-"""Help, command lines that are wrong, and streams that are closed."""
+"""Help, invalid command lines, and closed streams."""
 
 import os
 import subprocess

@@ -352,7 +352,7 @@ TEST(StageArguments, AFormulaHasTheNameOfItsParameter) {
               "stage(r, weight(u, v) = [a], s)");
 }
 
-// A formula whose name is that of a stage is this stage, whatever formulas the row takes.
+// A formula with the name of a stage is this stage, for any formulas of the row.
 TEST(StageArguments, AFormulaMayBeAStageBesideFormulas) {
     const std::vector<StageParameter> row{{.name = "inner",
                                            .type = ParameterType::stage,

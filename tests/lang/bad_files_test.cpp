@@ -1,8 +1,8 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Every file bad/NN-name.cam has what Balcony says of it in bad/NN-name.expected, to the letter.
-// After a change of messages, BALCONY_WRITE_EXPECTED=1 lang_test writes the expected files anew;
+// Every file bad/NN-name.cam has its exact diagnostics in bad/NN-name.expected.
+// After a change of messages, BALCONY_WRITE_EXPECTED=1 lang_test rewrites the expected files;
 // read each difference before it is committed.
 
 #include <gtest/gtest.h>
@@ -73,7 +73,7 @@ std::string let(int i, std::string_view value) {
     return test::joined({"let ", name(i), " = ", value, "\n"});
 }
 
-// Files that nobody wants in a repository.
+// Files that do not belong in a repository.
 
 TEST(GeneratedBadFile, FiftyMegabytesAreRefusedUnread) {
     const test::TemporaryFolder folder;

@@ -184,7 +184,7 @@ TEST(Format, LeavesCommentsBehindLongLines) {
 }
 
 TEST(Format, FillsLinesUpToTheElementThatDoesNotFit) {
-    // The third argument fits into the first line, whatever stands behind it.
+    // The third argument fits into the first line, regardless of the text after it.
     const std::string first =
         "    eye product(superellipse(1, 2, 0.25), superellipse(1, 2, 0.25), scale(1, (2, 3)),";
     const std::string second = "                superellipse(45, 25.5, 0.25))";
@@ -267,7 +267,7 @@ TEST_P(FormatsFile, KeepingEveryWordAndThenChangingNothing) {
     EXPECT_EQ(formatted(*made), *made);
 }
 
-// What comes along shows the layout.
+// The built-in cameras are in the standard layout.
 TEST_P(FormatsFile, UnchangedIfBuiltIn) {
     if (GetParam().string().find("tests/lang") == std::string::npos) {
         const std::string text = test::read_file(GetParam());

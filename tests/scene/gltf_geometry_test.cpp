@@ -146,7 +146,7 @@ TEST_F(GltfGeometry, MissingNormalsAreFlat) {
     }
 }
 
-// The triangle is tilted, so that the normal of its face is nobody's default.
+// The triangle is tilted, so that the normal of its face differs from any default.
 TEST_F(GltfGeometry, NormalsWithoutLengthAreTheFaces) {
     Gltf gltf = one_triangle();
     gltf.primitive(0)["attributes"] = {

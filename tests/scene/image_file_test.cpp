@@ -220,7 +220,7 @@ TEST_F(Images, TilesBeyondReasonAreRefused) {
               "its tiles of 1048576 x 1048576 pixels are too large");
 }
 
-// Whatever the bytes are, an image is opened and read or there is a reason why not.
+// For any bytes, an image is opened and read, or there is an error with a reason.
 TEST_F(Images, ChangedBytesDoNoHarm) {
     std::mt19937 random(7);
     for (const std::string ending : endings) {

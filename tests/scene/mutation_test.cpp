@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// Scene files with bytes changed at random: whatever they hold, load() returns. The seed is fixed,
+// Scene files with random byte changes: load() returns for any content. The seed is fixed,
 // so that a failure can be repeated; the numbers are small enough for every test run.
 
 #include <cstdint>
