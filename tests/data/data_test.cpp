@@ -233,7 +233,7 @@ TEST_F(Data, AnInvalidImageIsAnError) {
     EXPECT_EQ(first_message(read_grey_image(write("unknown.xyz", "")).diagnostics),
               "'unknown.xyz' cannot be read as an image: its format is not supported");
     EXPECT_EQ(first_message(read_grey_image(write("cut.png", "\x89PNG\r\n\x1a\n")).diagnostics),
-              "'cut.png' cannot be read as an image: it is truncated");
+              "'cut.png' cannot be read as an image: its header is corrupt");
 }
 
 TEST_F(Data, AnImageTooLargeIsRefusedByItsHeader) {

@@ -161,7 +161,7 @@ TEST_F(GltfGeometry, NormalsWithoutLengthAreTheFaces) {
     EXPECT_TRUE(normals[0].equalWithAbsError(faced, single_rounding)) << normals[0];
     EXPECT_EQ(normals[1], V3f(0, 0, 1)) << "a normal that has a length is kept";
     EXPECT_TRUE(normals[2].equalWithAbsError(faced, single_rounding)) << normals[2];
-    EXPECT_TRUE(says(scene, "mesh 'mesh': 2 normals without length replaced"));
+    EXPECT_TRUE(says(scene, "mesh 'mesh': 2 normals of length 0 replaced"));
 }
 
 TEST_F(GltfGeometry, TextureCoordinatesKeepTheTopLeftCorner) {

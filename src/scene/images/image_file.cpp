@@ -47,24 +47,24 @@ std::optional<Diagnostic> check_size(std::size_t width, std::size_t height) {
 
 // Checks the header before the reader allocates memory for it.
 std::optional<Diagnostic> check_header(const ImageFormat& format, IOProxy& bytes) {
+    if (format.declared_size != nullptr) {
+        const std::optional<DeclaredSize> size = format.declared_size(bytes);
+        if (!size) {
+            return error("its header is corrupt");
+        }
+        if (auto failure = check_size(size->width, size->height)) {
+            return failure;
+        }
+        if (format.max_pixels_per_byte > 0 &&
+            size->width * size->height / format.max_pixels_per_byte > bytes.size()) {
+            return error(
+                fmt::format("it declares {} x {} pixels, more than its {} bytes can contain",
+                            size->width, size->height, bytes.size()),
+                {}, "copy or export it again");
+        }
+    }
     if (format.is_whole != nullptr && !format.is_whole(bytes)) {
-        return error("it is truncated", {}, "copy or export it again");
-    }
-    if (format.declared_size == nullptr) {
-        return std::nullopt;
-    }
-    const std::optional<DeclaredSize> size = format.declared_size(bytes);
-    if (!size) {
-        return error("its header is corrupt");
-    }
-    if (auto failure = check_size(size->width, size->height)) {
-        return failure;
-    }
-    if (format.max_pixels_per_byte > 0 &&
-        size->width * size->height / format.max_pixels_per_byte > bytes.size()) {
-        return error(fmt::format("it declares {} x {} pixels, more than its {} bytes can contain",
-                                 size->width, size->height, bytes.size()),
-                     {}, "copy or export it again");
+        return error("it is truncated or corrupt", {}, "copy or export it again");
     }
     return std::nullopt;
 }
@@ -85,8 +85,8 @@ std::optional<Diagnostic> check_spec(const OIIO::ImageSpec& spec) {
         return error("it has no channels");
     }
     if (size(spec.nchannels) > max_image_values / (size(spec.width) * size(spec.height))) {
-        return error(fmt::format("it has {} channels, too many for {} x {} pixels",
-                                 spec.nchannels, spec.width, spec.height),
+        return error(fmt::format("it has {} channels, too many for {} x {} pixels", spec.nchannels,
+                                 spec.width, spec.height),
                      {}, "keep only its colour and alpha channels");
     }
     const std::size_t columns = std::max(size(spec.width), size(spec.tile_width));

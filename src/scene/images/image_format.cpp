@@ -23,6 +23,10 @@ std::string bytes_at(IOProxy& file, std::size_t offset, std::size_t count) {
     return bytes;
 }
 
+bool has(std::string_view bytes, std::size_t offset, std::string_view text) {
+    return offset <= bytes.size() && bytes.substr(offset).starts_with(text);
+}
+
 // An unsigned number of `count` bytes; 0 past the end.
 std::size_t big_endian(std::string_view bytes, std::size_t offset, std::size_t count) {
     std::size_t number = 0;
@@ -56,11 +60,11 @@ constexpr std::array hdr_signature{'#', '?'};
 constexpr std::array bmp_signature{'B', 'M'};
 
 bool is_webp(const std::string& start, const std::string&) {
-    return start.starts_with("RIFF") && start.compare(8, 4, "WEBP") == 0;
+    return has(start, 0, "RIFF") && has(start, 8, "WEBP");
 }
 
-// TGA has no signature, but few headers are plausible: a kind of image, with or without a colour map,
-// and a valid depth.
+// TGA has no signature, but few headers are plausible: a kind of image, with or without a colour
+// map, and a valid depth.
 bool is_tga(const std::string& start, const std::string& ending) {
     if (ending != ".tga" || start.size() < 18) {
         return false;
@@ -75,19 +79,52 @@ bool is_tga(const std::string& start, const std::string& ending) {
 
 Size png_size(IOProxy& file) {
     const std::string header = bytes_at(file, 0, 24);
-    return header.compare(12, 4, "IHDR") == 0
-               ? Size({big_endian(header, 16, 4), big_endian(header, 20, 4)})
-               : std::nullopt;
+    return has(header, 12, "IHDR") ? Size({big_endian(header, 16, 4), big_endian(header, 20, 4)})
+                                   : std::nullopt;
 }
 
-// Visits all chunks up to the last.
+// PNG specification, annex D: the checksum of a chunk's kind and data.
+constexpr std::array<std::uint32_t, 256> checksum_table = [] {
+    std::array<std::uint32_t, 256> table{};
+    for (std::uint32_t byte = 0; byte < table.size(); ++byte) {
+        std::uint32_t value = byte;
+        for (int bit = 0; bit < 8; ++bit) {
+            value = (value & 1U) != 0 ? 0xedb88320U ^ value >> 1U : value >> 1U;
+        }
+        table[byte] = value;
+    }
+    return table;
+}();
+
+std::uint32_t checksum(IOProxy& file, std::size_t begin, std::size_t end) {
+    constexpr std::size_t at_once = 65536;
+    std::uint32_t value = 0xffffffffU;
+    for (std::size_t at = begin; at < end; at += at_once) {
+        for (const char byte : bytes_at(file, at, std::min(at_once, end - at))) {
+            value =
+                checksum_table[(value ^ static_cast<unsigned char>(byte)) & 0xffU] ^ value >> 8U;
+        }
+    }
+    return ~value;
+}
+
+// Visits all chunks up to the last and compares their checksums, because libpng prints what it
+// finds.
 bool png_is_whole(IOProxy& file) {
-    constexpr std::size_t around_data = 12;  // Length, kind and checksum.
-    for (std::size_t at = png_signature.size(); at + around_data <= file.size();) {
-        const std::string head = bytes_at(file, at, 8);
-        at += around_data + big_endian(head, 0, 4);
-        if (head.compare(4, 4, "IEND") == 0) {
-            return at <= file.size();
+    constexpr std::size_t length_size = 4;
+    constexpr std::size_t kind_size = 4;
+    constexpr std::size_t checksum_size = 4;
+    for (std::size_t at = png_signature.size(); at < file.size();) {
+        const std::string head = bytes_at(file, at, length_size + kind_size);
+        const std::size_t begin = at + length_size;
+        const std::size_t end = begin + kind_size + big_endian(head, 0, length_size);
+        at = end + checksum_size;
+        if (at > file.size() ||
+            checksum(file, begin, end) != big_endian(bytes_at(file, end, checksum_size), 0, 4)) {
+            return false;
+        }
+        if (has(head, length_size, "IEND")) {
+            return true;
         }
     }
     return false;
@@ -114,10 +151,10 @@ Size jpeg_size(IOProxy& file) {
 
 Size webp_size(IOProxy& file) {
     const std::string header = bytes_at(file, 0, 30);
-    if (header.compare(12, 4, "VP8X") == 0) {
+    if (has(header, 12, "VP8X")) {
         return DeclaredSize{little_endian(header, 24, 3) + 1, little_endian(header, 27, 3) + 1};
     }
-    if (header.compare(12, 4, "VP8L") == 0) {
+    if (has(header, 12, "VP8L")) {
         const std::size_t bits = little_endian(header, 21, 4);
         return DeclaredSize{(bits & 0x3fffU) + 1, (bits >> 14U & 0x3fffU) + 1};
     }

@@ -25,7 +25,8 @@ struct ImageFormat {
     /// The size from the header, for formats whose reader allocates memory when it opens the file;
     /// {} for an invalid header. Null if opening is cheap for any header.
     std::optional<DeclaredSize> (*declared_size)(OIIO::Filesystem::IOProxy& bytes);
-    /// Whether the file is complete. Null if the reader reports this without printing.
+    /// Whether the file is complete and undamaged. Null if the reader reports this without
+    /// printing.
     bool (*is_whole)(OIIO::Filesystem::IOProxy& bytes);
 };
 
