@@ -49,8 +49,8 @@ void describe(CLI::App& app) {
         "  balcony render scene.glb --camera superelliptic -o walls.png\n"
         "  balcony list cameras                           list the built-in cameras\n"
         "\n"
-        "Exit codes: 0 success, 1 bad input, 2 wrong usage, 3 environment (disk full, ...),\n"
-        "130 interrupted (the partial picture is saved).");
+        "Exit codes: 0 success, 1 bad input, 2 wrong usage, 3 environment (disk full,\n"
+        "...), 130 interrupted (the partial picture is saved).");
 }
 
 void report_error(const balcony::Diagnostic& diagnostic, bool as_json) {
@@ -115,8 +115,8 @@ int main(int argc, char** argv) {
     const cli::Interruption interruption;
 
     CLI::App app{
-        "Balcony renders 3D scenes through extended cameras. A camera is any function from\n"
-        "a point of the picture to a ray, described in a .cam file.",
+        "Balcony renders 3D scenes through extended cameras. A camera is any function\n"
+        "from a point of the picture to a ray, described in a .cam file.",
         "balcony"};
     describe(app);
     ExitCode code = run(app, argc, argv);

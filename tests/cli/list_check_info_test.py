@@ -28,7 +28,7 @@ class List(support.CommandTest):
     def test_cameras(self):
         out, _ = self.run_command("list", "cameras")
         self.assertIn("superelliptic(", out)
-        self.assertIn("drawn up into a wall.\northographic(", out)
+        self.assertIn("extruded vertically.\northographic(", out)
         out, _ = self.run_command("list", "pinhole")
         self.assertIn("pinhole(fov = 60deg", out)
         out, _ = self.run_command("list", "my.cam")

@@ -23,7 +23,7 @@ class Help(support.CommandTest):
 
     def test_names_every_command_and_exit_code(self):
         out, _ = self.run_command("--help")
-        for word in (*COMMANDS, "0 done", "1 bad input", "2 wrong usage", "3 environment", "130"):
+        for word in (*COMMANDS, "0 success", "1 bad input", "2 wrong usage", "3 environment", "130"):
             self.assertIn(word, out)
 
     def test_version(self):

@@ -100,7 +100,7 @@ std::string range_text(const StageParameter& parameter) {
 
 std::string call_text(const camera::StageEntry& row) {
     if (row.formula) {
-        return std::string(row.meaning.substr(row.meaning.find(row.name)));
+        return std::string(row.meaning.substr(row.meaning.find(fmt::format("{}(", row.name))));
     }
     std::vector<std::string> names;
     for (const StageParameter& parameter : row.parameters) {
