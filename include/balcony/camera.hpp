@@ -177,6 +177,12 @@ public:
                                                              Emitter&) const {
         return std::nullopt;
     }
+    /// On which side of the whole surface the cross product of the tangents lies: positive on one
+    /// side, negative on the other. It changes sign where a parametrisation goes on beyond a pole
+    /// and the surface turns over; most never do.
+    [[nodiscard]] virtual Expr orientation(const ParameterPoint&, Emitter& emit) const {
+        return emit(1.0);
+    }
 };
 
 /// OCS → OCS.
@@ -188,10 +194,11 @@ public:
 /// A point of an object as a path made it.
 struct PathPoint {
     ObjectPoint point;
-    ObjectVector along_u;  ///< Partial derivative by the object's own parameter u.
-    ObjectVector along_v;  ///< The same by v.
-    ObjectVector normal;   ///< The generator's own, moved with it; else along_u x along_v.
-    ObjectPoint center;    ///< Where the path's object transformers take the origin.
+    ObjectVector along_u;           ///< Partial derivative by the object's own parameter u.
+    ObjectVector along_v;           ///< The same by v.
+    ObjectVector normal;            ///< The generator's own, moved with it; else along_u x along_v.
+    ObjectVector one_sided_normal;  ///< The normal, turned round where the surface turns over.
+    ObjectPoint center;             ///< Where the path's object transformers take the origin.
     ParameterPoint parameters;
     PictureSize size;  ///< Of the camera's picture, which the path covers.
 };

@@ -68,20 +68,24 @@ PathPoint Path::emit(const PicturePoint& picture, Emitter& emit) const {
     const ObjectVector normal =
         own ? moved_normal(*this, generator->generate({u, v}, object_emit), *own, object_emit)
             : cross(along_u, along_v);
+    const Expr orientation = own ? object_emit(1.0) : generator->orientation({u, v}, object_emit);
 
     const ParameterPoint parameters = parameters_of(*this, picture, emit);
     const std::array free{expr::Substitution{u, parameters.u}, expr::Substitution{v, parameters.v}};
-    const std::array made{
-        p.x,       p.y,       p.z,      along_u.x, along_u.y, along_u.z,          along_v.x,
-        along_v.y, along_v.z, normal.x, normal.y,  normal.z,  object_emit.valid()};
+    const std::array made{p.x,       p.y,       p.z,         along_u.x,          along_u.y,
+                          along_u.z, along_v.x, along_v.y,   along_v.z,          normal.x,
+                          normal.y,  normal.z,  orientation, object_emit.valid()};
     const std::vector<Expr> put = expr::substitute(graph, made, free);
     emit.require(put.back());
 
     const Expr zero = graph.constant(0.0);
+    const Expr turned_over = put[12] < zero;
+    const auto one_sided = [&](Expr along) { return select(turned_over, -along, along); };
     return {{put[0], put[1], put[2]},
             {put[3], put[4], put[5]},
             {put[6], put[7], put[8]},
             {put[9], put[10], put[11]},
+            {one_sided(put[9]), one_sided(put[10]), one_sided(put[11])},
             moved(*this, {zero, zero, zero}, emit),
             parameters,
             picture.size};

@@ -114,6 +114,49 @@ TEST(NormalRule, OutwardIsOneSideOfTheWholeSurface) {
         [&](double x, double y) { expect_near(out(x, y).direction, front(x, y).direction, 0.0); });
 }
 
+// Parametrisations that go on beyond their poles, round and back, with a point inside and the part
+// of a torus's tube that lies on the far side of its axis.
+TEST(NormalRule, OutwardStaysOnItsSideBeyondThePoles) {
+    const auto by = [](const char* name, const char* choice) {
+        return object(name, {{"by", std::string(choice)}});
+    };
+    const ObjectGeneratorPointer sphere = object("sphere");
+    const ObjectGeneratorPointer box =
+        object("superellipsoid", {{"a", numbers({3.0})}, {"gamma_v", numbers({0.5})}});
+    const ObjectGeneratorPointer product =
+        object("product", {{"g", object("circle")}, {"h", object("circle")}});
+    for (const auto& [eye, v_from, v_to] :
+         {std::tuple(sphere, -0.5 * pi, 1.5 * pi), std::tuple(sphere, -3.0 * pi, 0.3),
+          std::tuple(object("ellipsoid", {{"c", numbers({2.0})}}), -0.5 * pi, 1.5 * pi),
+          std::tuple(box, -0.4 * pi, 1.6 * pi), std::tuple(product, -4.0, 9.0),
+          std::tuple(by("paraboloid", "polar"), -1.0, 1.0)}) {
+        const bool open = eye != sphere && std::fabs(v_to) == 1.0;
+        const Vector inside = open ? Vector{0.0, 0.0, 2.0} : Vector{0.0, 0.0, 0.0};
+        for (const auto& [side, sign] : {std::pair("outward", 1.0), std::pair("inward", -1.0)}) {
+            const CameraProbe rays(camera(seen(eye, range(-pi, pi, v_from, v_to), normal(side))),
+                                   width, height);
+            at_pixels([&, sign = sign](double x, double y) {
+                const Ray ray = rays(x, y);
+                ASSERT_TRUE(ray.valid);
+                EXPECT_GT(sign * dot(ray.direction, ray.origin - inside), 0.0);
+            });
+        }
+    }
+}
+
+// A smooth surface that passes through the axis: from ray to ray along v, the direction turns and
+// does not jump.
+TEST(NormalRule, OutwardDoesNotJumpWhereATubeGoesThroughItsAxis) {
+    const ObjectGeneratorPointer torus =
+        object("torus", {{"major", numbers({1.0})}, {"minor", numbers({2.0})}});
+    const CameraProbe rays(camera(seen(torus, range(-0.1, 0.1, -pi, pi), normal("outward"))), width,
+                           400.0);
+    for (double y = 0.5; y < 399.0; y += 1.0) {
+        const double turn = angle_between(rays(40.5, y).direction, rays(40.5, y + 1.0).direction);
+        EXPECT_NEAR(turn, 2.0 * pi / 400.0, 1e-6);
+    }
+}
+
 // A mirrored surface has its front inside.
 TEST(NormalRule, OutwardStaysOutwardThroughMoves) {
     for (const auto& transformer : {move("mirror", {{"axis", numbers({1.0, 0.0, 0.0})}}),
@@ -153,6 +196,24 @@ TEST(NormalRule, OutwardIsTheFrontOfAPlane) {
             expect_near(rays(x, y).direction, {1.0, 0.0, 0.0}, 0.0);
         });
     }
+}
+
+// By angle and distance the tangents have no cross product at the apex, and one to the other side
+// beyond it.
+TEST(NormalRule, HasTheFrontOfAParaboloidOutsideAtItsApexAndBeyond) {
+    const CameraProbe rays(
+        camera(seen(object("paraboloid"), range(-pi, pi, -1.0, 1.0), normal("front"))), width,
+        height);
+    at_pixels([&](double x, double y) {
+        const Ray ray = rays(x, y);
+        ASSERT_TRUE(ray.valid);
+        const Vector outside{2.0 * ray.origin[0], 2.0 * ray.origin[1], -1.0};
+        expect_near(ray.direction, (1.0 / length(outside)) * outside, tolerance);
+    });
+    const Ray apex = rays(12.5, 0.5 * height);
+    ASSERT_TRUE(apex.valid);
+    expect_near(apex.origin, {0.0, 0.0, 0.0}, tolerance);
+    expect_near(apex.direction, {0.0, 0.0, -1.0}, tolerance);
 }
 
 TEST(TangentRule, IsTheTangentOfTheEyeObject) {

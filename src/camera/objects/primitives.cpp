@@ -85,6 +85,13 @@ public:
         const Expr distance = emit(major_) + r * cos(p.v);
         return {distance * cos(p.u), distance * sin(p.u), r * sin(p.v)};
     }
+    // A tube wider than its middle line goes through the axis and turns over there.
+    Expr orientation(const ParameterPoint& p, Emitter& emit) const override {
+        const std::optional<double> major = major_.constant();
+        const std::optional<double> minor = minor_.constant();
+        return major && minor && *minor <= *major ? emit(1.0)
+                                                  : emit(major_) + emit(minor_) * cos(p.v);
+    }
 
 private:
     Scalar major_, minor_;

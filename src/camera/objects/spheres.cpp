@@ -38,7 +38,12 @@ ObjectPoint at_longitude_and_latitude(Expr longitude, Expr latitude) {
 }
 
 class LatitudeSphere final : public Sphere {
+public:
     using Sphere::Sphere;
+    // Beyond a pole the tangent along u points the other way.
+    Expr orientation(const ParameterPoint& p, Emitter&) const override { return cos(p.v); }
+
+private:
     ObjectPoint unit_sphere(const ParameterPoint& p, Emitter&) const override {
         return at_longitude_and_latitude(p.u, p.v);
     }

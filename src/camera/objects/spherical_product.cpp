@@ -24,6 +24,11 @@ public:
         const ObjectPoint h = h_->generate({p.v, emit(0.0)}, emit);
         return {g.x * h.x, g.y * h.x, h.y};
     }
+    // The tangents (g1' h1, g2' h1, 0) and (g1 h1', g2 h1', h2') have the cross product
+    // h1 (g2' h2', -g1' h2', (g1' g2 - g2' g1) h1'), which turns over where h1 changes sign.
+    Expr orientation(const ParameterPoint& p, Emitter& emit) const override {
+        return h_->generate({p.v, emit(0.0)}, emit).x;
+    }
 
 private:
     ObjectGeneratorPointer g_, h_;

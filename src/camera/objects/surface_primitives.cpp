@@ -73,13 +73,19 @@ private:
 };
 
 /// z = x^2/a^2 + y^2/b^2 by the angle u and the distance v from the axis before a and b are
-/// applied.
+/// applied. Its normals are those of the cross product but for a factor v, so that there is one at
+/// the apex too and the front is outside for v < 0 as well.
 class PolarParaboloid final : public ObjectGenerator {
 public:
     explicit PolarParaboloid(Pair axes) : axes_(std::move(axes)) {}
     int dimension() const override { return 2; }
     ObjectPoint generate(const ParameterPoint& p, Emitter& emit) const override {
         return {emit(axes_[0]) * p.v * cos(p.u), emit(axes_[1]) * p.v * sin(p.u), p.v * p.v};
+    }
+    std::optional<ObjectVector> normal(const ParameterPoint& p, Emitter& emit) const override {
+        const Expr a = emit(axes_[0]);
+        const Expr b = emit(axes_[1]);
+        return ObjectVector{2.0 * b * p.v * cos(p.u), 2.0 * a * p.v * sin(p.u), -(a * b)};
     }
 
 private:

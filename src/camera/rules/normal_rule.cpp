@@ -16,7 +16,7 @@ namespace {
 /// The part of the surface in a cell of a grid over the picture, to first order.
 struct SurfaceElement {
     std::array<double, 3> point{};
-    std::array<double, 3> area{};  ///< Along the normal; its length is the area.
+    std::array<double, 3> area{};  ///< Along the one-sided normal; its length is the area.
 };
 
 constexpr int cells = 16;  // of the grid, in width and in height
@@ -31,7 +31,7 @@ std::vector<SurfaceElement> elements_in_picture(const PathPoint& eye, const Emit
     const Expr parameter_area = abs(by_x[0] * by_y[1] - by_x[1] * by_y[0]);
     const ObjectVector spanned = cross(eye.along_u, eye.along_v);
     const Expr scale = parameter_area * sqrt(dot(spanned, spanned) / dot(eye.normal, eye.normal));
-    const ObjectVector area = scale * eye.normal;
+    const ObjectVector area = scale * eye.one_sided_normal;
 
     const std::array extent{eye.size.width, eye.size.height};
     const std::array roots{eye.point.x, eye.point.y, eye.point.z, area.x,
@@ -87,17 +87,15 @@ public:
     explicit NormalRule(Side side) : side_(side) {}
     int min_eye_dimension() const override { return 2; }
     ObjectVector direction(const PathPoint& eye, const PathPoint*, Emitter& emit) const override {
-        return back(eye, emit) ? -eye.normal : eye.normal;
+        if (side_ == Side::front || side_ == Side::back) {
+            return side_ == Side::back ? -eye.normal : eye.normal;
+        }
+        const bool against =
+            point_inwards(elements_in_picture(eye, emit)) == (side_ == Side::outward);
+        return against ? -eye.one_sided_normal : eye.one_sided_normal;
     }
 
 private:
-    bool back(const PathPoint& eye, const Emitter& emit) const {
-        if (side_ == Side::front || side_ == Side::back) {
-            return side_ == Side::back;
-        }
-        return point_inwards(elements_in_picture(eye, emit)) == (side_ == Side::outward);
-    }
-
     Side side_;
 };
 
@@ -119,9 +117,10 @@ std::vector<StageEntry> normal_rule() {
            .choices = {"front", "back", "outward", "inward"},
            .meaning =
                "front: the cross product of the tangents along u and v, unless the object "
-               "specifies otherwise; back: the opposite; outward: front or back, whichever leaves "
-               "the visible part of the surface on its convex side, the same in the "
-               "whole picture (for a plane: front); inward: the opposite of outward"}},
+               "specifies otherwise; back: the opposite; outward: the side of the surface that "
+               "leaves its visible part on the convex side, the same side in the whole picture, "
+               "also beyond a pole, where the front is on the other side (for a plane: front); "
+               "inward: the opposite of outward"}},
          [](const Arguments& a) { return made<NormalRule>(side_of(a.choice("side"))); },
          {},
          0,
