@@ -46,7 +46,7 @@ public:
     struct Parts {
         ObjectGeneratorPointer profile, path;
         double from, to;
-        PathFrame frame;  ///< Without tables: upright.
+        PathFrame frame;  ///< Without a position: upright.
         Triple up;
         Scalar twist;
         std::optional<Formula> scale;
@@ -74,9 +74,10 @@ private:
     // frame is orthonormal exactly.
     Frame frame_at(Expr way, const ObjectVector& tangent, Emitter& emit) const {
         ObjectVector up = vector_of(parts_.up, emit);
-        if (parts_.frame.up[0]) {
+        if (parts_.frame.position) {
+            const Expr position = (*parts_.frame.position)(way, emit);
             const auto value = [&](std::size_t k) {
-                return emit.graph().lookup(parts_.frame.up[k], way);
+                return emit.graph().lookup(parts_.frame.up[k], position);
             };
             up = {value(0), value(1), value(2)};
         }
@@ -126,7 +127,7 @@ Result<std::shared_ptr<const Stage>> make_sweep(const Arguments& a) {
     }
     parts.frame = std::move(*frame);
     if (a.choice("frame") == "upright") {
-        parts.frame.up = {};
+        parts.frame.position.reset();
     }
     return made<Sweep>(std::move(parts));
 }
