@@ -4,11 +4,13 @@
 // The properties that plates 1 and 2 must show, measured from data layers of small renders.
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "balcony/lang.hpp"
+#include "balcony/median.hpp"
 #include "gallery/gallery.hpp"
 #include "measure.hpp"
 
@@ -69,7 +71,7 @@ GalleryView view_gallery(const scene::Scene& scene, const render::Film& film) {
         gallery_view.most_bent = std::max(gallery_view.most_bent, view.bend);
         anisotropy.insert(anisotropy.end(), view.anisotropy.begin(), view.anisotropy.end());
     }
-    gallery_view.median_anisotropy = median(anisotropy);
+    gallery_view.median_anisotropy = median(std::move(anisotropy)).value_or(0.0);
     return gallery_view;
 }
 

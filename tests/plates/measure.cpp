@@ -166,15 +166,6 @@ View view_of(const render::Film& film, const std::string& object, const Rectangl
     return view;
 }
 
-double median(std::vector<double> values) {
-    if (values.empty()) {
-        return 0.0;
-    }
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 RayStep max_step(const render::Film& film) {
     const render::DataLayers& layers = film.layers.value();
     RayStep longest;

@@ -37,8 +37,6 @@ struct View {
 [[nodiscard]] View view_of(const render::Film& film, const std::string& object,
                            const Rectangle& rectangle);
 
-[[nodiscard]] double median(std::vector<double> values);
-
 /// The longest steps from a pixel's ray to its right and lower neighbours'.
 struct RayStep {
     double origin = 0.0;     ///< Scene units.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "balcony/median.hpp"
 #include "render/embree/accelerator.hpp"
 #include "render/job/camera_rays.hpp"
 #include "render/probe/closed_surface.hpp"
@@ -57,12 +58,7 @@ public:
                 }
             });
         }
-        if (!distances_.empty()) {
-            const auto middle =
-                distances_.begin() + static_cast<std::ptrdiff_t>(distances_.size() / 2);
-            std::nth_element(distances_.begin(), middle, distances_.end());
-            probe_.median_distance = *middle;
-        }
+        probe_.median_distance = median(std::move(distances_));
         return std::move(probe_);
     }
 
