@@ -65,7 +65,7 @@ class Terminal(support.CommandTest):
         self.says("check", HOSTILE, code=1)
         self.says("explain", "my.cam:" + HOSTILE, code=1)
         self.says("explain", "my.cam:above", "--set", HOSTILE, code=1)
-        self.says("list", HOSTILE, code=1)
+        self.says("list", HOSTILE, code=2)
         self.says("locate", "my.cam", "--point", HOSTILE, code=2)
         self.says("draw", "my.cam", "-o", HOSTILE, code=2)
         self.says("info", HOSTILE, code=1)
