@@ -29,12 +29,9 @@ void write_data(DataLayers& layers, std::size_t at, const PointData& data) {
 }  // namespace
 
 void add_pass(Film& film, std::size_t tile, const TileImage& image) {
-    const Region& region = image.region;
-    for (std::size_t i = 0; i < region.size(); ++i) {
-        const std::size_t x = region.x + i % region.width;
-        const std::size_t y = region.y + i / region.width;
+    for_each_pixel(image.region, [&](std::size_t i, std::size_t x, std::size_t y) {
         if (!film.window.contains(x, y)) {
-            continue;
+            return;
         }
         const std::size_t at = film.index(x, y);
         const Color4d sample(image.colors[i]);
@@ -45,7 +42,7 @@ void add_pass(Film& film, std::size_t tile, const TileImage& image) {
         if (film.layers && !image.data.empty() && image.data[i].valid) {
             write_data(*film.layers, at, image.data[i]);
         }
-    }
+    });
     ++film.passes[tile];
 }
 

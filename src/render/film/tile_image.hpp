@@ -40,8 +40,19 @@ struct TileImage {
     std::vector<PointData> data;  ///< Empty if not requested.
 };
 
-/// Adds the samples of a tile's next pass that are in the film's window. Two tiles may
-/// be added at the same time.
+/// Calls visit(i, x, y) for each pixel (x, y) of a region, which is number i row by row.
+template <class Visit>
+void for_each_pixel(const Region& region, const Visit& visit) {
+    std::size_t i = 0;
+    for (std::size_t y = region.y; y < region.y + region.height; ++y) {
+        for (std::size_t x = region.x; x < region.x + region.width; ++x) {
+            visit(i++, x, y);
+        }
+    }
+}
+
+/// Adds the samples of a tile's next pass that are in the film's window. Two tiles may be added at
+/// the same time.
 void add_pass(Film& film, std::size_t tile, const TileImage& image);
 
 }  // namespace balcony::render

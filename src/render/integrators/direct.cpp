@@ -53,17 +53,18 @@ private:
         return total;
     }
 
-    [[nodiscard]] std::optional<Branch> reflect(const Branch& arriving,
+    [[nodiscard]] std::optional<Branch> reflect(const Branch& arriving, const Color3f& weight,
                                                 const Interaction& at) const override {
         const auto sample = bsdf_at(at).sample_mirror(-arriving.ray.direction);
         if (!sample || arriving.reflections >= settings().mirror_depth) {
             return std::nullopt;
         }
-        Branch next = arriving;
-        next.weight *= sample->weight;
-        if (largest(next.weight) < min_weight) {
+        const Color3f reflected = weight * sample->weight;
+        if (largest(reflected) < min_weight) {
             return std::nullopt;
         }
+        Branch next = arriving;
+        next.weight = reflected;
         ++next.reflections;
         const RayDifferentials& before = arriving.ray.differentials;
         next.ray.direction = sample->to_light;

@@ -58,14 +58,13 @@ void RayTree::follow(const Branch& branch, const embree::Hit& hit, Seen& seen) {
         }
     }
     add(opacity * shade(branch.ray, at));
-    Branch weakened = branch;
-    weakened.weight *= opacity;
-    if (const std::optional<Branch> reflected = reflect(weakened, at)) {
+    if (const std::optional<Branch> reflected = reflect(branch, opacity * branch.weight, at)) {
         open_.push_back(*reflected);
     }
 }
 
-std::optional<RayTree::Branch> RayTree::reflect(const Branch&, const Interaction&) const {
+std::optional<RayTree::Branch> RayTree::reflect(const Branch&, const Color3f&,
+                                                const Interaction&) const {
     return std::nullopt;
 }
 

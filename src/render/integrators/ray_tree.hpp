@@ -32,8 +32,10 @@ protected:
 
     /// The radiance of a surface towards the ray's origin, without the branch of reflect().
     [[nodiscard]] virtual Color3f shade(const Ray& ray, const Interaction& at) const = 0;
-    /// The reflected branch from a surface, if any.
+    /// The reflected branch from a surface, if any. `weight` is the part of the light from this
+    /// surface that reaches the camera.
     [[nodiscard]] virtual std::optional<Branch> reflect(const Branch& arriving,
+                                                        const Color3f& weight,
                                                         const Interaction& at) const;
 
     [[nodiscard]] const SceneTracer& tracer() const { return tracer_; }

@@ -85,12 +85,12 @@ TileImage Compositor::sample(const TilePoints& points, const Region& counted, bo
     const Blender blend(work.coverages, work.layers);
     TileImage image{points.region, {}, std::move(work.data)};
     image.colors.reserve(size);
-    for (std::size_t i = 0; i < size; ++i) {
+    for_each_pixel(points.region, [&](std::size_t i, std::size_t x, std::size_t y) {
         const Drawn all = blend(picture_->elements(), i);
         image.colors.push_back(all.color);
         invalid_pixels_ +=
-            points.pass == 0 && all.presence <= 0.0F && points.in(counted, i) ? 1 : 0;
-    }
+            points.pass == 0 && all.presence <= 0.0F && counted.contains(x, y) ? 1 : 0;
+    });
     return image;
 }
 
@@ -146,20 +146,18 @@ void Compositor::trace_layer(const Element& element, const Veil& veil, Work& wor
     if (std::find(wanted.begin(), wanted.end(), 1) == wanted.end()) {
         return;
     }
-    const TileRays rays = rays_.rays(layer, points.grid);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const bool counts = wanted[i] != 0 && points.in(work.counted, i);
+    TileRays& rays = tile_rays_;
+    rays_.find_rays(layer, points.grid, rays);
+    for_each_pixel(points.region, [&](std::size_t i, std::size_t x, std::size_t y) {
+        const bool counts = wanted[i] != 0 && work.counted.contains(x, y);
         counts_[layer].camera_rays += counts ? 1 : 0;
         counts_[layer].invalid_rays += counts && rays.valid[i] == 0 ? 1 : 0;
         wanted[i] &= rays.valid[i];
-    }
-    const std::vector<Seen> seen = tracer_.trace(points, rays, wanted);
-    work.layers[layer].resize(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (wanted[i] == 0) {
-            continue;
-        }
-        work.layers[layer][i] = {seen[i].radiance, 1.0F};
+    });
+    std::vector<Drawn>& drawn = work.layers[layer];
+    drawn.resize(points.size());
+    tracer_.trace(points, rays, wanted, [&](std::size_t i, const Seen& seen) {
+        drawn[i] = {seen.radiance, 1.0F};
         if (!work.data.empty() && !work.data[i].valid &&
             veil.share[i] * work.coverages.coverage(element, i) >= 0.5F) {
             work.data[i] = {true,
@@ -167,9 +165,9 @@ void Compositor::trace_layer(const Element& element, const Veil& veil, Work& wor
                             rays.all.origin(i),
                             rays.all.direction(i),
                             parameters(rays.all, i),
-                            seen[i].visible};
+                            seen.visible};
         }
-    }
+    });
 }
 
 }  // namespace balcony::render

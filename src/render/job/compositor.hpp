@@ -45,6 +45,7 @@ private:
     const rays::CompiledPicture* picture_;
     PictureRays rays_;
     TileTracer tracer_;
+    TileRays tile_rays_;             // Of the layer at work; kept for its memory.
     std::vector<RayCounts> counts_;  // By camera layer.
     std::uint64_t invalid_pixels_ = 0;
 };

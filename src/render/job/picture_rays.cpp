@@ -39,21 +39,19 @@ TileCoverages PictureRays::coverages(const rays::Tile& points) {
     return made;
 }
 
-TileRays PictureRays::rays(std::size_t layer, const rays::Tile& points) {
+void PictureRays::find_rays(std::size_t layer, const rays::Tile& points, TileRays& rays) {
     const Stopwatch watch;
     const std::size_t count = points.width * points.height;
-    TileRays made;
-    made.valid.resize(count);
-    made.rays.resize(count);
-    picture_->layers()[layer].rays.run(points, scratch_, made.all);
+    picture_->layers()[layer].rays.run(points, scratch_, rays.all);
+    rays.valid.assign(count, 0);
+    rays.rays.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
-        if (traceable(made.all, i)) {
-            made.valid[i] = 1;
-            made.rays[i] = {V3f(made.all.origin(i)), V3f(made.all.direction(i))};
+        if (traceable(rays.all, i)) {
+            rays.valid[i] = 1;
+            rays.rays[i] = {V3f(rays.all.origin(i)), V3f(rays.all.direction(i))};
         }
     }
     seconds_ += watch.seconds();
-    return made;
 }
 
 }  // namespace balcony::render

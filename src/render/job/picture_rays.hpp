@@ -44,7 +44,8 @@ public:
     explicit PictureRays(const rays::CompiledPicture& picture) : picture_(&picture) {}
 
     [[nodiscard]] TileCoverages coverages(const rays::Tile& points);
-    [[nodiscard]] TileRays rays(std::size_t layer, const rays::Tile& points);
+    /// Fills `rays`, whose memory is used again.
+    void find_rays(std::size_t layer, const rays::Tile& points, TileRays& rays);
 
     /// The total time spent in these functions.
     [[nodiscard]] double seconds() const { return seconds_; }

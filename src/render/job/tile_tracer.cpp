@@ -23,31 +23,21 @@ TileTracer::TileTracer(const TracedScene& traced, const Settings& settings, Inte
       footprint_scale_(std::max(0.125, 1.0 / std::sqrt(static_cast<double>(settings.samples)))),
       integrator_(make(traced, settings)) {}
 
-std::vector<Seen> TileTracer::trace(const TilePoints& points, const TileRays& rays,
-                                    const Mask& wanted) {
-    std::vector<embree::Hit> hits(points.size());
-    traced_->accelerator.intersect_grid(points.region.width, rays.rays, wanted, hits);
-    std::vector<Seen> all(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (wanted[i] == 0) {
-            continue;
-        }
-        Ray ray{rays.rays[i].origin, rays.rays[i].direction};
-        if (rays.all.has_footprints()) {
-            ray.differentials = differentials(rays.all, i, footprint_scale_);
-        }
-        const Sampler sampler(points.pixel_x(i), points.pixel_y(i), points.pass);
-        Seen seen = integrator_->trace(ray, hits[i], sampler);
-        if (opaque_background_) {
-            seen.radiance.a = 1.0F;
-        }
-        if (!is_finite(seen.radiance)) {
-            ++repaired_;
-            seen.radiance = Color4f(0.0F);
-        }
-        all[i] = seen;
+Seen TileTracer::seen(const TileRays& rays, std::size_t i, const embree::Hit& first,
+                      const Sampler& sampler) {
+    Ray ray{rays.rays[i].origin, rays.rays[i].direction};
+    if (rays.all.has_footprints()) {
+        ray.differentials = differentials(rays.all, i, footprint_scale_);
     }
-    return all;
+    Seen seen = integrator_->trace(ray, first, sampler);
+    if (opaque_background_) {
+        seen.radiance.a = 1.0F;
+    }
+    if (!is_finite(seen.radiance)) {
+        ++repaired_;
+        seen.radiance = Color4f(0.0F);
+    }
+    return seen;
 }
 
 }  // namespace balcony::render

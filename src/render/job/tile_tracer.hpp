@@ -20,11 +20,6 @@ struct TilePoints {
     rays::Tile grid;
 
     [[nodiscard]] std::size_t size() const { return region.size(); }
-    [[nodiscard]] std::size_t pixel_x(std::size_t i) const { return region.x + i % region.width; }
-    [[nodiscard]] std::size_t pixel_y(std::size_t i) const { return region.y + i / region.width; }
-    [[nodiscard]] bool in(const Region& part, std::size_t i) const {
-        return part.contains(pixel_x(i), pixel_y(i));
-    }
 };
 
 /// Traces rays; belongs to one thread.
@@ -32,18 +27,32 @@ class TileTracer {
 public:
     TileTracer(const TracedScene& traced, const Settings& settings, IntegratorMaker make);
 
-    /// The result of each requested ray. Radiance that is not finite is replaced by black.
-    [[nodiscard]] std::vector<Seen> trace(const TilePoints& points, const TileRays& rays,
-                                          const Mask& wanted);
+    /// Calls show(i, seen) with the result of each requested ray i. Radiance that is not finite is
+    /// replaced by black.
+    template <class Show>
+    void trace(const TilePoints& points, const TileRays& rays, const Mask& wanted,
+               const Show& show) {
+        hits_.resize(points.size());
+        traced_->accelerator.intersect_grid(points.region.width, rays.rays, wanted, hits_);
+        for_each_pixel(points.region, [&](std::size_t i, std::size_t x, std::size_t y) {
+            if (wanted[i] != 0) {
+                show(i, seen(rays, i, hits_[i], Sampler(x, y, points.pass)));
+            }
+        });
+    }
 
     /// The number of samples whose radiance was not finite.
     [[nodiscard]] std::uint64_t repaired() const { return repaired_; }
 
 private:
+    [[nodiscard]] Seen seen(const TileRays& rays, std::size_t i, const embree::Hit& first,
+                            const Sampler& sampler);
+
     const TracedScene* traced_;
     bool opaque_background_;
     double footprint_scale_;
     std::unique_ptr<Integrator> integrator_;
+    std::vector<embree::Hit> hits_;  // Of the rays at work; kept for its memory.
     std::uint64_t repaired_ = 0;
 };
 

@@ -58,12 +58,9 @@ float unit_float(std::uint32_t bits) { return static_cast<float>(bits >> 8) * 0x
 
 }  // namespace
 
-Sampler::Sampler(std::size_t pixel_x, std::size_t pixel_y, std::size_t pass)
-    : seed_(combined(mixed(static_cast<std::uint32_t>(pixel_x)),
-                     static_cast<std::uint32_t>(pixel_y))),
-      pass_(static_cast<std::uint32_t>(pass)) {}
-
-std::uint32_t Sampler::next_seed() { return combined(seed_, dimension_++); }
+std::uint32_t Sampler::next_seed() {
+    return combined(combined(mixed(pixel_x_), pixel_y_), dimension_++);
+}
 
 float Sampler::next() { return next_pair().x; }
 

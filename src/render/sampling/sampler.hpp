@@ -20,7 +20,10 @@ namespace balcony::render {
 /// "Practical Hash-based Owen Scrambling" (JCGT 2020).
 class Sampler {
 public:
-    Sampler(std::size_t pixel_x, std::size_t pixel_y, std::size_t pass);
+    Sampler(std::size_t pixel_x, std::size_t pixel_y, std::size_t pass)
+        : pixel_x_(static_cast<std::uint32_t>(pixel_x)),
+          pixel_y_(static_cast<std::uint32_t>(pixel_y)),
+          pass_(static_cast<std::uint32_t>(pass)) {}
 
     /// The next dimension, or the next two, which are stratified together; from [0, 1).
     [[nodiscard]] float next();
@@ -29,7 +32,8 @@ public:
 private:
     [[nodiscard]] std::uint32_t next_seed();
 
-    std::uint32_t seed_;
+    std::uint32_t pixel_x_;
+    std::uint32_t pixel_y_;
     std::uint32_t pass_;
     std::uint32_t dimension_ = 0;
 };

@@ -33,7 +33,8 @@ enum class TextureEncoding : std::uint8_t { linear, srgb };
 struct TextureSource {
     const scene::Texture* texture = nullptr;
     TextureEncoding encoding = TextureEncoding::linear;
-    mutable std::optional<Diagnostic> failure;  ///< The first error; set by the reader, one at a time.
+    mutable std::optional<Diagnostic>
+        failure;  ///< The first error; set by the reader, one at a time.
 };
 
 /// Reads a TextureSource as four linear channels (grey is spread, missing alpha is 1). Its open()
