@@ -112,6 +112,16 @@ public:
     [[nodiscard]] Expr operator()(const Scalar& value) const { return value.emit(*graph_); }
     /// No ray where the condition does not hold.
     void require(Expr condition) { valid_ = valid_ && condition; }
+    /// The results of a function; no ray where it says that they do not hold.
+    [[nodiscard]] std::vector<Expr> call(std::shared_ptr<const expr::Native> function,
+                                         std::span<const Expr> at) {
+        const std::optional<std::size_t> validity = function->validity();
+        std::vector<Expr> results = graph_->call(std::move(function), at);
+        if (validity) {
+            require(results[*validity]);
+        }
+        return results;
+    }
     [[nodiscard]] Expr valid() const { return valid_; }
 
     /// The values of expressions at a point of the picture, in pixels, at time 0: for a stage that

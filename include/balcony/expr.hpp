@@ -20,8 +20,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -30,97 +33,16 @@
 #include <vector>
 
 #include "balcony/base.hpp"
+#include "balcony/operations.hpp"
 
 namespace balcony::expr {
-
-/// Every kind of node. The table in operations() says the rest about each.
-enum class Op : std::uint8_t {
-    // leaves
-    constant,
-    input,
-    variable,
-    // arithmetic
-    negate,
-    add,
-    subtract,
-    multiply,
-    divide,
-    modulo,
-    minimum,
-    maximum,
-    absolute,
-    sign,
-    floor,
-    // powers
-    square_root,
-    power,
-    exponential,
-    logarithm,
-    // circular functions
-    sine,
-    cosine,
-    tangent,
-    arcsine,
-    arccosine,
-    arctangent,
-    arctangent2,
-    // hyperbolic functions
-    hyperbolic_sine,
-    hyperbolic_cosine,
-    hyperbolic_tangent,
-    inverse_hyperbolic_sine,
-    inverse_hyperbolic_cosine,
-    inverse_hyperbolic_tangent,
-    // conditions
-    less,
-    less_equal,
-    equal,
-    logical_and,
-    logical_or,
-    logical_not,
-    is_finite,
-    select,
-    // tables and natives, by the number of their arguments
-    lookup,
-    lookup_2,
-    lookup_3,
-    native,
-    native_2,
-    native_3,
-};
-
-inline constexpr std::size_t operation_count = static_cast<std::size_t>(Op::native_3) + 1;
-
-[[nodiscard]] constexpr bool is_lookup(Op op) { return Op::lookup <= op && op <= Op::lookup_3; }
-[[nodiscard]] constexpr bool is_native(Op op) { return Op::native <= op && op <= Op::native_3; }
 
 class Graph;
 class Expr;
 
-/// What the whole program knows about one operation; the one place where it is said.
-struct Operation {
-    Op op;
-    std::string_view name;   ///< As the language and printed formulas spell it.
-    std::string_view infix;  ///< Spelling between operands; empty if it is written as a call.
-    int arity;
-    bool commutative;
-    bool condition;  ///< Its value is 1 or 0.
-    /// The largest error of a runner in units in the last place, where the result is normal.
-    double max_ulp;
-    /// Defines the operation; null for leaves, look-ups and natives.
-    double (*scalar)(const double* arguments);
-    /// The derivative of self, given its arguments and theirs; null where it is 0 throughout.
-    Expr (*derivative)(Expr self, std::span<const Expr> arguments, std::span<const Expr> slopes);
-    std::string_view meaning;  ///< One line for documentation.
-};
-
-[[nodiscard]] const std::array<Operation, operation_count>& operations();
-[[nodiscard]] const Operation& operation(Op op);
-
 using NodeId = StrongIndex<struct NodeTag>;
 using InputId = StrongIndex<struct InputTag>;
-using TableId = StrongIndex<struct TableTag>;
-using NativeId = StrongIndex<struct NativeTag>;
+using CallId = StrongIndex<struct CallTag>;
 
 /// The inputs that every graph has: the point of the picture in pixels, x from the left and y from
 /// the top, and time. Further ones are numbered from 3 on in the order in which they are named.
@@ -189,9 +111,13 @@ private:
 };
 
 struct Node {
-    double value = 0.0;                 ///< Of a constant.
-    std::array<NodeId, 3> arguments{};  ///< The first arity(op) are valid.
-    std::uint32_t detail = 0;           ///< An InputId, the number of a variable, a TableId, ...
+    static constexpr std::size_t max_operands = 3;
+
+    double value = 0.0;  ///< Of a constant.
+    /// The arguments of a node that is no call; Graph::arguments() has those of any.
+    std::array<NodeId, max_operands> operands{};
+    /// An InputId, the number of a variable, a CallId, which result of a call.
+    std::uint32_t detail = 0;
     Op op = Op::constant;
 
     bool operator==(const Node&) const;
@@ -226,7 +152,7 @@ struct Table {
                                   std::span<const double> slopes);
 
 /// A function that is no formula: what somebody computes for batches of points, such as a search in
-/// a mesh. Immutable, and callable by many threads at once; must not throw.
+/// a mesh or a map projection. Immutable, and callable by many threads at once; must not throw.
 class Native {
 public:
     Native() = default;
@@ -235,13 +161,36 @@ public:
     virtual ~Native() = default;
 
     [[nodiscard]] virtual std::string_view name() const = 0;
-    [[nodiscard]] virtual std::size_t arity() const = 0;  ///< From 1 to 3.
-    /// results[i] for the arguments arguments[0][i], arguments[1][i], ...; the same for the same
-    /// arguments, whatever else is in the batch. Results may stand where an argument stands.
+    [[nodiscard]] virtual std::size_t argument_count() const = 0;  ///< At least 1.
+    [[nodiscard]] virtual std::size_t result_count() const = 0;    ///< At least 1.
+    /// results[r][i] for all results r at the arguments arguments[0][i], arguments[1][i], ...; the
+    /// same for the same arguments, whatever else is in the batch. No result stands where an
+    /// argument stands.
     virtual void evaluate(std::size_t count, const double* const* arguments,
-                          double* results) const = 0;
-    /// The partial derivative by an argument; null where it is 0 throughout.
-    [[nodiscard]] virtual std::shared_ptr<const Native> derivative(std::size_t argument) const = 0;
+                          double* const* results) const = 0;
+    /// The partial derivative of a result by an argument: any formula of the arguments and of all
+    /// results, such as a result of another call. No node where it is 0 throughout.
+    [[nodiscard]] virtual Expr derivative(std::size_t result, std::size_t argument,
+                                          std::span<const Expr> arguments,
+                                          std::span<const Expr> results) const = 0;
+    /// Which result is the condition that the other ones hold: 1 where they do; where it is 0 they
+    /// mean nothing. None if they always hold.
+    [[nodiscard]] virtual std::optional<std::size_t> validity() const { return std::nullopt; }
+};
+
+/// What a call node calls, one of the two, and on what.
+struct Call {
+    std::shared_ptr<const Table> table;
+    std::shared_ptr<const Native> native;
+    std::vector<NodeId> arguments;
+
+    /// Tells functions apart.
+    [[nodiscard]] const void* function() const {
+        return native ? static_cast<const void*>(native.get()) : table.get();
+    }
+    [[nodiscard]] std::size_t result_count() const { return native ? native->result_count() : 1; }
+    /// As Native::evaluate().
+    void evaluate(std::size_t count, const double* const* at, double* const* results) const;
 };
 
 /// Thrown by whatever adds a node to a graph that has max_nodes: the only exception of this layer.
@@ -271,14 +220,16 @@ public:
     [[nodiscard]] Expr variable(std::uint32_t number);
     /// A variable that nobody has used yet.
     [[nodiscard]] Expr fresh_variable();
+    /// The results of a function at a point, one argument for each that it takes. Constant if the
+    /// arguments are.
+    [[nodiscard]] std::vector<Expr> call(std::shared_ptr<const Native> function,
+                                         std::span<const Expr> at);
     /// The table's value at a point, one argument for each of its axes.
     [[nodiscard]] Expr lookup(std::shared_ptr<const Table> table, std::span<const Expr> at);
     [[nodiscard]] Expr lookup(std::shared_ptr<const Table> table, Expr x);
-    /// The function's value at a point.
-    [[nodiscard]] Expr native(std::shared_ptr<const Native> function, std::span<const Expr> at);
     /// An operation on nodes of this graph, folded if they are constant and rewritten where looking
-    /// at the arguments' own arguments shows something simpler. Not for leaves, look-ups and
-    /// natives.
+    /// at the arguments' own arguments shows something simpler. Not for leaves, calls and their
+    /// results.
     [[nodiscard]] Expr apply(Op op, std::span<const Expr> arguments);
 
     /// A node of this or another graph, made anew here on arguments that are here.
@@ -290,20 +241,24 @@ public:
     [[nodiscard]] Dependence dependence(NodeId id) const { return dependences_[id.value()]; }
     /// The names of the inputs by their numbers, beginning with "x", "y" and "t".
     [[nodiscard]] std::span<const std::string> input_names() const { return inputs_; }
-    [[nodiscard]] const std::shared_ptr<const Table>& table(TableId id) const {
-        return tables_[id.value()];
-    }
-    [[nodiscard]] const std::shared_ptr<const Native>& native(NativeId id) const {
-        return natives_[id.value()];
+    /// The arguments of a node, any number. Good until a node is added.
+    [[nodiscard]] std::span<const NodeId> arguments(NodeId id) const;
+    /// What a call node calls.
+    [[nodiscard]] const Call& call_of(NodeId id) const {
+        assert((*this)[id].op == Op::call);
+        return calls_[(*this)[id].detail];
     }
     /// The table whose values are the slopes of this one along an axis.
-    [[nodiscard]] std::shared_ptr<const Table> derivative_table(TableId id, std::size_t axis);
+    [[nodiscard]] std::shared_ptr<const Table> derivative_table(
+        const std::shared_ptr<const Table>& table, std::size_t axis);
 
 private:
     /// The one node that equals this one, made if there is none.
     [[nodiscard]] Expr intern(const Node& node);
-    [[nodiscard]] Dependence dependence_of(const Node& node) const;
+    [[nodiscard]] Dependence dependence_of(NodeId id) const;
     [[nodiscard]] Expr input(InputId id);
+    [[nodiscard]] Expr call_node(Call call, std::span<const Expr> at);
+    [[nodiscard]] Expr result_of(NodeId call, std::size_t number);
 
     struct Hash {
         std::size_t operator()(const Node& node) const;
@@ -313,9 +268,10 @@ private:
     std::vector<Dependence> dependences_;  ///< By node.
     std::unordered_map<Node, NodeId, Hash> known_;
     std::vector<std::string> inputs_{"x", "y", "t"};
-    std::vector<std::shared_ptr<const Table>> tables_;
-    std::vector<std::array<std::shared_ptr<const Table>, Table::max_axes>> derivative_tables_;
-    std::vector<std::shared_ptr<const Native>> natives_;
+    std::vector<Call> calls_;
+    std::map<std::pair<const void*, std::vector<NodeId>>, CallId> known_calls_;  ///< By function.
+    std::map<std::pair<std::shared_ptr<const Table>, std::size_t>, std::shared_ptr<const Table>>
+        derivative_tables_;
     std::uint32_t variables_ = 0;
 };
 
@@ -329,7 +285,9 @@ public:
     [[nodiscard]] NodeId id() const { return id_; }
     [[nodiscard]] const Node& node() const { return (*graph_)[id_]; }
     [[nodiscard]] Op op() const { return node().op; }
-    [[nodiscard]] Expr argument(std::size_t i) const { return {*graph_, node().arguments[i]}; }
+    [[nodiscard]] Expr argument(std::size_t i) const {
+        return {*graph_, graph_->arguments(id_)[i]};
+    }
     [[nodiscard]] bool valid() const { return graph_ != nullptr; }
     [[nodiscard]] Dependence dependence() const { return graph_->dependence(id_); }
     [[nodiscard]] Rate rate(const Rates& rates = {}) const { return rates(dependence()); }
@@ -446,6 +404,27 @@ struct Point {
 
 /// Evaluates one point by the scalar definitions, for tests and single points.
 [[nodiscard]] std::vector<double> evaluate(std::span<const Expr> expressions, const Point& point);
+
+/// Expressions ready to be evaluated by the scalar definitions at many points at a time.
+class BatchEvaluator {
+public:
+    /// The expressions are in one graph, which must outlive the evaluator.
+    explicit BatchEvaluator(std::span<const Expr> expressions);
+
+    /// Fills in the values of an input or a variable at the points of a batch.
+    using FillLeaf = std::function<void(const Node& leaf, std::span<double> values)>;
+    /// The values of expression r at the points of a batch, from r * count on.
+    [[nodiscard]] std::vector<double> operator()(std::size_t count, const FillLeaf& fill) const;
+    /// The inputs and variables below the expressions.
+    [[nodiscard]] std::span<const NodeId> leaves() const { return leaves_; }
+
+private:
+    std::vector<Expr> expressions_;
+    std::vector<NodeId> nodes_;  ///< Arguments first.
+    std::vector<NodeId> leaves_;
+    std::vector<std::size_t> places_;  ///< By node: which run of values is its.
+    std::size_t place_count_ = 0;
+};
 
 /// The expressions as formulas for people, one a line; shared parts are named first.
 [[nodiscard]] std::string print(std::span<const Expr> expressions,

@@ -35,13 +35,12 @@ public:
     [[nodiscard]] std::vector<CurveSample> operator()(std::span<const double> parameters) const;
 
 private:
-    CurveSampler() = default;
-    void run(std::span<const double> parameters, std::span<double> values) const;
+    /// The expressions are a point, its velocity and acceleration; last, whether it is there.
+    CurveSampler(std::shared_ptr<const Graph> graph, std::span<const Expr> expressions);
 
-    std::shared_ptr<Graph> graph_ = std::make_shared<Graph>();
-    std::vector<Expr> roots_;          ///< Point, velocity, acceleration, and last the validity.
-    std::vector<expr::NodeId> nodes_;  ///< All that the roots need, arguments first.
-    std::vector<std::size_t> places_;  ///< By node: its index in nodes_.
+    std::shared_ptr<const Graph> graph_;
+    std::size_t last_;  ///< The number of the last expression.
+    expr::BatchEvaluator evaluate_;
 };
 
 }  // namespace balcony::camera

@@ -20,10 +20,8 @@ std::vector<NodeId> reachable(const Graph& graph, std::span<const Expr> expressi
             continue;
         }
         ++count;
-        for (const NodeId argument : graph[NodeId(i)].arguments) {
-            if (argument.valid()) {
-                marked[argument.value()] = true;
-            }
+        for (const NodeId argument : graph.arguments(NodeId(i))) {
+            marked[argument.value()] = true;
         }
     }
     std::vector<NodeId> nodes;
@@ -46,24 +44,26 @@ std::vector<Expr> differentiate(std::span<const Expr> expressions, Expr leaf) {
     const std::vector<NodeId> nodes = reachable(graph, expressions);
     std::vector<Expr> slopes(graph.size(), zero);
     slopes[leaf.id().value()] = graph.constant(1.0);
+    std::vector<Expr> arguments;
+    std::vector<Expr> argument_slopes;
     for (const NodeId id : nodes) {
         const Expr self(graph, id);
-        const Operation& rule = operation(self.op());
-        if (rule.arity == 0 || rule.derivative == nullptr) {
+        const auto derivative = operation(self.op()).derivative;
+        if (derivative == nullptr) {
             continue;
         }
-        std::array<Expr, 3> arguments;
-        std::array<Expr, 3> argument_slopes;
+        arguments.clear();
+        argument_slopes.clear();
         bool changes = false;
-        const auto arity = static_cast<std::size_t>(rule.arity);
-        for (std::size_t i = 0; i < arity; ++i) {
-            arguments[i] = self.argument(i);
-            argument_slopes[i] = slopes[arguments[i].id().value()];
-            changes = changes || !argument_slopes[i].is_constant(0.0);
+        // A result changes with the arguments of its call.
+        for (const NodeId argument :
+             graph.arguments(self.op() == Op::result ? graph.arguments(id)[0] : id)) {
+            arguments.emplace_back(graph, argument);
+            argument_slopes.push_back(slopes[argument.value()]);
+            changes = changes || !argument_slopes.back().is_constant(0.0);
         }
         if (changes) {
-            slopes[id.value()] = rule.derivative(self, std::span(arguments).first(arity),
-                                                 std::span(argument_slopes).first(arity));
+            slopes[id.value()] = derivative(self, arguments, argument_slopes);
         }
     }
     std::vector<Expr> result;

@@ -24,51 +24,97 @@ double input_value(const Graph& graph, InputId id, const Point& point) {
     return given == point.inputs.end() ? no_value : given->value;
 }
 
-double evaluate_node(const Graph& graph, const Node& node, const Point& point,
-                     const double* arguments) {
-    switch (node.op) {
-        case Op::constant: return node.value;
-        case Op::input: return input_value(graph, InputId(node.detail), point);
-        case Op::variable:
-            return node.detail < point.variables.size() ? point.variables[node.detail] : no_value;
-        default: break;
-    }
-    if (is_lookup(node.op)) {
-        const Table& table = *graph.table(TableId(node.detail));
-        return table(std::span(arguments, table.axes.size()));
-    }
-    if (is_native(node.op)) {
-        const std::array<const double*, 3> batch{arguments, arguments + 1, arguments + 2};
-        double result = 0.0;
-        graph.native(NativeId(node.detail))->evaluate(1, batch.data(), &result);
-        return result;
-    }
-    return operation(node.op).scalar(arguments);
-}
-
 }  // namespace
 
-std::vector<double> evaluate(std::span<const Expr> expressions, const Point& point) {
-    std::vector<double> result;
+void Call::evaluate(std::size_t count, const double* const* at, double* const* results) const {
+    if (native) {
+        native->evaluate(count, at, results);
+        return;
+    }
+    std::array<double, Table::max_axes> point{};
+    for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t k = 0; k < arguments.size(); ++k) {
+            point[k] = at[k][i];
+        }
+        results[0][i] = (*table)(std::span(point).first(arguments.size()));
+    }
+}
+
+BatchEvaluator::BatchEvaluator(std::span<const Expr> expressions)
+    : expressions_(expressions.begin(), expressions.end()) {
     if (expressions.empty()) {
-        return result;
+        return;
     }
     const Graph& graph = expressions.front().graph();
-    std::vector<double> values(graph.size());
-    for (const NodeId id : reachable(graph, expressions)) {
+    nodes_ = reachable(graph, expressions);
+    places_.resize(graph.size());
+    for (const NodeId id : nodes_) {
         const Node& node = graph[id];
-        std::array<double, 3> arguments{};
-        for (std::size_t i = 0; i < 3; ++i) {
-            if (node.arguments[i].valid()) {
-                arguments[i] = values[node.arguments[i].value()];
+        if (node.op == Op::result) {
+            places_[id.value()] = places_[node.operands[0].value()] + node.detail;
+            continue;
+        }
+        if (node.op == Op::input || node.op == Op::variable) {
+            leaves_.push_back(id);
+        }
+        places_[id.value()] = place_count_;
+        place_count_ += node.op == Op::call ? graph.call_of(id).result_count() : 1;
+    }
+}
+
+std::vector<double> BatchEvaluator::operator()(std::size_t count, const FillLeaf& fill) const {
+    std::vector<double> values(place_count_ * count);
+    const auto run_of = [&](std::size_t place) { return values.data() + place * count; };
+    std::vector<const double*> arguments;
+    std::vector<double*> results;
+    for (const NodeId id : nodes_) {
+        const Graph& graph = expressions_.front().graph();
+        const Node& node = graph[id];
+        double* run = run_of(places_[id.value()]);
+        arguments.clear();
+        for (const NodeId argument : graph.arguments(id)) {
+            arguments.push_back(run_of(places_[argument.value()]));
+        }
+        if (node.op == Op::constant) {
+            std::fill_n(run, count, node.value);
+        } else if (arguments.empty()) {
+            fill(node, {run, count});
+        } else if (node.op == Op::call) {
+            const Call& call = graph.call_of(id);
+            results.clear();
+            for (std::size_t r = 0; r < call.result_count(); ++r) {
+                results.push_back(run + r * count);
+            }
+            call.evaluate(count, arguments.data(), results.data());
+        } else if (node.op != Op::result) {
+            const auto scalar = operation(node.op).scalar;
+            std::array<double, Node::max_operands> at{};
+            for (std::size_t i = 0; i < count; ++i) {
+                for (std::size_t k = 0; k < arguments.size(); ++k) {
+                    at[k] = arguments[k][i];
+                }
+                run[i] = scalar(at.data());
             }
         }
-        values[id.value()] = evaluate_node(graph, node, point, arguments.data());
     }
-    for (const Expr root : expressions) {
-        result.push_back(values[root.id().value()]);
+    std::vector<double> made;
+    made.reserve(expressions_.size() * count);
+    for (const Expr expression : expressions_) {
+        const double* run = run_of(places_[expression.id().value()]);
+        made.insert(made.end(), run, run + count);
     }
-    return result;
+    return made;
+}
+
+std::vector<double> evaluate(std::span<const Expr> expressions, const Point& point) {
+    return BatchEvaluator(expressions)(1, [&](const Node& leaf, std::span<double> value) {
+        if (leaf.op == Op::input) {
+            value[0] = input_value(expressions.front().graph(), InputId(leaf.detail), point);
+        } else {
+            value[0] =
+                leaf.detail < point.variables.size() ? point.variables[leaf.detail] : no_value;
+        }
+    });
 }
 
 }  // namespace balcony::expr

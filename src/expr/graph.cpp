@@ -14,7 +14,7 @@ GraphTooLarge::GraphTooLarge()
 
 // Constants are equal if their bits are, so that 0 and -0 are distinct and a NaN equals itself.
 bool Node::operator==(const Node& other) const {
-    return op == other.op && detail == other.detail && arguments == other.arguments &&
+    return op == other.op && detail == other.detail && operands == other.operands &&
            std::bit_cast<std::uint64_t>(value) == std::bit_cast<std::uint64_t>(other.value);
 }
 
@@ -26,8 +26,8 @@ std::size_t Graph::Hash::operator()(const Node& node) const {
         hash ^= hash >> 32U;
     };
     mix(std::bit_cast<std::uint64_t>(node.value));
-    for (const NodeId argument : node.arguments) {
-        mix(argument.value());
+    for (const NodeId operand : node.operands) {
+        mix(operand.value());
     }
     return hash;
 }
@@ -39,12 +39,21 @@ Expr Graph::intern(const Node& node) {
     const auto [known, is_new] = known_.try_emplace(node, NodeId(nodes_.size()));
     if (is_new) {
         nodes_.push_back(node);
-        dependences_.push_back(dependence_of(node));
+        dependences_.push_back(dependence_of(known->second));
     }
     return {*this, known->second};
 }
 
-Dependence Graph::dependence_of(const Node& node) const {
+std::span<const NodeId> Graph::arguments(NodeId id) const {
+    const Node& node = (*this)[id];
+    if (node.op == Op::call) {
+        return calls_[node.detail].arguments;
+    }
+    return std::span(node.operands).first(static_cast<std::size_t>(operation(node.op).arity));
+}
+
+Dependence Graph::dependence_of(NodeId id) const {
+    const Node& node = (*this)[id];
     if (node.op == Op::input) {
         return Dependence::on(InputId(node.detail));
     }
@@ -52,10 +61,8 @@ Dependence Graph::dependence_of(const Node& node) const {
         return Dependence::on_variable();
     }
     Dependence all;
-    for (const NodeId argument : node.arguments) {
-        if (argument.valid()) {
-            all = all | dependence(argument);
-        }
+    for (const NodeId argument : arguments(id)) {
+        all = all | dependence(argument);
     }
     return all;
 }
@@ -96,79 +103,73 @@ Expr Graph::variable(std::uint32_t number) {
 
 Expr Graph::fresh_variable() { return variable(variables_); }
 
-namespace {
-
-// The index of a shared value in a list; adds it if missing.
-template <class Value>
-std::size_t place_in(std::vector<std::shared_ptr<const Value>>& list,
-                     std::shared_ptr<const Value> value) {
-    const auto known = std::find(list.begin(), list.end(), value);
-    const auto place = static_cast<std::size_t>(known - list.begin());
-    if (known == list.end()) {
-        list.push_back(std::move(value));
+Expr Graph::call_node(Call call, std::span<const Expr> at) {
+    assert(!at.empty());
+    for (const Expr argument : at) {
+        assert(&argument.graph() == this);
+        call.arguments.push_back(argument.id());
     }
-    return place;
-}
-
-// If all arguments are constant, their values.
-bool constants_of(std::span<const Expr> arguments, std::array<double, 3>& values) {
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-        if (!arguments[i].is_constant()) {
-            return false;
-        }
-        values[i] = arguments[i].node().value;
-    }
-    return true;
-}
-
-Op with_arguments(Op one, std::size_t count) {
-    return static_cast<Op>(static_cast<std::size_t>(one) + count - 1);
-}
-
-}  // namespace
-
-Expr Graph::lookup(std::shared_ptr<const Table> table, std::span<const Expr> at) {
-    assert(!at.empty() && at.size() == table->axes.size());
-    std::array<double, 3> values{};
-    if (constants_of(at, values)) {
-        return constant((*table)(std::span(values).first(at.size())));
+    const auto [known, is_new] =
+        known_calls_.try_emplace(std::pair(call.function(), call.arguments), CallId(calls_.size()));
+    if (is_new) {
+        calls_.push_back(std::move(call));
     }
     Node node;
-    node.op = with_arguments(Op::lookup, at.size());
-    for (std::size_t i = 0; i < at.size(); ++i) {
-        node.arguments[i] = at[i].id();
-    }
-    node.detail = TableId(place_in(tables_, std::move(table))).value();
-    derivative_tables_.resize(tables_.size());
+    node.op = Op::call;
+    node.detail = known->second.value();
     return intern(node);
+}
+
+Expr Graph::result_of(NodeId id, std::size_t number) {
+    const std::span<const NodeId> given = arguments(id);
+    const auto is_constant = [this](NodeId argument) {
+        return (*this)[argument].op == Op::constant;
+    };
+    if (std::all_of(given.begin(), given.end(), is_constant)) {
+        std::vector<const double*> values;
+        for (const NodeId argument : given) {
+            values.push_back(&(*this)[argument].value);
+        }
+        std::vector<double> made(call_of(id).result_count());
+        std::vector<double*> results;
+        for (double& result : made) {
+            results.push_back(&result);
+        }
+        call_of(id).evaluate(1, values.data(), results.data());
+        return constant(made[number]);
+    }
+    Node node;
+    node.op = Op::result;
+    node.operands[0] = id;
+    node.detail = static_cast<std::uint32_t>(number);
+    return intern(node);
+}
+
+std::vector<Expr> Graph::call(std::shared_ptr<const Native> function, std::span<const Expr> at) {
+    assert(at.size() == function->argument_count());
+    const std::size_t count = function->result_count();
+    const Expr made = call_node({nullptr, std::move(function), {}}, at);
+    std::vector<Expr> results;
+    for (std::size_t i = 0; i < count; ++i) {
+        results.push_back(result_of(made.id(), i));
+    }
+    return results;
+}
+
+Expr Graph::lookup(std::shared_ptr<const Table> table, std::span<const Expr> at) {
+    assert(at.size() == table->axes.size());
+    return result_of(call_node({std::move(table), nullptr, {}}, at).id(), 0);
 }
 
 Expr Graph::lookup(std::shared_ptr<const Table> table, Expr x) {
     return lookup(std::move(table), std::span(&x, 1));
 }
 
-Expr Graph::native(std::shared_ptr<const Native> function, std::span<const Expr> at) {
-    assert(!at.empty() && at.size() == function->arity() && at.size() <= 3);
-    std::array<double, 3> values{};
-    if (constants_of(at, values)) {
-        const std::array<const double*, 3> arguments{&values[0], &values[1], &values[2]};
-        double result = 0.0;
-        function->evaluate(1, arguments.data(), &result);
-        return constant(result);
-    }
-    Node node;
-    node.op = with_arguments(Op::native, at.size());
-    for (std::size_t i = 0; i < at.size(); ++i) {
-        node.arguments[i] = at[i].id();
-    }
-    node.detail = NativeId(place_in(natives_, std::move(function))).value();
-    return intern(node);
-}
-
-std::shared_ptr<const Table> Graph::derivative_table(TableId id, std::size_t axis) {
-    std::shared_ptr<const Table>& made = derivative_tables_[id.value()][axis];
+std::shared_ptr<const Table> Graph::derivative_table(const std::shared_ptr<const Table>& table,
+                                                     std::size_t axis) {
+    std::shared_ptr<const Table>& made = derivative_tables_[{table, axis}];
     if (!made) {
-        made = std::make_shared<const Table>(tables_[id.value()]->derivative(axis));
+        made = std::make_shared<const Table>(table->derivative(axis));
     }
     return made;
 }
@@ -178,20 +179,18 @@ Expr Graph::remake(const Graph& source, const Node& node, std::span<const Expr> 
         case Op::constant: return constant(node.value);
         case Op::input: return input(source.inputs_[node.detail]);
         case Op::variable: return variable(node.detail);
-        default: break;
+        case Op::call: {
+            const Call& call = source.calls_[node.detail];
+            return call_node({call.table, call.native, {}}, arguments);
+        }
+        case Op::result: return result_of(arguments[0].id(), node.detail);
+        default: return apply(node.op, arguments);
     }
-    if (is_lookup(node.op)) {
-        return lookup(source.table(TableId(node.detail)), arguments);
-    }
-    if (is_native(node.op)) {
-        return native(source.native(NativeId(node.detail)), arguments);
-    }
-    return apply(node.op, arguments);
 }
 
 Expr Graph::apply(Op op, std::span<const Expr> arguments) {
     assert(operation(op).scalar != nullptr &&
-           "leaves, look-ups and natives have functions of their own");
+           "leaves, calls and their results have functions of their own");
     assert(static_cast<int>(arguments.size()) == operation(op).arity);
     if (const Expr simpler = apply_local_rules(*this, op, arguments); simpler.valid()) {
         return simpler;
@@ -200,10 +199,10 @@ Expr Graph::apply(Op op, std::span<const Expr> arguments) {
     node.op = op;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         assert(&arguments[i].graph() == this);
-        node.arguments[i] = arguments[i].id();
+        node.operands[i] = arguments[i].id();
     }
-    if (operation(op).commutative && node.arguments[1] < node.arguments[0]) {
-        std::swap(node.arguments[0], node.arguments[1]);
+    if (operation(op).commutative && node.operands[1] < node.operands[0]) {
+        std::swap(node.operands[0], node.operands[1]);
     }
     return intern(node);
 }

@@ -209,7 +209,6 @@ Expr absolute_rules(Expr a) {
         case Op::square_root:
         case Op::exponential:
         case Op::hyperbolic_cosine: return a;
-        case Op::negate: return abs(a.argument(0));
         case Op::multiply: return a.argument(0).same(a.argument(1)) ? a : Expr{};
         default: return {};
     }
@@ -254,25 +253,13 @@ Expr logical_rules(Graph& graph, Expr a, Expr b, bool absorbing) {
 }
 
 // f(-x) for the functions that are even or odd.
-Expr parity_rules(Graph& graph, Op op, Expr a) {
-    if (a.op() != Op::negate) {
+Expr parity_rules(Graph& graph, const Operation& row, Expr a) {
+    if (row.parity == Parity::none || a.op() != Op::negate) {
         return {};
     }
     const std::array inner{a.argument(0)};
-    switch (op) {
-        case Op::cosine:
-        case Op::hyperbolic_cosine: return graph.apply(op, inner);
-        case Op::sine:
-        case Op::tangent:
-        case Op::arcsine:
-        case Op::arctangent:
-        case Op::hyperbolic_sine:
-        case Op::hyperbolic_tangent:
-        case Op::inverse_hyperbolic_sine:
-        case Op::inverse_hyperbolic_tangent:
-        case Op::sign: return -graph.apply(op, inner);
-        default: return {};
-    }
+    const Expr f = graph.apply(row.op, inner);
+    return row.parity == Parity::even ? f : -f;
 }
 
 }  // namespace
@@ -281,6 +268,9 @@ Expr apply_local_rules(Graph& graph, Op op, Arguments a) {
     const Operation& row = operation(op);
     if (const Expr constant = fold(graph, row, a); constant.valid()) {
         return constant;
+    }
+    if (const Expr reflected = parity_rules(graph, row, a[0]); reflected.valid()) {
+        return reflected;
     }
     switch (op) {
         case Op::add: return add_rules(graph, a[0], a[1]);
@@ -305,7 +295,7 @@ Expr apply_local_rules(Graph& graph, Op op, Arguments a) {
                 return a[0].argument(0);
             }
             return {};
-        default: return parity_rules(graph, op, a[0]);
+        default: return {};
     }
 }
 

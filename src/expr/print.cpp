@@ -1,6 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -11,121 +12,130 @@ namespace balcony::expr {
 
 namespace {
 
-// The precedence of a text, so that only necessary parentheses are written.
-enum class Binding : std::uint8_t {
-    disjunction,
-    conjunction,
-    comparison,
-    sum,
-    product,
-    prefix,
-    atom
-};
-
+// A formula and how tightly it binds, so that only needed parentheses are written.
 struct Text {
     std::string text;
-    Binding binding = Binding::atom;
+    Precedence binding = Precedence::atom;
 };
-
-Binding binding_of(Op op) {
-    switch (op) {
-        case Op::logical_or: return Binding::disjunction;
-        case Op::logical_and: return Binding::conjunction;
-        case Op::less:
-        case Op::less_equal:
-        case Op::equal: return Binding::comparison;
-        case Op::add:
-        case Op::subtract: return Binding::sum;
-        case Op::multiply:
-        case Op::divide: return Binding::product;
-        default: return Binding::prefix;
-    }
-}
 
 std::string enclosed(const Text& operand, bool enclose) {
     return enclose ? "(" + operand.text + ")" : operand.text;
 }
 
-Text print_node(const Graph& graph, const Node& node, std::span<const Text> arguments) {
-    const Operation& row = operation(node.op);
-    if (node.op == Op::constant) {
-        return {fmt::format("{}", node.value),
-                std::signbit(node.value) ? Binding::prefix : Binding::atom};
+/// Writes the nodes below some expressions, arguments first.
+class Printer {
+public:
+    explicit Printer(std::span<const Expr> expressions)
+        : graph_(expressions.front().graph()),
+          expressions_(expressions),
+          uses_(graph_.size(), 0),
+          texts_(graph_.size()) {}
+
+    std::string run(std::span<const std::string> names) {
+        const std::vector<NodeId> nodes = reachable(graph_, expressions_);
+        count_uses(nodes);
+        // A long single formula is split as well, for readability.
+        constexpr std::size_t longest = 160;
+        std::string result;
+        std::size_t named = 0;
+        for (const NodeId id : nodes) {
+            Text text = print_node(id);
+            if (!graph_.arguments(id).empty() &&
+                (uses_[id.value()] > 1 || text.text.size() > longest)) {
+                const std::string name = fmt::format("s{}", ++named);
+                result += fmt::format("{} = {}\n", name, text.text);
+                text = {name};
+            }
+            texts_[id.value()] = std::move(text);
+        }
+        for (std::size_t i = 0; i < expressions_.size(); ++i) {
+            result += fmt::format("{} = {}\n", names[i], texts_[expressions_[i].id().value()].text);
+        }
+        return result;
     }
-    if (node.op == Op::variable) {
-        return {fmt::format("v{}", node.detail)};
+
+private:
+    void count_uses(std::span<const NodeId> nodes) {
+        for (const NodeId id : nodes) {
+            for (const NodeId argument : graph_.arguments(id)) {
+                ++uses_[argument.value()];
+            }
+        }
+        for (const Expr root : expressions_) {
+            ++uses_[root.id().value()];
+        }
     }
-    if (node.op == Op::input) {
-        return {graph.input_names()[node.detail]};
+
+    [[nodiscard]] const Text& argument(NodeId id, std::size_t number) const {
+        return texts_[graph_.arguments(id)[number].value()];
     }
-    if (!row.infix.empty() && row.arity == 1) {
-        return {
-            std::string(row.infix) + enclosed(arguments[0], arguments[0].binding < Binding::atom),
-            Binding::prefix};
+
+    Text print_node(NodeId id) {
+        const Node& node = graph_[id];
+        const Operation& row = operation(node.op);
+        switch (node.op) {
+            case Op::constant:
+                return {fmt::format("{}", node.value),
+                        std::signbit(node.value) ? Precedence::prefix : Precedence::atom};
+            case Op::input: return {graph_.input_names()[node.detail]};
+            case Op::variable: return {fmt::format("v{}", node.detail)};
+            case Op::call: return call(id, function_name(graph_.call_of(id)));
+            case Op::result: {
+                const std::string& text = argument(id, 0).text;
+                const bool only = graph_.call_of(node.operands[0]).result_count() == 1;
+                return {only ? text : fmt::format("{}[{}]", text, node.detail)};
+            }
+            default: return row.infix.empty() ? call(id, std::string(row.name)) : infix(id, row);
+        }
     }
-    if (!row.infix.empty()) {
-        const Binding binding = binding_of(node.op);
+
+    [[nodiscard]] Text infix(NodeId id, const Operation& row) const {
+        const Precedence binding = row.precedence;
+        const Text& a = argument(id, 0);
+        if (row.arity == 1) {
+            return {std::string(row.infix) + enclosed(a, a.binding < Precedence::atom), binding};
+        }
         // Only sums and products of commuting operands may omit the right parentheses.
-        const bool associative = row.commutative && binding >= Binding::sum;
-        return {fmt::format("{} {} {}", enclosed(arguments[0], arguments[0].binding < binding),
-                            row.infix,
-                            enclosed(arguments[1], associative ? arguments[1].binding < binding
-                                                               : arguments[1].binding <= binding)),
+        const Text& b = argument(id, 1);
+        const bool associative = row.commutative && binding >= Precedence::sum;
+        const bool enclose_b = associative ? b.binding < binding : b.binding <= binding;
+        return {fmt::format("{} {} {}", enclosed(a, a.binding < binding), row.infix,
+                            enclosed(b, enclose_b)),
                 binding};
     }
-    std::string call = is_lookup(node.op)   ? fmt::format("lookup_{}", node.detail)
-                       : is_native(node.op) ? fmt::format("native_{}", node.detail)
-                                            : std::string(row.name);
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-        call += (i == 0 ? "(" : ", ") + arguments[i].text;
+
+    [[nodiscard]] Text call(NodeId id, const std::string& name) const {
+        std::string text = name;
+        for (std::size_t i = 0; i < graph_.arguments(id).size(); ++i) {
+            text += (i == 0 ? "(" : ", ") + argument(id, i).text;
+        }
+        return {text + ")"};
     }
-    return {call + ")"};
-}
+
+    // Different functions of one name are told apart by numbers.
+    std::string function_name(const Call& call) {
+        const std::string name = call.native ? std::string(call.native->name()) : "lookup";
+        std::vector<const void*>& known = functions_[name];
+        const auto place = std::find(known.begin(), known.end(), call.function());
+        const auto number = place - known.begin();
+        if (place == known.end()) {
+            known.push_back(call.function());
+        }
+        return number == 0 ? name : fmt::format("{}_{}", name, number + 1);
+    }
+
+    const Graph& graph_;
+    std::span<const Expr> expressions_;
+    std::vector<std::uint32_t> uses_;
+    std::vector<Text> texts_;
+    std::map<std::string, std::vector<const void*>> functions_;
+};
 
 }  // namespace
 
 std::string print(std::span<const Expr> expressions, std::span<const std::string> names) {
     assert(expressions.size() == names.size());
-    if (expressions.empty()) {
-        return {};
-    }
-    const Graph& graph = expressions.front().graph();
-    const std::vector<NodeId> nodes = reachable(graph, expressions);
-    std::vector<std::uint32_t> uses(graph.size(), 0);
-    for (const NodeId id : nodes) {
-        for (const NodeId argument : graph[id].arguments) {
-            if (argument.valid()) {
-                ++uses[argument.value()];
-            }
-        }
-    }
-    for (const Expr root : expressions) {
-        ++uses[root.id().value()];
-    }
-    // A long single formula is split as well, for readability.
-    constexpr std::size_t longest = 160;
-    std::vector<Text> texts(graph.size());
-    std::string result;
-    std::size_t named = 0;
-    for (const NodeId id : nodes) {
-        const Node& node = graph[id];
-        std::array<Text, 3> arguments;
-        const auto arity = static_cast<std::size_t>(operation(node.op).arity);
-        for (std::size_t i = 0; i < arity; ++i) {
-            arguments[i] = texts[node.arguments[i].value()];
-        }
-        Text text = print_node(graph, node, std::span(arguments).first(arity));
-        if (arity > 0 && (uses[id.value()] > 1 || text.text.size() > longest)) {
-            const std::string name = fmt::format("s{}", ++named);
-            result += fmt::format("{} = {}\n", name, text.text);
-            text = {name};
-        }
-        texts[id.value()] = std::move(text);
-    }
-    for (std::size_t i = 0; i < expressions.size(); ++i) {
-        result += fmt::format("{} = {}\n", names[i], texts[expressions[i].id().value()].text);
-    }
-    return result;
+    return expressions.empty() ? std::string() : Printer(expressions).run(names);
 }
 
 std::string print(Expr expression) {

@@ -28,10 +28,8 @@ public:
           built_from_(graph.size()),
           product_(graph.size()) {
         for (const NodeId id : nodes_) {
-            for (const NodeId argument : graph[id].arguments) {
-                if (argument.valid()) {
-                    ++uses_[argument.value()];
-                }
+            for (const NodeId argument : graph.arguments(id)) {
+                ++uses_[argument.value()];
             }
         }
         for (const Expr root : roots) {
@@ -57,29 +55,26 @@ private:
         switch (node.op) {
             case Op::add: return rewrite_sum(id, node, 1.0);
             case Op::subtract: return rewrite_sum(id, node, -1.0);
-            case Op::negate: return rewrite_multiple(id, node.arguments[0], -1.0);
+            case Op::negate: return rewrite_multiple(id, node.operands[0], -1.0);
             case Op::multiply: return rewrite_product(id, node);
             case Op::divide: return rewrite_quotient(id, node);
-            default: return rewrite_call(node);
+            default: return rewrite_arguments(id, node);
         }
     }
 
-    Expr rewrite_call(const Node& node) {
-        std::array<Expr, 3> arguments;
-        std::size_t arity = 0;
-        for (const NodeId argument : node.arguments) {
-            if (argument.valid()) {
-                arguments[arity++] = made(argument);
-            }
+    Expr rewrite_arguments(NodeId id, const Node& node) {
+        std::vector<Expr> arguments;
+        for (const NodeId argument : graph_.arguments(id)) {
+            arguments.push_back(made(argument));
         }
-        return graph_.remake(graph_, node, std::span(arguments).first(arity));
+        return graph_.remake(graph_, node, arguments);
     }
 
     // A sum may be merged into an enclosing sum: always if nothing else uses it, if shared
     // only if the merged sum is not longer than the sum that keeps it.
     Expr rewrite_sum(NodeId id, const Node& node, double sign) {
-        const NodeId a = node.arguments[0];
-        const NodeId b = node.arguments[1];
+        const NodeId a = node.operands[0];
+        const NodeId b = node.operands[1];
         const LinearForm kept = LinearForm::sum(linear_or_term(a), sign, linear_or_term(b));
         LinearForm dissolved = LinearForm::sum(linear(a), sign, linear(b));
         const bool dissolve = dissolved.term_count() <= kept.term_count();
@@ -113,8 +108,8 @@ private:
     }
 
     Expr rewrite_product(NodeId id, const Node& node) {
-        const NodeId a = node.arguments[0];
-        const NodeId b = node.arguments[1];
+        const NodeId a = node.operands[0];
+        const NodeId b = node.operands[1];
         for (const auto& [constant, other] : {std::pair(a, b), std::pair(b, a)}) {
             if (made(constant).is_constant()) {
                 return rewrite_multiple(id, other, made(constant).node().value);
@@ -140,13 +135,13 @@ private:
 
     // If the divisor changes rarely, one division per row or column and a product are cheaper.
     Expr rewrite_quotient(NodeId id, const Node& node) {
-        const Expr numerator = made(node.arguments[0]);
-        const Expr divisor = made(node.arguments[1]);
+        const Expr numerator = made(node.operands[0]);
+        const Expr divisor = made(node.operands[1]);
         if (numerator.rate(rates_) != Rate::pixel || divisor.rate(rates_) == Rate::pixel) {
             return numerator / divisor;
         }
         ProductForm form =
-            ProductForm::product(product(node.arguments[0]), ProductForm(1.0 / divisor, rates_));
+            ProductForm::product(product(node.operands[0]), ProductForm(1.0 / divisor, rates_));
         return std::isnormal(form.coefficient()) ? keep_product(id, std::move(form))
                                                  : numerator / divisor;
     }

@@ -17,20 +17,18 @@ std::vector<Expr> substitute(Graph& target, std::span<const Expr> expressions,
         assert(&substitution.replacement.graph() == &target);
         made[substitution.leaf.id().value()] = substitution.replacement;
     }
+    std::vector<Expr> arguments;
     for (const NodeId id : reachable(source, expressions)) {
         if (made[id.value()].valid()) {
             continue;
         }
         // A copy, because building in the same graph may move its nodes.
         const Node node = source[id];
-        std::array<Expr, 3> arguments;
-        std::size_t arity = 0;
-        for (const NodeId argument : node.arguments) {
-            if (argument.valid()) {
-                arguments[arity++] = made[argument.value()];
-            }
+        arguments.clear();
+        for (const NodeId argument : source.arguments(id)) {
+            arguments.push_back(made[argument.value()]);
         }
-        made[id.value()] = target.remake(source, node, std::span(arguments).first(arity));
+        made[id.value()] = target.remake(source, node, arguments);
     }
     std::vector<Expr> result;
     result.reserve(expressions.size());

@@ -36,7 +36,7 @@ std::vector<NodeId> schedule(const Graph& graph, std::span<const Expr> roots) {
     std::vector<bool> seen(graph.size(), false);
     std::vector<Visit> path;
     const auto enter = [&](NodeId id) {
-        if (id.valid() && !seen[id.value()]) {
+        if (!seen[id.value()]) {
             seen[id.value()] = true;
             path.push_back({id, 0});
         }
@@ -45,9 +45,9 @@ std::vector<NodeId> schedule(const Graph& graph, std::span<const Expr> roots) {
         enter(root.id());
         while (!path.empty()) {
             Visit& visit = path.back();
-            const Node& node = graph[visit.id];
-            if (visit.next_argument < node.arguments.size()) {
-                enter(node.arguments[visit.next_argument++]);
+            const std::span<const NodeId> arguments = graph.arguments(visit.id);
+            if (visit.next_argument < arguments.size()) {
+                enter(arguments[visit.next_argument++]);
             } else {
                 order.push_back(visit.id);
                 path.pop_back();
@@ -88,6 +88,7 @@ public:
     }
 
     std::shared_ptr<const Tape> run() {
+        find_results();
         find_last_uses();
         assign_registers();
         place_registers();
@@ -116,11 +117,24 @@ private:
         return for_points && rate != Rate::uniform ? Rate::pixel : rate;
     }
 
-    template <class Function>
-    void for_arguments(NodeId id, Function function) {
-        for (const NodeId argument : graph_[id].arguments) {
-            if (argument.valid()) {
-                function(argument);
+    // What the instruction of a node reads. A result of a call has none: it stands where the call
+    // puts it.
+    [[nodiscard]] std::span<const NodeId> read_by(NodeId id) const {
+        return graph_[id].op == Op::result ? std::span<const NodeId>() : graph_.arguments(id);
+    }
+
+    [[nodiscard]] bool is_native(NodeId id) const {
+        return graph_[id].op == Op::call && graph_.call_of(id).native;
+    }
+
+    // Which nodes are the results of each call; none where nothing reads a result.
+    void find_results() {
+        for (const NodeId id : order_) {
+            if (graph_[id].op == Op::result) {
+                const NodeId call = graph_.arguments(id)[0];
+                std::vector<NodeId>& results = results_[call.value()];
+                results.resize(graph_.call_of(call).result_count());
+                results[graph_[id].detail] = id;
             }
         }
     }
@@ -133,7 +147,7 @@ private:
             Value& made = value(id);
             made.rate = rate_of(id);
             made.last_use = is_leaf(graph_[id].op) ? never : step;
-            for_arguments(id, [&](NodeId argument) {
+            for (const NodeId argument : read_by(id)) {
                 Value& read = value(argument);
                 ++read.uses;
                 if (read.rate != made.rate) {
@@ -141,7 +155,7 @@ private:
                 } else if (read.last_use != never) {
                     read.last_use = step;
                 }
-            });
+            }
         }
         for (std::size_t i = 0; i < roots_.size(); ++i) {
             Value& root = value(roots_[i].id());
@@ -152,8 +166,9 @@ private:
     }
 
     // Every kernel reads a point of its arguments before it writes that point of its result, so a
-    // result may take the register of an argument that dies with it. Leaves are filled in before
-    // the first instruction runs, so their registers are allocated before any is freed.
+    // result may take the register of an argument that dies with it; natives promise nothing like
+    // it. Leaves are filled in before the first instruction runs, so theirs are taken before any is
+    // given back.
     void assign_registers() {
         for (const NodeId id : order_) {
             if (is_leaf(graph_[id].op)) {
@@ -162,19 +177,42 @@ private:
         }
         for (std::size_t step = 0; step < order_.size(); ++step) {
             const NodeId id = order_[step];
-            Value& made = value(id);
-            for_arguments(id, [&](NodeId argument) {
+            if (is_native(id)) {
+                take_for_results(id);
+            }
+            const Rate rate = value(id).rate;
+            for (const NodeId argument : read_by(id)) {
                 Value& read = value(argument);
                 if (read.last_use == step) {
                     pools_[index(read.rate)].give_back(read.number);
                     read.last_use = never;  // an argument used twice is freed once
                 }
-                if (made.rate == Rate::pixel && read.rate == Rate::row && read.replica == 0) {
+                if (rate == Rate::pixel && read.rate == Rate::row && read.replica == 0) {
                     read.replica = ++replicas_;
                 }
-            });
-            if (!is_leaf(graph_[id].op)) {
-                made.number = pools_[index(made.rate)].take();
+            }
+            if (graph_[id].op == Op::call && !is_native(id)) {
+                take_for_results(id);
+            } else if (graph_[id].op != Op::call && graph_[id].op != Op::result &&
+                       !is_leaf(graph_[id].op)) {
+                value(id).number = pools_[index(rate)].take();
+            }
+        }
+    }
+
+    // A result that nothing reads has a register while its call runs.
+    void take_for_results(NodeId call) {
+        RegisterPool& pool = pools_[index(value(call).rate)];
+        std::vector<std::uint32_t>& numbers = call_registers_[call.value()];
+        for (const NodeId result : results_[call.value()]) {
+            numbers.push_back(pool.take());
+            if (result.valid()) {
+                value(result).number = numbers.back();
+            }
+        }
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            if (!results_[call.value()][i].valid()) {
+                pool.give_back(numbers[i]);
             }
         }
     }
@@ -186,12 +224,21 @@ private:
             base_[index(rate)] = at;
             at += pools_[index(rate)].count() * register_doubles[index(rate)];
         }
+        tape_->repeated = at;
+        for (const NodeId id : order_) {
+            if (is_native(id)) {
+                const auto count = static_cast<std::uint32_t>(graph_.arguments(id).size());
+                at = std::max(at,
+                              tape_->repeated + count * static_cast<std::uint32_t>(max_tile_width));
+            }
+        }
         tape_->register_doubles = at;
     }
 
-    std::uint32_t offset(NodeId id) {
-        const Value& of = value(id);
-        return base_[index(of.rate)] + of.number * register_doubles[index(of.rate)];
+    std::uint32_t offset(NodeId id) { return offset(value(id).rate, value(id).number); }
+
+    [[nodiscard]] std::uint32_t offset(Rate rate, std::uint32_t number) const {
+        return base_[index(rate)] + number * register_doubles[index(rate)];
     }
 
     Operand operand(NodeId argument, Rate reader) {
@@ -208,8 +255,6 @@ private:
     }
 
     void emit() {
-        collect_tables();
-        collect_natives();
         for (const NodeId id : order_) {
             const Node& node = graph_[id];
             if (node.op == Op::constant) {
@@ -217,7 +262,7 @@ private:
             } else if (node.op == Op::input) {
                 tape_->inputs.push_back(
                     {source(expr::InputId(node.detail)), value(id).rate, offset(id)});
-            } else {
+            } else if (node.op != Op::result) {
                 tape_->sections[index(value(id).rate)].push_back(instruction(id));
             }
             if (value(id).replica != 0) {
@@ -242,49 +287,63 @@ private:
         return Tape::Input::first_declared + static_cast<std::uint32_t>(found - declared.begin());
     }
 
-    // A pixel value that is one root and has no other use needs no register.
+    // A pixel value that is one root and serves nothing else needs no register, unless it is one of
+    // the results that a native writes.
     bool made_in_place(NodeId id) {
         const Value& made = value(id);
-        return made.rate == Rate::pixel && !is_leaf(graph_[id].op) && made.root >= 0 &&
-               made.uses == 1;
+        const bool of_native = graph_[id].op == Op::result && is_native(graph_.arguments(id)[0]);
+        return made.rate == Rate::pixel && !is_leaf(graph_[id].op) && !of_native &&
+               made.root >= 0 && made.uses == 1;
     }
 
     Instruction instruction(NodeId id) {
-        const Node& node = graph_[id];
+        const Op op = graph_[id].op;
         Instruction made;
-        made.op = node.op;
-        made.result = offset(id);
-        made.root = made_in_place(id) ? value(id).root : -1;
-        for (std::size_t i = 0; i < node.arguments.size(); ++i) {
-            if (node.arguments[i].valid()) {
-                made.arguments[i] = operand(node.arguments[i], value(id).rate);
-            }
+        made.op = op;
+        if (is_native(id)) {
+            made.native = native_call(id);
+            return made;
         }
-        made.scalar = expr::operation(node.op).scalar;
-        if (expr::is_lookup(node.op)) {
-            made.table = &tape_->table_views[table_numbers_.at(node.detail)];
-        } else if (expr::is_native(node.op)) {
-            made.native = &tape_->native_calls[native_numbers_.at(node.detail)];
+        // The one result of a look-up is what its call makes.
+        const NodeId result = op == Op::call ? results_[id.value()].front() : id;
+        made.result = offset(result);
+        made.root = made_in_place(result) ? value(result).root : -1;
+        const std::span<const NodeId> arguments = graph_.arguments(id);
+        for (std::size_t i = 0; i < arguments.size(); ++i) {
+            made.arguments[i] = operand(arguments[i], value(id).rate);
+        }
+        made.scalar = expr::operation(op).scalar;
+        if (op == Op::call) {
+            made.table = table_view(graph_.call_of(id).table);
         }
         return made;
     }
 
-    void collect_tables() {
-        for (const NodeId id : order_) {
-            const Node& node = graph_[id];
-            if (!expr::is_lookup(node.op) ||
-                !table_numbers_.emplace(node.detail, tape_->tables.size()).second) {
-                continue;
-            }
-            const std::shared_ptr<const expr::Table>& table =
-                graph_.table(expr::TableId(node.detail));
+    const NativeCall* native_call(NodeId id) {
+        NativeCall& made = tape_->native_calls.emplace_back();
+        made.function = graph_.call_of(id).native;
+        for (const NodeId argument : graph_.arguments(id)) {
+            made.arguments.push_back(operand(argument, value(id).rate));
+        }
+        for (const std::uint32_t number : call_registers_[id.value()]) {
+            made.results.push_back(offset(value(id).rate, number));
+        }
+        return &made;
+    }
+
+    const TableView* table_view(const std::shared_ptr<const expr::Table>& table) {
+        const auto [known, is_new] = table_numbers_.emplace(table.get(), tape_->tables.size());
+        if (is_new) {
             tape_->tables.push_back(table);
             tape_->table_views.push_back(view_of(*table));
+            tape_->table_views.back().number = known->second;
         }
+        return &tape_->table_views[known->second];
     }
 
     static TableView view_of(const expr::Table& table) {
         TableView view;
+        view.axis_count = table.axes.size();
         view.coefficients = table.coefficients.data();
         std::size_t power_stride = 1;
         for (std::size_t i = table.axes.size(); i-- > 0;) {
@@ -303,24 +362,6 @@ private:
         return view;
     }
 
-    void collect_natives() {
-        const auto evaluate = [](const void* function, std::size_t count,
-                                 const double* const* arguments, double* results) {
-            static_cast<const expr::Native*>(function)->evaluate(count, arguments, results);
-        };
-        for (const NodeId id : order_) {
-            const Node& node = graph_[id];
-            if (!expr::is_native(node.op) ||
-                !native_numbers_.emplace(node.detail, tape_->natives.size()).second) {
-                continue;
-            }
-            const std::shared_ptr<const expr::Native>& native =
-                graph_.native(expr::NativeId(node.detail));
-            tape_->natives.push_back(native);
-            tape_->native_calls.push_back({native.get(), evaluate, native->arity()});
-        }
-    }
-
     const Graph& graph_;
     std::span<const Expr> roots_;
     expr::Rates rates_;
@@ -329,8 +370,9 @@ private:
     std::array<RegisterPool, 4> pools_;
     std::array<std::uint32_t, 4> base_{};
     std::uint32_t replicas_ = 0;
-    std::unordered_map<std::uint32_t, std::size_t> table_numbers_;
-    std::unordered_map<std::uint32_t, std::size_t> native_numbers_;
+    std::unordered_map<std::uint32_t, std::vector<NodeId>> results_;  ///< By call node.
+    std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> call_registers_;
+    std::unordered_map<const expr::Table*, std::size_t> table_numbers_;
     std::shared_ptr<Tape> tape_ = std::make_shared<Tape>();
 };
 

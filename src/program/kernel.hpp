@@ -27,16 +27,12 @@ struct TableView {
         std::size_t degree = 0;
     };
     Axis axes[3];
+    std::size_t axis_count = 0;
+    std::size_t number = 0;  ///< Among the tables of the tape.
     const double* coefficients = nullptr;
 };
 
-/// Calls a native function for a run of points; owned by the tape.
-struct NativeCall {
-    const void* function = nullptr;
-    void (*evaluate)(const void* function, std::size_t count, const double* const* arguments,
-                     double* results) = nullptr;
-    std::size_t arity = 0;
-};
+struct NativeCall;  // tape.hpp
 
 /// The location of an argument. Its point i is at offset + (i & mask): the mask is all ones for a
 /// value that varies along the run and 0 for a constant one, so that loading needs no branch.
@@ -52,8 +48,8 @@ struct Instruction {
         -1;  ///< The only root with this value if nothing else reads it, otherwise -1.
     Operand arguments[3];
     double (*scalar)(const double* arguments) = nullptr;  ///< The operation's definition.
-    const TableView* table = nullptr;                     ///< The table of a look-up.
-    const NativeCall* native = nullptr;                   ///< The native function.
+    const TableView* table = nullptr;                     ///< Of a look-up.
+    const NativeCall* native = nullptr;                   ///< Of a native function; has no kernel.
 };
 
 /// Runs one instruction over `count` points, a multiple of register_alignment. The results go to

@@ -40,7 +40,7 @@ void lookup(const Instruction& in, const double* registers, double* to, std::siz
     for (std::size_t i = 0; i < count; ++i) {
         double s[3]{};
         double start = 0.0;
-        for (std::size_t k = 0; k < 3 && table.axes[k].cell_stride > 0.0; ++k) {
+        for (std::size_t k = 0; k < table.axis_count; ++k) {
             const TableView::Axis& axis = table.axes[k];
             const Operand& operand = in.arguments[k];
             const double x = registers[operand.offset + (i & operand.mask)];
@@ -55,33 +55,11 @@ void lookup(const Instruction& in, const double* registers, double* to, std::siz
     }
 }
 
-// For a native function; arguments that do not vary along the run are repeated for it.
-void native(const Instruction& in, const double* registers, double* to, std::size_t count) {
-    constexpr std::size_t batch = 64;
-    double repeated[3][batch];
-    for (std::size_t begin = 0; begin < count; begin += batch) {
-        const std::size_t points = std::min(batch, count - begin);
-        const double* arguments[3]{};
-        for (std::size_t k = 0; k < in.native->arity; ++k) {
-            const Operand& operand = in.arguments[k];
-            arguments[k] = registers + operand.offset + begin;
-            if (operand.mask == 0) {
-                std::fill_n(repeated[k], points, registers[operand.offset]);
-                arguments[k] = repeated[k];
-            }
-        }
-        in.native->evaluate(in.native->function, points, arguments, to + begin);
-    }
-}
-
 }  // namespace
 
 Kernel kernel_scalar(expr::Op op) {
-    if (expr::is_lookup(op)) {
+    if (op == expr::Op::call) {
         return lookup;
-    }
-    if (expr::is_native(op)) {
-        return native;
     }
     return expr::operation(op).scalar != nullptr ? by_definition : nullptr;
 }

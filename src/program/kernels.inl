@@ -186,7 +186,7 @@ inline Vector horner(const TableView& table, const double* c, Index start, const
 
 // The steps of expr::Table: no cell outside the table is read, and NaN gives NaN.
 template <int count_of_axes>
-void lookup(const Instruction& in, const double* registers, double* to, std::size_t count) {
+void lookup_in(const Instruction& in, const double* registers, double* to, std::size_t count) {
     using IndexTag = lanes::RebindToSigned<Tag>;
     const TableView table = *in.table;
     const Vector zero = lanes::Zero(tag);
@@ -207,6 +207,14 @@ void lookup(const Instruction& in, const double* registers, double* to, std::siz
         }
         const auto index = lanes::ConvertTo(IndexTag(), start);
         lanes::StoreU(horner<0, count_of_axes>(table, table.coefficients, index, s), tag, to + i);
+    }
+}
+
+void lookup(const Instruction& in, const double* registers, double* to, std::size_t count) {
+    switch (in.table->axis_count) {
+        case 1: lookup_in<1>(in, registers, to, count); break;
+        case 2: lookup_in<2>(in, registers, to, count); break;
+        default: lookup_in<3>(in, registers, to, count); break;
     }
 }
 
@@ -269,12 +277,8 @@ Kernel BALCONY_KERNEL(expr::Op op) {
         case Op::is_finite: return unary<[](V a) { return truth(lanes::IsFinite(a)); }>;
         case Op::select: return select;
 
-        case Op::lookup: return lookup<1>;
-        case Op::lookup_2: return lookup<2>;
-        case Op::lookup_3: return lookup<3>;
-        case Op::native:
-        case Op::native_2:
-        case Op::native_3: return kernel_scalar(op);
+        case Op::call: return lookup;
+        case Op::result: return nullptr;
     }
     return nullptr;
 }

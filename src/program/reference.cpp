@@ -7,21 +7,32 @@ namespace balcony::program {
 
 namespace {
 
+void call(const NativeCall& native, std::vector<double>& registers) {
+    std::vector<const double*> arguments;
+    for (const Operand& operand : native.arguments) {
+        arguments.push_back(&registers[operand.offset]);
+    }
+    std::vector<double*> results;
+    for (const std::uint32_t result : native.results) {
+        results.push_back(&registers[result]);
+    }
+    native.function->evaluate(1, arguments.data(), results.data());
+}
+
 // One value per register, in its first double.
 void run_section(const Tape& tape, Rate rate, std::vector<double>& registers) {
     for (const Instruction& instruction : tape.section(rate)) {
+        if (instruction.native != nullptr) {
+            call(*instruction.native, registers);
+            continue;
+        }
         std::array<double, 3> arguments{};
         for (std::size_t i = 0; i < arguments.size(); ++i) {
             arguments[i] = registers[instruction.arguments[i].offset];
         }
-        if (expr::is_lookup(instruction.op)) {
-            const auto number = instruction.table - tape.table_views.data();
-            const expr::Table& table = *tape.tables[static_cast<std::size_t>(number)];
+        if (instruction.table != nullptr) {
+            const expr::Table& table = *tape.tables[instruction.table->number];
             registers[instruction.result] = table(std::span(arguments).first(table.axes.size()));
-        } else if (expr::is_native(instruction.op)) {
-            const std::array<const double*, 3> batch{&arguments[0], &arguments[1], &arguments[2]};
-            instruction.native->evaluate(instruction.native->function, 1, batch.data(),
-                                         &registers[instruction.result]);
         } else {
             registers[instruction.result] = instruction.scalar(arguments.data());
         }

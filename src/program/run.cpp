@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
+#include <utility>
 
 #include <hwy/targets.h>
 
@@ -142,8 +143,31 @@ private:
         }
     }
 
-    void run(const Instruction& instruction, double* to, std::size_t count) const {
+    void run(const Instruction& instruction, double* to, std::size_t count) {
+        if (instruction.native != nullptr) {
+            call(*instruction.native, count);
+            return;
+        }
         kernels_[static_cast<std::size_t>(instruction.op)](instruction, registers_, to, count);
+    }
+
+    // Arguments that do not vary along the run are repeated for it.
+    void call(const NativeCall& native, std::size_t count) {
+        arguments_.clear();
+        double* repeated = registers_ + tape_.repeated;
+        for (const Operand& operand : native.arguments) {
+            const double* values = registers_ + operand.offset;
+            if (operand.mask == 0) {
+                std::fill_n(repeated, count, *values);
+                values = std::exchange(repeated, repeated + max_tile_width);
+            }
+            arguments_.push_back(values);
+        }
+        call_results_.clear();
+        for (const std::uint32_t result : native.results) {
+            call_results_.push_back(registers_ + result);
+        }
+        native.function->evaluate(count, arguments_.data(), call_results_.data());
     }
 
     void run_section(Rate rate, std::size_t count) {
@@ -188,6 +212,8 @@ private:
     const Kernels& kernels_;
     double* registers_;
     std::vector<PixelInput> pixel_inputs_;
+    std::vector<const double*> arguments_;  ///< Of the native called last.
+    std::vector<double*> call_results_;
     std::span<double* const> results_;
     std::size_t width_ = 0;
     bool in_place_ = false;  ///< Rows are whole vectors, so that pixel roots need no copy.

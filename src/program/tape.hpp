@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <deque>
 #include <memory>
 #include <vector>
 
@@ -10,6 +11,13 @@
 #include "program/kernel.hpp"
 
 namespace balcony::program {
+
+/// How a native function is called: with registers for its arguments and for all of its results.
+struct NativeCall {
+    std::shared_ptr<const expr::Native> function;
+    std::vector<Operand> arguments;
+    std::vector<std::uint32_t> results;  ///< Offsets.
+};
 
 /// A compiled program: four lists of instructions over one block of registers, all positions in
 /// doubles from its start. Uniform values are replicated over register_alignment doubles; column
@@ -46,12 +54,12 @@ struct Tape {
     std::vector<Input> inputs;  ///< Those that the program reads.
     std::vector<Replication> replications;
     std::vector<Root> roots;
+    std::uint32_t repeated = 0;  ///< Where arguments of natives that do not vary are repeated.
     std::size_t register_doubles = 0;
 
     std::vector<std::shared_ptr<const expr::Table>> tables;
-    std::vector<TableView> table_views;  ///< One for each table; instructions point into it.
-    std::vector<std::shared_ptr<const expr::Native>> natives;
-    std::vector<NativeCall> native_calls;  ///< One for each native; instructions point into it.
+    std::deque<TableView> table_views;    ///< One for each table; instructions point to them.
+    std::deque<NativeCall> native_calls;  ///< One for each call; instructions point to them.
 
     [[nodiscard]] const std::vector<Instruction>& section(Rate rate) const {
         return sections[static_cast<std::size_t>(rate)];

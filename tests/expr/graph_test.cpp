@@ -194,8 +194,8 @@ TEST(Graph, ArgumentsStandBeforeTheNodeThatUsesThem) {
         (void)simplify(std::span(&built, 1));
     }
     for (std::size_t i = 0; i < graph.size(); ++i) {
-        for (const NodeId argument : graph[NodeId(i)].arguments) {
-            EXPECT_TRUE(!argument.valid() || argument.value() < i);
+        for (const NodeId argument : graph.arguments(NodeId(i))) {
+            EXPECT_LT(argument.value(), i);
         }
     }
 }

@@ -101,14 +101,38 @@ private:
             return graph_->constant(std::stod(text));
         }
         if (const auto known = named_.find(text); known != named_.end()) {
-            return known->second;
+            return result_of(known->second);
         }
         if (std::find(formula_inputs.begin(), formula_inputs.end(), text) != formula_inputs.end()) {
             return graph_->input(text);
         }
+        if (text == formula_native()->name()) {
+            return result_of(native_call());
+        }
         return text == "nan"   ? graph_->constant(std::nan(""))
                : text == "inf" ? graph_->constant(HUGE_VAL)
                                : call(text);
+    }
+
+    // A call, of whose results one may be named behind it.
+    Expr result_of(Expr call) {
+        if (!take("[")) {
+            return call;
+        }
+        const std::size_t number = take("1") ? 1 : 0;
+        EXPECT_TRUE(number == 1 || take("0"));
+        EXPECT_TRUE(take("]"));
+        return graph_->call(formula_native(),
+                            std::array{call.argument(0), call.argument(1)})[number];
+    }
+
+    Expr native_call() {
+        EXPECT_TRUE(take("("));
+        const Expr a = binary(0);
+        EXPECT_TRUE(take(","));
+        const Expr b = binary(0);
+        EXPECT_TRUE(take(")"));
+        return graph_->call(formula_native(), std::array{a, b})[0].argument(0);
     }
 
     Expr call(const std::string& name) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <random>
 #include <string>
 #include <string_view>
@@ -18,12 +19,16 @@ struct Bounded {
     double error = 0.0;
 };
 
+/// (a, b) to a / (1 + b^2) and 1 / (1 + a^2 + b^2), which is what formulas call.
+[[nodiscard]] const std::shared_ptr<const Native>& formula_native();
+
 /// A formula as a list of steps outside any graph, so that no rule of the graph has touched it.
 struct Formula {
+    /// The step of a result is a call of formula_native() on two steps.
     struct Step {
         Op op = Op::constant;
         std::array<std::size_t, 3> arguments{};  ///< Numbers of earlier steps.
-        double value = 0.0;                      ///< Of a constant.
+        double value = 0.0;                      ///< Of a constant; which result of a call.
         std::string_view input{};                ///< The name of an input.
     };
     std::vector<Step> steps;  ///< The last one is the result.

@@ -20,19 +20,32 @@ constexpr std::array<std::pair<const char*, Rate>, 4> further_inputs{{{"uniform"
                                                                       {"row", Rate::row},
                                                                       {"pixel", Rate::pixel}}};
 
-class ProductAndOne final : public expr::Native {
+class Sums final : public expr::Native {
 public:
-    [[nodiscard]] std::string_view name() const override { return "product_and_one"; }
-    [[nodiscard]] std::size_t arity() const override { return 2; }
+    Sums(std::size_t arguments, std::size_t results) : arguments_(arguments), results_(results) {}
+    [[nodiscard]] std::string_view name() const override { return "sums"; }
+    [[nodiscard]] std::size_t argument_count() const override { return arguments_; }
+    [[nodiscard]] std::size_t result_count() const override { return results_; }
+    // Result by result, as a native may.
     void evaluate(std::size_t count, const double* const* arguments,
-                  double* results) const override {
-        for (std::size_t i = 0; i < count; ++i) {
-            results[i] = arguments[0][i] * arguments[1][i] + 1.0;
+                  double* const* results) const override {
+        for (std::size_t r = 0; r < results_; ++r) {
+            for (std::size_t i = 0; i < count; ++i) {
+                double sum = static_cast<double>(r);
+                for (std::size_t k = 0; k < arguments_; ++k) {
+                    sum = sum * 0.5 + arguments[k][i];
+                }
+                results[r][i] = sum;
+            }
         }
     }
-    [[nodiscard]] std::shared_ptr<const Native> derivative(std::size_t) const override {
-        return nullptr;
+    [[nodiscard]] Expr derivative(std::size_t, std::size_t, std::span<const Expr>,
+                                  std::span<const Expr>) const override {
+        return {};
     }
+
+private:
+    std::size_t arguments_, results_;
 };
 
 }  // namespace
@@ -92,7 +105,6 @@ std::vector<Expr> random_expressions(Graph& graph, Random& random, std::size_t n
     const std::vector<double> slopes{1.0, 0.0, -1.5, 2.0};
     const auto table =
         std::make_shared<const expr::Table>(expr::hermite_table(0.0, 30.0, values, slopes));
-    const auto native = std::make_shared<const ProductAndOne>();
     std::uniform_real_distribution<double> number(-2.0, 2.0);
     std::vector<Expr> made{graph.picture_x(), graph.picture_y(), graph.time(),
                            graph.constant(number(random))};
@@ -106,7 +118,16 @@ std::vector<Expr> random_expressions(Graph& graph, Random& random, std::size_t n
         } else if (random() % 16 == 0) {
             made.push_back(graph.lookup(table, any()));
         } else if (random() % 16 == 0) {
-            made.push_back(graph.native(native, std::array{any(), any()}));
+            const auto native = std::make_shared<const Sums>(1 + random() % 7, 1 + random() % 5);
+            std::vector<Expr> arguments;
+            for (std::size_t k = 0; k < native->argument_count(); ++k) {
+                arguments.push_back(any());
+            }
+            // Some of the results, in any order.
+            const std::vector<Expr> results = graph.call(native, arguments);
+            for (std::size_t used = 0; used < 1 + random() % results.size(); ++used) {
+                made.push_back(results[random() % results.size()]);
+            }
         } else {
             const Op op = allowed[random() % allowed.size()];
             const std::vector<Expr> arguments{any(), any(), any()};

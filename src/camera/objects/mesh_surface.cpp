@@ -14,7 +14,6 @@ namespace balcony::camera {
 namespace {
 
 using expr::Native;
-using expr::Table;
 using Corner = TexturedMesh::Corner;
 using Triangle = std::array<Corner, 3>;
 
@@ -45,9 +44,9 @@ struct Barycentric {
     std::array<std::array<double, 2>, 2> matrix;
 };
 
-/// The number of the first triangle that contains a point (u, v), -1 if there is none. The cells of
-/// a uniform grid over all texture coordinates list the triangles that may overlap them.
-class TriangleFinder final : public Native {
+/// Finds the first triangle that a point (u, v) lies in. Cells of a uniform grid over all texture
+/// co-ordinates list the triangles that may reach into them.
+class TriangleFinder {
 public:
     explicit TriangleFinder(const std::vector<Triangle>& triangles) {
         for (const Triangle& triangle : triangles) {
@@ -64,16 +63,17 @@ public:
         fill(triangles);
     }
 
-    [[nodiscard]] std::string_view name() const override { return "triangle_at"; }
-    [[nodiscard]] std::size_t arity() const override { return 2; }
-    void evaluate(std::size_t count, const double* const* arguments,
-                  double* results) const override {
-        for (std::size_t i = 0; i < count; ++i) {
-            results[i] = find(arguments[0][i], arguments[1][i]);
+    [[nodiscard]] std::optional<std::size_t> operator()(double u, double v) const {
+        if (std::isnan(u) || std::isnan(v)) {
+            return std::nullopt;
         }
-    }
-    [[nodiscard]] std::shared_ptr<const Native> derivative(std::size_t) const override {
-        return nullptr;
+        const std::size_t c = cell(v, 1) * side_ + cell(u, 0);
+        for (std::size_t i = begins_[c]; i < begins_[c + 1]; ++i) {
+            if (triangles_[lists_[i]].contains(u, v)) {
+                return lists_[i];
+            }
+        }
+        return std::nullopt;
     }
 
 private:
@@ -147,19 +147,6 @@ private:
                        [&](std::size_t c, std::uint32_t number) { lists_[next[c]++] = number; });
     }
 
-    [[nodiscard]] double find(double u, double v) const {
-        if (std::isnan(u) || std::isnan(v)) {
-            return -1.0;
-        }
-        const std::size_t c = cell(v, 1) * side_ + cell(u, 0);
-        for (std::size_t i = begins_[c]; i < begins_[c + 1]; ++i) {
-            if (triangles_[lists_[i]].contains(u, v)) {
-                return lists_[i];
-            }
-        }
-        return -1.0;
-    }
-
     std::vector<Barycentric> triangles_;
     std::array<double, 2> min_{}, max_{}, margin_{};
     std::size_t side_ = 1;
@@ -167,53 +154,23 @@ private:
     std::vector<std::uint32_t> lists_;  // The triangles of each cell in the order of the file.
 };
 
-/// A vector that is an affine function of (u, v) in each triangle: a + b u + c v.
-class AffineByTriangle {
-public:
-    using Values = std::array<std::array<double, 3>, 3>;  // At the three corners.
+/// A value that is an affine function of (u, v) in a triangle.
+struct Affine {
+    double at_origin, by_u, by_v;
 
-    template <class ValuesOf>
-    AffineByTriangle(const std::vector<Triangle>& triangles, const ValuesOf& values_of) {
-        for (auto& of_axis : tables_) {
-            for (auto& table : of_axis) {
-                table = std::make_shared<Table>();
-                table->axes = {{0.0, static_cast<double>(triangles.size()), triangles.size(), 0}};
-                table->coefficients.reserve(triangles.size());
-            }
-        }
-        for (const Triangle& triangle : triangles) {
-            add(Barycentric(triangle), values_of(triangle));
-        }
+    /// With these values at the corners.
+    static Affine through(const Barycentric& barycentric, const std::array<double, 3>& values) {
+        const double b = values[1] - values[0];
+        const double c = values[2] - values[0];
+        const auto& m = barycentric.matrix;
+        const double by_u = b * m[0][0] + c * m[1][0];
+        const double by_v = b * m[0][1] + c * m[1][1];
+        return {values[0] - by_u * barycentric.at[0] - by_v * barycentric.at[1], by_u, by_v};
     }
 
-    [[nodiscard]] ObjectVector emit(Expr triangle, const ParameterPoint& p) const {
-        Graph& graph = triangle.graph();
-        const auto along = [&](std::size_t axis) {
-            const auto coefficient = [&](std::size_t k) {
-                return graph.lookup(tables_[axis][k], triangle);
-            };
-            return coefficient(0) + coefficient(1) * p.u + coefficient(2) * p.v;
-        };
-        return {along(0), along(1), along(2)};
+    [[nodiscard]] double operator()(double u, double v) const {
+        return at_origin + by_u * u + by_v * v;
     }
-
-private:
-    void add(const Barycentric& barycentric, const Values& values) {
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const double a = values[0][axis];
-            const double b = values[1][axis] - a;
-            const double c = values[2][axis] - a;
-            const auto& m = barycentric.matrix;
-            const double by_u = b * m[0][0] + c * m[1][0];
-            const double by_v = b * m[0][1] + c * m[1][1];
-            const double at_origin = a - by_u * barycentric.at[0] - by_v * barycentric.at[1];
-            tables_[axis][0]->coefficients.push_back(at_origin);
-            tables_[axis][1]->coefficients.push_back(by_u);
-            tables_[axis][2]->coefficients.push_back(by_v);
-        }
-    }
-
-    std::array<std::array<std::shared_ptr<Table>, 3>, 3> tables_;
 };
 
 std::array<double, 3> face_normal(const Triangle& t) {
@@ -237,48 +194,132 @@ std::array<double, 3> face_normal(const Triangle& t) {
     return normal;
 }
 
-AffineByTriangle::Values positions_of(const Triangle& t) {
-    return {t[0].position, t[1].position, t[2].position};
+/// Position and normal, each along x, y and z.
+constexpr std::size_t value_count = 6;
+using Values = std::array<Affine, value_count>;
+
+Values values_in(const Triangle& triangle, bool smooth) {
+    const Barycentric barycentric(triangle);
+    const std::array<double, 3> flat = face_normal(triangle);
+    Values values{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        std::array<double, 3> position{};
+        std::array<double, 3> normal{};
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            position[corner] = triangle[corner].position[axis];
+            normal[corner] = smooth ? triangle[corner].normal[axis] : flat[axis];
+        }
+        values[axis] = Affine::through(barycentric, position);
+        values[3 + axis] = Affine::through(barycentric, normal);
+    }
+    return values;
 }
 
-AffineByTriangle::Values smooth_normals_of(const Triangle& t) {
-    return {t[0].normal, t[1].normal, t[2].normal};
-}
+/// The triangles of a mesh by their texture co-ordinates.
+class Triangles {
+public:
+    Triangles(const std::vector<Triangle>& triangles, bool smooth) : finder_(triangles) {
+        for (const Triangle& triangle : triangles) {
+            values_.push_back(values_in(triangle, smooth));
+        }
+    }
 
-AffineByTriangle::Values flat_normals_of(const Triangle& t) {
-    const std::array<double, 3> normal = face_normal(t);
-    return {normal, normal, normal};
-}
+    struct Found {
+        const Values& values;
+        bool inside;  ///< Else the values are those of any triangle.
+    };
+    [[nodiscard]] Found operator()(double u, double v) const {
+        const std::optional<std::size_t> number = finder_(u, v);
+        return {values_[number.value_or(0)], number.has_value()};
+    }
+
+private:
+    TriangleFinder finder_;
+    std::vector<Values> values_;
+};
+
+/// (u, v) to how each value changes by u and by v; constant in each triangle.
+class MeshSlopes final : public Native {
+public:
+    explicit MeshSlopes(std::shared_ptr<const Triangles> triangles)
+        : triangles_(std::move(triangles)) {}
+
+    std::string_view name() const override { return "mesh_slopes"; }
+    std::size_t argument_count() const override { return 2; }
+    std::size_t result_count() const override { return 2 * value_count; }
+    void evaluate(std::size_t count, const double* const* arguments,
+                  double* const* results) const override {
+        for (std::size_t i = 0; i < count; ++i) {
+            const Values& values = (*triangles_)(arguments[0][i], arguments[1][i]).values;
+            for (std::size_t k = 0; k < value_count; ++k) {
+                results[2 * k][i] = values[k].by_u;
+                results[2 * k + 1][i] = values[k].by_v;
+            }
+        }
+    }
+    Expr derivative(std::size_t, std::size_t, std::span<const Expr>,
+                    std::span<const Expr>) const override {
+        return {};
+    }
+
+private:
+    std::shared_ptr<const Triangles> triangles_;
+};
+
+/// (u, v) to the position and the normal there, and whether there is a triangle.
+class MeshPoint final : public Native {
+public:
+    explicit MeshPoint(const std::shared_ptr<const Triangles>& triangles)
+        : triangles_(triangles), slopes_(std::make_shared<const MeshSlopes>(triangles)) {}
+
+    std::string_view name() const override { return "mesh"; }
+    std::size_t argument_count() const override { return 2; }
+    std::size_t result_count() const override { return value_count + 1; }
+    std::optional<std::size_t> validity() const override { return value_count; }
+    void evaluate(std::size_t count, const double* const* arguments,
+                  double* const* results) const override {
+        for (std::size_t i = 0; i < count; ++i) {
+            const double u = arguments[0][i];
+            const double v = arguments[1][i];
+            const Triangles::Found found = (*triangles_)(u, v);
+            for (std::size_t k = 0; k < value_count; ++k) {
+                results[k][i] = found.values[k](u, v);
+            }
+            results[value_count][i] = found.inside ? 1.0 : 0.0;
+        }
+    }
+    Expr derivative(std::size_t result, std::size_t argument, std::span<const Expr> at,
+                    std::span<const Expr>) const override {
+        return result == value_count ? Expr{}
+                                     : at[0].graph().call(slopes_, at)[2 * result + argument];
+    }
+
+private:
+    std::shared_ptr<const Triangles> triangles_;
+    std::shared_ptr<const MeshSlopes> slopes_;
+};
 
 /// Piecewise affine: in each triangle, (u, v) are the texture coordinates.
 class MeshSurface final : public ObjectGenerator {
 public:
     MeshSurface(const std::vector<Triangle>& triangles, bool smooth)
-        : finder_(std::make_shared<const TriangleFinder>(triangles)),
-          position_(triangles, positions_of),
-          normal_(triangles, smooth ? smooth_normals_of : flat_normals_of) {}
+        : point_(std::make_shared<const MeshPoint>(
+              std::make_shared<const Triangles>(triangles, smooth))) {}
 
     int dimension() const override { return 2; }
 
     ObjectPoint generate(const ParameterPoint& p, Emitter& emit) const override {
-        const Expr triangle = triangle_at(p, emit);
-        emit.require(0.0 <= triangle);
-        const ObjectVector from_origin = position_.emit(triangle, p);
-        return {from_origin.x, from_origin.y, from_origin.z};
+        const std::vector<Expr> at = emit.call(point_, std::array{p.u, p.v});
+        return {at[0], at[1], at[2]};
     }
 
     std::optional<ObjectVector> normal(const ParameterPoint& p, Emitter& emit) const override {
-        return normal_.emit(triangle_at(p, emit), p);
+        const std::vector<Expr> at = emit.call(point_, std::array{p.u, p.v});
+        return ObjectVector{at[3], at[4], at[5]};
     }
 
 private:
-    [[nodiscard]] Expr triangle_at(const ParameterPoint& p, const Emitter& emit) const {
-        const std::array at{p.u, p.v};
-        return emit.graph().native(finder_, at);
-    }
-
-    std::shared_ptr<const TriangleFinder> finder_;
-    AffineByTriangle position_, normal_;
+    std::shared_ptr<const MeshPoint> point_;
 };
 
 bool usable(const Triangle& triangle) {

@@ -124,37 +124,24 @@ DimensionResult plain(const Function& function, std::span<const Value> operands,
 }  // namespace
 
 DimensionResult dimension_of(const Function& function, std::span<const Value> operands) {
-    switch (function.op) {
-        case Op::negate:
-        case Op::absolute: return {operands[0].dimension, {}, {}};
-        case Op::add:
-        case Op::subtract:
-        case Op::modulo:
-        case Op::minimum:
-        case Op::maximum: return common(function, operands);
-        case Op::multiply: return product(operands[0], operands[1]);
-        case Op::divide: return quotient(operands[0], operands[1]);
-        case Op::select: return common(function, operands.subspan(1));
-        case Op::less:
-        case Op::less_equal:
-        case Op::equal:
-            return {Dimension::number, common(function, operands).error,
-                    common(function, operands).remedy};
-        case Op::sign:
-        case Op::is_finite:
-        case Op::sine:
-        case Op::cosine:
-        case Op::tangent: return {};
-        case Op::arctangent2: {
-            DimensionResult result = common(function, operands);
-            result.dimension = Dimension::angle;
-            return result;
-        }
-        case Op::arcsine:
-        case Op::arccosine:
-        case Op::arctangent: return plain(function, operands, Dimension::angle);
-        default: return plain(function, operands, Dimension::number);
+    const auto with = [](DimensionResult result, Dimension made) {
+        result.dimension = made;
+        return result;
+    };
+    using expr::UnitRule;
+    switch (expr::operation(function.op).units) {
+        case UnitRule::numbers: return plain(function, operands, Dimension::number);
+        case UnitRule::numbers_to_angle: return plain(function, operands, Dimension::angle);
+        case UnitRule::anything_to_number: return {};
+        case UnitRule::kept: return {operands[0].dimension, {}, {}};
+        case UnitRule::common: return common(function, operands);
+        case UnitRule::common_to_number: return with(common(function, operands), Dimension::number);
+        case UnitRule::common_to_angle: return with(common(function, operands), Dimension::angle);
+        case UnitRule::common_after_first: return common(function, operands.subspan(1));
+        case UnitRule::product: return product(operands[0], operands[1]);
+        case UnitRule::quotient: return quotient(operands[0], operands[1]);
     }
+    return {};
 }
 
 std::string form_of(const Value& value) {

@@ -40,26 +40,37 @@ std::shared_ptr<const Table> random_table(Random& random, std::size_t axes) {
     return table;
 }
 
-/// Depends on the order and number of its arguments, and is odd enough to betray a wrong one.
+/// Depends on the order and number of its arguments, and is odd enough to betray a wrong one; each
+/// result differs.
 class Mixture final : public expr::Native {
 public:
-    explicit Mixture(std::size_t arity) : arity_(arity) {}
+    Mixture(std::size_t arguments, std::size_t results)
+        : arguments_(arguments), results_(results) {}
     std::string_view name() const override { return "mixture"; }
-    std::size_t arity() const override { return arity_; }
+    std::size_t argument_count() const override { return arguments_; }
+    std::size_t result_count() const override { return results_; }
     void evaluate(std::size_t count, const double* const* arguments,
-                  double* results) const override {
-        for (std::size_t i = 0; i < count; ++i) {
-            double sum = 1.0;
-            for (std::size_t k = 0; k < arity_; ++k) {
-                sum = 3.0 * sum + std::floor(arguments[k][i]) * arguments[k][i];
+                  double* const* results) const override {
+        ++calls;
+        for (std::size_t r = 0; r < results_; ++r) {
+            for (std::size_t i = 0; i < count; ++i) {
+                double sum = 1.0 + static_cast<double>(r);
+                for (std::size_t k = 0; k < arguments_; ++k) {
+                    sum = 3.0 * sum + std::floor(arguments[k][i]) * arguments[k][i];
+                }
+                results[r][i] = sum;
             }
-            results[i] = sum;
         }
     }
-    std::shared_ptr<const Native> derivative(std::size_t) const override { return nullptr; }
+    Expr derivative(std::size_t, std::size_t, std::span<const Expr>,
+                    std::span<const Expr>) const override {
+        return {};
+    }
+
+    mutable std::size_t calls = 0;
 
 private:
-    std::size_t arity_;
+    std::size_t arguments_, results_;
 };
 
 // A value of a rate; those of several values pass through NaN and infinities.
@@ -88,18 +99,18 @@ Expr of_rate(Graph& graph, Rate rate, Random& random) {
     return {};
 }
 
-// The roots are the arguments, then the node under test; what the tile gives must be what the
-// definition makes of the arguments that the tile gives.
+// The roots are so many arguments, then what is made of them; what the tile gives must be what the
+// definition makes, for each such root, of the arguments that the tile gives.
 template <class Definition>
-void expect_as_defined(const std::vector<Expr>& roots, expr::Op op, const Definition& definition) {
+void expect_as_defined(const std::vector<Expr>& roots, std::size_t arity,
+                       const Definition& definition) {
     const Program program(roots);
-    const auto made_by = [&](const Instruction& made) { return made.op == op; };
+    const auto made_by = [&](const Instruction& made) { return made.op == expr::Op::call; };
     EXPECT_TRUE(std::any_of(
         program.tape().sections.begin(), program.tape().sections.end(),
         [&](const auto& section) { return std::any_of(section.begin(), section.end(), made_by); }));
-    const std::size_t arity = roots.size() - 1;
     for (std::size_t set = 0; set <= instruction_sets().size(); ++set) {
-        for (const std::size_t width : {std::size_t{64}, std::size_t{13}}) {
+        for (const std::size_t width : {std::size_t{64}, std::size_t{13}, std::size_t{5}}) {
             const Tile tile{.width = width, .height = 7, .time = 0.75};
             const Results results(program, tile);
             Scratch scratch;
@@ -109,14 +120,16 @@ void expect_as_defined(const std::vector<Expr>& roots, expr::Op op, const Defini
                 run_reference(program, tile, results.pointers());
             }
             for (std::size_t i = 0; i < tile.width * tile.height; ++i) {
-                std::array<double, 3> arguments{};
+                std::vector<double> arguments;
                 for (std::size_t k = 0; k < arity; ++k) {
-                    arguments[k] = results[k][i];
+                    arguments.push_back(results[k][i]);
                 }
-                ASSERT_TRUE(identical(results[arity][i], definition(arguments)))
-                    << "set " << set << ", point " << i << ": " << results[arity][i] << " for ("
-                    << arguments[0] << ", " << arguments[1] << ", " << arguments[2] << "), not "
-                    << definition(arguments);
+                for (std::size_t r = arity; r < roots.size(); ++r) {
+                    const double expected = definition(arguments, r - arity);
+                    ASSERT_TRUE(identical(results[r][i], expected))
+                        << "set " << set << ", point " << i << ", root " << r << ": "
+                        << results[r][i] << ", not " << expected;
+                }
             }
             EXPECT_TRUE(results.rim_intact());
         }
@@ -153,48 +166,84 @@ TEST_P(OfArity, ALookupEqualsItsTableWithArgumentsOfEveryRate) {
             for (const Rate rate : rates) {
                 roots.push_back(of_rate(graph, rate, random));
             }
-            const Expr made = graph.lookup(table, roots);
-            roots.push_back(made);
-            expect_as_defined(roots, made.op(), [&](const std::array<double, 3>& at) {
-                return (*table)(std::span(at).first(GetParam()));
+            roots.push_back(graph.lookup(table, roots));
+            expect_as_defined(roots, GetParam(), [&](std::span<const double> at, std::size_t) {
+                return (*table)(at);
             });
         }
     }
 }
 
-TEST_P(OfArity, ANativeIsCalledWithArgumentsOfEveryRate) {
-    Random random(10 + GetParam());
-    for (const std::vector<Rate>& rates : all_rates(GetParam())) {
+INSTANTIATE_TEST_SUITE_P(Table, OfArity, testing::Values(1U, 2U, 3U));
+
+class OfShape : public testing::TestWithParam<std::tuple<std::size_t, std::size_t>> {};
+
+// All results, or every second one, so that the others are left unused.
+TEST_P(OfShape, ANativeIsCalledWithArgumentsOfEveryRate) {
+    const auto [arguments, results] = GetParam();
+    Random random(10 * arguments + results);
+    const Mixture definition(arguments, results);
+    for (int repeat = 0; repeat < 12; ++repeat) {
+        const std::size_t step = 1 + static_cast<std::size_t>(repeat % 2);
         Graph graph;
-        const auto function = std::make_shared<const Mixture>(GetParam());
         std::vector<Expr> roots;
-        for (const Rate rate : rates) {
-            roots.push_back(of_rate(graph, rate, random));
+        for (std::size_t k = 0; k < arguments; ++k) {
+            roots.push_back(of_rate(graph, static_cast<Rate>(random() % 4), random));
         }
-        const Expr made = graph.native(function, roots);
-        roots.push_back(made);
-        expect_as_defined(roots, made.op(), [&](const std::array<double, 3>& at) {
-            const std::array<const double*, 3> arguments{&at[0], &at[1], &at[2]};
-            double result = 0.0;
-            function->evaluate(1, arguments.data(), &result);
-            return result;
+        const std::vector<Expr> made =
+            graph.call(std::make_shared<const Mixture>(arguments, results), roots);
+        for (std::size_t r = step - 1; r < results; r += step) {
+            roots.push_back(made[r]);
+        }
+        if (roots.size() == arguments) {
+            continue;
+        }
+        expect_as_defined(roots, arguments, [&](std::span<const double> at, std::size_t root) {
+            std::vector<const double*> given;
+            for (const double& value : at) {
+                given.push_back(&value);
+            }
+            std::vector<double> values(results);
+            std::vector<double*> to;
+            for (double& value : values) {
+                to.push_back(&value);
+            }
+            definition.evaluate(1, given.data(), to.data());
+            return values[step - 1 + root * step];
         });
     }
 }
 
-TEST_P(OfArity, ANativeHasTheRateOfItsArguments) {
+INSTANTIATE_TEST_SUITE_P(Native, OfShape,
+                         testing::Combine(testing::Range<std::size_t>(1, 8),
+                                          testing::Range<std::size_t>(1, 6)));
+
+TEST(Native, RunsAsOftenAsItsArgumentsChange) {
     Graph graph;
-    const std::vector<Expr> columns(GetParam(), graph.picture_x());
-    const std::vector<Expr> uniforms(GetParam(), graph.time());
-    const auto function = std::make_shared<const Mixture>(GetParam());
-    const std::vector<Expr> roots{graph.native(function, columns),
-                                  graph.native(function, uniforms)};
+    const auto function = std::make_shared<const Mixture>(2, 2);
+    const std::vector<Expr> of_column =
+        graph.call(function, std::array{graph.picture_x(), graph.time()});
+    const std::vector<Expr> of_time = graph.call(function, std::array{graph.time(), graph.time()});
+    const std::vector<Expr> roots{of_column[0], of_time[1]};
     const Program program(roots);
     EXPECT_EQ(program.rate(0), Rate::column);
     EXPECT_EQ(program.rate(1), Rate::uniform);
     EXPECT_EQ(program.instruction_count(Rate::pixel), 0U);
 }
 
-INSTANTIATE_TEST_SUITE_P(TableAndNative, OfArity, testing::Values(1U, 2U, 3U));
+TEST(Native, IsCalledOnceForAllOfItsResults) {
+    Graph graph;
+    const auto function = std::make_shared<const Mixture>(2, 3);
+    const std::vector<Expr> made =
+        graph.call(function, std::array{graph.picture_x(), graph.picture_y()});
+    const std::vector<Expr> roots{sin(made[2]) * made[0], made[0], made[0] + made[2]};
+    const Program program(roots);
+    const Tile tile{.width = 64, .height = 7};
+    const Results results(program, tile);
+    Scratch scratch;
+    function->calls = 0;
+    run(program, tile, scratch, results.pointers());
+    EXPECT_EQ(function->calls, tile.height) << "once a row";
+}
 
 }  // namespace balcony::program
