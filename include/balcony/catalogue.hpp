@@ -57,11 +57,20 @@ enum class Unit : std::uint8_t {
     parameter,  ///< Of parameter space, whose unit the object decides: both will do.
 };
 
+/// A function that a stage offers to its formulas: a result of a native, called by name with plain
+/// numbers.
+struct FormulaFunction {
+    std::string_view name;
+    std::shared_ptr<const expr::Native> native;
+    std::size_t result = 0;
+};
+
 /// Results as a formula of parameters: name(p1, p2) = [r1, r2, r3].
 struct FormulaShape {
     std::size_t parameters = 0;
     std::size_t min_results = 0;
     std::size_t max_results = 0;
+    std::vector<FormulaFunction> functions{};  ///< Beside those that all formulas can call.
 };
 
 /// Points that a stage is told, as control points or seeds; one after another in `values`.

@@ -43,9 +43,8 @@ Result<CurveSampler> CurveSampler::make(const ObjectGenerator& curve, Derivative
         if (leaf.op == expr::Op::input) {
             const std::string& name = graph->input_names()[leaf.detail];
             const std::string what = name == "t" ? "time" : "the input '" + name + "'";
-            return error(
-                "a curve whose course is tabulated cannot change with " + what, {},
-                "take " + name + " out of the curve; what stands outside of it may use " + name);
+            return error("a tabulated curve cannot change with " + what, {},
+                         "remove " + name + " from the curve; use it outside of the curve");
         }
     }
     return made;

@@ -35,7 +35,7 @@ public:
     [[nodiscard]] std::vector<CurveSample> operator()(std::span<const double> parameters) const;
 
 private:
-    /// The expressions are a point, its velocity and acceleration; last, whether it is there.
+    /// The expressions are a point, its velocity and acceleration; and last the validity.
     CurveSampler(std::shared_ptr<const Graph> graph, std::span<const Expr> expressions);
 
     std::shared_ptr<const Graph> graph_;

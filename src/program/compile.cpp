@@ -167,8 +167,8 @@ private:
 
     // Every kernel reads a point of its arguments before it writes that point of its result, so a
     // result may take the register of an argument that dies with it; natives promise nothing like
-    // it. Leaves are filled in before the first instruction runs, so theirs are taken before any is
-    // given back.
+    // it. Leaves are filled in before the first instruction runs, so their registers are allocated
+    // before any is freed.
     void assign_registers() {
         for (const NodeId id : order_) {
             if (is_leaf(graph_[id].op)) {
@@ -287,8 +287,8 @@ private:
         return Tape::Input::first_declared + static_cast<std::uint32_t>(found - declared.begin());
     }
 
-    // A pixel value that is one root and serves nothing else needs no register, unless it is one of
-    // the results that a native writes.
+    // A pixel value that is one root and has no other use needs no register, unless it is a result
+    // of a native.
     bool made_in_place(NodeId id) {
         const Value& made = value(id);
         const bool of_native = graph_[id].op == Op::result && is_native(graph_.arguments(id)[0]);

@@ -310,6 +310,59 @@ TEST(StageArguments, StagesTakeAllThatIsLeft) {
               "object transformer, for example translate(x, y, z)");
 }
 
+/// (a, b, c) to a + 10 b + 100 c and a.
+class Digits final : public expr::Native {
+public:
+    std::string_view name() const override { return "digits"; }
+    std::size_t argument_count() const override { return 3; }
+    std::size_t result_count() const override { return 2; }
+    void evaluate(std::size_t count, const double* const* a,
+                  double* const* results) const override {
+        for (std::size_t i = 0; i < count; ++i) {
+            results[0][i] = a[0][i] + 10.0 * a[1][i] + 100.0 * a[2][i];
+            results[1][i] = a[0][i];
+        }
+    }
+    expr::Expr derivative(std::size_t, std::size_t, std::span<const expr::Expr>,
+                          std::span<const expr::Expr>) const override {
+        return {};
+    }
+};
+
+TEST(StageArguments, AFormulaCallsTheFunctionsThatItsStageOffers) {
+    const auto digits = std::make_shared<const Digits>();
+    const std::vector<StageParameter> row{
+        {.name = "weight",
+         .type = ParameterType::formula,
+         .shape = {2, 1, 1, {{"digits", digits, 0}, {"first", digits, 1}}},
+         .meaning = "its use"},
+        {.name = "other",
+         .type = ParameterType::formula,
+         .shape = {1, 1, 1},
+         .meaning = "its use"}};
+    const Read made =
+        read(row, "stage(weight(p, q) = [digits(p, 2*q, a) - first(q, 1, 1)], other(u) = [u])");
+    ASSERT_TRUE(made.arguments) << to_text(made.said);
+    expr::Graph graph;
+    const std::array at{graph.picture_x(), graph.picture_y()};
+    const auto results = made.arguments->formula("weight").emit(graph, at);
+    EXPECT_EQ(expr::evaluate(results, {.x = 3.0, .y = 4.0})[0], 3.0 + 80.0 + 200.0 - 4.0);
+
+    const std::string other = ", other(u) = [u])";
+    EXPECT_EQ(refused(row, "stage(weight(u, v) = [digits(u, v)]" + other),
+              "'digits' takes 3 arguments, but 2 are given; the syntax is digits(a, b, c)");
+    EXPECT_EQ(refused(row, "stage(weight(u, v) = [first(u, v, 30deg)]" + other),
+              "'first' takes plain numbers, and this is an angle; divide an angle by 1rad or 1deg "
+              "for a plain number");
+    EXPECT_EQ(refused(row, "stage(weight(u, v) = [digit(u, v, 1)]" + other),
+              "there is no function 'digit'; did you mean 'digits'?");
+    EXPECT_EQ(refused(row, "stage(weight(u, v) = [digits + u]" + other),
+              "'digits' is a function; give it its arguments: digits( ... )");
+    EXPECT_TRUE(refused(row, "stage(weight(u, v) = [1], other(u) = [digits(u, u, u)])")
+                    .starts_with("there is no function 'digits'; "))
+        << "another formula of the stage is not offered it";
+}
+
 TEST(StageArguments, AFormulaHasTheNameOfItsParameter) {
     const std::vector<StageParameter> row{
         {.name = "r", .default_value = {1.0}, .meaning = "its use"},

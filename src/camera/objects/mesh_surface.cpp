@@ -44,8 +44,8 @@ struct Barycentric {
     std::array<std::array<double, 2>, 2> matrix;
 };
 
-/// Finds the first triangle that a point (u, v) lies in. Cells of a uniform grid over all texture
-/// co-ordinates list the triangles that may reach into them.
+/// Finds the first triangle that contains a point (u, v). The cells of a uniform grid over all
+/// texture coordinates list the triangles that may overlap them.
 class TriangleFinder {
 public:
     explicit TriangleFinder(const std::vector<Triangle>& triangles) {
@@ -215,7 +215,7 @@ Values values_in(const Triangle& triangle, bool smooth) {
     return values;
 }
 
-/// The triangles of a mesh by their texture co-ordinates.
+/// The triangles of a mesh by their texture coordinates.
 class Triangles {
 public:
     Triangles(const std::vector<Triangle>& triangles, bool smooth) : finder_(triangles) {

@@ -80,6 +80,9 @@ std::optional<camera::Formula> StageBuilder::formula(const FormulaRules& rules,
         return std::nullopt;
     }
     Scope scope(&scope_);
+    for (const camera::FormulaFunction& function : shape.functions) {
+        scope.offer(function);
+    }
     std::vector<expr::Expr> variables;
     for (const Identifier& name : node.parameters) {
         const SourceSpan place = tree_.at(name.span);

@@ -78,8 +78,9 @@ private:
     }
 
     bool is_function_call(const Expression& node) {
+        const camera::FormulaFunction* offered = scope_.find_function(node.name.text);
         const Function* function = find_function(node.name.text);
-        if (function == nullptr) {
+        if (offered == nullptr && function == nullptr) {
             unknown_function(node.name);
             return false;
         }
@@ -91,12 +92,13 @@ private:
                 return false;
             }
         }
-        if (node.arguments.size() != function->arity) {
+        const std::size_t arity =
+            offered != nullptr ? offered->native->argument_count() : function->arity;
+        if (node.arguments.size() != arity) {
             error(node.span,
-                  fmt::format("'{}' takes {} argument{}, but {} are given", node.name.text,
-                              function->arity, function->arity == 1 ? "" : "s",
-                              node.arguments.size()),
-                  fmt::format("the syntax is {}", call_of(*function)));
+                  fmt::format("'{}' takes {} argument{}, but {} are given", node.name.text, arity,
+                              arity == 1 ? "" : "s", node.arguments.size()),
+                  fmt::format("the syntax is {}", call_of(node.name.text, arity)));
             return false;
         }
         return true;
@@ -119,8 +121,11 @@ private:
                   fmt::format("write {} * ( ... ) for a product", name.text));
             return;
         }
+        std::vector<std::string> names = scope_.offered_names();
+        const std::vector<std::string> everywhere = function_names();
+        names.insert(names.end(), everywhere.begin(), everywhere.end());
         error(name.span, fmt::format("unknown function '{}'", name.text),
-              suggestion(name.text, function_names(), "the functions are"));
+              suggestion(name.text, names, "the functions are"));
     }
 
     Value value_of(const Expression& node) {
@@ -129,8 +134,11 @@ private:
             case ExpressionKind::name: return named(node);
             case ExpressionKind::operation:
                 return applied(node, *find_operator(node.name.text, node.arguments.size()));
-            default: return applied(node, *find_function(node.name.text));
+            default: break;
         }
+        const camera::FormulaFunction* offered = scope_.find_function(node.name.text);
+        return offered != nullptr ? called(node, *offered)
+                                  : applied(node, *find_function(node.name.text));
     }
 
     Value number(const Expression& node) {
@@ -157,7 +165,8 @@ private:
                   std::string(why));
             return {};
         }
-        if (find_function(node.name.text) != nullptr) {
+        if (scope_.find_function(node.name.text) != nullptr ||
+            find_function(node.name.text) != nullptr) {
             error(node.span, fmt::format("'{}' is a function", node.name.text),
                   fmt::format("add its arguments: {}( ... )", node.name.text));
             return {};
@@ -212,11 +221,36 @@ private:
         return result;
     }
 
+    // A function that the stage around the formula offers.
+    Value called(const Expression& node, const camera::FormulaFunction& function) {
+        std::vector<expr::Expr> arguments;
+        Value result;
+        for (const Argument& argument : node.arguments) {
+            const Value& operand = values_[argument.value.value() - first_];
+            if (operand.failed()) {
+                return {};
+            }
+            if (operand.is_angle()) {
+                error(tree_[argument.value].span,
+                      fmt::format("'{}' takes plain numbers, and this is an angle", function.name),
+                      "divide an angle by 1rad or 1deg for a plain number");
+                return {};
+            }
+            arguments.push_back(operand.expr);
+            result.problem = result.problem ? result.problem : operand.problem;
+        }
+        result.expr = graph_.call(function.native, arguments)[function.result];
+        return result;
+    }
+
     // atan2(a, b)
-    static std::string call_of(const Function& function) {
-        constexpr std::array<std::string_view, 4> letters = {"", "a", "a, b", "a, b, c"};
-        return fmt::format("{}({})", function.name,
-                           letters[std::min(function.arity, letters.size() - 1)]);
+    static std::string call_of(std::string_view name, std::size_t arity) {
+        std::string letters;
+        for (std::size_t i = 0; i < arity; ++i) {
+            letters += i == 0 ? "" : ", ";
+            letters += static_cast<char>('a' + i % 26);
+        }
+        return fmt::format("{}({})", name, letters);
     }
 
     // sqrt(-1), 0 ^ -1

@@ -30,6 +30,27 @@ Definition* Scope::find(std::string_view name) {
     return nullptr;
 }
 
+const camera::FormulaFunction* Scope::find_function(std::string_view name) const {
+    for (const Scope* scope = this; scope != nullptr; scope = scope->outer_) {
+        for (const camera::FormulaFunction* function : scope->functions_) {
+            if (function->name == name) {
+                return function;
+            }
+        }
+    }
+    return nullptr;
+}
+
+std::vector<std::string> Scope::offered_names() const {
+    std::vector<std::string> names;
+    for (const Scope* scope = this; scope != nullptr; scope = scope->outer_) {
+        for (const camera::FormulaFunction* function : scope->functions_) {
+            names.emplace_back(function->name);
+        }
+    }
+    return names;
+}
+
 void Scope::announce(std::string_view name, std::string_view why_not_yet) {
     announced_.emplace(name, why_not_yet);
 }

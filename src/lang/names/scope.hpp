@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "balcony/catalogue.hpp"
 #include "lang/names/value.hpp"
 #include "lang/reporter.hpp"
 #include "lang/syntax/syntax.hpp"
@@ -32,6 +33,12 @@ public:
     bool define(std::string_view name, Definition definition);
     [[nodiscard]] Definition* find(std::string_view name);
     [[nodiscard]] Definition* find_here(std::string_view name);
+    /// Lets expressions here call a function, which must outlive this.
+    void offer(const camera::FormulaFunction& function) { functions_.push_back(&function); }
+    /// The function of a name that is offered here or further out; null if there is none.
+    [[nodiscard]] const camera::FormulaFunction* find_function(std::string_view name) const;
+    /// The names of all such functions.
+    [[nodiscard]] std::vector<std::string> offered_names() const;
     /// Stores the reason why a name that is defined later cannot be used yet.
     void announce(std::string_view name, std::string_view why_not_yet);
     /// The stored reason for such a name; empty for others.
@@ -54,6 +61,7 @@ private:
     Scope* outer_;
     std::unordered_map<std::string_view, Definition> definitions_;
     std::unordered_map<std::string_view, std::string_view> announced_;
+    std::vector<const camera::FormulaFunction*> functions_;
     bool incomplete_ = false;
 };
 
