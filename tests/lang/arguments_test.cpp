@@ -352,14 +352,14 @@ TEST(StageArguments, AFormulaCallsTheFunctionsThatItsStageOffers) {
     EXPECT_EQ(refused(row, "stage(weight(u, v) = [digits(u, v)]" + other),
               "'digits' takes 3 arguments, but 2 are given; the syntax is digits(a, b, c)");
     EXPECT_EQ(refused(row, "stage(weight(u, v) = [first(u, v, 30deg)]" + other),
-              "'first' takes plain numbers, and this is an angle; divide an angle by 1rad or 1deg "
+              "'first' takes plain numbers, but this is an angle; divide an angle by 1rad or 1deg "
               "for a plain number");
     EXPECT_EQ(refused(row, "stage(weight(u, v) = [digit(u, v, 1)]" + other),
-              "there is no function 'digit'; did you mean 'digits'?");
+              "unknown function 'digit'; did you mean 'digits'?");
     EXPECT_EQ(refused(row, "stage(weight(u, v) = [digits + u]" + other),
-              "'digits' is a function; give it its arguments: digits( ... )");
+              "'digits' is a function; add its arguments: digits( ... )");
     EXPECT_TRUE(refused(row, "stage(weight(u, v) = [1], other(u) = [digits(u, u, u)])")
-                    .starts_with("there is no function 'digits'; "))
+                    .starts_with("unknown function 'digits'; "))
         << "another formula of the stage is not offered it";
 }
 

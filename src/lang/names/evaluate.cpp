@@ -232,7 +232,7 @@ private:
             }
             if (operand.is_angle()) {
                 error(tree_[argument.value].span,
-                      fmt::format("'{}' takes plain numbers, and this is an angle", function.name),
+                      fmt::format("'{}' takes plain numbers, but this is an angle", function.name),
                       "divide an angle by 1rad or 1deg for a plain number");
                 return {};
             }
