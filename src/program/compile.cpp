@@ -127,6 +127,10 @@ private:
         return graph_[id].op == Op::call && graph_.call_of(id).native;
     }
 
+    [[nodiscard]] bool is_lookup(NodeId id) const {
+        return graph_[id].op == Op::call && graph_.call_of(id).table;
+    }
+
     // Which nodes are the results of each call; none where nothing reads a result.
     void find_results() {
         for (const NodeId id : order_) {
@@ -191,10 +195,9 @@ private:
                     read.replica = ++replicas_;
                 }
             }
-            if (graph_[id].op == Op::call && !is_native(id)) {
+            if (is_lookup(id)) {
                 take_for_results(id);
-            } else if (graph_[id].op != Op::call && graph_[id].op != Op::result &&
-                       !is_leaf(graph_[id].op)) {
+            } else if (expr::operation(graph_[id].op).scalar != nullptr) {
                 value(id).number = pools_[index(rate)].take();
             }
         }
