@@ -4,9 +4,9 @@
 
 // Base: source text and spans, diagnostics, results, strong indices.
 //
-// The library never prints, exits or aborts. Whatever a user should be told is a Diagnostic; a
-// function that can fail on bad input returns a Result. A broken invariant of the library itself
-// is an assertion.
+// The library never prints, exits or aborts. Messages to the user are Diagnostics; a
+// function that can fail on bad input returns a Result. A violated invariant of the library
+// is an assertion failure.
 
 #include <cassert>
 #include <compare>
@@ -21,7 +21,7 @@
 
 namespace balcony {
 
-/// An index that cannot be mixed up with an index of another kind. The default value is invalid.
+/// A strongly typed index. The default value is invalid.
 template <class Tag>
 class StrongIndex {
 public:
@@ -39,14 +39,14 @@ private:
     std::uint32_t value_ = invalid_value;
 };
 
-/// A position for people: line and column count from 1, the column in code points.
+/// A readable position: line and column, counted from 1, the column in code points.
 struct LineColumn {
     std::size_t line = 1;
     std::size_t column = 1;
 };
 
-/// A text with the name under which the user knows it (a file name, "--set", ...). Immutable. A
-/// byte order mark that opens the text is dropped; offsets count from behind it.
+/// A text with a name for the user (a file name, "--set", ...). Immutable. A
+/// byte order mark at the start is removed; offsets are relative to the text after it.
 class SourceText {
 public:
     SourceText(std::string name, std::string text);
@@ -55,7 +55,7 @@ public:
     [[nodiscard]] std::string_view text() const { return text_; }
     [[nodiscard]] std::size_t line_count() const { return line_begins_.size(); }
 
-    /// Where a byte offset lies; an offset past the end counts as the end.
+    /// The position of a byte offset; an offset past the end is clamped to the end.
     [[nodiscard]] LineColumn locate(std::size_t offset) const;
 
     /// The text of a line (from 1) without its line break.
@@ -69,25 +69,25 @@ private:
 
 enum class LineFeeds : bool { replace, keep };
 
-/// A text that a terminal shows as it is, whoever wrote it: what would act on the terminal, reorder
-/// or hide text becomes '?' (control codes, marks of direction, separators of lines, characters
-/// without width, bytes that are no UTF-8), and a tab becomes a space.
+/// Makes an untrusted text safe for a terminal. Characters that would control the terminal, reorder
+/// or hide text become '?' (control codes, direction marks, line separators, characters
+/// without width, invalid UTF-8), and a tab becomes a space.
 [[nodiscard]] std::string printable(std::string_view text,
                                     LineFeeds line_feeds = LineFeeds::replace);
 
-/// The bytes [begin, end) of a source; without a source it points nowhere.
+/// The bytes [begin, end) of a source; without a source, it is no position.
 struct SourceSpan {
     std::shared_ptr<const SourceText> source;
     std::size_t begin = 0;
     std::size_t end = 0;
 };
 
-/// The smallest span that holds both; both must have the same source.
+/// The smallest span that contains both; both must have the same source.
 [[nodiscard]] SourceSpan join(const SourceSpan& first, const SourceSpan& last);
 
 enum class Severity : std::uint8_t { warning, error };
 
-/// Something to tell the user: what is wrong, where, and what to do about it.
+/// An error or a warning for the user: what is wrong, where, and a suggested fix.
 struct Diagnostic {
     struct Note {
         SourceSpan span;
@@ -95,10 +95,10 @@ struct Diagnostic {
     };
 
     Severity severity = Severity::error;
-    std::string message;      ///< One sentence, no full stop, names the thing that is wrong.
-    SourceSpan span;          ///< Where; may point nowhere.
-    std::string remedy;       ///< What to do; may be empty.
-    std::vector<Note> notes;  ///< Other places that matter, such as an earlier definition.
+    std::string message;      ///< One sentence without a full stop that names the incorrect item.
+    SourceSpan span;          ///< The position; may be empty.
+    std::string remedy;       ///< A suggested fix; may be empty.
+    std::vector<Note> notes;  ///< Other relevant positions, such as an earlier definition.
 };
 
 using Diagnostics = std::vector<Diagnostic>;
@@ -108,19 +108,19 @@ using Diagnostics = std::vector<Diagnostic>;
                                  std::string remedy = {});
 [[nodiscard]] bool has_errors(const Diagnostics& diagnostics);
 
-/// Prints a diagnostic with its place, the line it is about and the part underlined:
+/// Formats a diagnostic with its position and its source line, with the span underlined:
 ///
 ///     gallery.cam:4:15: error: there is no stage named 'superelipse'
 ///        4 |     eye product(superelipse(1, b/a, gamma), ...
 ///          |                 ^~~~~~~~~~~
 ///       help: did you mean 'superellipse'?
 ///
-/// Safe for a terminal whatever the source and the messages hold, as printable() makes it.
+/// The result is safe for a terminal, as by printable().
 [[nodiscard]] std::string to_text(const Diagnostic& diagnostic);
 [[nodiscard]] std::string to_text(const Diagnostics& diagnostics);
 
-/// A value, if one could be made, with everything there is to say about the making. Warnings may
-/// come with a value; without a value there is at least one error.
+/// The result of a function that can fail: a value, if there is one, with diagnostics. Warnings may
+/// accompany a value; without a value there is at least one error.
 template <class T>
 struct Result {
     std::optional<T> value;
@@ -139,7 +139,7 @@ struct Result {
     [[nodiscard]] const T* operator->() const { return &*value; }
 };
 
-/// Which way is up; y_up is glTF's and OBJ's, z_up the cameras' own.
+/// The vertical axis: y_up for glTF and OBJ, z_up by default for cameras.
 enum class Axes : std::uint8_t { y_up, z_up };
 
 /// A point or a vector, anything with x, y and z, in other axes: z_up (x, y, z) is y_up (x, z, -y).
@@ -151,8 +151,8 @@ template <class Vector>
     return to == Axes::y_up ? Vector{v.x, v.z, -v.y} : Vector{v.x, -v.z, v.y};
 }
 
-/// The candidate nearest to a mistyped name by Damerau-Levenshtein distance, letter case aside, if
-/// one is near enough to be what was meant: at most a third of the name's letters wrong, or one
+/// The candidate nearest to a mistyped name by case-insensitive Damerau-Levenshtein distance, if
+/// one is near enough: at most a third of the name's letters differ, or one
 /// letter in a name of two.
 [[nodiscard]] std::optional<std::string> nearest_name(std::string_view name,
                                                       const std::vector<std::string>& candidates);

@@ -32,17 +32,17 @@ using expr::Graph;
 
 // ------------------------------------------------------------------------------------ spaces
 
-/// DCS, device co-ordinates: pixels, x to the right, y down, pixel centres at .5.
+/// DCS, device coordinates: pixels, x to the right, y down, pixel centres at .5.
 struct DevicePoint {
     Expr x, y;
 };
 
-/// PCS, parameter co-ordinates of a projection object.
+/// PCS, parameter coordinates of a projection object.
 struct ParameterPoint {
     Expr u, v;
 };
 
-/// OCS, object co-ordinates: the world of the scene, in the camera's axes.
+/// OCS, object coordinates: the world of the scene, in the camera's axes.
 struct ObjectPoint {
     Expr x, y, z;
 };
@@ -60,14 +60,14 @@ ObjectVector operator*(Expr factor, const ObjectVector& a);
 Expr dot(const ObjectVector& a, const ObjectVector& b);
 ObjectVector cross(const ObjectVector& a, const ObjectVector& b);
 
-/// The whole picture in pixels; expressions, since an arranger may give a camera a part of it.
+/// The size of a picture in pixels; expressions, because an arranger may give a camera only a part.
 struct PictureSize {
     Expr width, height;
 };
 
 // ---------------------------------------------------------------------------- stage parameters
 
-/// A formula of its own: results as functions of parameters and time. Immutable, cheap to copy.
+/// A separate formula: results as functions of parameters and time. Immutable, cheap to copy.
 class Formula {
 public:
     /// `parameters` are variables of `graph`, the only ones that `results` may use.
@@ -75,9 +75,9 @@ public:
 
     [[nodiscard]] std::size_t parameter_count() const { return parameters_.size(); }
     [[nodiscard]] std::size_t result_count() const { return results_.size(); }
-    /// The results in another graph, with arguments in the place of the parameters.
+    /// The results in another graph, with arguments substituted for the parameters.
     [[nodiscard]] std::vector<Expr> emit(Graph& graph, std::span<const Expr> arguments) const;
-    /// The value of the result numbered i if it depends on nothing.
+    /// The value of result i if it is constant.
     [[nodiscard]] std::optional<double> constant(std::size_t i) const;
 
 private:
@@ -86,7 +86,7 @@ private:
     std::vector<Expr> results_;
 };
 
-/// What a stage is told as a number: a constant or a formula in time.
+/// A number argument of a stage: a constant or a formula in time.
 class Scalar {
 public:
     Scalar(double value = 0.0) : value_(value) {}
@@ -100,7 +100,7 @@ private:
     std::variant<double, Formula> value_;
 };
 
-/// Where stages write: a graph and the conditions under which there is a ray.
+/// The output of stages: a graph and the conditions under which there is a ray.
 class Emitter {
 public:
     /// `variables` are the values that trial() takes for variables 0, 1, ... of the graph.
@@ -110,7 +110,7 @@ public:
     [[nodiscard]] Graph& graph() const { return *graph_; }
     [[nodiscard]] Expr operator()(double value) const { return graph_->constant(value); }
     [[nodiscard]] Expr operator()(const Scalar& value) const { return value.emit(*graph_); }
-    /// No ray where the condition does not hold.
+    /// Requires a condition; where it is false, there is no ray.
     void require(Expr condition) { valid_ = valid_ && condition; }
     /// The results of a function; no ray where it says that they do not hold.
     [[nodiscard]] std::vector<Expr> call(std::shared_ptr<const expr::Native> function,
@@ -140,7 +140,7 @@ private:
 
 // ------------------------------------------------------------------------------------- ports
 
-/// What fits into a port. Stages are immutable and shared.
+/// The interfaces of stages. Stages are immutable and shared.
 class Stage {
 public:
     Stage() = default;
@@ -149,14 +149,14 @@ public:
     virtual ~Stage() = default;
 };
 
-/// A point of the picture as a camera's own picture sees it, and how large that picture is.
+/// A point in a camera's own image, and the size of that image.
 struct PicturePoint {
     DevicePoint point;
     PictureSize size;
 };
 
-/// DCS → DCS: where a point of the whole picture lies in the camera's own one. Outside its own
-/// picture a camera does not show.
+/// DCS → DCS: maps a point of the whole picture to the camera's own image. Outside its own
+/// image, a camera is invisible.
 class PictureArranger : public Stage {
 public:
     [[nodiscard]] virtual PicturePoint arrange(const PicturePoint& picture,
@@ -181,15 +181,15 @@ class ObjectGenerator : public Stage {
 public:
     [[nodiscard]] virtual int dimension() const = 0;
     [[nodiscard]] virtual ObjectPoint generate(const ParameterPoint& p, Emitter& emit) const = 0;
-    /// Normals that are not the cross product of the tangents along u and v, such as the smooth
-    /// ones of a mesh; of any length but 0. Most surfaces have none of their own.
+    /// Normals other than the cross product of the tangents along u and v, such as the smooth
+    /// ones of a mesh; of any length except 0. Most surfaces have no own normals.
     [[nodiscard]] virtual std::optional<ObjectVector> normal(const ParameterPoint&,
                                                              Emitter&) const {
         return std::nullopt;
     }
-    /// On which side of the whole surface the cross product of the tangents lies: positive on one
-    /// side, negative on the other. It changes sign where a parametrisation goes on beyond a pole
-    /// and the surface turns over; most never do.
+    /// The side of the surface on which the cross product of the tangents lies: positive on one
+    /// side, negative on the other. The sign changes where a parametrisation continues beyond a
+    /// pole, which reverses the cross product; most parametrisations do not.
     [[nodiscard]] virtual Expr orientation(const ParameterPoint&, Emitter& emit) const {
         return emit(1.0);
     }
@@ -201,22 +201,22 @@ public:
     [[nodiscard]] virtual ObjectPoint transform(const ObjectPoint& p, Emitter& emit) const = 0;
 };
 
-/// A point of an object as a path made it.
+/// A point of an object, computed by a path.
 struct PathPoint {
     ObjectPoint point;
-    ObjectVector along_u;           ///< Partial derivative by the object's own parameter u.
-    ObjectVector along_v;           ///< The same by v.
-    ObjectVector normal;            ///< The generator's own, moved with it; else along_u x along_v.
-    ObjectVector one_sided_normal;  ///< The normal, turned round where the surface turns over.
-    ObjectPoint center;             ///< Where the path's object transformers take the origin.
+    ObjectVector along_u;  ///< Partial derivative with respect to the object's own parameter u.
+    ObjectVector along_v;  ///< The same with respect to v.
+    ObjectVector normal;  ///< The generator's own normal, transformed; otherwise along_u x along_v.
+    ObjectVector one_sided_normal;  ///< The normal, reversed where the orientation changes.
+    ObjectPoint center;  ///< The image of the origin under the path's object transformers.
     ParameterPoint parameters;
-    PictureSize size;  ///< Of the camera's picture, which the path covers.
+    PictureSize size;  ///< The size of the camera's image, which the path covers.
 };
 
-/// getDirVec: the direction of the ray, of any length but 0.
+/// getDirVec: the direction of the ray, of any length except 0.
 class DirectionRule : public Stage {
 public:
-    /// The least dimension of eye object that it can work with.
+    /// The minimum dimension of the eye object.
     [[nodiscard]] virtual int min_eye_dimension() const { return 0; }
     [[nodiscard]] virtual bool needs_direction_object() const { return false; }
     /// `toward` is null if the camera has no direction object.
@@ -224,17 +224,17 @@ public:
                                                  Emitter& emit) const = 0;
 };
 
-/// Which part of a picture shows: a shape in the picture's rectangle.
+/// The visible part of an image: a shape in the image's rectangle.
 class ClipShape : public Stage {
 public:
-    /// The distance in pixels from the shape's edge, negative inside; right to first order at the
-    /// edge, and of the right sign everywhere.
+    /// The distance in pixels from the shape's edge, negative inside; correct to first order at the
+    /// edge, and with the correct sign everywhere.
     [[nodiscard]] virtual Expr distance(const PicturePoint& picture, Emitter& emit) const = 0;
-    /// From 0, nothing shows, to 1. The edge is `softness` pixels wide, sharp if that is 0.
+    /// The coverage, from 0 (invisible) to 1. The edge is `softness` pixels wide; 0 is sharp.
     [[nodiscard]] virtual Expr coverage(const PicturePoint& picture, Expr softness,
                                         Emitter& emit) const;
-    /// How far from the middle of the picture to its corners the shape surely reaches, from 0 to 1:
-    /// leader lines end there.
+    /// The fraction of the way from the centre of the image to its corners that the shape covers,
+    /// from 0 to 1: leader lines end there.
     [[nodiscard]] virtual double corner_reach() const { return 0.0; }
 };
 
@@ -262,17 +262,18 @@ struct Path {
 struct RayExpressions {
     ObjectPoint origin;
     ObjectVector direction;     ///< Unit length where valid.
-    Expr valid;                 ///< 1 where there is a ray, finite in all six values; else 0.
+    Expr valid;                 ///< 1 where there is a ray with six finite values, otherwise 0.
     ParameterPoint parameters;  ///< (u, v) of the eye object; a point or curve may ignore them.
 };
 
-/// How a ray changes from pixel to pixel: its partial derivatives by picture x and y, exact.
+/// The change of a ray from pixel to pixel: its exact partial derivatives with respect to picture x
+/// and y.
 struct RayFootprint {
     ObjectVector origin_by_x, origin_by_y;
-    ObjectVector direction_by_x, direction_by_y;  ///< Of the unit direction.
+    ObjectVector direction_by_x, direction_by_y;  ///< Derivatives of the unit direction.
 };
 
-/// Costs nothing until it is asked for: the derivatives are made from the ray's own expressions.
+/// The derivatives are computed from the ray's expressions on request.
 [[nodiscard]] RayFootprint footprint(const RayExpressions& ray);
 
 /// An extended camera. Its stages write their formulas once, when it is made.
@@ -284,7 +285,7 @@ public:
         Path eye;
         std::optional<Path> toward;
         DirectionRulePointer look;
-        double aspect = 16.0 / 9.0;  ///< Width by height of the picture it is made for.
+        double aspect = 16.0 / 9.0;  ///< Width divided by height.
         Axes axes = Axes::z_up;
     };
 
@@ -300,7 +301,7 @@ public:
 
     /// getRay, for a picture of the given size in pixels.
     [[nodiscard]] RayExpressions emit(Graph& graph, double width, double height) const;
-    /// The same for a point that arrangers have given a place in a larger picture.
+    /// The same for a point mapped by the arrangers of a larger picture.
     [[nodiscard]] RayExpressions emit(const PicturePoint& picture) const;
 
 private:

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Catalogue: one table of makers for every stage there is. The language's checks, `balcony list`
-// and docs/stages are derived from it.
+// Catalogue: one table with the makers of all stages. The language's checks, `balcony list`
+// and docs/stages use it.
 
 #include <array>
 #include <cstdint>
@@ -40,21 +40,22 @@ enum class ParameterType : std::uint8_t {
     size,     ///< Two, written (a, b) or as one number for both.
     triple,   ///< Three, written (a, b, c).
     axis,     ///< Three, written (a, b, c) or x, y, z.
-    choice,   ///< One of some words.
+    choice,   ///< One of several names.
     points,   ///< A PointList, constant: [(a, b), (c, d)], [1, 2, 3] or "table.csv".
     curve,    ///< An object generator of dimension 1.
     stage,    ///< A stage of stage_kind.
-    stages,   ///< One or more of them; takes all arguments that are left.
-    formula,  ///< Of the parameter's name and shape: weight(u, v) = [u*v].
+    stages,   ///< One or more stages; takes all remaining arguments.
+    formula,  ///< A formula with the parameter's name and shape: weight(u, v) = [u*v].
     image,    ///< A GreyImage: "mask.png".
     mesh,     ///< A TexturedMesh: "vase.obj".
 };
 
-/// What a number counts. Angles are written with deg or rad and are radians inside.
+/// The unit of a number. Angles are written with deg or rad and stored in radians.
 enum class Unit : std::uint8_t {
-    number,     ///< A length in scene units, a ratio, ...: an angle here is an error.
-    angle,      ///< A plain number other than 0 here is an error.
-    parameter,  ///< Of parameter space, whose unit the object decides: both will do.
+    number,     ///< A length in scene units, a ratio, ...; an angle is an error.
+    angle,      ///< An angle; a plain number other than 0 is an error.
+    parameter,  ///< A coordinate of parameter space, whose unit depends on the object: accepts
+                ///< both.
 };
 
 /// A function that a stage offers to its formulas: a result of a native, called by name with plain
@@ -65,7 +66,7 @@ struct FormulaFunction {
     std::size_t result = 0;
 };
 
-/// Results as a formula of parameters: name(p1, p2) = [r1, r2, r3].
+/// The form of a formula: name(p1, p2) = [r1, r2, r3].
 struct FormulaShape {
     std::size_t parameters = 0;
     std::size_t min_results = 0;
@@ -73,9 +74,9 @@ struct FormulaShape {
     std::vector<FormulaFunction> functions{};  ///< Beside those that all formulas can call.
 };
 
-/// Points that a stage is told, as control points or seeds; one after another in `values`.
+/// Point arguments of a stage, such as control points or seeds; consecutive in `values`.
 struct PointList {
-    std::size_t coordinates = 0;  ///< Of each point; 1 is a list of numbers.
+    std::size_t coordinates = 0;  ///< Coordinates per point; 1 for a list of numbers.
     std::vector<double> values{};
 
     [[nodiscard]] std::size_t size() const {
@@ -86,14 +87,14 @@ struct PointList {
     }
 };
 
-/// A grey picture, row by row from the top left, from 0 (black) to 1.
+/// A grey image, row by row from the top left, from 0 (black) to 1.
 struct GreyImage {
     std::size_t width = 0;
     std::size_t height = 0;
     std::vector<float> values{};
 };
 
-/// A triangle mesh with texture co-ordinates; per corner, so that triangles share nothing. In the
+/// A triangle mesh with texture coordinates, stored per corner, without shared vertices. In the
 /// camera's axes: z up if its file is y_up.
 struct TexturedMesh {
     struct Corner {
@@ -108,23 +109,25 @@ struct StageParameter {
     std::string_view name;
     ParameterType type = ParameterType::number;
     Unit unit = Unit::number;
-    std::vector<double> default_value{};  ///< Empty: must be given (curve, or no default).
+    std::vector<double>
+        default_value{};  ///< Empty if the argument is required (curve, or no default).
     double minimum = -std::numeric_limits<double>::infinity();
     double maximum = std::numeric_limits<double>::infinity();
-    bool excludes_minimum = false;                       ///< The least value itself is excluded.
+    bool excludes_minimum = false;                       ///< The minimum itself is excluded.
     std::vector<std::string_view> choices{};             ///< The first is the default.
-    StageKind stage_kind = StageKind::object_generator;  ///< Of stage and stages.
-    std::vector<std::size_t> coordinates{};              ///< How many points may have, least first.
-    std::size_t min_points = 1;                          ///< How many points there must be.
-    FormulaShape shape{};                                ///< Of a formula.
-    /// It may be left out though it has no default value; the maker asks has().
+    StageKind stage_kind = StageKind::object_generator;  ///< For stage and stages.
+    std::vector<std::size_t>
+        coordinates{};  ///< The allowed numbers of coordinates per point, in ascending order.
+    std::size_t min_points = 1;  ///< The minimum number of points.
+    FormulaShape shape{};        ///< The form of a formula parameter.
+    /// It is optional without a default value; the maker calls has().
     bool optional = false;
-    /// It cannot change with time, since tables are made from it.
+    /// It cannot change with time, because tables are computed from it.
     bool constant = false;
     std::string_view meaning;
 };
 
-/// What a stage is made from, by parameter name. The language has checked it against the row.
+/// The arguments of a stage, by parameter name. The language has checked them against the row.
 class Arguments {
 public:
     using StagePointer = std::shared_ptr<const Stage>;
@@ -132,7 +135,7 @@ public:
                                std::vector<StagePointer>, Formula, std::shared_ptr<const GreyImage>,
                                std::shared_ptr<const TexturedMesh>>;
 
-    /// In the place of an earlier value; the name must outlive this, as a row's does.
+    /// Replaces an earlier value; the name must outlive this object, as a row's does.
     void set(std::string_view name, Value value);
     void set_formula(Formula formula) { formula_ = std::move(formula); }
 
@@ -140,7 +143,7 @@ public:
     [[nodiscard]] bool has(std::string_view name) const;
 
     [[nodiscard]] Scalar number(std::string_view name) const;
-    /// A parameter that the row says is constant.
+    /// A parameter that is constant according to the row.
     [[nodiscard]] double constant(std::string_view name) const;
     [[nodiscard]] std::size_t count(std::string_view name) const;
     [[nodiscard]] std::array<Scalar, 2> pair(std::string_view name) const;
@@ -163,7 +166,7 @@ public:
     [[nodiscard]] const Formula& formula(std::string_view name) const;
     [[nodiscard]] const std::shared_ptr<const GreyImage>& image(std::string_view name) const;
     [[nodiscard]] const std::shared_ptr<const TexturedMesh>& mesh(std::string_view name) const;
-    /// Of a stage that is itself a formula.
+    /// The formula of a stage that is itself a formula.
     [[nodiscard]] const Formula& formula() const { return *formula_; }
 
 private:
@@ -174,7 +177,7 @@ private:
     std::optional<Formula> formula_;
 };
 
-/// One row of the catalogue: all that the language, the command and the documentation know.
+/// One row of the catalogue: all facts for the language, the command and the documentation.
 struct StageEntry {
     StageKind kind;
     std::string_view name;
@@ -182,13 +185,13 @@ struct StageEntry {
     std::vector<StageParameter> parameters;
     Result<std::shared_ptr<const Stage>> (*make)(const Arguments& arguments);
     std::optional<FormulaShape> formula{};
-    int dimension = 0;  ///< Of an object generator.
-    /// A .cam text with one camera or picture that shows what the stage does; docs/stages has its
-    /// picture, and a test runs it.
+    int dimension = 0;  ///< The dimension of an object generator.
+    /// A .cam text with one camera or picture that shows the effect of the stage; docs/stages has
+    /// its picture, and a test runs it.
     std::string_view example{};
 };
 
-/// Every stage there is, by kind.
+/// All stages, sorted by kind.
 [[nodiscard]] const std::vector<StageEntry>& catalogue();
 [[nodiscard]] const StageEntry* find_stage(StageKind kind, std::string_view name);
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Data: what a camera file names in quotation marks. Tables of numbers, grey images, meshes.
+// Data: files that a camera file names in quotation marks: tables of numbers, grey images, meshes.
 //
-// Limits keep a wrong file from filling the memory; what is beyond them is an error that says so.
+// Limits prevent a wrong file from filling the memory; a file beyond a limit is an error.
 
 #include <cstdint>
 #include <filesystem>
@@ -26,26 +26,26 @@ inline constexpr std::size_t max_pixels = 16'777'216;      ///< Of an image.
 inline constexpr std::size_t max_mesh_file = 500'000'000;  ///< Bytes.
 inline constexpr std::size_t max_triangles = 5'000'000;    ///< Of a mesh.
 
-/// A file on the disk, or one that comes with Balcony.
+/// A file on disk, or a built-in file.
 struct File {
     std::string name;  ///< For messages.
     std::filesystem::path path;
-    std::optional<std::span<const std::uint8_t>> built_in;  ///< Its bytes if it comes along.
+    std::optional<std::span<const std::uint8_t>> built_in;  ///< The bytes of a built-in file.
 };
 
-/// Finds a file by the name that a camera file gives it: in a folder, if there is one to look in,
-/// then among the files that come with Balcony. An error names the path that was tried and the
-/// nearest name there is.
+/// Finds a file by its name in a camera file: in a folder, if one is given,
+/// then among the built-in files. An error names the path that was tried and the
+/// nearest existing name.
 [[nodiscard]] Result<File> find_file(std::string_view name,
                                      const std::optional<std::filesystem::path>& folder);
-/// The files that come with Balcony (cameras/data), by name.
+/// The built-in files (cameras/data), sorted by name.
 [[nodiscard]] std::vector<std::string> built_in_files();
 
-/// A table as text has it, row by row.
+/// The numbers of a table, row by row.
 struct Table {
     struct Number {
-        double value = 0.0;  ///< Radians if it is an angle.
-        bool angle = false;  ///< It has deg or rad attached.
+        double value = 0.0;  ///< In radians if it is an angle.
+        bool angle = false;  ///< It has the unit deg or rad.
         std::uint32_t begin = 0, end = 0;
     };
 
@@ -57,8 +57,8 @@ struct Table {
     }
 };
 
-/// Reads lines of numbers that commas, semicolons, tabs or blanks separate. A '#' begins a comment;
-/// a first line without numbers is a header. Numbers may have deg or rad attached.
+/// Reads lines of numbers separated by commas, semicolons, tabs or spaces. '#' starts a comment;
+/// a first line without numbers is a header. Numbers may have the unit deg or rad.
 [[nodiscard]] Result<Table> read_table(const File& file);
 
 /// Reads an image in any format that ImageFile opens. Grey is the luma of the colours as they are
@@ -66,8 +66,8 @@ struct Table {
 [[nodiscard]] Result<std::shared_ptr<const camera::GreyImage>> read_grey_image(const File& file);
 
 /// Reads all meshes of a scene file (.obj, .glb, .gltf) as one, in world positions with z up. u and
-/// v are the texture co-ordinates, with v from the bottom of the image to its top. Triangles
-/// without an area in space or in texture co-ordinates are left out with a warning.
+/// v are the texture coordinates, with v from the bottom of the image to its top. Triangles
+/// without an area in space or in texture coordinates are skipped with a warning.
 [[nodiscard]] Result<std::shared_ptr<const camera::TexturedMesh>> read_mesh(const File& file);
 
 }  // namespace balcony::data

@@ -2,20 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Expr: the expression graph that every camera becomes.
+// Expr: the expression graph to which every camera is compiled.
 //
-// A Graph is an append-only arena of immutable nodes; equal nodes are one node (hash-consing). An
-// argument always stands before the node that uses it, so a walk by index is a walk in
-// topological order and nothing here recurses.
+// A Graph is an append-only arena of immutable nodes; equal nodes are shared (hash-consing). An
+// argument always precedes the node that uses it, so iteration by index is
+// topological order, and no function recurses.
 //
 // Semantics. Values are IEEE doubles, conditions are 1 or 0. The graph's algebra is that of real
 // numbers: a rewriting may assume that values are finite (0*x is 0, x - x is 0) and may regroup
-// sums and products. It never makes a sum of squares finite where one of the squared values is
-// not, so that a test of the sum speaks for all of them. Whether a value exists is never hidden in
-// a NaN: who can fail states a condition, and the camera collects these in its validity root.
-// Outside its domain an operation gives NaN or an infinity as IEEE 754 and C say; min(a, b) is b if
-// b < a, else a (max alike); comparisons with NaN are false; sign(0) is 0; mod(a, b) is
-// a - b*floor(a/b).
+// sums and products. It never makes a sum of squares finite if one of the squared values is
+// not, so that one test of the sum covers all of them. A NaN never represents the absence of
+// a value: a stage that can fail must state a condition, and the camera collects these in its
+// validity root. Outside its domain, an operation gives NaN or an infinity, as IEEE 754 and C
+// define; min(a, b) is b if b < a, else a (max alike); comparisons with NaN are false; sign(0) is
+// 0; mod(a, b) is a - b*floor(a/b).
 
 #include <algorithm>
 #include <array>
@@ -45,15 +45,15 @@ using InputId = StrongIndex<struct InputTag>;
 using CallId = StrongIndex<struct CallTag>;
 
 /// The inputs that every graph has: the point of the picture in pixels, x from the left and y from
-/// the top, and time. Further ones are numbered from 3 on in the order in which they are named.
+/// the top, and time. Further inputs are numbered from 3 in the order of their first use.
 namespace inputs {
 inline constexpr InputId x{0};
 inline constexpr InputId y{1};
 inline constexpr InputId t{2};
 }  // namespace inputs
 
-/// What a value can change with: a set of inputs, and perhaps a free variable. Inputs numbered 62
-/// and above are not told apart: a set that holds one of them holds them all.
+/// The inputs on which a value depends, and possibly a free variable. Inputs numbered 62
+/// and above are not distinguished: a set that contains one of them contains all.
 class Dependence {
 public:
     constexpr Dependence() = default;
@@ -81,12 +81,13 @@ private:
     std::uint64_t set_ = 0;
 };
 
-/// How often a value must be computed to fill a grid of picture points: once, once a column, once
-/// a row, or at every point.
+/// How often a value must be computed for a grid of picture points: once, once per column, once
+/// per row, or at every point.
 enum class Rate : std::uint8_t { uniform, column, row, pixel };
 
-/// The rates of a graph's inputs, as whoever compiles declares them: x changes by column and y by
-/// row; any other input is uniform unless declared. What depends on a variable counts as pixel.
+/// The rates of a graph's inputs, declared by the user of the graph: x changes by column and y by
+/// row; any other input is uniform unless declared. A value that depends on a variable has rate
+/// pixel.
 class Rates {
 public:
     constexpr void declare(InputId input, Rate rate) {
@@ -124,7 +125,7 @@ struct Node {
 };
 
 /// A piecewise polynomial in one, two or three variables over the equal cells of a box; outside,
-/// the cells at its border go on. In a cell the value is the sum of c[i, j, k] r^i s^j t^k, with r,
+/// the border cells extrapolate. In a cell the value is the sum of c[i, j, k] r^i s^j t^k, with r,
 /// s and t in [0, 1) from the cell's lower corner along each axis.
 struct Table {
     struct Axis {
@@ -137,21 +138,21 @@ struct Table {
     static constexpr std::size_t max_axes = 3;
 
     std::vector<Axis> axes;
-    /// Cell by cell and within a cell power by power, in both the last axis fastest.
+    /// By cell and within a cell by power; in both, the last axis varies fastest.
     std::vector<double> coefficients;
 
     [[nodiscard]] double operator()(std::span<const double> at) const;
     [[nodiscard]] double operator()(double x) const { return (*this)(std::span(&x, 1)); }
-    /// The partial derivative by the variable of an axis.
+    /// The partial derivative with respect to the variable of an axis.
     [[nodiscard]] Table derivative(std::size_t axis) const;
 };
 
-/// Makes the cubic table that has the given values and slopes (per unit of x) at equally spaced
+/// Makes the cubic table with the given values and slopes (per unit of x) at equally spaced
 /// knots.
 [[nodiscard]] Table hermite_table(double first, double last, std::span<const double> values,
                                   std::span<const double> slopes);
 
-/// A function that is no formula: what somebody computes for batches of points, such as a search in
+/// An opaque function, computed for batches of points, such as a search in
 /// a mesh or a map projection. Immutable, and callable by many threads at once; must not throw.
 class Native {
 public:
@@ -193,8 +194,8 @@ struct Call {
     void evaluate(std::size_t count, const double* const* at, double* const* results) const;
 };
 
-/// Thrown by whatever adds a node to a graph that has max_nodes: the only exception of this layer.
-/// A function of a layer above that builds graphs catches it and returns a Diagnostic.
+/// Thrown by functions that add a node to a graph with max_nodes: the only exception of this layer.
+/// Functions of higher layers that build graphs catch it and return a Diagnostic.
 class GraphTooLarge : public std::length_error {
 public:
     GraphTooLarge();
@@ -216,23 +217,23 @@ public:
     [[nodiscard]] Expr picture_x();  ///< The input "x".
     [[nodiscard]] Expr picture_y();  ///< The input "y".
     [[nodiscard]] Expr time();       ///< The input "t".
-    /// A free variable, to be replaced by substitute(). Two of one number are the same.
+    /// A free variable, to be replaced by substitute(). Variables with the same number are equal.
     [[nodiscard]] Expr variable(std::uint32_t number);
-    /// A variable that nobody has used yet.
+    /// An unused variable.
     [[nodiscard]] Expr fresh_variable();
     /// The results of a function at a point, one argument for each that it takes. Constant if the
     /// arguments are.
     [[nodiscard]] std::vector<Expr> call(std::shared_ptr<const Native> function,
                                          std::span<const Expr> at);
-    /// The table's value at a point, one argument for each of its axes.
+    /// The table's value at a point, with one argument per axis.
     [[nodiscard]] Expr lookup(std::shared_ptr<const Table> table, std::span<const Expr> at);
     [[nodiscard]] Expr lookup(std::shared_ptr<const Table> table, Expr x);
-    /// An operation on nodes of this graph, folded if they are constant and rewritten where looking
-    /// at the arguments' own arguments shows something simpler. Not for leaves, calls and their
-    /// results.
+    /// An operation on nodes of this graph, folded if they are constant, and rewritten if a local
+    /// rule at the arguments' own arguments shows something simpler. Not for leaves, calls and
+    /// their results.
     [[nodiscard]] Expr apply(Op op, std::span<const Expr> arguments);
 
-    /// A node of this or another graph, made anew here on arguments that are here.
+    /// A copy of a node of this or another graph, with arguments in this graph.
     [[nodiscard]] Expr remake(const Graph& source, const Node& node,
                               std::span<const Expr> arguments);
 
@@ -248,12 +249,12 @@ public:
         assert((*this)[id].op == Op::call);
         return calls_[(*this)[id].detail];
     }
-    /// The table whose values are the slopes of this one along an axis.
+    /// The table of the derivatives of this one along an axis.
     [[nodiscard]] std::shared_ptr<const Table> derivative_table(
         const std::shared_ptr<const Table>& table, std::size_t axis);
 
 private:
-    /// The one node that equals this one, made if there is none.
+    /// The unique node equal to this one; created if missing.
     [[nodiscard]] Expr intern(const Node& node);
     [[nodiscard]] Dependence dependence_of(NodeId id) const;
     [[nodiscard]] Expr input(InputId id);
@@ -275,7 +276,7 @@ private:
     std::uint32_t variables_ = 0;
 };
 
-/// A node of a graph, to write formulas with. A default-made one is no node.
+/// A handle to a node of a graph, for writing formulas. A default-constructed handle is invalid.
 class Expr {
 public:
     Expr() = default;
@@ -295,7 +296,7 @@ public:
     [[nodiscard]] bool is_constant(double value) const {
         return is_constant() && node().value == value;
     }
-    /// The same node, not the same value.
+    /// Compares nodes, not values.
     [[nodiscard]] bool same(Expr other) const { return graph_ == other.graph_ && id_ == other.id_; }
 
 private:
@@ -338,9 +339,9 @@ Expr sign(Expr a);
 Expr floor(Expr a);
 Expr sqrt(Expr a);
 Expr pow(Expr a, Expr b);
-/// An exponent that is a multiple of 1/8 and at most 64 in size becomes products and square roots:
-/// within |b| + 3 units in the last place wherever neither the result nor its reciprocal leaves the
-/// range of normal numbers.
+/// An exponent that is a multiple of 1/8 with an absolute value of at most 64 becomes products and
+/// square roots: within |b| + 3 units in the last place, if neither the result nor its reciprocal
+/// leaves the range of normal numbers.
 Expr pow(Expr a, double b);
 Expr exp(Expr a);
 Expr log(Expr a);
@@ -366,26 +367,26 @@ Expr signed_power(Expr x, Expr p);
 [[nodiscard]] std::vector<Expr> differentiate(std::span<const Expr> expressions, Expr leaf);
 [[nodiscard]] Expr differentiate(Expr expression, Expr leaf);
 
-/// Leaves and what to put in their place.
+/// Leaves and their replacements.
 struct Substitution {
     Expr leaf;
     Expr replacement;
 };
 
-/// The expressions with leaves replaced. They may come from another graph than the replacements,
-/// which is how a formula is brought into a camera's graph: the result is in `target`, and leaves
-/// that are not replaced stay themselves, inputs by their names.
+/// The expressions with leaves replaced. They may be in another graph than the replacements,
+/// which copies a formula into a camera's graph: the result is in `target`, and other leaves
+/// are copied unchanged, inputs by name.
 [[nodiscard]] std::vector<Expr> substitute(Graph& target, std::span<const Expr> expressions,
                                            std::span<const Substitution> substitutions);
 
-/// Rewrites for speed: collects sums of scaled terms (affine chains become one), orders products
-/// so that what changes by column alone and by row alone stays together, and takes common factors
-/// out. Values change by rounding only. Idempotent; chains of many thousands of factors excepted,
-/// whose regrouping stops after a bounded number of passes.
+/// Rewrites for speed: collects sums of scaled terms (affine chains become one), orders products so
+/// that factors that depend only on the column or only on the row stay together, and extracts
+/// common factors. Values change by rounding only. Idempotent, except for chains of many thousands
+/// of factors, whose regrouping stops after a bounded number of passes.
 [[nodiscard]] std::vector<Expr> simplify(std::span<const Expr> expressions,
                                          const Rates& rates = {});
 
-/// The nodes below the given ones, themselves included, arguments first.
+/// The nodes below the given ones, including these, arguments first.
 [[nodiscard]] std::vector<NodeId> reachable(const Graph& graph, std::span<const Expr> expressions);
 
 struct InputValue {
@@ -426,7 +427,7 @@ private:
     std::size_t place_count_ = 0;
 };
 
-/// The expressions as formulas for people, one a line; shared parts are named first.
+/// The expressions as readable formulas, one per line; shared parts are named first.
 [[nodiscard]] std::string print(std::span<const Expr> expressions,
                                 std::span<const std::string> names);
 [[nodiscard]] std::string print(Expr expression);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Image: a finished picture, as a screen shows it.
+// Image: a finished picture for display.
 
 #include <cstddef>
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace balcony {
 
-/// Pixels of sRGB, a byte for each of red, green and blue, row by row from the top left.
+/// sRGB pixels, one byte for each of red, green and blue, row by row from the top left.
 struct Image {
     std::size_t width = 0;
     std::size_t height = 0;

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Image files: the one door through which images from outside come in, whether they are textures
+// Image files: the only reader of images from outside, whether they are textures
 // or masks, on the disk or embedded.
 //
-// Only PNG, JPEG, WebP, TIFF, OpenEXR, Radiance HDR, TGA and BMP are opened. The first bytes tell
-// the format (TGA has no signature: its ending does, with a header that makes sense), and that
-// format's reader alone sees the file. What a header declares is checked against the limits below
-// and against the size of the file before any memory is reserved for pixels.
+// Only PNG, JPEG, WebP, TIFF, OpenEXR, Radiance HDR, TGA and BMP are supported. The first bytes
+// determine the format (TGA has no signature, so it needs its extension and a plausible header),
+// and only that format's reader opens the file. The sizes in a header are checked against the
+// limits below and against the size of the file before any memory is allocated for pixels.
 
 #include <cstddef>
 #include <cstdint>
@@ -32,8 +32,8 @@ public:
     /// Opens a file. The message of an error is a reason that completes a sentence about the image:
     /// "it has 30000 x 30000 pixels, more than 100 million".
     [[nodiscard]] static Result<ImageFile> open(const std::filesystem::path& file);
-    /// The same for the bytes of a file, which must outlive the result; the ending of `name` counts
-    /// for TGA alone.
+    /// The same for the bytes of a file, which must outlive the result; the extension of `name` is
+    /// used for TGA only.
     [[nodiscard]] static Result<ImageFile> open(const std::filesystem::path& name,
                                                 std::span<const std::uint8_t> bytes);
     ImageFile(ImageFile&&) noexcept;
@@ -42,13 +42,13 @@ public:
 
     [[nodiscard]] std::size_t width() const;
     [[nodiscard]] std::size_t height() const;
-    /// How many channels are read: those of the file, but the first four at most.
+    /// The number of channels that are read: those of the file, but at most the first four.
     [[nodiscard]] std::size_t channels() const;
-    /// The channel of an alpha that the colours are not multiplied with.
+    /// The channel of straight alpha, if any.
     [[nodiscard]] std::optional<std::size_t> unassociated_alpha() const;
 
-    /// Reads the rows [begin, end): channels() values a pixel, integers scaled to 0 .. 1. Nothing
-    /// if that succeeds, else the reason, as for open().
+    /// Reads the rows [begin, end): channels() values per pixel, integers scaled to 0 .. 1. Returns
+    /// nothing on success, otherwise the reason, as for open().
     [[nodiscard]] std::optional<Diagnostic> read_rows(std::size_t begin, std::size_t end,
                                                       std::span<float> values);
 

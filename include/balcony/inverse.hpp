@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Inverse: from a point in space to the picture positions that see it.
+// Inverse: from a point in space to the picture positions that show it.
 //
-// A ray o(x, y) + t d(x, y) meets the point P where the part of P - o that is perpendicular to d
-// vanishes: two equations for x and y, of which there may be none, one or several solutions. Each
+// A ray o(x, y) + t d(x, y) meets the point P if the component of P - o perpendicular to d
+// is zero: two equations for x and y with none, one or several solutions. Each
 // camera layer of a picture is such a function of the whole picture's x and y.
 
 #include <cstddef>
@@ -27,49 +27,49 @@ using Imath::V3d;
 
 /// A picture position whose ray meets a point.
 struct Sighting {
-    std::size_t point = 0;  ///< The index of the point among those asked for.
-    std::size_t layer = 0;  ///< Which camera layer of the picture shows it, the back one 0.
+    std::size_t point = 0;  ///< The index of the point among the given points.
+    std::size_t layer = 0;  ///< The camera layer of the picture that shows it, from 0 at the back.
     V2d position;           ///< In pixels, within [0, width) x [0, height).
-    V3d origin;             ///< Where the ray starts, in the axes of the points.
+    V3d origin;             ///< The origin of the ray, in the axes of the points.
     double distance = 0.0;  ///< Along the ray, in scene units; not negative.
-    double miss = 0.0;      ///< How far from the point the ray passes, in scene units.
+    double miss = 0.0;      ///< The distance between the point and the ray, in scene units.
 };
 
-/// Finds points in a picture, or in that of one camera, of one size, at one time. Immutable, may be
-/// shared by threads, cheap to copy.
+/// Finds points in a picture, or in that of a single camera, of one size, at one time. Immutable,
+/// may be shared by threads, cheap to copy.
 ///
-/// A layer shows a point where it covers something and nothing in front of it covers all. A camera
-/// whose rays depend linearly on the picture (pinhole, parallel, two-slit and push-broom cameras,
-/// turned and shifted in any way) is solved in closed form. For any other the picture is divided
-/// into patches, small enough for Newton's iteration to find its way in each, and a tree over their
-/// rays says which of them can see a point. The division starts from cells of 1/96 of the longer
-/// side of the part that has rays, each looked at in 9 places, and goes down to 1/16 pixel at
-/// seams, folds and borders; a detail that falls between those places can be overlooked.
+/// A layer shows a point if its coverage is above 0 and nothing in front of it covers it
+/// completely. A camera whose rays depend linearly on the picture (pinhole, parallel, two-slit and
+/// push-broom cameras, rotated and shifted in any way) is solved in closed form. For any other, the
+/// picture is divided into patches, small enough for Newton's iteration to converge in each, and a
+/// tree over their rays finds those that can see a point. The division starts from cells of 1/96 of
+/// the longer side of the part that has rays, each sampled at 9 positions, and goes down to 1/16
+/// pixel at seams, folds and borders; a detail between these samples can be missed.
 ///
-/// Where a whole line of the picture sees a point (a pole of a panorama), some positions on it are
-/// found. A point at which all rays of a region start is not seen by them, and one that is no
-/// number by none.
+/// If a whole line of the picture sees a point (a pole of a panorama), some positions on it are
+/// found. A point at which all rays of a region start is not found by them, and a point that is not
+/// finite by none.
 class Locator {
 public:
     /// Width and height of the picture are in pixels and positive. Time as in the camera's
-    /// formulas. Without axes, points are in those of the cameras, which must be the same for all.
+    /// formulas. Without axes, points are in the axes of the cameras, which must agree.
     [[nodiscard]] static Result<Locator> make(const camera::Picture& picture, double width,
                                               double height, double time = 0.0,
                                               std::optional<Axes> axes = {});
 
-    /// The axes that points are in.
+    /// The axes of the points.
     [[nodiscard]] Axes axes() const;
-    /// The names of the picture's camera layers, from the back to the front; one of a camera.
+    /// The names of the picture's camera layers, from back to front; one for a single camera.
     [[nodiscard]] std::vector<std::string> layers() const;
 
     /// All sightings of a point, from left to right.
     [[nodiscard]] std::vector<Sighting> locate(const V3d& point) const;
-    /// Those of many points, which is faster: point by point, each from left to right.
+    /// The sightings of many points, which is faster: by point, each from left to right.
     [[nodiscard]] std::vector<Sighting> locate(std::span<const V3d> points) const;
 
     /// Whether all layers are solved in closed form.
     [[nodiscard]] bool closed_form() const;
-    /// Into how many patches the picture is divided, those of all layers together; none for a layer
+    /// The number of patches of all layers; none for a layer
     /// that is solved in closed form.
     [[nodiscard]] std::size_t patch_count() const;
 

@@ -14,7 +14,7 @@ namespace balcony::expr {
 
 class Expr;
 
-/// Every kind of node. The table in operations() says the rest about each.
+/// All kinds of nodes. The table in operations() has the facts about each.
 enum class Op : std::uint8_t {
     // leaves
     constant,
@@ -97,20 +97,20 @@ enum class UnitRule : std::uint8_t {
     quotient,            ///< Of two angles, a plain number; an angle by a number stays one.
 };
 
-/// What the whole program knows about one operation; the one place where it is said.
+/// All facts about one operation, which are defined only here.
 struct Operation {
     static constexpr int variadic = -1;
 
     Op op = Op::constant;
-    std::string_view name{};   ///< As the language and printed formulas spell it.
-    std::string_view infix{};  ///< Spelling between operands; empty if it is written as a call.
+    std::string_view name{};   ///< The name in the language and in printed formulas.
+    std::string_view infix{};  ///< The infix symbol; empty if it is written as a call.
     Precedence precedence = Precedence::atom;  ///< Of what is written with the infix spelling.
     int arity = 0;                             ///< The number of arguments, or variadic.
     bool commutative = false;
     bool condition = false;  ///< Its value is 1 or 0.
     Parity parity = Parity::none;
     UnitRule units = UnitRule::numbers;
-    /// The largest error of a runner in units in the last place, where the result is normal.
+    /// The maximum error of a runner in units in the last place, if the result is a normal number.
     double max_ulp = 0.0;
     /// Defines the operation; null for leaves, calls and their results.
     double (*scalar)(const double* arguments) = nullptr;

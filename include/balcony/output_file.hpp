@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// A file that is written beside its place and moved there when it is whole.
+// A file that is written under a temporary name and renamed when it is complete.
 
 #include <cstdint>
 #include <filesystem>
@@ -16,24 +16,24 @@ namespace balcony {
 
 class OutputFile {
 public:
-    /// Why a file could not be written there, if it is plain already.
+    /// The reason why a file cannot be written there, if known in advance.
     [[nodiscard]] static Diagnostics check(const std::filesystem::path& file);
 
-    /// Opens a new file beside, of a name that no other writer has, in whichever process, container
-    /// or machine; good() of the stream says whether that worked.
+    /// Opens a new file next to it, with a name that no other writer has, in any process, container
+    /// or machine; good() of the stream tells whether this succeeded.
     explicit OutputFile(const std::filesystem::path& file);
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
-    /// Removes what was not committed.
+    /// Removes the file if it was not committed.
     ~OutputFile();
 
     [[nodiscard]] std::ofstream& stream() { return stream_; }
 
-    /// Moves the file to its place if all that was written arrived; an error otherwise. An older
-    /// file passes its permissions on; one that may not be written, or what is no file, stays.
+    /// Renames the file if all writes succeeded; otherwise an error. An existing
+    /// file's permissions are kept; a file that is not writable or not regular is not replaced.
     [[nodiscard]] Diagnostics commit();
 
-    /// What is said when writing fails, with the system's reason.
+    /// The diagnostic of a failed write, with the system's reason.
     [[nodiscard]] Diagnostic failure() const;
 
 private:
@@ -43,7 +43,7 @@ private:
     int reason_ = 0;
 };
 
-/// Writes a file whole or not at all; an older file of that name stays as it was if it fails.
+/// Writes a complete file or none; if it fails, an existing file is unchanged.
 [[nodiscard]] Diagnostics write_whole(const std::filesystem::path& file, std::string_view bytes);
 [[nodiscard]] Diagnostics write_whole(const std::filesystem::path& file,
                                       std::span<const std::uint8_t> bytes);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Writes samples that are sRGB already as a PNG file.
+// Writes sRGB samples as a PNG file.
 
 #include <cstddef>
 #include <cstdint>
@@ -16,10 +16,10 @@ namespace balcony::render {
 struct PngSize {
     std::size_t width = 0;
     std::size_t height = 0;
-    std::size_t channels = 0;  ///< 3, or 4 with alpha that colours are not multiplied with.
+    std::size_t channels = 0;  ///< 3, or 4 with straight alpha.
 };
 
-/// Samples by rows from the top, then columns, then channels. The file is whole or untouched.
+/// Samples by rows from the top, then columns, then channels. The file is complete or unchanged.
 [[nodiscard]] Diagnostics write_png(const std::vector<std::uint8_t>& samples, const PngSize& size,
                                     const std::filesystem::path& file);
 [[nodiscard]] Diagnostics write_png(const std::vector<std::uint16_t>& samples, const PngSize& size,

@@ -5,10 +5,10 @@
 // Program: expressions compiled to a tape that runs over many picture points at a time.
 //
 // A Program is immutable and may be shared by threads; a Scratch belongs to one thread; the caller
-// owns the results. Compiled for grids it runs over tiles, and each node has a rate, which follows
-// from the rates of the inputs that it depends on: uniform nodes run once a tile, others once a
-// column, once a row or once a point. Compiled for points it runs over lists of points that lie
-// anywhere, and all that is not uniform runs once a point.
+// owns the results. Compiled for grids, it runs over tiles, and each node has a rate, which follows
+// from the rates of its inputs: uniform nodes run once per tile, others once per
+// column, row or point. Compiled for points, it runs over lists of arbitrary
+// points, and all nodes that are not uniform run once per point.
 //
 // Inputs are x, y and time, which a Tile and Points always have, and any number of further ones,
 // which an Interface declares.
@@ -27,13 +27,13 @@
 
 namespace balcony::program {
 
-/// The values of the further inputs, in the order in which the Interface declares them: each has
+/// The values of the further inputs, in the order of the Interface: each has
 /// one value if it is uniform; over a tile, one for each column or row or, row by row, one for each
-/// point; over points, one for each point. They need to live while the program runs.
+/// point; over points, one for each point. They must exist while the program runs.
 using InputValues = std::span<const std::span<const double>>;
 
 /// A grid of picture points: point (i, j) is (x + i*step, y + j*step), i < width, j < height. What
-/// lies beyond the limits is moved onto them.
+/// lies beyond the limits is clamped to them.
 struct Tile {
     double x = 0.5;
     double y = 0.5;
@@ -63,7 +63,8 @@ private:
 inline constexpr std::size_t max_tile_width = 64;
 inline constexpr std::size_t max_tile_height = 64;
 
-/// Picture points anywhere: point i is (x[i], y[i]). At most max_points, as many x as y.
+/// Arbitrary picture points: point i is (x[i], y[i]). At most max_points, with the same number of x
+/// and y.
 struct Points {
     std::span<const double> x;
     std::span<const double> y;
@@ -73,7 +74,7 @@ struct Points {
 
 inline constexpr std::size_t max_points = 64;
 
-/// What a program is compiled to run over: a Tile or Points.
+/// The domain for which a program is compiled: a Tile or Points.
 enum class Sampling : std::uint8_t { grid, points };
 
 using expr::Rate;
@@ -110,7 +111,7 @@ public:
     [[nodiscard]] std::size_t root_count() const;
     /// Uniform or pixel in a program for points.
     [[nodiscard]] Rate rate(std::size_t root) const;
-    /// The number of instructions of a rate: what a tile or a list of points costs.
+    /// The number of instructions of a rate, which determines the cost.
     [[nodiscard]] std::size_t instruction_count(Rate rate) const;
     [[nodiscard]] const Tape& tape() const { return *tape_; }
 
@@ -120,7 +121,7 @@ private:
     std::shared_ptr<const Tape> tape_;
 };
 
-/// The working memory of one thread; grows to what the largest program run with it needs.
+/// The working memory of one thread; grows to the needs of the largest program run with it.
 class Scratch {
 public:
     [[nodiscard]] double* reserve(std::size_t doubles);  ///< Aligned to 64 bytes.
@@ -143,18 +144,18 @@ void run(const Program& program, const Tile& tile, Scratch& scratch,
 void run(const Program& program, const Points& points, Scratch& scratch,
          std::span<double* const> results);
 
-/// The same by the scalar definition of each operation, one point after another: the truth that
+/// The same by the scalar definition of each operation, point by point: the reference that
 /// the runners are tested against.
 void run_reference(const Program& program, const Tile& tile, std::span<double* const> results);
 void run_reference(const Program& program, const Points& points, std::span<double* const> results);
 
-/// An instruction set that run() can be told to use.
+/// An instruction set that run() can use.
 struct InstructionSet {
     std::string_view name;  ///< "avx512", "avx2", "sse4", "neon", "scalar"
     std::size_t lanes;      ///< Doubles in a register.
 };
 
-/// Those compiled in which this machine can run, widest first. Never empty.
+/// The compiled instruction sets that this machine supports, widest first. Never empty.
 [[nodiscard]] std::span<const InstructionSet> instruction_sets();
 
 /// run() on instruction_sets()[set].

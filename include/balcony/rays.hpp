@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Rays: a camera or a picture compiled to numbers. Whatever needs rays takes them from here: the
+// Rays: a compiled camera or picture that computes rays as numbers, for all users of rays: the
 // renderer, the analysis, bridges to other renderers.
 //
 //     compile(camera, width, height, request) ─▶ RayProgram ─▶ run(tile or points) ─▶ RayBatch
-//     compile(picture, width, height, request) ─▶ CompiledPicture: a RayProgram a camera layer, and
-//                                                 how the layers cover each other
+//     compile(picture, width, height, request) ─▶ CompiledPicture: a RayProgram per camera layer
+//                                                 and the coverages of the layers
 //
-// What is compiled is immutable and may be shared by threads; a Scratch and a RayBatch belong to
+// Compiled objects are immutable and may be shared by threads; a Scratch and a RayBatch belong to
 // one thread.
 
 #include <array>
@@ -36,14 +36,14 @@ using program::Points;
 using program::Scratch;
 using program::Tile;
 
-/// What rays are compiled for.
+/// Options of compilation.
 struct Request {
-    /// The axes of the rays; without them each camera's own.
+    /// The axes of the rays; by default each camera's own.
     std::optional<Axes> axes{};
-    bool footprints = false;  ///< With the derivatives by picture x and y.
-    bool tiles = true;        ///< To be run over tiles.
-    bool points = false;      ///< To be run over lists of points.
-    /// What rays depend on besides picture x and y and time, such as a place on a lens or a
+    bool footprints = false;  ///< Include the derivatives with respect to picture x and y.
+    bool tiles = true;        ///< Allow running over tiles.
+    bool points = false;      ///< Allow running over lists of points.
+    /// Inputs of the rays besides picture x and y and time, such as a position on a lens or a
     /// parameter that a live view moves. Tile and Points carry the values, in this order.
     std::vector<Input> inputs{};
 };
@@ -54,12 +54,12 @@ struct Ray {
     V3d direction{0.0};  ///< Unit length where valid.
     bool valid = false;
     V2d parameters{0.0};  ///< (u, v) of the eye object.
-    /// The exact derivatives by picture x and y, a pixel; 0 if they were not asked for.
+    /// The exact derivatives with respect to picture x and y, per pixel; 0 if not requested.
     V3d origin_by_x{0.0}, origin_by_y{0.0};
     V3d direction_by_x{0.0}, direction_by_y{0.0};
 };
 
-/// The rays of a tile, row by row, or of a list of points. Memory is kept from run to run.
+/// The rays of a tile, row by row, or of a list of points. Runs reuse its memory.
 class RayBatch {
 public:
     [[nodiscard]] std::size_t size() const { return size_; }
@@ -106,14 +106,14 @@ private:
 class RayProgram {
 public:
     /// All expressions must be in one graph. It is an error if they depend on an input that the
-    /// request does not declare. Throws expr::GraphTooLarge where the derivatives do not fit into
-    /// the graph; compile() makes a diagnostic of that.
+    /// request does not declare. Throws expr::GraphTooLarge if the derivatives do not fit into
+    /// the graph; compile() converts this to a diagnostic.
     [[nodiscard]] static Result<RayProgram> make(const camera::RayExpressions& ray,
                                                  Axes axes_of_ray, const Request& request);
 
     [[nodiscard]] bool has_footprints() const { return footprints_; }
 
-    /// Rays over a tile, if the request was for tiles; at points, if it was for points.
+    /// Computes rays over a tile or at points, according to the request.
     void run(const Tile& tile, Scratch& scratch, RayBatch& rays) const;
     void run(const Points& points, Scratch& scratch, RayBatch& rays) const;
 
@@ -125,35 +125,36 @@ private:
     std::optional<program::Program> for_points_;
 };
 
-/// Compiles the rays of a camera by itself, in a picture of a size in pixels. It is an error if the
-/// derivatives are more than a graph holds, or if an input is not declared.
+/// Compiles the rays of a single camera, in a picture of a size in pixels. It is an error if the
+/// derivatives exceed the size limit of a graph, or if an input is not declared.
 [[nodiscard]] Result<RayProgram> compile(const camera::Camera& camera, double width, double height,
                                          const Request& request);
 
-/// A picture as programs: the rays of each camera layer, and how much of each layer shows.
+/// A compiled picture: the rays of each camera layer, and the coverage of each layer.
 class CompiledPicture {
 public:
     /// What is drawn, in the order of drawing: a camera layer, a paint or a group.
     struct Element {
         camera::BlendMode blend = camera::BlendMode::normal;
-        std::optional<std::size_t> coverage;  ///< Of `coverages`; 1 everywhere without.
-        std::optional<std::size_t> layer;     ///< Index into layers().
-        std::optional<std::size_t> paint;  ///< The first of three colour channels of `coverages`.
+        std::optional<std::size_t>
+            coverage;                      ///< Index into the coverages; without it, 1 everywhere.
+        std::optional<std::size_t> layer;  ///< Index into layers().
+        std::optional<std::size_t> paint;  ///< The index of the first of three colour channels.
         std::vector<Element> group;
     };
     struct CameraLayer {
-        std::string name;        ///< Behind the names of the pictures that it is in.
-        Axes axes = Axes::z_up;  ///< Of its rays.
+        std::string name;        ///< Prefixed by the names of the enclosing pictures.
+        Axes axes = Axes::z_up;  ///< The axes of its rays.
         RayProgram rays;
     };
 
     [[nodiscard]] const std::vector<Element>& elements() const { return elements_; }
-    /// From the back to the front.
+    /// From back to front.
     [[nodiscard]] const std::vector<CameraLayer>& layers() const { return layers_; }
-    /// The number of coverages and paint channels together; 0 if one camera covers everything.
+    /// The total number of coverages and paint channels; 0 if one camera covers everything.
     [[nodiscard]] std::size_t coverage_count() const;
-    /// Coverages and paints over a tile: results[i] receives that of the number i. A coverage is
-    /// from 0 to 1 where it is a number.
+    /// Computes coverages and paint channels over a tile: results[i] receives number i. A coverage
+    /// is from 0 to 1, or NaN.
     void run_coverages(const Tile& tile, Scratch& scratch, std::span<double* const> results) const;
 
     /// One camera that covers everything.
@@ -169,27 +170,27 @@ private:
 };
 
 /// Compiles a picture of a size in pixels, for tiles. It is an error if its formulas or their
-/// derivatives are more than a graph holds.
+/// derivatives exceed the size limit of a graph.
 [[nodiscard]] Result<CompiledPicture> compile(const camera::Picture& picture, double width,
                                               double height, const Request& request);
 
 /// A camera layer of a picture as a function from points of the whole picture to rays, which are
-/// valid only where the layer covers something.
+/// valid only where its coverage is above 0.
 struct VisibleLayer {
     std::string name;
     Axes axes = Axes::z_up;
     RayProgram rays;
 };
 
-/// What a picture shows at points.
+/// The layers of a picture, compiled for points.
 class VisibleLayers {
 public:
-    /// From the back to the front. A camera by itself is one layer that covers everything.
+    /// From back to front. A camera by itself is one layer that covers everything.
     [[nodiscard]] const std::vector<VisibleLayer>& layers() const { return layers_; }
-    /// Whether a layer may be hidden anywhere by what is in front of it.
+    /// Whether elements in front may hide any part of a layer.
     [[nodiscard]] bool any_hidden() const { return hidden_.has_value(); }
-    /// hidden[l][i] receives 1 where layers and lines in front of layer l leave nothing of it at
-    /// point i, as the renderer has it: those in normal blend mode that cover the point wholly.
+    /// hidden[l][i] receives 1 where layers and lines in front of layer l hide it completely at
+    /// point i, by the renderer's rule: those in normal blend mode that cover the point completely.
     void run_hidden(const Points& points, Scratch& scratch, std::span<double* const> hidden) const;
 
 private:
@@ -198,7 +199,7 @@ private:
     std::optional<program::Program> hidden_;
 };
 
-/// Compiles the layers of a picture for points, as compile() does a picture.
+/// Compiles the layers of a picture for points.
 [[nodiscard]] Result<VisibleLayers> compile_layers(const camera::Picture& picture, double width,
                                                    double height, const Request& request);
 

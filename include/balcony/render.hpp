@@ -3,15 +3,15 @@
 #pragma once
 
 // Render: traces the rays of a picture's cameras through a scene onto a film. docs/rendering.md
-// says how.
+// describes the method.
 //
 //     Renderer::make(scene) ─┐
 //     make_film(layout) ─────┴▶ Job::make(renderer, picture, settings, film) ─▶ job.run()
 //                                                               write(film, file) ◀─┘
 //
 // A camera is a picture of one layer. The same scene, picture and settings give the same film bit
-// for bit, whatever the number of threads, the regions that the picture is divided into, and where
-// a job stops and another goes on.
+// for bit, for any number of threads, any division of the picture into regions, and any point at
+// which a job stops and another continues.
 
 #include <cstddef>
 #include <cstdint>
@@ -33,38 +33,38 @@ namespace balcony::render {
 
 // ---------------------------------------------------------------------------------- settings
 
-/// A way to find the light that comes along a ray.
+/// A method to compute the radiance along a ray.
 struct IntegratorInfo {
-    std::string_view name;     ///< As users write it.
-    std::string_view meaning;  ///< A phrase for lists.
+    std::string_view name;     ///< The name for users.
+    std::string_view meaning;  ///< A short description.
 };
 
-/// All there are.
+/// All integrators.
 [[nodiscard]] std::span<const IntegratorInfo> integrators();
 
 struct Settings {
-    std::size_t samples = 16;  ///< Rays a pixel: the number of passes.
+    std::size_t samples = 16;  ///< Rays per pixel: the number of passes.
     std::string integrator = "direct";
-    std::size_t threads = 0;              ///< 0 is all of the machine's.
-    double time = 0.0;                    ///< The t of the camera's formulas.
-    Color3f ambient{0.1F, 0.1F, 0.1F};    ///< Radiance that comes from everywhere, unshadowed.
-    std::optional<Color3f> background{};  ///< Radiance behind the scene; none is transparent.
-    std::size_t mirror_depth = 8;         ///< Reflections after which a path ends.
+    std::size_t threads = 0;              ///< 0 for all of the machine.
+    double time = 0.0;                    ///< The value of t in the camera's formulas.
+    Color3f ambient{0.1F, 0.1F, 0.1F};    ///< Radiance from all directions, without shadows.
+    std::optional<Color3f> background{};  ///< Radiance behind the scene; transparent if empty.
+    std::size_t mirror_depth = 8;         ///< The maximum number of reflections.
 };
 
 // ---------------------------------------------------------------------------------- renderer
 
-/// A scene made ready to trace. Immutable; any number of jobs may use one at once.
+/// A scene prepared for tracing. Immutable; any number of jobs may use it at the same time.
 class Renderer {
 public:
     struct Preparation {
-        double build_seconds = 0.0;  ///< Of the acceleration structure.
+        double build_seconds = 0.0;  ///< Build time of the acceleration structure.
         double texture_seconds = 0.0;
     };
 
     /// Builds the acceleration structure and opens the textures. A texture that cannot be read is
-    /// a warning, and its material's factor stands alone; so is an object that lies where floats
-    /// cannot trace it, which is left out. A scene whose indices lead nowhere is an error.
+    /// a warning, and its material uses the constant factor. An object beyond the range that
+    /// floats can trace is skipped with a warning. A scene with invalid indices is an error.
     [[nodiscard]] static Result<Renderer> make(std::shared_ptr<const scene::Scene> scene);
 
     [[nodiscard]] const Preparation& preparation() const;
@@ -78,45 +78,46 @@ private:
 
 // --------------------------------------------------------------------------------------- jobs
 
-/// How far a run has come.
+/// The progress of a run.
 struct Progress {
     std::size_t pass = 0;        ///< The current one, from 0.
-    std::size_t passes = 0;      ///< After which the last tile is done.
+    std::size_t passes = 0;      ///< The number of passes of the last tile.
     std::size_t tiles_done = 0;  ///< Over all passes of this run.
     std::size_t tiles = 0;       ///< Over all passes of this run.
     double seconds = 0.0;        ///< Since the first tile began.
 };
 
-/// Called after each tile by the thread that did it, one call at a time; must be quick and must
+/// Called after each tile by its thread, one call at a time; must be fast and must
 /// not throw.
 using ProgressCallback = std::function<void(const Progress&)>;
 
-/// What a run did.
+/// The results of a run.
 struct Summary {
     /// A camera layer of the picture.
     struct Layer {
-        std::string name;  ///< Behind the names of the pictures that it is in.
+        std::string name;  ///< Prefixed by the names of the enclosing pictures.
         std::uint64_t camera_rays = 0;
         std::uint64_t invalid_rays = 0;
     };
 
-    std::uint64_t camera_rays = 0;     ///< Points of layers that show, with a ray or not.
+    std::uint64_t camera_rays = 0;     ///< Visible points of layers, with a ray or not.
     std::uint64_t invalid_rays = 0;    ///< Of these, points where the camera has no ray.
-    std::vector<Layer> layers;         ///< The same for each, the back one first.
-    std::uint64_t invalid_pixels = 0;  ///< Pixel centres where nothing is drawn, seen by pass 0.
-    std::uint64_t repaired = 0;        ///< Samples whose radiance was no finite number, set to 0.
-    std::size_t passes = 0;            ///< Those that all tiles of the film have by now.
-    bool interrupted = false;          ///< Stopped before every tile had its passes.
-    double seconds = 0.0;              ///< Tracing, by the clock.
-    double compile_seconds = 0.0;      ///< The picture, from parts to programs, when the job began.
-    double camera_share = 0.0;  ///< Of the threads' time, the part before a tile's rays are traced.
+    std::vector<Layer> layers;         ///< The same per layer, from back to front.
+    std::uint64_t invalid_pixels = 0;  ///< Pixel centres where nothing is drawn, counted in pass 0.
+    std::uint64_t repaired = 0;        ///< Samples whose radiance was not finite, replaced by 0.
+    std::size_t passes = 0;            ///< The number of passes that all tiles of the film have.
+    bool interrupted = false;          ///< Stopped before all tiles had all passes.
+    double seconds = 0.0;              ///< Elapsed time of tracing.
+    double compile_seconds = 0.0;      ///< Time to compile the picture when the job was made.
+    double camera_share =
+        0.0;  ///< Fraction of the threads' time spent before a tile's rays are traced.
 };
 
 /// Adds passes to a film. The film belongs to the caller, who may read it and write it to files
-/// between runs, but not during one; it must outlive the job and stay where it is.
+/// between runs, but not during one; it must outlive the job, and its address must not change.
 ///
-/// A job has no state besides the film: one that goes on with a film where another stopped adds the
-/// passes that are missing, tile by tile.
+/// A job has no state besides the film: a job that continues the film of another one adds the
+/// missing passes, tile by tile.
 class Job {
 public:
     /// Compiles the picture for the film's size and writes the names of objects and layers into the
@@ -126,12 +127,12 @@ public:
                                           const Settings& settings, Film& film);
 
     /// Runs until each tile of the film has all passes of the settings. A tile that is behind the
-    /// others catches up first. When stop is asked for, the tiles under way are finished and the
-    /// film holds what is done. Textures that fail while they are read are warnings, each once.
+    /// others catches up first. When a stop is requested, tiles in progress are completed and the
+    /// film contains what is done. Textures that fail while they are read are warnings, each once.
     Result<Summary> run(const ProgressCallback& progress = {}, std::stop_token stop = {});
 
-    /// The same until each tile has as many passes as asked for, by tile index: all the same for
-    /// progressive display, more where there is more noise for adaptive sampling.
+    /// The same until each tile has the requested number of passes, by tile index: equal numbers
+    /// for progressive display, larger numbers in noisy tiles for adaptive sampling.
     Result<Summary> run(std::span<const std::uint32_t> passes,
                         const ProgressCallback& progress = {}, std::stop_token stop = {});
 
@@ -141,7 +142,7 @@ private:
     std::shared_ptr<const State> state_;
 };
 
-/// One job and its one run: all passes of a picture onto a film.
+/// Makes a job and runs it: all passes of a picture onto a film.
 [[nodiscard]] Result<Summary> render(const Renderer& renderer, const camera::Picture& picture,
                                      const Settings& settings, Film& film,
                                      const ProgressCallback& progress = {},

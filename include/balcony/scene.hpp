@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Scene: triangle meshes, instances, materials, textures and lights, as a file gave them.
+// Scene: triangle meshes, instances, materials, textures and lights, as loaded from a file.
 //
 // Axes and units are the file's own. All colours are linear Rec. 709; textures are decoded to
-// linear by the renderer as each says. The whole is plain data; whoever renders it may share it
+// linear by the renderer, according to their encoding. A scene is plain data that may be shared
 // between threads.
 
 #include <array>
@@ -35,16 +35,16 @@ using MeshIndex = StrongIndex<struct MeshTag>;
 using MaterialIndex = StrongIndex<struct MaterialTag>;
 using TextureIndex = StrongIndex<struct TextureTag>;
 
-/// The range of what load() lets through, in scene units. Tracing uses floats: the test of a ray
-/// against a triangle multiplies three lengths, which overflows where they are near 1e13.
+/// The limit of coordinates that load() accepts, in scene units. Tracing uses floats: the test of a
+/// ray against a triangle multiplies three lengths, which overflows near 1e13.
 inline constexpr double max_coordinate = 1e12;
-/// A transform scales lengths by at most this and at least its reciprocal.
+/// Transforms scale lengths by at most this and at least its reciprocal.
 inline constexpr double max_scale = 1e9;
-/// Of colours, emission and intensities, which are not negative.
+/// The maximum of colours, emission and intensities, which are not negative.
 inline constexpr double max_quantity = 1e30;
 
-/// Triangles with one material. Normals and texture co-ordinates are empty or one a vertex; load()
-/// makes normals where a file has none. All positions are within max_coordinate.
+/// Triangles with one material. Normals and texture coordinates are empty or one per vertex; load()
+/// adds missing normals. All positions are within max_coordinate.
 struct Mesh {
     std::string name;
     std::vector<V3f> positions;
@@ -54,16 +54,16 @@ struct Mesh {
     MaterialIndex material;  ///< Always valid.
 };
 
-/// A mesh placed in the world. Normals go by the inverse transpose of world_from_mesh, which is
-/// affine and invertible; its scale is within max_scale, and the mesh in the world within
-/// max_coordinate. A negative determinant (a mirror image) turns the winding round.
+/// A mesh placed in the world. Normals are transformed by the inverse transpose of world_from_mesh,
+/// which is affine and invertible; its scale is within max_scale, and the mesh in the world within
+/// max_coordinate. A negative determinant (mirroring) reverses the winding.
 struct Instance {
     MeshIndex mesh;
     M44d world_from_mesh;      ///< Imath's convention: row vectors, p_world = p_mesh * M.
     std::uint32_t object = 0;  ///< Index into Scene::objects.
 };
 
-/// A node of the file that carries geometry: what the object-id layer tells apart. The id in
+/// A node of the file that has geometry, and an id in the object-id layer. The id in
 /// pictures is the index plus 1; 0 means that nothing was hit.
 struct Object {
     std::string name;
@@ -71,7 +71,7 @@ struct Object {
 
 enum class Wrap : std::uint8_t { repeat, clamp, mirror };
 
-/// An image, still encoded (PNG, JPEG, ...) if it was embedded, else a file.
+/// An image: encoded bytes (PNG, JPEG, ...) if embedded, otherwise a file.
 struct Texture {
     std::string name;                 ///< For messages.
     std::filesystem::path file;       ///< Empty if embedded.
@@ -80,16 +80,16 @@ struct Texture {
     Wrap wrap_v = Wrap::repeat;
 };
 
-/// What a material's opacity does: nothing, cut out, or blend.
+/// The use of a material's opacity: none, cut-out, or blend.
 enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 
-/// glTF 2.0 metallic-roughness, the part that is rendered so far.
+/// glTF 2.0 metallic-roughness, the supported part.
 struct Material {
     std::string name;
     Color3f base_color{0.8F, 0.8F, 0.8F};
     AlphaMode alpha_mode = AlphaMode::opaque;
     float alpha = 1.0F;         ///< Opacity, multiplied with the texture's; 1 if opaque.
-    float alpha_cutoff = 0.0F;  ///< For a mask: there where the opacity is at least this.
+    float alpha_cutoff = 0.0F;  ///< For a mask: visible where the opacity is at least this.
     float metallic = 0.0F;
     float roughness = 1.0F;
     Color3f emission{0.0F, 0.0F, 0.0F};
@@ -107,7 +107,7 @@ struct Light {
     std::string name;
     LightKind kind = LightKind::point;
     V3d position{0.0, 0.0, 0.0};
-    V3d direction{0.0, 0.0, -1.0};  ///< Where it shines to; unit length.
+    V3d direction{0.0, 0.0, -1.0};  ///< The direction of the light; unit length.
     Color3f intensity{1.0F, 1.0F, 1.0F};
     float range = 0.0F;             ///< Scene units; 0 is unlimited.
     float inner_cone = 0.0F;        ///< Radians from the axis, full strength inside.
@@ -118,36 +118,36 @@ struct Scene {
     std::string name;    ///< The file it came from, for messages.
     std::string format;  ///< "glTF 2.0 binary", "Wavefront OBJ", ...
     Axes axes = Axes::y_up;
-    double meters_per_unit = 1.0;  ///< As the format says; 1 where it does not.
+    double meters_per_unit = 1.0;  ///< According to the format; 1 if unspecified.
     std::vector<Mesh> meshes;
     std::vector<Instance> instances;
     std::vector<Object> objects;
     std::vector<Material> materials;
     std::vector<Texture> textures;
     std::vector<Light> lights;
-    bool default_light = false;  ///< The file lights nothing: use a light at the ray origin.
+    bool default_light = false;  ///< The file has no light: use a light at the ray origin.
 
-    [[nodiscard]] std::size_t triangle_count() const;  ///< Instances counted each.
+    [[nodiscard]] std::size_t triangle_count() const;  ///< Counts each instance.
     /// Of all instances, in the world: exact, unless instances have so many vertices in all (2^28)
-    /// that the boxes of their meshes stand for them.
+    /// that the bounding boxes of their meshes replace them.
     [[nodiscard]] Box3f bounds() const;
 };
 
 /// Reads a scene file (.glb, .gltf, .obj). A part that cannot be used (a missing texture, a vertex
-/// that is no number) is left out or replaced with a warning that names it; an error means that
+/// that is not finite) is skipped or replaced with a warning that names it; an error means that
 /// there is nothing to render.
 [[nodiscard]] Result<Scene> load(const std::filesystem::path& file);
-/// The same from the bytes of a file; its name says the format, and where other files that it
-/// names are looked for.
+/// The same from the bytes of a file; its name determines the format, and the folder of other files
+/// that it names.
 [[nodiscard]] Result<Scene> load(const std::filesystem::path& name,
                                  std::span<const std::uint8_t> bytes);
 
-/// The bytes of a binary glTF 2.0 file (GLB) that holds the scene: one node an instance (named
-/// after its object) or light, one mesh of a single primitive a mesh, embedded PNG images. Meshes
-/// are shared by their instances. A z_up scene is turned to glTF's y up: (x, y, z) becomes
+/// The bytes of a binary glTF 2.0 file (GLB) with the scene: one node per instance (named
+/// after its object) or light, one glTF mesh with a single primitive per mesh, embedded PNG images.
+/// Meshes are shared by their instances. A z_up scene is rotated to glTF's y up: (x, y, z) becomes
 /// (x, z, -y), in positions, normals, placements and lights alike.
 ///
-/// The scene must hold together: indices in range, normals and texture co-ordinates empty or one a
+/// The scene must be consistent: indices in range, normals and texture coordinates empty or one per
 /// vertex, textures embedded as PNG. The same scene always gives the same bytes.
 [[nodiscard]] std::vector<std::uint8_t> to_glb(const Scene& scene);
 

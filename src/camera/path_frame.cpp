@@ -47,7 +47,7 @@ constexpr std::size_t max_cells = 4096;
 /// Up to this angle in radians between its ends, a cubic approximates the frame in a cell to 1e-6.
 constexpr double max_turn = 0.1;
 constexpr std::size_t max_corners = max_cells / 16;
-/// What the frame may be off by, in radians: in a cell, and in all at its end.
+/// The maximum error of the frame in radians, in a cell and at its end.
 constexpr double max_error = 1e-6;
 
 /// A path between two of its parameters.
@@ -139,14 +139,14 @@ Vector3 first_up(const Vector3& wished, const Vector3& tangent) {
     return unit(up);
 }
 
-/// How an upward vector that does not turn about the tangent changes: along the tangent alone,
-/// up' = -(up . tangent') tangent.
+/// The derivative of an upward vector that does not rotate about the tangent: only along the
+/// tangent, up' = -(up . tangent') tangent.
 Vector3 up_by_part(const Vector3& up, const PathSample& at) {
     return -dot(up, at.tangent_by_part) * at.tangent;
 }
 
-/// By how much, as an angle, a cell errs: its cubic in the middle, or its end as a part of what the
-/// whole way may err by.
+/// The error of a cell as an angle: of its cubic in the middle, or of its end as a fraction of the
+/// error of the whole way.
 double error_of_cell(const PathSample& begin, const PathSample& middle, const PathSample& end) {
     const Vector3 up = first_up({0.0, 0.0, 1.0}, begin.tangent);
     const Vector3 up_middle = transported(up, begin, middle);
@@ -163,8 +163,8 @@ bool stands_still(const PathSample& here, const PathSample& next) {
     return here.point == next.point;
 }
 
-/// Halves cells until none errs by more than may be, or they are as narrow as a position among
-/// cells can be: around places where the path's second derivative jumps.
+/// Halves cells until the error of all is within the limit, or they are as narrow as a position
+/// among cells can be: around places where the path's second derivative jumps.
 Result<std::vector<PathSample>> refined(const PathRange& range, std::vector<PathSample> samples) {
     std::vector<bool> is_good(samples.size() - 1, false);  // By cell.
     for (;;) {
@@ -205,7 +205,8 @@ Result<std::vector<PathSample>> refined(const PathRange& range, std::vector<Path
     }
 }
 
-/// Cubics over the cells, one after the other, from values and slopes by the part of the way.
+/// Cubics over the cells in sequence, from values and derivatives with respect to the fraction of
+/// the way.
 TablePointer cubic_table(std::span<const double> breaks, std::span<const double> values,
                          std::span<const double> slopes) {
     const std::size_t cells = breaks.size() - 1;

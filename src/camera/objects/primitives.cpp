@@ -85,7 +85,7 @@ public:
         const Expr distance = emit(major_) + r * cos(p.v);
         return {distance * cos(p.u), distance * sin(p.u), r * sin(p.v)};
     }
-    // A tube wider than its middle line goes through the axis and turns over there.
+    // A tube wider than its centre line intersects the axis, where its orientation changes.
     Expr orientation(const ParameterPoint& p, Emitter& emit) const override {
         const std::optional<double> major = major_.constant();
         const std::optional<double> minor = minor_.constant();

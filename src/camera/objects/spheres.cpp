@@ -40,7 +40,7 @@ ObjectPoint at_longitude_and_latitude(Expr longitude, Expr latitude) {
 class LatitudeSphere final : public Sphere {
 public:
     using Sphere::Sphere;
-    // Beyond a pole the tangent along u points the other way.
+    // Beyond a pole, the tangent along u is reversed.
     Expr orientation(const ParameterPoint& p, Emitter&) const override { return cos(p.v); }
 
 private:

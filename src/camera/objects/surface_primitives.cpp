@@ -73,7 +73,7 @@ private:
 };
 
 /// z = x^2/a^2 + y^2/b^2 by the angle u and the distance v from the axis before a and b are
-/// applied. Its normals are those of the cross product but for a factor v, so that there is one at
+/// applied. Its normals are those of the cross product without a factor v, so that there is one at
 /// the apex too and the front is outside for v < 0 as well.
 class PolarParaboloid final : public ObjectGenerator {
 public:
