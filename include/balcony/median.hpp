@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Median: the middle of numbers in order.
+// Median: the middle value of sorted numbers.
 
 #include <algorithm>
 #include <cstddef>
