@@ -1,0 +1,175 @@
+#!/usr/bin/env python3
+# Balcony: rendering through extended cameras.
+# SPDX-License-Identifier: Apache-2.0
+"""Usage: write_scene_seeds.py FOLDER
+
+Writes small scenes and images of the formats that are read, for tests/fuzz/scene_fuzzer.cpp to
+start from.
+"""
+
+import base64
+import json
+import pathlib
+import struct
+import sys
+import zlib
+
+
+def floats(*values):
+    return struct.pack(f"<{len(values)}f", *values)
+
+
+def shorts(*values):
+    return struct.pack(f"<{len(values)}H", *values)
+
+
+def png(interlaced=False):
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    # Adam7 needs passes of its own; the seed has one pixel then.
+    side = 1 if interlaced else 3
+    header = struct.pack(">IIBBBBB", side, side, 8, 2, 0, 0, interlaced)
+    rows = b"".join(b"\0" + bytes(range(9 * y, 9 * y + 3 * side)) for y in range(side))
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows)) +
+            chunk(b"IEND", b""))
+
+
+def bmp():
+    pixels = bytes(range(2 * 8))
+    return (b"BM" + struct.pack("<IHHI", 54 + len(pixels), 0, 0, 54) +
+            struct.pack("<IiiHHIIiiII", 40, 2, 2, 1, 24, 0, len(pixels), 0, 0, 0, 0) + pixels)
+
+
+def tga():
+    return struct.pack("<BBBHHBHHHHBB", 0, 0, 2, 0, 0, 0, 0, 0, 2, 2, 24, 0) + bytes(range(12))
+
+
+def hdr():
+    return b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 2\n" + bytes(range(100, 116))
+
+
+def tiff():
+    entries = [(256, 2), (257, 2), (258, 8), (259, 1), (262, 1), (273, 8), (277, 1), (278, 2),
+               (279, 4)]
+    directory = struct.pack("<H", len(entries)) + b"".join(
+        struct.pack("<HHII", tag, 4, 1, value) for tag, value in entries) + bytes(4)
+    return b"II*\0" + struct.pack("<I", 12) + bytes((10, 20, 30, 40)) + directory
+
+
+class Scene:
+    """A glTF document with its one buffer."""
+
+    def __init__(self):
+        self.buffer = b""
+        self.views = []
+        self.accessors = []
+
+    def view(self, data):
+        self.buffer += bytes(-len(self.buffer) % 4)
+        self.views.append({"buffer": 0, "byteOffset": len(self.buffer), "byteLength": len(data)})
+        self.buffer += data
+        return len(self.views) - 1
+
+    def accessor(self, data, kind, component, count, **more):
+        self.accessors.append({"bufferView": self.view(data), "componentType": component,
+                               "count": count, "type": kind, **more})
+        return len(self.accessors) - 1
+
+    def document(self):
+        positions = self.accessor(floats(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0), "VEC3", 5126, 4)
+        normals = self.accessor(floats(*4 * (0, 0, 1)), "VEC3", 5126, 4)
+        points = self.accessor(shorts(0, 0, 65535, 0, 65535, 65535, 0, 65535), "VEC2", 5123, 4,
+                               normalized=True)
+        indices = self.accessor(shorts(0, 1, 2, 0, 2, 3), "SCALAR", 5123, 6)
+        sparse = {"componentType": 5126, "count": 4, "type": "VEC3", "sparse": {
+            "count": 2,
+            "indices": {"bufferView": self.view(shorts(1, 2)), "componentType": 5123},
+            "values": {"bufferView": self.view(floats(1, 0, 0, 0, 1, 0))}}}
+        self.accessors.append(sparse)
+        image = self.view(png())
+        texture = {"index": 0, "extensions": {"KHR_texture_transform": {
+            "offset": [0.1, 0], "scale": [0.5, 2], "rotation": 0.5}}}
+        return {
+            "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 3]}],
+            "nodes": [
+                {"name": "a", "mesh": 0, "children": [1, 2], "rotation": [0, 0.7071, 0, 0.7071]},
+                {"name": "b", "mesh": 1, "scale": [1, -2, 3], "translation": [1, 2, 3]},
+                {"mesh": 0, "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 4, 5, 6, 1]},
+                {"extensions": {"KHR_lights_punctual": {"light": 0}}}],
+            "meshes": [
+                {"name": "m", "primitives": [{"indices": indices, "material": 0, "attributes": {
+                    "POSITION": positions, "NORMAL": normals, "TEXCOORD_0": points}}]},
+                {"primitives": [{"mode": 5, "attributes": {"POSITION": positions}},
+                                {"mode": 6, "attributes": {"POSITION": len(self.accessors) - 1}}]}],
+            "materials": [{
+                "pbrMetallicRoughness": {"baseColorFactor": [0.5, 1, 1, 0.5],
+                                         "baseColorTexture": texture, "metallicFactor": 0.5},
+                "emissiveTexture": {"index": 1}, "emissiveFactor": [1, 0.5, 0],
+                "alphaMode": "MASK", "alphaCutoff": 0.5,
+                "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 8}}}],
+            "textures": [{"source": 0, "sampler": 0}, {"source": 1}],
+            "samplers": [{"wrapS": 33071, "wrapT": 33648}],
+            "images": [{"bufferView": image}, {
+                "uri": "data:image/png;base64," + base64.b64encode(png(True)).decode()}],
+            "accessors": self.accessors, "bufferViews": self.views,
+            "buffers": [{"byteLength": len(self.buffer)}],
+            "extensions": {"KHR_lights_punctual": {"lights": [
+                {"type": "spot", "intensity": 40, "range": 7, "color": [1, 0.5, 0.25],
+                 "spot": {"innerConeAngle": 0.2, "outerConeAngle": 0.4}}]}}}
+
+
+def glb(document, buffer):
+    text = json.dumps(document).encode()
+    text += b" " * (-len(text) % 4)
+    buffer += bytes(-len(buffer) % 4)
+    body = (struct.pack("<I", len(text)) + b"JSON" + text +
+            struct.pack("<I", len(buffer)) + b"BIN\0" + buffer)
+    return b"glTF" + struct.pack("<II", 2, 12 + len(body)) + body
+
+
+OBJ = b"""mtllib m.mtl
+v 0 0 0
+v 1 0 0
+v 1 1 0
+v 0 1 0
+vt 0 0
+vt 1 0
+vt 1 1
+vn 0 0 1
+o one
+usemtl red
+f 1/1/1 2/2/1 3/3/1 4/3/1
+g two
+usemtl blue
+f -4//1 -3//1 -2//1
+f 1 2 \\
+4
+#mtl
+newmtl red
+Kd 1 0 0
+Ns 20
+map_Kd -clamp on -s 1 1 1 t.png
+newmtl blue
+Ke 0 0 3
+d 0.5
+Pr 0.2
+"""
+
+
+def main():
+    folder = pathlib.Path(sys.argv[1])
+    scene = Scene()
+    document = scene.document()
+    (folder / "scene.glb").write_bytes(glb(document, scene.buffer))
+    document["buffers"][0]["uri"] = ("data:application/octet-stream;base64," +
+                                     base64.b64encode(scene.buffer).decode())
+    (folder / "scene.gltf").write_text(json.dumps(document))
+    (folder / "scene.obj").write_bytes(OBJ)
+    for name, image in (("png", png()), ("bmp", bmp()), ("tga", b"tga:" + tga()), ("hdr", hdr()),
+                        ("tiff", tiff())):
+        (folder / f"image.{name}").write_bytes(image)
+
+
+if __name__ == "__main__":
+    main()
