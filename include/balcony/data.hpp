@@ -13,6 +13,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "balcony/base.hpp"
@@ -26,11 +27,21 @@ inline constexpr std::size_t max_pixels = 16'777'216;      ///< Of an image.
 inline constexpr std::size_t max_mesh_file = 500'000'000;  ///< Bytes.
 inline constexpr std::size_t max_triangles = 5'000'000;    ///< Of a mesh.
 
-/// A file on disk, or a built-in file.
+/// A file on the disk, or one whose bytes are in memory: one that comes with Balcony, or what was
+/// read from standard input.
 struct File {
-    std::string name;  ///< For messages.
-    std::filesystem::path path;
-    std::optional<std::span<const std::uint8_t>> built_in;  ///< The bytes of a built-in file.
+    std::string name;            ///< For messages.
+    std::filesystem::path path;  ///< Of bytes in memory, its extension alone matters.
+    std::optional<std::span<const std::uint8_t>> bytes{};
+
+    [[nodiscard]] static File on_disk(const std::filesystem::path& path) {
+        return {path.string(), path};
+    }
+    /// The bytes must live as long as the file.
+    [[nodiscard]] static File in_memory(std::string name, std::filesystem::path path,
+                                        std::span<const std::uint8_t> bytes) {
+        return {std::move(name), std::move(path), bytes};
+    }
 };
 
 /// Finds a file by its name in a camera file: in a folder, if one is given,
@@ -41,8 +52,8 @@ struct File {
 /// The built-in files (cameras/data), sorted by name.
 [[nodiscard]] std::vector<std::string> built_in_files();
 
-/// The numbers of a table, row by row.
-struct Table {
+/// A table as text has it, row by row.
+struct NumberTable {
     struct Number {
         double value = 0.0;  ///< In radians if it is an angle.
         bool angle = false;  ///< It has the unit deg or rad.
@@ -57,9 +68,9 @@ struct Table {
     }
 };
 
-/// Reads lines of numbers separated by commas, semicolons, tabs or spaces. '#' starts a comment;
-/// a first line without numbers is a header. Numbers may have the unit deg or rad.
-[[nodiscard]] Result<Table> read_table(const File& file);
+/// Reads lines of numbers that commas, semicolons, tabs or blanks separate. A '#' begins a comment;
+/// a first line without numbers is a header. Numbers may have deg or rad attached.
+[[nodiscard]] Result<NumberTable> read_table(const File& file);
 
 /// Reads an image in any format that ImageFile opens. Grey is the luma of the colours as they are
 /// stored, by Rec. 709, times alpha.

@@ -132,21 +132,21 @@ private:
 /// A camera that a picture shows, with all layers that share it: copies of one camera, as the
 /// language makes them for the same parameters.
 struct ShownCamera {
-    struct Place {
-        std::string layer;      ///< Its number from 1 at the back; "3.1" in the picture of layer 3.
-        std::size_t index = 0;  ///< Index among all camera layers, from 0 at the back.
+    struct LayerUse {
+        std::string layer;  ///< Its number from 1 at the back, "3.1" in the picture of the third.
+        std::size_t index = 0;  ///< Which camera layer of all this is, the back one 0.
         std::vector<PictureArrangerPointer>
             arrangers;  ///< From the whole picture, outermost first.
     };
     Camera camera;
-    std::vector<Place> places;
+    std::vector<LayerUse> uses;
 };
 
 /// From back to front, including those of nested pictures.
 [[nodiscard]] std::vector<ShownCamera> shown_cameras(const Picture& picture);
 
-/// Width and height in pixels of a layer's own image, in a picture of a size in pixels.
-[[nodiscard]] std::array<double, 2> size_of(const ShownCamera::Place& place, double width,
+/// Width and height in pixels of a layer's own picture, in a whole picture of a size in pixels.
+[[nodiscard]] std::array<double, 2> size_of(const ShownCamera::LayerUse& use, double width,
                                             double height, double time = 0.0);
 
 }  // namespace balcony::camera

@@ -15,29 +15,27 @@ namespace balcony::camera {
 namespace {
 
 // `count` is the number of camera layers so far.
-void add_layers(const Picture& picture, const ShownCamera::Place& whole, std::size_t& count,
+void add_layers(const Picture& picture, const ShownCamera::LayerUse& whole, std::size_t& count,
                 std::vector<ShownCamera>& made) {
     std::size_t number = 0;
     for (const Layer& layer : picture.parts().layers) {
         ++number;
-        ShownCamera::Place place = whole;
-        place.layer = fmt::format("{}{}{}", whole.layer, whole.layer.empty() ? "" : ".", number);
-        place.arrangers.insert(place.arrangers.end(), layer.arrangers.begin(),
-                               layer.arrangers.end());
+        ShownCamera::LayerUse use = whole;
+        use.layer = fmt::format("{}{}{}", whole.layer, whole.layer.empty() ? "" : ".", number);
+        use.arrangers.insert(use.arrangers.end(), layer.arrangers.begin(), layer.arrangers.end());
         const auto* camera = std::get_if<Camera>(&layer.content);
         if (camera == nullptr) {
-            add_layers(*std::get<std::shared_ptr<const Picture>>(layer.content), place, count,
-                       made);
+            add_layers(*std::get<std::shared_ptr<const Picture>>(layer.content), use, count, made);
             continue;
         }
-        place.index = count++;
+        use.index = count++;
         const auto known = std::find_if(made.begin(), made.end(), [camera](const ShownCamera& one) {
             return &one.camera.parts() == &camera->parts();
         });
         if (known != made.end()) {
-            known->places.push_back(std::move(place));
+            known->uses.push_back(std::move(use));
         } else {
-            made.push_back({*camera, {std::move(place)}});
+            made.push_back({*camera, {std::move(use)}});
         }
     }
 }
@@ -51,9 +49,9 @@ std::vector<ShownCamera> shown_cameras(const Picture& picture) {
     return made;
 }
 
-std::array<double, 2> size_of(const ShownCamera::Place& place, double width, double height,
+std::array<double, 2> size_of(const ShownCamera::LayerUse& use, double width, double height,
                               double time) {
-    return arranged_size(place.arrangers, width, height, time);
+    return arranged_size(use.arrangers, width, height, time);
 }
 
 }  // namespace balcony::camera

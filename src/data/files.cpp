@@ -88,18 +88,18 @@ Result<File> find_file(std::string_view name, const std::optional<fs::path>& fol
                          "save its output to a file");
         }
         if (fs::exists(status)) {
-            return File{path.string(), std::move(path), std::nullopt};
+            return File::on_disk(path);
         }
     }
     if (const BuiltInFile* built_in = find_built_in_file(name)) {
-        return File{fmt::format("standard/{}", name), fs::path(name), built_in->bytes};
+        return File::in_memory(fmt::format("standard/{}", name), name, built_in->bytes);
     }
     return not_found(name, folder);
 }
 
 Result<std::uintmax_t> size_of(const File& file) {
-    if (file.built_in) {
-        return std::uintmax_t{file.built_in->size()};
+    if (file.bytes) {
+        return std::uintmax_t{file.bytes->size()};
     }
     std::error_code failure;
     const std::uintmax_t size = fs::file_size(file.path, failure);
@@ -115,8 +115,8 @@ Result<std::string> read_text(const File& file, std::size_t largest) {
         return error(fmt::format("'{}' is larger than {} MB", file.name, largest / 1'000'000), {},
                      "check that it is the right file");
     }
-    if (file.built_in) {
-        return std::string(file.built_in->begin(), file.built_in->end());
+    if (file.bytes) {
+        return std::string(file.bytes->begin(), file.bytes->end());
     }
     std::string text(static_cast<std::size_t>(*size), '\0');
     std::ifstream stream(file.path, std::ios::binary);

@@ -62,7 +62,7 @@ Result<std::shared_ptr<const GreyImage>> read_pixels(ImageFile& input, const Fil
 
 Result<std::shared_ptr<const GreyImage>> read_grey_image(const File& file) {
     Result<ImageFile> input =
-        file.built_in ? ImageFile::open(file.path, *file.built_in) : ImageFile::open(file.path);
+        file.bytes ? ImageFile::open(file.path, *file.bytes) : ImageFile::open(file.path);
     return input ? read_pixels(*input, file) : no_image(file, input.diagnostics.front());
 }
 

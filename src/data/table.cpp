@@ -30,7 +30,7 @@ public:
         table_.source = std::move(source);
     }
 
-    Result<Table> run() {
+    Result<NumberTable> run() {
         if (const std::size_t zero = text_.find('\0'); zero != text_.npos) {
             return balcony::error(fmt::format("'{}' is not a text file: its byte {} is zero",
                                               table_.source->name(), zero + 1),
@@ -45,8 +45,8 @@ public:
             error({table_.source, 0, 0}, fmt::format("'{}' has no numbers", table_.source->name()),
                   "write one point per line, with its numbers separated by commas");
         }
-        return diagnostics_.empty() ? Result<Table>(std::move(table_))
-                                    : Result<Table>(std::move(diagnostics_));
+        return diagnostics_.empty() ? Result<NumberTable>(std::move(table_))
+                                    : Result<NumberTable>(std::move(diagnostics_));
     }
 
 private:
@@ -130,7 +130,7 @@ private:
     }
 
     void row(const std::vector<Field>& fields) {
-        std::vector<Table::Number> numbers;
+        std::vector<NumberTable::Number> numbers;
         for (const Field field : fields) {
             if (const auto read = number(field)) {
                 numbers.push_back(*read);
@@ -146,10 +146,10 @@ private:
         }
     }
 
-    std::optional<Table::Number> number(Field field) {
+    std::optional<NumberTable::Number> number(Field field) {
         std::string_view written = text(field);
-        Table::Number made{0.0, false, static_cast<std::uint32_t>(field.begin),
-                           static_cast<std::uint32_t>(field.end)};
+        NumberTable::Number made{0.0, false, static_cast<std::uint32_t>(field.begin),
+                                 static_cast<std::uint32_t>(field.end)};
         if (written.empty()) {
             error(at({field.begin, std::min(field.begin + 1, text_.size())}),
                   "there is no number between these separators",
@@ -177,7 +177,7 @@ private:
     }
 
     std::string_view text_;
-    Table table_;
+    NumberTable table_;
     Diagnostics diagnostics_;
     std::size_t numbers_ = 0;
     bool first_line_ = true;
@@ -185,7 +185,7 @@ private:
 
 }  // namespace
 
-Result<Table> read_table(const File& file) {
+Result<NumberTable> read_table(const File& file) {
     Result<std::string> text = read_text(file, max_table);
     if (!text) {
         return text.diagnostics;

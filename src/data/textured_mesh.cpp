@@ -127,7 +127,7 @@ Result<std::shared_ptr<const TexturedMesh>> read_mesh(const File& file) {
                      {}, "simplify the mesh: a camera needs its shape, not its details");
     }
     const Result<scene::Scene> scene =
-        file.built_in ? scene::load(file.path, *file.built_in) : scene::load(file.path);
+        file.bytes ? scene::load(file.path, *file.bytes) : scene::load(file.path);
     if (!scene) {
         return scene.diagnostics;
     }

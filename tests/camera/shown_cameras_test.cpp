@@ -37,9 +37,9 @@ std::string described(const std::vector<ShownCamera>& cameras) {
     std::string text;
     for (const ShownCamera& one : cameras) {
         text += (text.empty() ? "" : ", ") + one.camera.name() + " at ";
-        for (const ShownCamera::Place& place : one.places) {
-            text += (&place == &one.places.front() ? "" : " and ") + place.layer;
-            text += place.index == 0 ? "" : " (" + std::to_string(place.index) + ")";
+        for (const ShownCamera::LayerUse& use : one.uses) {
+            text += (&use == &one.uses.front() ? "" : " and ") + use.layer;
+            text += use.index == 0 ? "" : " (" + std::to_string(use.index) + ")";
         }
     }
     return text;
@@ -52,8 +52,8 @@ TEST(ShownCameras, OfACameraIsItselfOnTheWholePicture) {
     const std::vector<ShownCamera> shown = shown_cameras(only);
     ASSERT_EQ(described(shown), "only at 1");
     EXPECT_EQ(&shown[0].camera.parts(), &only.parts());
-    EXPECT_TRUE(shown[0].places[0].arrangers.empty());
-    EXPECT_EQ(size_of(shown[0].places[0], 200, 100), (std::array{200.0, 100.0}));
+    EXPECT_TRUE(shown[0].uses[0].arrangers.empty());
+    EXPECT_EQ(size_of(shown[0].uses[0], 200, 100), (std::array{200.0, 100.0}));
 }
 
 TEST(ShownCameras, AreNumberedFromTheBackThroughThePicturesOfLayers) {
@@ -81,9 +81,9 @@ TEST(ShownCameras, HaveTheirArrangersFromTheWholePictureInwards) {
     const std::vector<ShownCamera> shown = shown_cameras(
         *picture({{.name = "a", .content = inner, .arrangers = {half}}, {"b", named("beside")}}));
     ASSERT_EQ(described(shown), "in at 1.1, beside at 2 (1)");
-    EXPECT_EQ(shown[0].places[0].arrangers, (std::vector{half, third}));
-    EXPECT_TRUE(shown[1].places[0].arrangers.empty());
-    const auto [width, height] = size_of(shown[0].places[0], 200, 100);
+    EXPECT_EQ(shown[0].uses[0].arrangers, (std::vector{half, third}));
+    EXPECT_TRUE(shown[1].uses[0].arrangers.empty());
+    const auto [width, height] = size_of(shown[0].uses[0], 200, 100);
     EXPECT_NEAR(width, 100.0, tolerance);
     EXPECT_NEAR(height, 25.0, tolerance);
 }
@@ -91,7 +91,7 @@ TEST(ShownCameras, HaveTheirArrangersFromTheWholePictureInwards) {
 TEST(SizeOf, IsThatOfItsTime) {
     const Formula moving =
         formula(0, [](Graph& graph, const auto&) { return std::vector{0.1 * graph.time()}; });
-    const ShownCamera::Place growing{.layer = "1", .arrangers = {place(moving, 0.0, 1.0, 0.5)}};
+    const ShownCamera::LayerUse growing{.layer = "1", .arrangers = {place(moving, 0.0, 1.0, 0.5)}};
     EXPECT_NEAR(size_of(growing, 200, 100)[0], 200.0, tolerance);
     EXPECT_NEAR(size_of(growing, 200, 100, 5.0)[0], 100.0, tolerance);
     EXPECT_NEAR(size_of(growing, 200, 100, 5.0)[1], 50.0, tolerance);
@@ -105,8 +105,9 @@ TEST(SizeOf, IsThatInTheMiddleOfThePicture) {
             return {whole.point, {whole.point.x, 3.0 * whole.point.y}};
         }
     };
-    const ShownCamera::Place place{.layer = "1", .arrangers = {std::make_shared<const Widening>()}};
-    EXPECT_EQ(size_of(place, 200, 100), (std::array{100.0, 150.0}));
+    const ShownCamera::LayerUse use{.layer = "1",
+                                    .arrangers = {std::make_shared<const Widening>()}};
+    EXPECT_EQ(size_of(use, 200, 100), (std::array{100.0, 150.0}));
 }
 
 }  // namespace balcony::camera

@@ -38,14 +38,14 @@ protected:
 
     /// The numbers of a table row by row, with | between rows; what is said if there is an error.
     [[nodiscard]] std::string table(const std::string& text) const {
-        const Result<Table> read = read_table(write("table.csv", text));
+        const Result<NumberTable> read = read_table(write("table.csv", text));
         if (!read) {
             return to_text(read.diagnostics);
         }
         std::string shown;
         for (const auto& row : read->rows) {
             shown += shown.empty() ? "" : "|";
-            for (const Table::Number& number : row) {
+            for (const NumberTable::Number& number : row) {
                 shown += (number.angle ? " <" : " ") + std::to_string(number.value).substr(0, 5);
             }
         }
@@ -78,9 +78,9 @@ std::string first_message(const Diagnostics& said) {
 TEST_F(Data, AFileIsLookedForInTheFolderFirst) {
     (void)write("vase.obj", "");
     EXPECT_EQ(find_file("vase.obj", folder_)->path, folder_ / "vase.obj");
-    EXPECT_FALSE(find_file("vase.obj", folder_)->built_in);
-    EXPECT_TRUE(find_file("vase.obj", std::nullopt)->built_in);
-    EXPECT_TRUE(find_file("vase.obj", folder_ / "nowhere")->built_in);
+    EXPECT_FALSE(find_file("vase.obj", folder_)->bytes);
+    EXPECT_TRUE(find_file("vase.obj", std::nullopt)->bytes);
+    EXPECT_TRUE(find_file("vase.obj", folder_ / "nowhere")->bytes);
 }
 
 TEST_F(Data, AMissingFileGetsThePathAndTheNearestName) {

@@ -37,14 +37,14 @@ public:
         const auto height = static_cast<double>(whole_height);
         for (const camera::ShownCamera& shown : shown_cameras(picture)) {
             CheckSubject subject{shown.camera, picture.only_camera() != nullptr};
-            for (const camera::ShownCamera::Place& place : shown.places) {
-                if (!is_wanted(place.layer)) {
+            for (const camera::ShownCamera::LayerUse& use : shown.uses) {
+                if (!is_wanted(use.layer)) {
                     continue;
                 }
                 if (!subject.by_itself) {
-                    subject.layers.push_back({picture.name(), place.layer});
+                    subject.layers.push_back({picture.name(), use.layer});
                 }
-                enlarge(subject, size_of(place, width, height, request_.time));
+                enlarge(subject, size_of(use, width, height, request_.time));
             }
             if (subject.width > 0.0) {
                 join(std::move(subject));

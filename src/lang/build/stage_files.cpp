@@ -91,7 +91,7 @@ std::optional<PointList> StageBuilder::table(const StageEntry& row, const StageP
     if (!found) {
         return std::nullopt;
     }
-    Result<data::Table> read = data::read_table(*found);
+    Result<data::NumberTable> read = data::read_table(*found);
     const Naming naming(*this, tree_[given]);
     if (!read) {
         report_file(std::move(read.diagnostics), tree_[given].span);
@@ -102,7 +102,7 @@ std::optional<PointList> StageBuilder::table(const StageEntry& row, const StageP
     bool good = true;
     for (const auto& line : read->rows) {
         std::vector<Element> point;
-        for (const data::Table::Number& number : line) {
+        for (const data::NumberTable::Number& number : line) {
             const Dimension dimension = number.angle ? Dimension::angle : Dimension::number;
             point.push_back({{graph_->constant(number.value), dimension}, read->at(number)});
         }
