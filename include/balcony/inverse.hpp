@@ -38,13 +38,16 @@ struct Sighting {
 /// Finds points in a picture, or in that of a single camera, of one size, at one time. Immutable,
 /// may be shared by threads, cheap to copy.
 ///
-/// A layer shows a point if its coverage is above 0 and nothing in front of it covers it
-/// completely. A camera whose rays depend linearly on the picture (pinhole, parallel, two-slit and
-/// push-broom cameras, rotated and shifted in any way) is solved in closed form. For any other, the
-/// picture is divided into patches, small enough for Newton's iteration to converge in each, and a
-/// tree over their rays finds those that can see a point. The division starts from cells of 1/96 of
-/// the longer side of the part that has rays, each sampled at 9 positions, and goes down to 1/16
-/// pixel at seams, folds and borders; a detail between these samples can be missed.
+/// A layer shows a point where it covers something and nothing in front of it covers all. A camera
+/// whose rays depend linearly on the picture (pinhole, parallel, two-slit and push-broom cameras,
+/// turned and shifted in any way) is solved in closed form. For any other the picture is divided
+/// into patches, small enough for Newton's iteration to find its way in each, and a tree over their
+/// rays says which of them can see a point. The division starts from cells of 1/96 of the longer
+/// side of the part that has rays, each looked at in 9 places, and goes down to 1/16 pixel at
+/// seams, folds and borders; a detail that falls between those places can be overlooked. The work
+/// is bounded: a camera whose rays change all over so often that some hundred thousand patches are
+/// not enough is searched less closely, with a warning, and of the patches that may see a point
+/// some thousand are searched.
 ///
 /// If a whole line of the picture sees a point (a pole of a panorama), some positions on it are
 /// found. A point at which all rays of a region start is not found by them, and a point that is not
@@ -64,8 +67,10 @@ public:
 
     /// All sightings of a point, from left to right.
     [[nodiscard]] std::vector<Sighting> locate(const V3d& point) const;
-    /// The sightings of many points, which is faster: by point, each from left to right.
-    [[nodiscard]] std::vector<Sighting> locate(std::span<const V3d> points) const;
+    /// Those of many points, which is faster: point by point, each from left to right. The indices
+    /// of points that more patches may see than are searched are put into `in_part`.
+    [[nodiscard]] std::vector<Sighting> locate(std::span<const V3d> points,
+                                               std::vector<std::size_t>* in_part = nullptr) const;
 
     /// Whether all layers are solved in closed form.
     [[nodiscard]] bool closed_form() const;

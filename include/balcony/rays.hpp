@@ -112,6 +112,8 @@ public:
                                                  Axes axes_of_ray, const Request& request);
 
     [[nodiscard]] bool has_footprints() const { return footprints_; }
+    /// What a ray costs by itself, in instructions.
+    [[nodiscard]] std::size_t instruction_count() const;
 
     /// Computes rays over a tile or at points, according to the request.
     void run(const Tile& tile, Scratch& scratch, RayBatch& rays) const;

@@ -52,6 +52,16 @@ Result<RayProgram> RayProgram::make(const camera::RayExpressions& ray, Axes axes
     return {std::move(made), std::move(found)};
 }
 
+std::size_t RayProgram::instruction_count() const {
+    const program::Program& program = for_points_ ? *for_points_ : *for_tiles_;
+    std::size_t count = 0;
+    for (const program::Rate rate : {program::Rate::uniform, program::Rate::column,
+                                     program::Rate::row, program::Rate::pixel}) {
+        count += program.instruction_count(rate);
+    }
+    return count;
+}
+
 void RayProgram::run(const Tile& tile, Scratch& scratch, RayBatch& rays) const {
     assert(for_tiles_ && "the request was not for tiles");
     program::run(*for_tiles_, tile, scratch, rays.reserve(tile.width * tile.height, footprints_));

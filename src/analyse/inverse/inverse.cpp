@@ -100,10 +100,13 @@ void solve(const PointRays& rays, const LinearRays& linear, const V2d& picture,
     judge();
 }
 
-// All other rays. Points are processed in batches, to limit memory.
+// All other rays. Points are processed in batches, to limit memory. Points that more patches may see
+// than can be searched are searched in part.
 void search(const PointRays& rays, const RayTree& tree, const V2d& picture,
-            std::span<const V3d> points, std::vector<Sighting>& found) {
+            std::span<const V3d> points, std::vector<Sighting>& found,
+            std::vector<std::size_t>& in_part) {
     constexpr std::size_t portion = 256;
+    constexpr std::size_t max_starts = 4096;
     PointSearch newton(rays);
     std::vector<std::uint32_t> patches;
     std::vector<SearchStart> starts;
@@ -113,7 +116,12 @@ void search(const PointRays& rays, const RayTree& tree, const V2d& picture,
         for (std::size_t number = begin; number < end; ++number) {
             patches.clear();
             tree.find(points[number], patches);
+            const std::size_t enough = starts.size() + max_starts;
             for (const std::uint32_t patch : patches) {
+                if (starts.size() >= enough) {
+                    in_part.push_back(number);
+                    break;
+                }
                 add_starts(tree.patches()[patch], number, points[number], starts);
             }
         }
@@ -135,20 +143,25 @@ public:
         linear_ = LinearRays::fit(seen);
         if (!linear_) {
             const double extent = seen.extent;
-            tree_.emplace(divide(rays_, std::move(seen)), extent);
+            Division division = divide(rays_, std::move(seen));
+            divided_ = division.complete;
+            tree_.emplace(std::move(division.patches), extent);
         }
     }
 
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] bool closed_form() const { return linear_.has_value(); }
     [[nodiscard]] std::size_t patch_count() const { return tree_ ? tree_->patches().size() : 0; }
+    /// Whether its patches are as small as they should be.
+    [[nodiscard]] bool divided() const { return divided_; }
 
-    [[nodiscard]] std::vector<Sighting> locate(std::span<const V3d> points) const {
+    [[nodiscard]] std::vector<Sighting> locate(std::span<const V3d> points,
+                                               std::vector<std::size_t>& in_part) const {
         std::vector<Sighting> found;
         if (linear_) {
             solve(rays_, *linear_, picture_, points, found);
         } else {
-            search(rays_, *tree_, picture_, points, found);
+            search(rays_, *tree_, picture_, points, found, in_part);
         }
         tidy(found);
         return found;
@@ -160,6 +173,7 @@ private:
     PointRays rays_;
     std::optional<LinearRays> linear_;
     std::optional<RayTree> tree_;
+    bool divided_ = true;
 };
 
 // Leaves out sightings in layers that are hidden there by what is in front of them.
@@ -205,10 +219,11 @@ public:
     [[nodiscard]] const std::vector<LayerIndex>& layers() const { return layers_; }
 
     // Points beyond far_away are moved to that distance.
-    [[nodiscard]] std::vector<Sighting> locate(std::span<const V3d> points) const {
+    [[nodiscard]] std::vector<Sighting> locate(std::span<const V3d> points,
+                                               std::vector<std::size_t>& in_part) const {
         const auto beyond = [](const V3d& p) { return max_coordinate(p) > far_away; };
         if (std::none_of(points.begin(), points.end(), beyond)) {
-            return locate_near(points);
+            return locate_near(points, in_part);
         }
         std::vector<V3d> nearer(points.begin(), points.end());
         for (V3d& point : nearer) {
@@ -216,7 +231,7 @@ public:
                 point = point / max_coordinate(point) * far_away;
             }
         }
-        std::vector<Sighting> found = locate_near(nearer);
+        std::vector<Sighting> found = locate_near(nearer, in_part);
         for (Sighting& sighting : found) {
             if (beyond(points[sighting.point])) {
                 const double times = max_coordinate(points[sighting.point]) / far_away;
@@ -228,13 +243,14 @@ public:
     }
 
 private:
-    [[nodiscard]] std::vector<Sighting> locate_near(std::span<const V3d> points) const {
+    [[nodiscard]] std::vector<Sighting> locate_near(std::span<const V3d> points,
+                                                    std::vector<std::size_t>& in_part) const {
         if (layers_.size() == 1 && !visible_.any_hidden()) {
-            return layers_.front().locate(points);
+            return layers_.front().locate(points, in_part);
         }
         std::vector<Sighting> all;
         for (std::size_t number = 0; number < layers_.size(); ++number) {
-            for (Sighting& sighting : layers_[number].locate(points)) {
+            for (Sighting& sighting : layers_[number].locate(points, in_part)) {
                 sighting.layer = number;
                 all.push_back(sighting);
             }
@@ -268,7 +284,18 @@ Result<Locator> Locator::make(const camera::Picture& picture, double width, doub
         return error(fmt::format("the cameras of picture '{}' have different axes", picture.name()),
                      {}, "specify the axes of the points: y_up or z_up");
     }
-    return Locator(std::make_shared<const Index>(std::move(*visible), V2d(width, height), time));
+    const auto index = std::make_shared<const Index>(std::move(*visible), V2d(width, height), time);
+    Diagnostics said;
+    for (const LayerIndex& layer : index->layers()) {
+        if (!layer.divided()) {
+            said.push_back(warning(
+                fmt::format("the rays of '{}' change so often from place to place that not all "
+                            "places can be searched",
+                            layer.name()),
+                {}, "look at the ranges of its map"));
+        }
+    }
+    return {Locator(index), std::move(said)};
 }
 
 Axes Locator::axes() const { return index_->axes(); }
@@ -285,8 +312,17 @@ std::vector<Sighting> Locator::locate(const V3d& point) const {
     return locate(std::span(&point, 1));
 }
 
-std::vector<Sighting> Locator::locate(std::span<const V3d> points) const {
-    return index_->locate(points);
+std::vector<Sighting> Locator::locate(std::span<const V3d> points,
+                                      std::vector<std::size_t>* in_part) const {
+    std::vector<std::size_t> searched_in_part;
+    std::vector<Sighting> found = index_->locate(points, searched_in_part);
+    if (in_part != nullptr) {
+        std::sort(searched_in_part.begin(), searched_in_part.end());
+        searched_in_part.erase(std::unique(searched_in_part.begin(), searched_in_part.end()),
+                               searched_in_part.end());
+        *in_part = std::move(searched_in_part);
+    }
+    return found;
 }
 
 bool Locator::closed_form() const {

@@ -18,6 +18,9 @@ public:
     /// `program` is compiled for points and with footprints.
     PointRays(rays::RayProgram program, double time) : program_(std::move(program)), time_(time) {}
 
+    /// What the ray of a point costs.
+    [[nodiscard]] std::size_t instruction_count() const { return program_.instruction_count(); }
+
     /// Up to program::max_points points and their rays. Belongs to one thread.
     class Batch {
     public:

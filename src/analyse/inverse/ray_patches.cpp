@@ -20,6 +20,8 @@ constexpr double min_smooth_half_size = 1.0;
 constexpr double max_bend = 0.25;
 // Limits the memory of the patches and of their tree to about 50 MB.
 constexpr std::size_t max_patches = 1U << 17U;
+// The maximum cost of dividing cells, in instructions of the camera's program: a few seconds.
+constexpr double max_instructions = 4e9;
 // The sample positions in a cell, in half sizes from its centre: near the border, so that a seam
 // cannot hide between two cells, but not on it, where seams of symmetric cameras often are.
 constexpr double outermost = 0.9;
@@ -129,26 +131,32 @@ double extent_of_origins(const std::vector<Ray>& rays) {
 
 class Divider {
 public:
-    Divider(const PointRays& rays, double extent) : rays_(rays) {
+    Divider(const PointRays& rays, double extent)
+        : rays_(rays),
+          cells_left_(static_cast<std::size_t>(
+              max_instructions /
+              static_cast<double>(Survey::places * (1 + rays.instruction_count())))) {
         // If all origins are equal, the distance is irrelevant.
         distances_ =
             extent > 0.0 ? std::vector{0.1 * extent, extent, 100.0 * extent} : std::vector{1.0};
     }
 
-    std::vector<RayPatch> run(Survey survey) {
+    Division run(Survey survey) {
         std::vector<Survey::Cell> cells = std::move(survey.cells);
         std::vector<Ray> rays = std::move(survey.rays);
         while (!cells.empty()) {
             std::vector<Survey::Cell> smaller;
-            const bool may_divide = patches_.size() + 2 * cells.size() < max_patches;
+            const bool may_divide = made_.patches.size() + 2 * cells.size() < max_patches &&
+                                    2 * cells.size() <= cells_left_;
             for (std::size_t i = 0; i < cells.size(); ++i) {
                 judge(cells[i], std::span(rays).subspan(i * Survey::places, Survey::places),
                       may_divide ? &smaller : nullptr);
             }
             cells = std::move(smaller);
+            cells_left_ -= cells.size();
             rays = look_at(rays_, cells);
         }
-        return std::move(patches_);
+        return std::move(made_);
     }
 
 private:
@@ -170,6 +178,7 @@ private:
             return;
         }
         if (smaller == nullptr || longest <= minimum) {
+            made_.complete = made_.complete && longest <= minimum;
             keep_sides(cell, rays);
             return;
         }
@@ -303,14 +312,14 @@ private:
             patch.origin_bend = std::max(patch.origin_bend, origin * to_the_border);
             patch.direction_bend = std::max(patch.direction_bend, direction * to_the_border);
         }
-        patches_.push_back(patch);
+        made_.patches.push_back(patch);
     }
 
     // For a cell that could not be divided further, across a seam perhaps: a patch around its
     // middle, with bends as large as what the derivatives say changes over the cell, and others
     // around places that those before do not explain.
     void keep_sides(const Survey::Cell& cell, Places rays) {
-        const std::size_t first = patches_.size();
+        const std::size_t first = made_.patches.size();
         for (std::size_t i = 0; i < Survey::places; ++i) {
             const std::size_t place = (middle + i) % Survey::places;
             const Ray& ray = rays[place];
@@ -319,8 +328,9 @@ private:
                 const auto [origin, direction] = departure(patch, at, ray);
                 return origin <= patch.origin_bend && direction <= patch.direction_bend;
             };
-            if (!ray.valid || std::any_of(patches_.begin() + static_cast<std::ptrdiff_t>(first),
-                                          patches_.end(), explains)) {
+            if (!ray.valid ||
+                std::any_of(made_.patches.begin() + static_cast<std::ptrdiff_t>(first),
+                            made_.patches.end(), explains)) {
                 continue;
             }
             RayPatch patch{at, cell.half, ray};
@@ -328,13 +338,14 @@ private:
                 (cell.half.x * ray.origin_by_x).length() + (cell.half.y * ray.origin_by_y).length();
             patch.direction_bend = (cell.half.x * ray.direction_by_x).length() +
                                    (cell.half.y * ray.direction_by_y).length();
-            patches_.push_back(patch);
+            made_.patches.push_back(patch);
         }
     }
 
     const PointRays& rays_;
     std::vector<double> distances_;
-    std::vector<RayPatch> patches_;
+    std::size_t cells_left_;  ///< That may still be looked at.
+    Division made_;
 };
 
 }  // namespace
@@ -365,7 +376,7 @@ Survey survey(const PointRays& rays, const V2d& picture) {
     return survey;
 }
 
-std::vector<RayPatch> divide(const PointRays& rays, Survey survey) {
+Division divide(const PointRays& rays, Survey survey) {
     const double extent = survey.extent;
     return Divider(rays, extent).run(std::move(survey));
 }

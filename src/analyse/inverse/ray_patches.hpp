@@ -51,9 +51,15 @@ struct Survey {
 
 [[nodiscard]] Survey survey(const PointRays& rays, const V2d& picture);
 
+struct Division {
+    std::vector<RayPatch> patches;
+    bool complete = true;  ///< No patch is larger than it should be.
+};
+
 /// Divides the cells of a survey until Newton's iteration contracts from the centre of each patch
-/// to all points that the patch sees, or the patch is 1/16 pixel wide, or there are some hundred
-/// thousand patches. Parts without rays are omitted.
-[[nodiscard]] std::vector<RayPatch> divide(const PointRays& rays, Survey survey);
+/// to all points that the patch sees, or the patch is 1/16 pixel wide. The division is incomplete
+/// if that would take more than some hundred thousand patches or some billion instructions. Parts
+/// without rays are omitted.
+[[nodiscard]] Division divide(const PointRays& rays, Survey survey);
 
 }  // namespace balcony::analyse

@@ -8,9 +8,11 @@
 #include <numbers>
 
 #include <Imath/ImathBox.h>
+#include <fmt/format.h>
 
 #include "analyse/measure/findings.hpp"
 #include "analyse/measure/jacobian.hpp"
+#include "balcony/median.hpp"
 
 namespace balcony::analyse {
 
@@ -87,9 +89,11 @@ std::optional<Statistics> statistics(const Report& report, const std::vector<Ray
     const auto [minimum, maximum] = std::minmax_element(order.begin(), order.end(), less);
     const std::size_t min_at = *minimum;
     const std::size_t max_at = *maximum;
-    const auto middle = order.begin() + static_cast<std::ptrdiff_t>(order.size() / 2);
-    std::nth_element(order.begin(), middle, order.end(), less);
-    return Statistics{report.samples[min_at].*value, report.samples[*middle].*value,
+    std::vector<double> values;
+    for (const std::size_t i : order) {
+        values.push_back(report.samples[i].*value);
+    }
+    return Statistics{report.samples[min_at].*value, median(std::move(values)).value_or(0.0),
                       report.samples[max_at].*value, place(min_at), place(max_at)};
 }
 
@@ -136,7 +140,14 @@ Result<Report> diagnose(const camera::Camera& camera, const DiagnoseSettings& se
     }
     const Turns turns = count_turns(camera, settings.width, settings.height, settings.time);
     report.findings = find_all({report, rays, crossings, repeats, turns, *without});
-    return report;
+    Diagnostics said;
+    if (!repeats.complete) {
+        said.push_back(warning(fmt::format(
+            "the views of camera '{}' differ so much in size, or lie so close together, "
+            "that not all of them were compared: some that are repeated may be missed",
+            report.camera)));
+    }
+    return {std::move(report), std::move(said)};
 }
 
 }  // namespace balcony::analyse

@@ -58,8 +58,10 @@ public:
     }
 
     /// Calls visit(sample), until it returns false, for all views that may reach to the point.
+    /// False if that takes more than so many steps, to cells and to samples, and is cut off.
     template <class Visit>
-    void near(const V3d& point, const Visit& visit) const {
+    [[nodiscard]] bool near(const V3d& point, std::size_t max_steps, const Visit& visit) const {
+        std::size_t steps = 0;
         for (const int level : levels_) {
             const V3d reach(std::ldexp(1.0, level));
             const Cell first = cell(point - reach, level);
@@ -67,19 +69,26 @@ public:
             for (auto x = first[0]; x <= last[0]; ++x) {
                 for (auto y = first[1]; y <= last[1]; ++y) {
                     for (auto z = first[2]; z <= last[2]; ++z) {
+                        if (++steps > max_steps) {
+                            return false;
+                        }
                         const auto found = cells_.find(key(level, {x, y, z}));
                         if (found == cells_.end()) {
                             continue;
                         }
                         for (const std::size_t sample : found->second) {
+                            if (++steps > max_steps) {
+                                return false;
+                            }
                             if (!visit(sample)) {
-                                return;
+                                return true;
                             }
                         }
                     }
                 }
             }
         }
+        return true;
     }
 
 private:
@@ -136,14 +145,16 @@ public:
     }
 
     [[nodiscard]] bool usable(std::size_t sample) const { return views_[sample].usable; }
+    [[nodiscard]] bool complete() const { return complete_; }
 
     /// The other points of the picture with the ray of a sample.
     [[nodiscard]] std::vector<V2d> others(std::size_t sample) {
         constexpr int max_trials = 8;
+        constexpr std::size_t max_steps = 4096;
         std::vector<V2d> found;
         int trials = 0;
         const View& wanted = views_[sample];
-        index_.near(wanted.point, [&](std::size_t candidate) {
+        const bool all = index_.near(wanted.point, max_steps, [&](std::size_t candidate) {
             const View& start = views_[candidate];
             if ((start.point - wanted.point).length2() > start.radius * start.radius ||
                 apart(grid_.at(candidate), grid_.at(sample)) <= nearest_other * grid_.step) {
@@ -159,6 +170,7 @@ public:
             }
             return trials < max_trials;
         });
+        complete_ = complete_ && all;
         return found;
     }
 
@@ -271,6 +283,7 @@ private:
     V3d center_;
     std::vector<View> views_;
     ViewIndex index_;
+    bool complete_ = true;
 };
 
 }  // namespace
@@ -280,7 +293,7 @@ Repeats find_repeats(const SampleGrid& grid, const std::vector<Ray>& rays, RayFi
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     RepeatSearch search(grid, rays, program, distance, unit);
     Repeats repeats{std::vector<std::uint8_t>(rays.size(), 0),
-                    std::vector<V2d>(rays.size(), V2d(none, none))};
+                    std::vector<V2d>(rays.size(), V2d(none, none)), true};
     for (std::size_t i = 0; i < rays.size(); ++i) {
         if (!search.usable(i)) {
             continue;
@@ -291,6 +304,7 @@ Repeats find_repeats(const SampleGrid& grid, const std::vector<Ray>& rays, RayFi
             repeats.other[i] = others.front();
         }
     }
+    repeats.complete = search.complete();
     return repeats;
 }
 

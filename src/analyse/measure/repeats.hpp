@@ -17,6 +17,8 @@ struct Repeats {
     std::vector<std::uint8_t> views;
     /// For each sample one other such point; NaN where there is none.
     std::vector<V2d> other;
+    /// No view was compared with as many others as may be, so that some were left out.
+    bool complete = true;
 };
 
 /// Rays are the same if their lines and directions agree to a tenth of a pixel; the start on the

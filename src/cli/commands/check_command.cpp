@@ -239,8 +239,8 @@ private:
             settings.distance = scene_distance_;
             report = analyse::diagnose(subject.camera, settings);
         }
+        add(report.diagnostics);
         if (!report) {
-            add(report.diagnostics);
             return;
         }
         check.report = std::move(*report);

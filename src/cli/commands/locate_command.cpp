@@ -57,19 +57,18 @@ std::optional<V3d> point_of(std::string_view text) {
     return point;
 }
 
+// As much of standard input as a table may have and one byte more, so that an endless stream ends
+// in an error.
+std::vector<std::uint8_t> read_input() {
+    std::vector<std::uint8_t> input(data::max_table + 1);
+    std::cin.read(reinterpret_cast<char*>(input.data()),
+                  static_cast<std::streamsize>(input.size()));
+    input.resize(static_cast<std::size_t>(std::cin.gcount()));
+    return input;
+}
+
 // The rows of a table file, or of standard input if its name is "-".
 void read_rows(const std::string& name, std::vector<V3d>& points, Diagnostics& diagnostics) {
-    data::File file{name, name, {}};
-    std::string input;
-    if (name == "-") {
-        // One byte more than a table may have, so that an endless stream ends in an error.
-        input.resize(data::max_table + 1);
-        std::cin.read(input.data(), static_cast<std::streamsize>(input.size()));
-        input.resize(static_cast<std::size_t>(std::cin.gcount()));
-        file.name = "standard input";
-        file.built_in =
-            std::span(reinterpret_cast<const std::uint8_t*>(input.data()), input.size());
-    }
     std::error_code ignored;
     if (name != "-" && !std::filesystem::is_regular_file(name, ignored)) {
         const bool there = std::filesystem::exists(name, ignored);
@@ -79,7 +78,11 @@ void read_rows(const std::string& name, std::vector<V3d>& points, Diagnostics& d
                                             "check its name and its folder"));
         return;
     }
-    const Result<data::Table> table = data::read_table(file);
+    const std::vector<std::uint8_t> input =
+        name == "-" ? read_input() : std::vector<std::uint8_t>();
+    const Result<data::NumberTable> table =
+        data::read_table(name == "-" ? data::File::in_memory("standard input", {}, input)
+                                     : data::File::on_disk(name));
     diagnostics.insert(diagnostics.end(), table.diagnostics.begin(), table.diagnostics.end());
     for (std::size_t i = 0; table && i < table->rows.size(); ++i) {
         const auto& row = table->rows[i];
@@ -137,8 +140,8 @@ struct Located {
 std::vector<std::string> numbers_of_layers(const camera::Picture& picture, std::size_t count) {
     std::vector<std::string> numbers(count);
     for (const camera::ShownCamera& shown : shown_cameras(picture)) {
-        for (const camera::ShownCamera::Place& place : shown.places) {
-            numbers[place.index] = place.layer;
+        for (const camera::ShownCamera::LayerUse& use : shown.uses) {
+            numbers[use.index] = use.layer;
         }
     }
     return numbers;
@@ -193,7 +196,15 @@ Result<Located> find_all(const LocateOptions& options, const PictureSize& size, 
     found.numbers = numbers_of_layers(*picture, found.layers.size());
     found.closed_form = locator->closed_form();
     found.points = std::move(points);
-    found.sightings = locator->locate(found.points);
+    add_to(diagnostics, locator.diagnostics);
+    std::vector<std::size_t> in_part;
+    found.sightings = locator->locate(found.points, &in_part);
+    if (!in_part.empty()) {
+        diagnostics.push_back(
+            warning(fmt::format("so many parts of the picture may see {} that not all "
+                                "of these parts were searched",
+                                counted(in_part.size(), "point", "points"))));
+    }
     if (scene) {
         look_for_obstacles(*scene, locator->axes(), found, diagnostics);
         if (!found.obstacles) {
