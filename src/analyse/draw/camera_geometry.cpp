@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "analyse/measure/ray_field.hpp"
+#include "balcony/median.hpp"
 
 namespace balcony::analyse {
 
@@ -41,7 +42,7 @@ std::optional<double> reach_of(const Ray& ray, const V3d& origin, const V3d& dir
 }
 
 Result<std::vector<Shown>> shown_rays(const camera::Camera& camera, const Depiction& depiction,
-                                      const CameraGeometry& geometry) {
+                                      CameraGeometry& geometry) {
     constexpr double picture_height = 1000.0;
     Result<RayField> field =
         RayField::make(camera, picture_height * geometry.aspect, picture_height, depiction.time,
@@ -60,7 +61,9 @@ Result<std::vector<Shown>> shown_rays(const camera::Camera& camera, const Depict
         const V2d picture = grid.at(static_cast<double>(i % grid.columns) + 0.5,
                                     static_cast<double>(i / grid.columns) + 0.5);
         const Ray ray = field->at(picture * picture_height * V2d(geometry.aspect, 1.0));
-        if (ray.valid) {
+        if (ray.valid && !is_near(ray.origin)) {
+            geometry.far_rays = true;
+        } else if (ray.valid) {
             const Axes axes = camera.parts().axes;
             const V3d origin = turned(ray.origin, axes, Axes::z_up);
             const V3d direction = turned(ray.direction, axes, Axes::z_up);
@@ -78,12 +81,7 @@ double median_reach(const std::vector<Shown>& rays) {
             all.push_back(*ray.reach);
         }
     }
-    if (all.empty()) {
-        return 0.0;
-    }
-    const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
-    std::nth_element(all.begin(), middle, all.end());
-    return *middle;
+    return median(std::move(all)).value_or(0.0);
 }
 
 std::vector<Arrow> arrows(const std::vector<Shown>& rays, const Depiction& depiction,
@@ -101,6 +99,50 @@ std::vector<Arrow> arrows(const std::vector<Shown>& rays, const Depiction& depic
         made.push_back({ray.origin, ray.origin + depiction.length.value_or(own) * ray.direction});
     }
     return made;
+}
+
+Diagnostic nothing_to_draw(const std::string& name, bool far) {
+    return error(
+        fmt::format("camera '{}' has no valid point{}, so there is nothing to draw", name,
+                    far ? fmt::format(" within {:g} units of the origin", max_coordinate) : ""),
+        {}, "check the ranges of its map, or use another --time");
+}
+
+// `share` is that of the camera in what a drawing may cost.
+Result<CameraGeometry> measure_camera(const camera::Camera& camera, const Depiction& depiction,
+                                      double share) {
+    const camera::Camera bare = without_arrangers(camera);
+    const camera::Camera::Parts& parts = bare.parts();
+    CameraGeometry geometry;
+    geometry.name = camera.name();
+    geometry.aspect = parts.aspect;
+    const auto object_on = [&](const camera::Path& path) {
+        return std::make_unique<ProjectionObject>(path, parts.aspect, parts.axes, depiction.time,
+                                                  0.5 * share);
+    };
+    geometry.eye = object_on(parts.eye);
+    if (parts.toward) {
+        geometry.toward = object_on(*parts.toward);
+    }
+    geometry.bounds = geometry.eye->bounds();
+    if (geometry.bounds.isEmpty()) {
+        return nothing_to_draw(camera.name(), geometry.eye->omissions().far);
+    }
+    if (geometry.toward) {
+        geometry.bounds.extendBy(geometry.toward->bounds());
+    }
+    if (depiction.rays > 0) {
+        const auto shown = shown_rays(bare, depiction, geometry);
+        if (!shown) {
+            return shown.diagnostics;
+        }
+        geometry.rays = arrows(*shown, depiction, geometry.extent());
+        for (const Arrow& ray : geometry.rays) {
+            geometry.bounds.extendBy(ray.from);
+            geometry.bounds.extendBy(ray.to);
+        }
+    }
+    return geometry;
 }
 
 }  // namespace
@@ -126,47 +168,13 @@ ProjectionObject* CameraGeometry::screen() const {
 
 double CameraGeometry::extent() const { return bounds.isEmpty() ? 0.0 : bounds.size().length(); }
 
-Result<CameraGeometry> measure_geometry(const camera::Camera& camera, const Depiction& depiction) {
-    const camera::Camera bare = without_arrangers(camera);
-    const camera::Camera::Parts& parts = bare.parts();
-    CameraGeometry geometry;
-    geometry.aspect = parts.aspect;
-    geometry.eye =
-        std::make_unique<ProjectionObject>(parts.eye, parts.aspect, parts.axes, depiction.time);
-    if (parts.toward) {
-        geometry.toward = std::make_unique<ProjectionObject>(*parts.toward, parts.aspect,
-                                                             parts.axes, depiction.time);
-    }
-    geometry.bounds = geometry.eye->bounds();
-    if (geometry.bounds.isEmpty()) {
-        return error(fmt::format("camera '{}' has no valid point, so there is nothing to draw",
-                                 camera.name()),
-                     {}, "check the ranges of its map, or use another --time");
-    }
-    if (geometry.toward) {
-        geometry.bounds.extendBy(geometry.toward->bounds());
-    }
-    if (depiction.rays > 0) {
-        const auto shown = shown_rays(bare, depiction, geometry);
-        if (!shown) {
-            return shown.diagnostics;
-        }
-        geometry.rays = arrows(*shown, depiction, geometry.extent());
-        for (const Arrow& ray : geometry.rays) {
-            geometry.bounds.extendBy(ray.from);
-            geometry.bounds.extendBy(ray.to);
-        }
-    }
-    return geometry;
-}
-
 namespace {
 
 // With the aspect ratio of its first layer in the picture.
 camera::Camera as_shown(const camera::ShownCamera& shown, const camera::Picture& picture,
                         double time) {
     constexpr double height = 1000.0;
-    const auto size = size_of(shown.places.front(), height * picture.parts().aspect, height, time);
+    const auto size = size_of(shown.uses.front(), height * picture.parts().aspect, height, time);
     camera::Camera::Parts parts = shown.camera.parts();
     if (size[0] > 0.0 && size[1] > 0.0) {
         parts.aspect = size[0] / size[1];
@@ -177,10 +185,10 @@ camera::Camera as_shown(const camera::ShownCamera& shown, const camera::Picture&
 
 std::string title_of(const camera::ShownCamera& shown) {
     std::string numbers;
-    for (const camera::ShownCamera::Place& place : shown.places) {
-        numbers += (numbers.empty() ? " " : ", ") + place.layer;
+    for (const camera::ShownCamera::LayerUse& use : shown.uses) {
+        numbers += (numbers.empty() ? " " : ", ") + use.layer;
     }
-    return fmt::format("layer{}{}, {}", shown.places.size() > 1 ? "s" : "", numbers,
+    return fmt::format("layer{}{}, {}", shown.uses.size() > 1 ? "s" : "", numbers,
                        shown.camera.name());
 }
 
@@ -191,10 +199,11 @@ Result<PictureGeometry> measure_geometry(const camera::Picture& picture,
     PictureGeometry whole;
     Diagnostics diagnostics;
     const bool by_itself = picture.only_camera() != nullptr;
-    for (const camera::ShownCamera& shown : shown_cameras(picture)) {
-        auto geometry = by_itself
-                            ? measure_geometry(shown.camera, depiction)
-                            : measure_geometry(as_shown(shown, picture, depiction.time), depiction);
+    const std::vector<camera::ShownCamera> all = shown_cameras(picture);
+    const double share = 1.0 / static_cast<double>(all.size());
+    for (const camera::ShownCamera& shown : all) {
+        auto geometry = measure_camera(
+            by_itself ? shown.camera : as_shown(shown, picture, depiction.time), depiction, share);
         diagnostics.insert(diagnostics.end(), geometry.diagnostics.begin(),
                            geometry.diagnostics.end());
         if (!geometry) {
@@ -213,6 +222,34 @@ Result<PictureGeometry> measure_geometry(const camera::Picture& picture,
         diagnostic.severity = Severity::warning;
     }
     return {std::move(whole), std::move(diagnostics)};
+}
+
+Diagnostics omissions(const PictureGeometry& geometry) {
+    Diagnostics made;
+    const auto add = [&made](const std::string& camera, std::string_view what,
+                             const Omissions& of) {
+        if (of.winding) {
+            made.push_back(warning(
+                fmt::format("of camera '{}', parts of {} turn or jump too often to be drawn",
+                            camera, what),
+                {}, "check the ranges of its map"));
+        }
+        if (of.far) {
+            made.push_back(warning(fmt::format(
+                "of camera '{}', parts of {} are farther from the origin than {:g} units and are "
+                "not drawn",
+                camera, what, max_coordinate)));
+        }
+    };
+    for (const PictureGeometry::Part& part : geometry.cameras) {
+        const CameraGeometry& camera = part.geometry;
+        add(camera.name, "its eye object", camera.eye->omissions());
+        if (camera.toward) {
+            add(camera.name, "its direction object", camera.toward->omissions());
+        }
+        add(camera.name, "its rays", {false, camera.far_rays});
+    }
+    return made;
 }
 
 }  // namespace balcony::analyse

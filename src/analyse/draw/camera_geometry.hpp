@@ -33,11 +33,13 @@ struct PictureGrid {
 
 /// Belongs to one thread.
 struct CameraGeometry {
+    std::string name;
     double aspect = 1.0;
     std::unique_ptr<ProjectionObject> eye;
     std::unique_ptr<ProjectionObject> toward;  ///< Null if there is no direction object.
     std::vector<Arrow> rays;
-    Box3d bounds;  ///< The bounds of both objects and the rays.
+    bool far_rays = false;  ///< Some rays start beyond max_coordinate and are omitted.
+    Box3d bounds;           ///< The bounds of both objects and the rays.
 
     /// The object on which the picture is drawn: the eye object if it is a surface, else the
     /// direction object if that is one, else null.
@@ -45,10 +47,6 @@ struct CameraGeometry {
     /// The size of the whole geometry.
     [[nodiscard]] double extent() const;
 };
-
-/// Parts that are not depicted count for the bounds too. It is an error if there is no valid point.
-[[nodiscard]] Result<CameraGeometry> measure_geometry(const camera::Camera& camera,
-                                                      const Depiction& depiction);
 
 /// The cameras of a picture, or a single camera.
 struct PictureGeometry {
@@ -63,8 +61,12 @@ struct PictureGeometry {
     [[nodiscard]] double extent() const { return bounds.size().length(); }
 };
 
-/// Cameras without a valid point are omitted with a warning. It is an error if none remains.
+/// Cameras without a valid point are omitted with a warning. It is an error if none remains. Parts
+/// that are not depicted count for the bounds too.
 [[nodiscard]] Result<PictureGeometry> measure_geometry(const camera::Picture& picture,
                                                        const Depiction& depiction);
+
+/// Warnings of the parts of objects and rays that have been omitted so far.
+[[nodiscard]] Diagnostics omissions(const PictureGeometry& geometry);
 
 }  // namespace balcony::analyse

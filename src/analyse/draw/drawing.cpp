@@ -164,6 +164,9 @@ std::optional<Diagnostic> refusal(const DrawingView& view) {
             fmt::format("a drawing of {} x {} pixels is not supported", view.width, view.height),
             {}, fmt::format("give each side from {} to {} pixels", min_side, max_side));
     }
+    if (!std::isfinite(view.azimuth) || !std::isfinite(view.elevation)) {
+        return error("a drawing cannot be seen from an angle that is not a number");
+    }
     return std::nullopt;
 }
 
@@ -227,7 +230,10 @@ Result<Drawing> draw(const camera::Picture& picture, const Depiction& depiction,
     if (several) {
         composer.add_labels(*geometry);
     }
-    return {std::move(drawing), geometry.diagnostics};
+    Diagnostics said = geometry.diagnostics;
+    const Diagnostics left_out = omissions(*geometry);
+    said.insert(said.end(), left_out.begin(), left_out.end());
+    return {std::move(drawing), std::move(said)};
 }
 
 }  // namespace balcony::analyse

@@ -81,11 +81,11 @@ double mean_distance(const DrawingViewer& viewer, const std::vector<V3d>& points
 }
 
 /// One object with the grid of the picture's lines on it.
-class SheetPainter {
+class ObjectPainter {
 public:
-    SheetPainter(ProjectionObject& sheet, DrawingPart part, const ObjectStyle& style, double aspect,
-                 double extent, const DrawingViewer& viewer)
-        : sheet_(sheet),
+    ObjectPainter(ProjectionObject& object, DrawingPart part, const ObjectStyle& style,
+                  double aspect, double extent, const DrawingViewer& viewer)
+        : object_(object),
           part_(part),
           style_(style),
           grid_(PictureGrid::of_cells(cell_count, aspect)),
@@ -94,7 +94,7 @@ public:
           viewer_(viewer) {}
 
     std::vector<DrawingItem> paint(bool with_frame) {
-        if (sheet_.dimension() == 2) {
+        if (object_.dimension() == 2) {
             paint_cells();
             paint_lines(with_frame);
         } else {
@@ -114,7 +114,7 @@ private:
         cell_distances_.resize(grid_.columns * grid_.rows);
         for (Index row = 0; row < grid_.rows; ++row) {
             for (Index column = 0; column < grid_.columns; ++column) {
-                const auto middle = sheet_.at(
+                const auto middle = object_.at(
                     grid_.at(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5));
                 auto& distance = cell_distances_[row * grid_.columns + column];
                 if (middle) {
@@ -133,10 +133,13 @@ private:
         bool whole = true;
         for (Index i = 0; i < corners.size() && whole; ++i) {
             const V2d& to = corners[(i + 1) % corners.size()];
-            const auto pieces = sheet_.trace(corners[i], to, tolerance_);
-            whole = pieces.size() == 1 && sheet_.at(corners[i]) && sheet_.at(to);
+            const auto pieces = object_.trace(corners[i], to, tolerance_);
+            if (!pieces) {
+                return;
+            }
+            whole = pieces->size() == 1 && object_.at(corners[i]) && object_.at(to);
             if (whole) {
-                outline.insert(outline.end(), pieces.front().begin(), pieces.front().end() - 1);
+                outline.insert(outline.end(), pieces->front().begin(), pieces->front().end() - 1);
             }
         }
         if (whole) {
@@ -168,6 +171,11 @@ private:
         return mix(style_.dark, style_.light, cosine);
     }
 
+    // None if the line cannot be followed.
+    std::vector<Polyline> pieces_of(const V2d& from, const V2d& to) {
+        return object_.trace(from, to, tolerance_).value_or(std::vector<Polyline>());
+    }
+
     void paint_lines(bool with_frame) {
         for (Index row = 0; row <= grid_.rows; ++row) {
             for (Index column = 0; column < grid_.columns; ++column) {
@@ -183,7 +191,7 @@ private:
                            with_frame && (column == 0 || column == grid_.columns));
             }
         }
-        if (const auto corner = sheet_.at(crossing(0, 0)); corner && with_frame) {
+        if (const auto corner = object_.at(crossing(0, 0)); corner && with_frame) {
             add({DrawingPart::frame,
                  {corner->position},
                  frame_color,
@@ -212,7 +220,7 @@ private:
 
     void paint_line(const V2d& from, const V2d& to, const std::optional<double>& cell,
                     bool is_frame) {
-        for (Polyline& piece : sheet_.trace(from, to, tolerance_)) {
+        for (Polyline& piece : pieces_of(from, to)) {
             const double distance = cell.value_or(mean_distance(viewer_, piece));
             add({is_frame ? DrawingPart::frame : part_, std::move(piece),
                  is_frame ? frame_color : style_.line, is_frame ? frame_width : grid_width, 1.0,
@@ -226,15 +234,15 @@ private:
         const V2d left(crossing(0, 0)), corner(crossing(grid_.columns, 0)),
             bottom(crossing(grid_.columns, grid_.rows));
         for (const auto& [from, to] : {std::pair(left, corner), std::pair(corner, bottom)}) {
-            for (const Polyline& piece : sheet_.trace(from, to, tolerance_)) {
+            for (const Polyline& piece : pieces_of(from, to)) {
                 for (Index i = 0; i + 1 < piece.size(); ++i) {
-                    if (sheet_.dimension() == 1 && piece[i] != piece[i + 1]) {
+                    if (object_.dimension() == 1 && piece[i] != piece[i + 1]) {
                         add_marks({piece[i], piece[i + 1]}, curve_width);
                     }
                 }
             }
         }
-        if (const auto middle = sheet_.at(V2d(0.5)); middle && sheet_.dimension() == 0) {
+        if (const auto middle = object_.at(V2d(0.5)); middle && object_.dimension() == 0) {
             add_marks({middle->position}, point_width);
         }
     }
@@ -250,7 +258,7 @@ private:
         }
     }
 
-    ProjectionObject& sheet_;
+    ProjectionObject& object_;
     DrawingPart part_;
     const ObjectStyle& style_;
     PictureGrid grid_;
@@ -307,11 +315,11 @@ std::vector<DrawingItem> drawing_items(const CameraGeometry& geometry, std::size
                                        const DrawingViewer& viewer) {
     std::vector<DrawingItem> items;
     const CameraStyle style = style_of(camera);
-    const auto paint = [&](ProjectionObject& sheet, DrawingPart part) {
-        const bool with_frame = depiction.frame && &sheet == geometry.screen();
+    const auto paint = [&](ProjectionObject& object, DrawingPart part) {
+        const bool with_frame = depiction.frame && &object == geometry.screen();
         const ObjectStyle& own = part == DrawingPart::eye ? style.eye : style.toward;
         append(items,
-               SheetPainter(sheet, part, own, geometry.aspect, extent, viewer).paint(with_frame));
+               ObjectPainter(object, part, own, geometry.aspect, extent, viewer).paint(with_frame));
     };
     if (depiction.eye) {
         paint(*geometry.eye, DrawingPart::eye);

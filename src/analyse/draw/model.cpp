@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "analyse/draw/camera_geometry.hpp"
 #include "analyse/draw/drawing_items.hpp"
 #include "balcony/drawing.hpp"
@@ -20,6 +22,8 @@ using scene::V3f;
 
 constexpr double surface_cells = 96.0 * 54.0;
 constexpr int round_sides = 10;  // Number of sides that approximate a circle.
+// The maximum number of corners of all tubes of a model; each takes about 10 kB.
+constexpr std::size_t max_tube_corners = 1U << 15U;
 
 /// Bodies of revolution, each a separate closed part of one mesh.
 class Solids {
@@ -111,7 +115,7 @@ private:
 };
 
 /// The part of a surface that the picture covers: two triangles per complete grid cell.
-void add_surface(ProjectionObject& sheet, double aspect, Mesh& mesh) {
+void add_surface(ProjectionObject& object, double aspect, Mesh& mesh) {
     const PictureGrid grid = PictureGrid::of_cells(surface_cells, aspect);
     const auto crossing = [&](std::size_t column, std::size_t row) {
         return grid.at(static_cast<double>(column), static_cast<double>(row));
@@ -119,7 +123,7 @@ void add_surface(ProjectionObject& sheet, double aspect, Mesh& mesh) {
     std::vector<std::optional<std::uint32_t>> vertices;
     for (std::size_t row = 0; row <= grid.rows; ++row) {
         for (std::size_t column = 0; column <= grid.columns; ++column) {
-            const auto point = sheet.at(crossing(column, row));
+            const auto point = object.at(crossing(column, row));
             vertices.push_back(
                 point ? std::optional(static_cast<std::uint32_t>(mesh.positions.size()))
                       : std::nullopt);
@@ -137,8 +141,8 @@ void add_surface(ProjectionObject& sheet, double aspect, Mesh& mesh) {
         const std::size_t column = i % stride;
         const std::size_t row = i / stride;
         const V2d here = crossing(column, row);
-        joined[i] = {column < grid.columns && sheet.joined(here, crossing(column + 1, row)),
-                     row < grid.rows && sheet.joined(here, crossing(column, row + 1))};
+        joined[i] = {column < grid.columns && object.joined(here, crossing(column + 1, row)),
+                     row < grid.rows && object.joined(here, crossing(column, row + 1))};
     }
     for (std::size_t i = 0; i + stride + 1 < vertices.size(); ++i) {
         if (i % stride < grid.columns && joined[i][0] && joined[i][1] && joined[i + 1][1] &&
@@ -155,17 +159,18 @@ void add_surface(ProjectionObject& sheet, double aspect, Mesh& mesh) {
 
 /// Where the formula has no normal, as at the poles of a sphere, uses the adjacent triangles.
 void complete_normals(Mesh& mesh) {
-    std::vector<V3f> sums(mesh.positions.size(), V3f(0.0F));
+    std::vector<V3d> sums(mesh.positions.size(), V3d(0.0));
     for (const auto& corner : mesh.triangles) {
-        const V3f& a = mesh.positions[corner[0]];
-        const V3f across = (mesh.positions[corner[1]] - a).cross(mesh.positions[corner[2]] - a);
+        const V3d a(mesh.positions[corner[0]]);
+        const V3d across =
+            (V3d(mesh.positions[corner[1]]) - a).cross(V3d(mesh.positions[corner[2]]) - a);
         for (const std::uint32_t vertex : corner) {
             sums[vertex] += across;
         }
     }
     for (std::size_t i = 0; i < sums.size(); ++i) {
         if (mesh.normals[i].length2() == 0.0F) {
-            mesh.normals[i] = sums[i].length2() > 0.0F ? sums[i].normalized() : V3f(0, 0, 1);
+            mesh.normals[i] = V3f(sums[i].length2() > 0.0 ? sums[i].normalized() : V3d(0, 0, 1));
         }
     }
 }
@@ -198,15 +203,17 @@ public:
         scene_.default_light = true;
     }
 
-    void add(const PictureGeometry::Part& camera, const CameraColors& colors,
-             const Depiction& depiction) {
+    /// Warns of lines for which the model has no room.
+    Diagnostics add(const PictureGeometry::Part& camera, const CameraColors& colors,
+                    const Depiction& depiction) {
+        tubes_left_out_ = false;
         const CameraGeometry& geometry = camera.geometry;
         const std::string prefix = camera.title.empty() ? "" : camera.title + ": ";
         if (depiction.eye) {
-            add(sheet_mesh(*geometry.eye, geometry.aspect), prefix + "surface", colors.eye);
+            add(object_mesh(*geometry.eye, geometry.aspect), prefix + "surface", colors.eye);
         }
         if (depiction.toward && geometry.toward) {
-            add(sheet_mesh(*geometry.toward, geometry.aspect), prefix + "target", colors.toward,
+            add(object_mesh(*geometry.toward, geometry.aspect), prefix + "target", colors.toward,
                 0.4F);
         }
         if (!geometry.rays.empty()) {
@@ -215,28 +222,34 @@ public:
         if (ProjectionObject* screen = geometry.screen(); screen != nullptr && depiction.frame) {
             add(frame_mesh(*screen), prefix + "frame", {0.02F, 0.02F, 0.02F});
         }
+        return tubes_left_out_ ? Diagnostics{warning(
+                                     fmt::format("of camera '{}', lines are too long for a "
+                                                 "model and are left out",
+                                                 geometry.name),
+                                     {}, "draw it as a picture, or look at the ranges of its map")}
+                               : Diagnostics{};
     }
 
     scene::Scene take() { return std::move(scene_); }
 
 private:
-    Mesh sheet_mesh(ProjectionObject& sheet, double aspect) const {
+    Mesh object_mesh(ProjectionObject& object, double aspect) {
         Mesh mesh;
-        if (sheet.dimension() == 2) {
-            add_surface(sheet, aspect, mesh);
+        if (object.dimension() == 2) {
+            add_surface(object, aspect, mesh);
             complete_normals(mesh);
             return mesh;
         }
         Solids solids(mesh);
         constexpr double ball = 0.012;
         constexpr double tube = 0.006;
-        const auto middle = sheet.at(V2d(0.5));
-        if (middle && sheet.dimension() == 0) {
+        const auto middle = object.at(V2d(0.5));
+        if (middle && object.dimension() == 0) {
             solids.add_ball(middle->position, ball * size_);
-        } else if (sheet.dimension() == 1) {
+        } else if (object.dimension() == 1) {
             const PictureGrid grid;
-            add_tubes(solids, sheet, grid.at(0, 0), grid.at(1, 0), tube);
-            add_tubes(solids, sheet, grid.at(1, 0), grid.at(1, 1), tube);
+            add_tubes(solids, object, grid.at(0, 0), grid.at(1, 0), tube);
+            add_tubes(solids, object, grid.at(1, 0), grid.at(1, 1), tube);
         }
         return mesh;
     }
@@ -257,7 +270,7 @@ private:
         return mesh;
     }
 
-    Mesh frame_mesh(ProjectionObject& screen) const {
+    Mesh frame_mesh(ProjectionObject& screen) {
         Mesh mesh;
         Solids solids(mesh);
         const PictureGrid grid;
@@ -274,10 +287,19 @@ private:
         return mesh;
     }
 
-    void add_tubes(Solids& solids, ProjectionObject& sheet, const V2d& from, const V2d& to,
-                   double radius) const {
+    void add_tubes(Solids& solids, ProjectionObject& object, const V2d& from, const V2d& to,
+                   double radius) {
         constexpr double tolerance = 0.001;
-        for (const Polyline& piece : sheet.trace(from, to, tolerance * size_)) {
+        const auto pieces = object.trace(from, to, tolerance * size_);
+        if (!pieces) {
+            return;
+        }
+        for (const Polyline& piece : *pieces) {
+            if (piece.size() > tube_corners_left_) {
+                tubes_left_out_ = true;
+                continue;
+            }
+            tube_corners_left_ -= piece.size();
             solids.add_tube(piece, radius * size_);
         }
     }
@@ -311,6 +333,8 @@ private:
 
     Axes own_axes_;
     double size_;
+    std::size_t tube_corners_left_ = max_tube_corners;
+    bool tubes_left_out_ = false;  ///< Of the camera that is being added.
     scene::Scene scene_;
 };
 
@@ -322,11 +346,17 @@ Result<scene::Scene> model(const camera::Picture& picture, const Depiction& depi
         return geometry.diagnostics;
     }
     const bool several = picture.only_camera() == nullptr;
+    Diagnostics said = geometry.diagnostics;
+    const auto add_to_said = [&said](const Diagnostics& more) {
+        said.insert(said.end(), more.begin(), more.end());
+    };
     Modeller modeller(picture.name(), *geometry);
     for (std::size_t i = 0; i < geometry->cameras.size(); ++i) {
-        modeller.add(geometry->cameras[i], several ? colors_of(i + 1) : CameraColors{}, depiction);
+        add_to_said(modeller.add(geometry->cameras[i], several ? colors_of(i + 1) : CameraColors{},
+                                 depiction));
     }
-    return {modeller.take(), geometry.diagnostics};
+    add_to_said(omissions(*geometry));
+    return {modeller.take(), std::move(said)};
 }
 
 }  // namespace balcony::analyse

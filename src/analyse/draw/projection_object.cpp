@@ -30,6 +30,32 @@ program::Program compile(const camera::Path& path, double aspect) {
     return program::Program(roots);
 }
 
+// What following the lines of all objects of a drawing may cost, in instructions of their programs
+// and in points: some seconds. A usual drawing takes a hundredth of it.
+constexpr double max_instructions = 2e9;
+constexpr double max_points = 2e6;
+
+// Points at which one line is looked at: so many across the picture, in proportion for a shorter
+// line, but not less than the minimum, which is enough for a dozen jumps.
+constexpr double max_points_across = 16384.0;
+constexpr double min_points_of_line = 1024.0;
+
+std::size_t max_points_of(const program::Program& program, double share) {
+    std::size_t instructions = 0;
+    for (const program::Rate rate : {program::Rate::uniform, program::Rate::column,
+                                     program::Rate::row, program::Rate::pixel}) {
+        instructions += program.instruction_count(rate);
+    }
+    const double points =
+        max_instructions / static_cast<double>(std::max<std::size_t>(instructions, 1));
+    return static_cast<std::size_t>(share * std::min(points, max_points));
+}
+
+std::size_t max_points_of_line(const V2d& a, const V2d& b) {
+    return static_cast<std::size_t>(
+        std::max(min_points_of_line, max_points_across * std::min((b - a).length(), 1.0)));
+}
+
 bool is_finite(const V3d& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
@@ -40,12 +66,18 @@ V3d unit_or_zero(const V3d& v) {
 
 }  // namespace
 
-ProjectionObject::ProjectionObject(const camera::Path& path, double aspect, Axes axes, double time)
+bool is_near(const V3d& point) {
+    return std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)}) <= max_coordinate;
+}
+
+ProjectionObject::ProjectionObject(const camera::Path& path, double aspect, Axes axes, double time,
+                                   double share)
     : dimension_(path.generator->dimension()),
       axes_(axes),
       aspect_(aspect),
       time_(time),
       program_(compile(path, aspect)),
+      points_left_(max_points_of(program_, share)),
       bounds_(measure()) {}
 
 std::optional<ProjectionObjectPoint> ProjectionObject::at(const V2d& picture) {
@@ -60,6 +92,10 @@ std::optional<ProjectionObjectPoint> ProjectionObject::at(const V2d& picture) {
     const V3d position(values[0], values[1], values[2]);
     const V3d normal(values[3], values[4], values[5]);
     if (values[8] != 1.0 || !is_finite(position)) {
+        return std::nullopt;
+    }
+    if (!is_near(position)) {
+        omissions_.far = true;
         return std::nullopt;
     }
     return ProjectionObjectPoint{turned(position, axes_, Axes::z_up),
@@ -81,10 +117,15 @@ Box3d ProjectionObject::measure() {
 /// Traces one line by halving its parts until each is straight, or is a jump.
 class ProjectionObject::Tracer {
 public:
-    Tracer(ProjectionObject& sheet, const V2d& a, const V2d& b, double tolerance)
-        : sheet_(sheet), a_(a), b_(b), tolerance_(tolerance) {}
+    Tracer(ProjectionObject& object, const V2d& a, const V2d& b, double tolerance)
+        : object_(object),
+          a_(a),
+          b_(b),
+          tolerance_(tolerance),
+          points_left_(std::min(max_points_of_line(a, b), object.points_left_)) {}
 
-    std::vector<Polyline> trace() {
+    std::optional<std::vector<Polyline>> trace() {
+        const std::size_t points = points_left_;
         // An odd number, so that a curve symmetric about the middle is not mistaken for straight.
         constexpr int parts = 3;
         Mark from = mark(0.0);
@@ -92,6 +133,11 @@ public:
             const Mark to = mark(static_cast<double>(i) / parts);
             follow(from, to, 0);
             from = to;
+        }
+        object_.points_left_ -= points - points_left_;
+        if (points_left_ == 0) {
+            object_.omissions_.winding = true;
+            return std::nullopt;
         }
         std::erase_if(pieces_, [](const Polyline& piece) { return piece.size() < 2; });
         return std::move(pieces_);
@@ -111,8 +157,12 @@ private:
     static constexpr int deepest_in_gap = 2;
 
     Mark mark(double where) {
+        if (points_left_ == 0) {
+            return {where, std::nullopt};
+        }
+        --points_left_;
         // This form gives a and b exactly.
-        const auto p = sheet_.at((1.0 - where) * a_ + where * b_);
+        const auto p = object_.at((1.0 - where) * a_ + where * b_);
         return {where, p ? std::optional(p->position) : std::nullopt};
     }
 
@@ -137,7 +187,8 @@ private:
     }
 
     void follow(const Mark& from, const Mark& to, int depth) {
-        if (depth > deepest || (!from.point && !to.point && depth > deepest_in_gap)) {
+        if (points_left_ == 0 || depth > deepest ||
+            (!from.point && !to.point && depth > deepest_in_gap)) {
             return;
         }
         const Mark middle = mark(0.5 * (from.where + to.where));
@@ -150,14 +201,16 @@ private:
         follow(middle, to, depth + 1);
     }
 
-    ProjectionObject& sheet_;
+    ProjectionObject& object_;
     V2d a_, b_;
     double tolerance_;
+    std::size_t points_left_;
     double last_ = -1.0;  ///< The end of the last piece.
     std::vector<Polyline> pieces_;
 };
 
-std::vector<Polyline> ProjectionObject::trace(const V2d& a, const V2d& b, double tolerance) {
+std::optional<std::vector<Polyline>> ProjectionObject::trace(const V2d& a, const V2d& b,
+                                                             double tolerance) {
     return Tracer(*this, a, b, tolerance).trace();
 }
 
@@ -166,8 +219,8 @@ bool ProjectionObject::joined(const V2d& a, const V2d& b) {
     const auto pieces = trace(a, b, coarse);
     const auto from = at(a);
     const auto to = at(b);
-    return pieces.size() == 1 && from && to && pieces.front().front() == from->position &&
-           pieces.front().back() == to->position;
+    return pieces && pieces->size() == 1 && from && to &&
+           pieces->front().front() == from->position && pieces->front().back() == to->position;
 }
 
 }  // namespace balcony::analyse

@@ -29,11 +29,24 @@ struct ProjectionObjectPoint {
     V2d parameters;  ///< (u, v)
 };
 
+/// The maximum coordinate of what is shown, in scene units: squares of coordinates overflow single
+/// precision, in which scenes are traced, not far beyond.
+inline constexpr double max_coordinate = 1e18;
+
+[[nodiscard]] bool is_near(const V3d& point);
+
+/// What a drawing omits of an object.
+struct Omissions {
+    bool winding = false;  ///< Lines that turn or jump too often to be traced.
+    bool far = false;      ///< Points beyond max_coordinate.
+};
+
 /// Maps points of the picture, as fractions of its width and height from the top left, to points of
 /// the object. Belongs to one thread.
 class ProjectionObject {
 public:
-    ProjectionObject(const camera::Path& path, double aspect, Axes axes, double time);
+    /// `share` is the object's fraction of the maximum cost of a drawing.
+    ProjectionObject(const camera::Path& path, double aspect, Axes axes, double time, double share);
 
     /// 0 for a point, 1 for a curve, 2 for a surface.
     [[nodiscard]] int dimension() const { return dimension_; }
@@ -44,10 +57,15 @@ public:
 
     /// The image of the straight line of the picture from a to b, in pieces: it is interrupted
     /// where the object is undefined and where it jumps. Each piece is within the tolerance.
-    [[nodiscard]] std::vector<Polyline> trace(const V2d& a, const V2d& b, double tolerance);
+    /// Nothing if that takes more points than a line may have, or than remain for the object.
+    [[nodiscard]] std::optional<std::vector<Polyline>> trace(const V2d& a, const V2d& b,
+                                                             double tolerance);
 
     /// Whether the image of the line from a to b is uninterrupted.
     [[nodiscard]] bool joined(const V2d& a, const V2d& b);
+
+    /// What has been omitted so far.
+    [[nodiscard]] const Omissions& omissions() const { return omissions_; }
 
 private:
     class Tracer;
@@ -59,6 +77,8 @@ private:
     double time_;
     program::Program program_;
     program::Scratch scratch_;
+    Omissions omissions_;
+    std::size_t points_left_;  ///< For lines.
     Box3d bounds_;
 };
 

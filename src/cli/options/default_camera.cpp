@@ -14,10 +14,19 @@ namespace balcony::cli {
 
 Result<camera::Picture> default_picture(const scene::Scene& scene) {
     // In the camera's axes: z up; the front of a y-up scene, its +z, is the camera's -y.
+    // In double precision, as the sum of two corners may be too large for single.
     const auto bounds = scene.bounds();
-    const Imath::V3d center = turned(Imath::V3d(bounds.center()), scene.axes, Axes::z_up);
+    const Imath::V3d minimum(bounds.min);
+    const Imath::V3d maximum(bounds.max);
+    const Imath::V3d size = maximum - minimum;
+    if (bounds.isEmpty() || !std::isfinite(size.length())) {
+        return error("the scene has no finite size, so no camera can show all of it", {},
+                     "name a camera with --camera, or correct the coordinates of the scene");
+    }
+    const Imath::V3d middle = 0.5 * (minimum + maximum);
+    const Imath::V3d center = turned(middle, scene.axes, Axes::z_up);
     // A scene that consists of a single point is viewed from a small distance.
-    const double extent = Imath::V3d(bounds.size()).length();
+    const double extent = size.length();
     const double radius = extent > 0.0 ? 0.5 * extent : 1.0;
 
     constexpr double half_field = 20.0 * std::numbers::pi / 180.0;
