@@ -21,8 +21,8 @@ std::string map_and_eye(const std::string& map, const std::string& eye) {
     return "camera c {\n map " + map + "\n eye " + eye + "\n look normal\n}";
 }
 
-bool says(const Diagnostics& said, const std::string& text) {
-    return std::any_of(said.begin(), said.end(), [&](const Diagnostic& one) {
+bool says(const Diagnostics& diagnostics, const std::string& text) {
+    return std::any_of(diagnostics.begin(), diagnostics.end(), [&](const Diagnostic& one) {
         return one.message.find(text) != std::string::npos;
     });
 }
@@ -113,7 +113,7 @@ TEST(DrawingLimits, FarPartsAreLeftOutAndThatIsSaid) {
     const Result<Drawing> all_far =
         draw(test::camera_of(map_and_eye("u = -1 .. 1, v = -1 .. 1", "sphere(1e200)")));
     ASSERT_FALSE(all_far);
-    EXPECT_TRUE(says(all_far.diagnostics, "no point within 1e+18 units"));
+    EXPECT_TRUE(says(all_far.diagnostics, "no valid point within 1e+18 units"));
 }
 
 TEST(DrawingLimits, SmallAndLargeCamerasAreDrawnAlike) {

@@ -116,13 +116,13 @@ TEST(Drawing, OfNothingIsAnError) {
 }
 
 TEST(ProjectionObject, LinesBreakAtSeamsAndGaps) {
-    const auto sheet_of = [](const char* text) {
+    const auto object_of = [](const char* text) {
         const camera::Camera camera = test::camera_of(text);
         return ProjectionObject(camera.parts().eye, 1.0, Axes::z_up, 0.0);
     };
     constexpr double tolerance = 0.01;
-    ProjectionObject jump = sheet_of(torn);
-    const auto two = jump.trace({0.1, 0.5}, {0.9, 0.5}, tolerance);
+    ProjectionObject jump = object_of(torn);
+    const auto two = jump.trace({0.1, 0.5}, {0.9, 0.5}, tolerance).value();
     ASSERT_EQ(two.size(), 2U);
     for (const Polyline& piece : two) {
         for (const V3d& point : piece) {
@@ -135,8 +135,8 @@ TEST(ProjectionObject, LinesBreakAtSeamsAndGaps) {
     EXPECT_FALSE(jump.joined({0.4, 0.5}, {0.6, 0.5}));
     EXPECT_TRUE(jump.joined({0.1, 0.5}, {0.4, 0.9}));
 
-    ProjectionObject gap = sheet_of(half);
-    const auto one = gap.trace({0.1, 0.5}, {0.9, 0.5}, tolerance);
+    ProjectionObject gap = object_of(half);
+    const auto one = gap.trace({0.1, 0.5}, {0.9, 0.5}, tolerance).value();
     ASSERT_EQ(one.size(), 1U);
     EXPECT_NEAR(one[0].back().y, 0.03, 1e-8);
     EXPECT_FALSE(gap.joined({0.4, 0.5}, {0.6, 0.5}));
@@ -149,15 +149,15 @@ TEST(ProjectionObject, SteepIsNotTorn) {
         map u = 1 .. -1, v = -1 .. 1
         eye surface(u, v) = [v, u, spow(u, 1/8)]
     })");
-    ProjectionObject sheet(camera.parts().eye, 1.0, Axes::z_up, 0.0);
-    EXPECT_TRUE(sheet.joined({0.2, 0.5}, {0.9, 0.5}));
+    ProjectionObject object(camera.parts().eye, 1.0, Axes::z_up, 0.0);
+    EXPECT_TRUE(object.joined({0.2, 0.5}, {0.9, 0.5}));
 }
 
 TEST(ProjectionObject, LinesKeepWithinTheTolerance) {
     const camera::Camera camera = test::camera_of(ball);
-    ProjectionObject sheet(camera.parts().eye, 1.0, Axes::z_up, 0.0);
+    ProjectionObject object(camera.parts().eye, 1.0, Axes::z_up, 0.0);
     constexpr double tolerance = 0.001;
-    const auto pieces = sheet.trace({0.0, 0.5}, {1.0, 0.5}, tolerance);
+    const auto pieces = object.trace({0.0, 0.5}, {1.0, 0.5}, tolerance).value();
     ASSERT_EQ(pieces.size(), 1U);
     const Polyline& equator = pieces.front();
     for (std::size_t i = 0; i + 1 < equator.size(); ++i) {
@@ -167,12 +167,18 @@ TEST(ProjectionObject, LinesKeepWithinTheTolerance) {
     EXPECT_LT(equator.size(), 200U);
 }
 
+// Of the only camera.
+CameraGeometry geometry_of(const camera::Camera& camera, const Depiction& depiction = {}) {
+    auto measured = measure_geometry(camera::Picture(camera), depiction);
+    EXPECT_TRUE(measured) << to_text(measured.diagnostics);
+    return measured ? std::move(measured->cameras.front().geometry) : CameraGeometry{};
+}
+
 TEST(CameraGeometry, ArrowsAreRays) {
-    const auto outward = measure_geometry(test::camera_of(ball), {.rays = 8, .length = 0.5});
-    ASSERT_TRUE(outward);
+    const CameraGeometry outward = geometry_of(test::camera_of(ball), {.rays = 8, .length = 0.5});
     // 8 over the width of a picture of 16 by 9 and 5 (4.5, rounded) over its height.
-    ASSERT_EQ(outward->rays.size(), 40U);
-    for (const Arrow& ray : outward->rays) {
+    ASSERT_EQ(outward.rays.size(), 40U);
+    for (const Arrow& ray : outward.rays) {
         EXPECT_NEAR(ray.from.length(), 2.0, 1e-12);
         EXPECT_NEAR(ray.to.length(), 2.5, 1e-12);
         EXPECT_NEAR(ray.to.cross(ray.from).length(), 0.0, 1e-12);
@@ -180,10 +186,9 @@ TEST(CameraGeometry, ArrowsAreRays) {
 }
 
 TEST(CameraGeometry, ArrowsGoThroughTheDirectionObject) {
-    const auto pinhole = measure_geometry(test::standard("pinhole"), {});
-    ASSERT_TRUE(pinhole);
-    ASSERT_EQ(pinhole->screen(), pinhole->toward.get());
-    for (const Arrow& ray : pinhole->rays) {
+    const CameraGeometry pinhole = geometry_of(test::standard("pinhole"));
+    ASSERT_EQ(pinhole.screen(), pinhole.toward.get());
+    for (const Arrow& ray : pinhole.rays) {
         EXPECT_EQ(ray.from, V3d(0.0));
         EXPECT_NEAR(ray.to.x, 1.25, 1e-9);
     }

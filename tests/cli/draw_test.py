@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """balcony draw: pictures and scenes of cameras, and errors."""
 
+import signal
+import time
 import xml.etree.ElementTree as ElementTree
 
 import support
@@ -85,6 +87,31 @@ class Draw(support.CommandTest):
     def test_json(self):
         self.assertEqual(self.json_of("draw", "pinhole", "-o", "p.svg")["output"], "p.svg")
         self.assertIsNone(self.json_of("draw", "nothing", "-o", "p.svg", code=1)["output"])
+
+    def test_what_cannot_be_drawn_whole_is_said(self):
+        (self.folder / "hang.cam").write_text(
+            "camera c { map u = -1e9 .. 1e9, v = -0.5 .. 0.5 eye sphere(1) look normal }")
+        (self.folder / "far.cam").write_text(
+            "camera c { map u = 1 .. -1, v = -1e308 .. 1 eye circle(2)"
+            " toward surface(u, v) = [1, 0, v] }")
+        for camera, says in (("hang.cam", "turn or jump too often"), ("far.cam", "are farther")):
+            for output in ("c.svg", "c.png", "c.glb"):
+                _, err = self.run_command("draw", camera, "-o", output, "-q")
+                self.assertIn(says, err)
+                self.assertNotIn("error", err)
+            self.assertNotRegex((self.folder / "c.svg").read_text(), "nan|inf")
+            self.assertLess((self.folder / "c.glb").stat().st_size, 100e6)
+
+    def test_obeys_a_signal(self):
+        (self.folder / "hang.cam").write_text(
+            "camera c { map u = -1e9 .. 1e9, v = -0.5 .. 0.5 eye sphere(1) look normal }")
+        for number in (signal.SIGINT, signal.SIGTERM):
+            process = self.start("draw", "hang.cam", "-o", "c.png", "--size", "16384x16384")
+            time.sleep(0.5)
+            process.send_signal(number)
+            process.communicate(timeout=60)
+            self.assertEqual(process.returncode, 130)
+        self.assertNotIn("c.png", self.files())
 
     def test_refusals(self):
         before = self.files()

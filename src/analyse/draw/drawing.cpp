@@ -230,10 +230,10 @@ Result<Drawing> draw(const camera::Picture& picture, const Depiction& depiction,
     if (several) {
         composer.add_labels(*geometry);
     }
-    Diagnostics said = geometry.diagnostics;
+    Diagnostics diagnostics = geometry.diagnostics;
     const Diagnostics left_out = omissions(*geometry);
-    said.insert(said.end(), left_out.begin(), left_out.end());
-    return {std::move(drawing), std::move(said)};
+    diagnostics.insert(diagnostics.end(), left_out.begin(), left_out.end());
+    return {std::move(drawing), std::move(diagnostics)};
 }
 
 }  // namespace balcony::analyse

@@ -226,7 +226,7 @@ public:
                                      fmt::format("of camera '{}', lines are too long for a "
                                                  "model and are left out",
                                                  geometry.name),
-                                     {}, "draw it as a picture, or look at the ranges of its map")}
+                                     {}, "draw it as a picture, or check the ranges of its map")}
                                : Diagnostics{};
     }
 
@@ -346,17 +346,17 @@ Result<scene::Scene> model(const camera::Picture& picture, const Depiction& depi
         return geometry.diagnostics;
     }
     const bool several = picture.only_camera() == nullptr;
-    Diagnostics said = geometry.diagnostics;
-    const auto add_to_said = [&said](const Diagnostics& more) {
-        said.insert(said.end(), more.begin(), more.end());
+    Diagnostics diagnostics = geometry.diagnostics;
+    const auto add_diagnostics = [&diagnostics](const Diagnostics& more) {
+        diagnostics.insert(diagnostics.end(), more.begin(), more.end());
     };
     Modeller modeller(picture.name(), *geometry);
     for (std::size_t i = 0; i < geometry->cameras.size(); ++i) {
-        add_to_said(modeller.add(geometry->cameras[i], several ? colors_of(i + 1) : CameraColors{},
-                                 depiction));
+        add_diagnostics(modeller.add(geometry->cameras[i],
+                                     several ? colors_of(i + 1) : CameraColors{}, depiction));
     }
-    add_to_said(omissions(*geometry));
-    return {modeller.take(), std::move(said)};
+    add_diagnostics(omissions(*geometry));
+    return {modeller.take(), std::move(diagnostics)};
 }
 
 }  // namespace balcony::analyse

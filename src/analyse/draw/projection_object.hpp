@@ -46,7 +46,8 @@ struct Omissions {
 class ProjectionObject {
 public:
     /// `share` is the object's fraction of the maximum cost of a drawing.
-    ProjectionObject(const camera::Path& path, double aspect, Axes axes, double time, double share);
+    ProjectionObject(const camera::Path& path, double aspect, Axes axes, double time,
+                     double share = 1.0);
 
     /// 0 for a point, 1 for a curve, 2 for a surface.
     [[nodiscard]] int dimension() const { return dimension_; }

@@ -100,8 +100,8 @@ void solve(const PointRays& rays, const LinearRays& linear, const V2d& picture,
     judge();
 }
 
-// All other rays. Points are processed in batches, to limit memory. Points that more patches may see
-// than can be searched are searched in part.
+// All other rays. Points are processed in batches, to limit memory. Points that more patches may
+// see than can be searched are searched in part.
 void search(const PointRays& rays, const RayTree& tree, const V2d& picture,
             std::span<const V3d> points, std::vector<Sighting>& found,
             std::vector<std::size_t>& in_part) {
@@ -285,17 +285,17 @@ Result<Locator> Locator::make(const camera::Picture& picture, double width, doub
                      {}, "specify the axes of the points: y_up or z_up");
     }
     const auto index = std::make_shared<const Index>(std::move(*visible), V2d(width, height), time);
-    Diagnostics said;
+    Diagnostics diagnostics;
     for (const LayerIndex& layer : index->layers()) {
         if (!layer.divided()) {
-            said.push_back(warning(
+            diagnostics.push_back(warning(
                 fmt::format("the rays of '{}' change so often from place to place that not all "
                             "places can be searched",
                             layer.name()),
-                {}, "look at the ranges of its map"));
+                {}, "check the ranges of its map"));
         }
     }
-    return {Locator(index), std::move(said)};
+    return {Locator(index), std::move(diagnostics)};
 }
 
 Axes Locator::axes() const { return index_->axes(); }

@@ -140,14 +140,14 @@ Result<Report> diagnose(const camera::Camera& camera, const DiagnoseSettings& se
     }
     const Turns turns = count_turns(camera, settings.width, settings.height, settings.time);
     report.findings = find_all({report, rays, crossings, repeats, turns, *without});
-    Diagnostics said;
+    Diagnostics diagnostics;
     if (!repeats.complete) {
-        said.push_back(warning(fmt::format(
+        diagnostics.push_back(warning(fmt::format(
             "the views of camera '{}' differ so much in size, or lie so close together, "
             "that not all of them were compared: some that are repeated may be missed",
             report.camera)));
     }
-    return {std::move(report), std::move(said)};
+    return {std::move(report), std::move(diagnostics)};
 }
 
 }  // namespace balcony::analyse
