@@ -70,7 +70,7 @@ void print_inverse() {
                picture_side);
     fmt::print("{:<20}{:>12}{:>10}{:>14}\n", "camera", "points", "patches", "to make, ms");
     for (const std::string& name : lang::built_in_cameras()) {
-        const auto camera = lang::load_camera(name, "");
+        const auto camera = lang::make_camera(name, "");
         if (!camera) {
             throw std::runtime_error(to_text(camera.diagnostics));
         }

@@ -124,7 +124,7 @@ void print_compilation() {
         double best = std::numeric_limits<double>::infinity();
         for (int pass = 0; pass < passes; ++pass) {
             const auto start = std::chrono::steady_clock::now();
-            const auto made = lang::load_camera(name, "");
+            const auto made = lang::make_camera(name, "");
             (void)compile(*made, width, height);
             const double milliseconds = 1e3 * seconds_since(start);
             first = pass == 0 ? milliseconds : first;

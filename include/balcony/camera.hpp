@@ -79,6 +79,8 @@ public:
     [[nodiscard]] std::vector<Expr> emit(Graph& graph, std::span<const Expr> arguments) const;
     /// The value of result i if it is constant.
     [[nodiscard]] std::optional<double> constant(std::size_t i) const;
+    /// The same with every result held between two numbers.
+    [[nodiscard]] Formula clamped(double minimum, double maximum) const;
 
 private:
     std::shared_ptr<Graph> graph_;
@@ -94,6 +96,8 @@ public:
     Scalar(Formula formula);
 
     [[nodiscard]] std::optional<double> constant() const;
+    /// The same number, held between two others.
+    [[nodiscard]] Scalar clamped(double minimum, double maximum) const;
     [[nodiscard]] Expr emit(Graph& graph) const;
 
 private:

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Catalogue: one table with the makers of all stages. The language's checks, `balcony list`
-// and docs/stages use it.
+// Catalogue: a row for every kind of stage there is, with its parameters and its maker. What a user
+// may write, `balcony list` and docs/stages are derived from the rows. make_stage.hpp makes stages
+// from them.
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -33,24 +35,7 @@ enum class StageKind : std::uint8_t {
 
 [[nodiscard]] std::string_view name_of(StageKind kind);
 
-enum class ParameterType : std::uint8_t {
-    number,   ///< One Scalar.
-    count,    ///< A whole number, constant.
-    pair,     ///< Two, written (a, b).
-    size,     ///< Two, written (a, b) or as one number for both.
-    triple,   ///< Three, written (a, b, c).
-    axis,     ///< Three, written (a, b, c) or x, y, z.
-    choice,   ///< One of several names.
-    points,   ///< A PointList, constant: [(a, b), (c, d)], [1, 2, 3] or "table.csv".
-    curve,    ///< An object generator of dimension 1.
-    stage,    ///< A stage of stage_kind.
-    stages,   ///< One or more stages; takes all remaining arguments.
-    formula,  ///< A formula with the parameter's name and shape: weight(u, v) = [u*v].
-    image,    ///< A GreyImage: "mask.png".
-    mesh,     ///< A TexturedMesh: "vase.obj".
-};
-
-/// The unit of a number. Angles are written with deg or rad and stored in radians.
+/// What a number counts. Angles are written with deg or rad and are radians inside.
 enum class Unit : std::uint8_t {
     number,     ///< A length in scene units, a ratio, ...; an angle is an error.
     angle,      ///< An angle; a plain number other than 0 is an error.
@@ -105,29 +90,96 @@ struct TexturedMesh {
     std::vector<std::array<Corner, 3>> triangles{};
 };
 
-struct StageParameter {
-    std::string_view name;
-    ParameterType type = ParameterType::number;
-    Unit unit = Unit::number;
-    std::vector<double>
-        default_value{};  ///< Empty if the argument is required (curve, or no default).
+// ---------------------------------------------------------------------- parameters of stages
+// What a parameter takes is one of the types that follow. Without a default value it must be given,
+// unless it is optional.
+
+/// The values that a number may have.
+struct Range {
     double minimum = -std::numeric_limits<double>::infinity();
     double maximum = std::numeric_limits<double>::infinity();
-    bool excludes_minimum = false;                       ///< The minimum itself is excluded.
-    std::vector<std::string_view> choices{};             ///< The first is the default.
-    StageKind stage_kind = StageKind::object_generator;  ///< For stage and stages.
-    std::vector<std::size_t>
-        coordinates{};  ///< The allowed numbers of coordinates per point, in ascending order.
-    std::size_t min_points = 1;  ///< The minimum number of points.
-    FormulaShape shape{};        ///< The form of a formula parameter.
-    /// It is optional without a default value; the maker calls has().
-    bool optional = false;
-    /// It cannot change with time, because tables are computed from it.
-    bool constant = false;
-    std::string_view meaning;
+    bool excludes_minimum = false;  ///< The minimum itself is excluded.
 };
 
-/// The arguments of a stage, by parameter name. The language has checked them against the row.
+/// One number.
+struct NumberParameter {
+    Unit unit = Unit::number;
+    std::optional<double> default_value{};
+    Range range{};
+    bool constant = false;  ///< It cannot change with time, since tables are made from it.
+};
+
+/// A whole number; it cannot change with time.
+struct CountParameter {
+    std::optional<double> default_value{};
+    Range range{};
+};
+
+/// Two numbers: (a, b).
+struct PairParameter {
+    Unit unit = Unit::number;
+    std::optional<std::array<double, 2>> default_value{};
+    Range range{};
+    bool constant = false;
+    bool one_for_both = false;  ///< One number is for both.
+};
+
+/// Three numbers: (a, b, c).
+struct TripleParameter {
+    std::optional<std::array<double, 3>> default_value{};
+    Range range{};
+    bool constant = false;
+    bool names_axes = false;  ///< x, y, z, -x, -y and -z are unit vectors.
+};
+
+/// A word; the first of the choices is the default.
+struct ChoiceParameter {
+    std::vector<std::string_view> choices{};
+};
+
+/// A PointList: [(a, b), (c, d)], [1, 2, 3] or "table.csv"; it cannot change with time.
+struct PointsParameter {
+    Unit unit = Unit::number;
+    std::vector<std::size_t> coordinates{};  ///< How many a point may have, the usual count first.
+    std::size_t min_points = 1;
+};
+
+/// A stage, or one or more, which take all arguments that are left.
+struct NestedStageParameter {
+    StageKind kind = StageKind::object_generator;
+    std::optional<int> dimension{};  ///< Of an object generator; 1 asks for a curve.
+    bool several = false;
+};
+
+/// A formula of the parameter's name, whose results are plain numbers: weight(u, v) = [u*v].
+struct FormulaParameter {
+    FormulaShape shape{};
+};
+
+/// A GreyImage: "mask.png".
+struct ImageParameter {};
+
+/// A TexturedMesh: "vase.obj".
+struct MeshParameter {};
+
+using ParameterType = std::variant<NumberParameter, CountParameter, PairParameter, TripleParameter,
+                                   ChoiceParameter, PointsParameter, NestedStageParameter,
+                                   FormulaParameter, ImageParameter, MeshParameter>;
+
+struct StageParameter {
+    std::string_view name;
+    ParameterType type;
+    bool optional = false;  ///< It may be left out without a default value; the maker asks has().
+    std::string_view meaning{};
+
+    /// The type's own row, or null if the parameter is of another type.
+    template <class Type>
+    [[nodiscard]] const Type* as() const {
+        return std::get_if<Type>(&type);
+    }
+};
+
+/// What a stage is made from, by parameter name, checked against the row by bind().
 class Arguments {
 public:
     using StagePointer = std::shared_ptr<const Stage>;
@@ -177,22 +229,60 @@ private:
     std::optional<Formula> formula_;
 };
 
-/// One row of the catalogue: all facts for the language, the command and the documentation.
+/// One row of the catalogue: all that the language, the command and the documentation know. Texts
+/// are not copied: they must outlive the row, as literals do.
 struct StageEntry {
-    StageKind kind;
-    std::string_view name;
-    std::string_view meaning;
-    std::vector<StageParameter> parameters;
-    Result<std::shared_ptr<const Stage>> (*make)(const Arguments& arguments);
+    StageKind kind = StageKind::object_generator;
+    std::string_view name{};
+    std::string_view meaning{};
+    std::vector<StageParameter> parameters{};
+    std::function<Result<std::shared_ptr<const Stage>>(const Arguments& arguments)> make{};
+    /// Of a stage that is itself a formula, such as surface(u, v) = [x, y, z]; it has no
+    /// parameters.
     std::optional<FormulaShape> formula{};
-    int dimension = 0;  ///< The dimension of an object generator.
-    /// A .cam text with one camera or picture that shows the effect of the stage; docs/stages has
-    /// its picture, and a test runs it.
+    int dimension = 0;  ///< Of an object generator.
+    /// The heading in docs/stages; empty is that of the stage's kind.
+    std::string_view section{};
+    /// A .cam text with one camera or picture that shows what the stage does; docs/stages has its
+    /// picture, and a test runs it.
     std::string_view example{};
 };
 
-/// All stages, sorted by kind.
-[[nodiscard]] const std::vector<StageEntry>& catalogue();
-[[nodiscard]] const StageEntry* find_stage(StageKind kind, std::string_view name);
+/// How a stage is written: circle(radius), surface(u, v) = [a, b, c].
+[[nodiscard]] std::string signature(const StageEntry& row);
+/// How a formula is written: weight(u, v) = [a].
+[[nodiscard]] std::string signature(std::string_view name, const FormulaShape& shape);
+
+/// What contradicts itself in a row: no maker, a default value outside its range, two parameters of
+/// one name, ...
+[[nodiscard]] Diagnostics check(const StageEntry& row);
+
+/// The stages that there are: the built-in ones, and those that a program adds. Cheap to copy; a
+/// copy that rows are added to leaves the others as they are.
+class Catalogue {
+public:
+    using value_type = StageEntry;
+    using const_iterator = std::vector<StageEntry>::const_iterator;
+
+    /// The built-in stages.
+    Catalogue();
+
+    /// Adds a row, which the language then knows. Errors, with nothing added, if there is a stage
+    /// of this kind and name, or if the row contradicts itself.
+    [[nodiscard]] Diagnostics add(StageEntry row);
+
+    /// The rows by kind; of one kind in the order in which they were added.
+    [[nodiscard]] const_iterator begin() const { return rows_->begin(); }
+    [[nodiscard]] const_iterator end() const { return rows_->end(); }
+    [[nodiscard]] std::size_t size() const { return rows_->size(); }
+    /// Null if there is none; valid until a row is added.
+    [[nodiscard]] const StageEntry* find(StageKind kind, std::string_view name) const;
+
+private:
+    std::shared_ptr<const std::vector<StageEntry>> rows_;
+};
+
+/// The built-in stages.
+[[nodiscard]] const Catalogue& catalogue();
 
 }  // namespace balcony::camera

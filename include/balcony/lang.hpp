@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "balcony/base.hpp"
+#include "balcony/catalogue.hpp"
 #include "balcony/picture.hpp"
 
 namespace balcony::lang {
@@ -35,42 +36,7 @@ struct Description {
     std::vector<std::string> layers;  ///< The names in a picture's layers, from back to front.
 };
 
-/// Reads the declarations of a file's cameras and pictures, in the order of the file.
-[[nodiscard]] Result<std::vector<Description>> describe(const std::filesystem::path& file);
-
-/// Makes a camera. `file` is a .cam file or the name of a built-in camera; an empty `name` means
-/// the file's last camera. Overrides of unknown parameters are errors; of two for the same
-/// parameter, the last one applies. Warnings may accompany the camera. In diagnostics, --set is the
-/// name of the text of an override.
-[[nodiscard]] Result<camera::Camera> load_camera(const std::filesystem::path& file,
-                                                 std::string_view name,
-                                                 const std::vector<Override>& overrides = {});
-
-/// The same from a text; imports are searched in `folder`.
-[[nodiscard]] Result<camera::Camera> make_camera(std::shared_ptr<const SourceText> source,
-                                                 std::string_view name,
-                                                 const std::vector<Override>& overrides = {},
-                                                 const std::filesystem::path& folder = {});
-
-/// Makes a picture; a camera becomes a picture with one layer. An empty `name` means the
-/// file's last camera or picture; otherwise like load_camera().
-[[nodiscard]] Result<camera::Picture> load_picture(const std::filesystem::path& file,
-                                                   std::string_view name,
-                                                   const std::vector<Override>& overrides = {});
-[[nodiscard]] Result<camera::Picture> make_picture(std::shared_ptr<const SourceText> source,
-                                                   std::string_view name,
-                                                   const std::vector<Override>& overrides = {},
-                                                   const std::filesystem::path& folder = {});
-
-/// Makes all cameras and pictures of a file, in its order; cameras as in load_picture(). A camera
-/// that several of them show with the same parameters is shared.
-[[nodiscard]] Result<std::vector<camera::Picture>> load_all(
-    const std::filesystem::path& file, const std::vector<Override>& overrides = {});
-
-/// Makes all cameras and pictures of a file, to find all mistakes in it.
-[[nodiscard]] Diagnostics check(const std::filesystem::path& file);
-
-/// A description of a camera or a picture.
+/// What a camera or a picture does, in words.
 struct Explanation {
     struct Parameter {
         std::string name;
@@ -98,9 +64,87 @@ struct Explanation {
                                      ///< layers and theirs, once for the same parameters.
 };
 
-/// Explains the result of load_picture() for the same arguments.
-[[nodiscard]] Result<Explanation> explain(const std::filesystem::path& file, std::string_view name,
-                                          const std::vector<Override>& overrides = {});
+/// A picture with its explanation.
+struct ExplainedPicture {
+    camera::Picture picture;
+    Explanation explanation;
+};
+
+/// Where cameras are written: a .cam file or the name of a built-in camera, or a text.
+class CameraSource {
+public:
+    CameraSource(std::filesystem::path file) : file_(std::move(file)) {}
+    CameraSource(const std::string& file) : file_(file) {}
+    CameraSource(const char* file) : file_(file) {}
+    /// Imports, tables, images and meshes of the text are looked for in `folder`.
+    CameraSource(std::shared_ptr<const SourceText> text, std::filesystem::path folder = {})
+        : file_(std::move(folder)), text_(std::move(text)) {}
+
+    /// The file, or the folder of a text.
+    [[nodiscard]] const std::filesystem::path& path() const { return file_; }
+    /// Null if it is a file.
+    [[nodiscard]] const std::shared_ptr<const SourceText>& text() const { return text_; }
+
+private:
+    std::filesystem::path file_;
+    std::shared_ptr<const SourceText> text_;
+};
+
+/// Makes cameras and keeps what it reads: camera files, tables, images and meshes are each read
+/// once, however many cameras are made of them, with whatever parameters. What changes on the disk
+/// is noticed after reload() only.
+///
+/// An empty `name` means the file's last camera or picture. Overrides that the camera does not know
+/// are errors; of two for one parameter the last counts. Warnings may come with a value; --set is
+/// the name of an override's text in diagnostics.
+///
+/// A workspace belongs to one thread at a time. What it makes is independent of it and may be used
+/// anywhere.
+class Workspace {
+public:
+    /// Knows the stages of a catalogue: the built-in ones, and those that a program has added.
+    explicit Workspace(camera::Catalogue catalogue = {});
+    Workspace(Workspace&&) noexcept;
+    Workspace& operator=(Workspace&&) noexcept;
+    ~Workspace();
+
+    /// Makes a camera; an empty name means the last camera, not the last picture.
+    [[nodiscard]] Result<camera::Camera> make_camera(const CameraSource& source,
+                                                     std::string_view name = "",
+                                                     const std::vector<Override>& overrides = {});
+
+    /// Makes a picture, or of a camera the picture that shows it alone.
+    [[nodiscard]] Result<camera::Picture> make_picture(const CameraSource& source,
+                                                       std::string_view name = "",
+                                                       const std::vector<Override>& overrides = {});
+
+    /// Makes every camera and picture, in the order of the file; cameras as in make_picture(). What
+    /// several of them show with the same parameters is one camera.
+    [[nodiscard]] Result<std::vector<camera::Picture>> make_all(
+        const CameraSource& source, const std::vector<Override>& overrides = {});
+
+    /// The same as make_picture(), explained.
+    [[nodiscard]] Result<ExplainedPicture> explain(const CameraSource& source,
+                                                   std::string_view name = "",
+                                                   const std::vector<Override>& overrides = {});
+
+    /// What cameras and pictures a file has, in its order, without making them.
+    [[nodiscard]] Result<std::vector<Description>> describe(const CameraSource& source);
+
+    /// Forgets what was read, so that files are read anew.
+    void reload();
+
+private:
+    class Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+/// For a program that makes one camera: the same by a workspace of its own.
+[[nodiscard]] Result<camera::Camera> make_camera(const CameraSource& source, std::string_view name,
+                                                 const std::vector<Override>& overrides = {});
+[[nodiscard]] Result<camera::Picture> make_picture(const CameraSource& source,
+                                                   std::string_view name,
+                                                   const std::vector<Override>& overrides = {});
 
 /// The text of a camera file of at most 1 MB.
 [[nodiscard]] Result<std::shared_ptr<const SourceText>> read_text(

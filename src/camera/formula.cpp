@@ -3,6 +3,9 @@
 
 #include "balcony/camera.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace balcony::camera {
 
 Formula::Formula(std::shared_ptr<Graph> graph, std::vector<Expr> parameters,
@@ -25,6 +28,19 @@ std::optional<double> Formula::constant(std::size_t i) const {
     return results_[i].is_constant() ? std::optional(results_[i].node().value) : std::nullopt;
 }
 
+Formula Formula::clamped(double minimum, double maximum) const {
+    Formula made = *this;
+    for (Expr& result : made.results_) {
+        if (std::isfinite(minimum)) {
+            result = max(result, graph_->constant(minimum));
+        }
+        if (std::isfinite(maximum)) {
+            result = min(result, graph_->constant(maximum));
+        }
+    }
+    return made;
+}
+
 Scalar::Scalar(Formula formula) : value_(std::move(formula)) {
     const Formula& stored = std::get<Formula>(value_);
     assert(stored.parameter_count() == 0 && stored.result_count() == 1);
@@ -36,6 +52,13 @@ Scalar::Scalar(Formula formula) : value_(std::move(formula)) {
 std::optional<double> Scalar::constant() const {
     const double* number = std::get_if<double>(&value_);
     return number != nullptr ? std::optional(*number) : std::nullopt;
+}
+
+Scalar Scalar::clamped(double minimum, double maximum) const {
+    if (const double* number = std::get_if<double>(&value_)) {
+        return std::min(std::max(*number, minimum), maximum);
+    }
+    return Scalar(std::get<Formula>(value_).clamped(minimum, maximum));
 }
 
 Expr Scalar::emit(Graph& graph) const {

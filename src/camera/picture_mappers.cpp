@@ -62,7 +62,7 @@ private:
 };
 
 StageParameter edge(std::string_view name, std::string_view meaning) {
-    return {.name = name, .unit = Unit::parameter, .meaning = meaning};
+    return {.name = name, .type = NumberParameter{.unit = Unit::parameter}, .meaning = meaning};
 }
 
 }  // namespace
@@ -70,18 +70,19 @@ StageParameter edge(std::string_view name, std::string_view meaning) {
 std::vector<StageEntry> picture_mappers() {
     const StageKind kind = StageKind::picture_mapper;
     return {
-        {kind,
-         "range",
-         "maps the picture to a rectangle of parameter space: u = a .. b, v = c .. d",
-         {edge("u_first", "u at the left edge"), edge("u_last", "u at the right edge"),
-          edge("v_first", "v at the bottom edge"), edge("v_last", "v at the top edge")},
-         [](const Arguments& a) {
-             return made<RangeMapper>(a.number("u_first"), a.number("u_last"), a.number("v_first"),
-                                      a.number("v_last"));
-         },
-         {},
-         0,
-         R"(
+        {.kind = kind,
+         .name = "range",
+         .meaning = "maps the picture to a rectangle of parameter space: u = a .. b, v = c .. d",
+         .parameters = {edge("u_first", "u at the left edge"),
+                        edge("u_last", "u at the right edge"),
+                        edge("v_first", "v at the bottom edge"),
+                        edge("v_last", "v at the top edge")},
+         .make =
+             [](const Arguments& a) {
+                 return made<RangeMapper>(a.number("u_first"), a.number("u_last"),
+                                          a.number("v_first"), a.number("v_last"));
+             },
+         .example = R"(
 // All longitudes and the latitudes between the polar circles.
 camera temperate {
     map    u = 180deg .. -180deg, v = -66deg .. 66deg
@@ -89,18 +90,19 @@ camera temperate {
     toward sphere(1)
 }
 )"},
-        {kind,
-         "square_v",
-         "u = a .. b, v = square: v is 0 in the middle and increases upwards, with u's units per "
-         "pixel",
-         {edge("u_first", "u at the left edge"), edge("u_last", "u at the right edge")},
-         [](const Arguments& a) {
-             return made<SquareMapper>(SquareMapper::Given::u, a.number("u_first"),
-                                       a.number("u_last"));
-         },
-         {},
-         0,
-         R"(
+        {.kind = kind,
+         .name = "square_v",
+         .meaning = "u = a .. b, v = square: v is 0 in the middle and increases upwards, with u's "
+                    "units per "
+                    "pixel",
+         .parameters = {edge("u_first", "u at the left edge"),
+                        edge("u_last", "u at the right edge")},
+         .make =
+             [](const Arguments& a) {
+                 return made<SquareMapper>(SquareMapper::Given::u, a.number("u_first"),
+                                           a.number("u_last"));
+             },
+         .example = R"(
 // 90 degrees in width, and the same number of pixels per degree in height.
 camera wide {
     map    u = 45deg .. -45deg, v = square
@@ -108,19 +110,20 @@ camera wide {
     toward sphere(1)
 }
 )"},
-        {kind,
-         "square_u",
-         "u = square, v = a .. b: u is 0 in the middle and increases to the right, with v's units "
-         "per "
-         "pixel",
-         {edge("v_first", "v at the bottom edge"), edge("v_last", "v at the top edge")},
-         [](const Arguments& a) {
-             return made<SquareMapper>(SquareMapper::Given::v, a.number("v_first"),
-                                       a.number("v_last"));
-         },
-         {},
-         0,
-         R"(
+        {.kind = kind,
+         .name = "square_u",
+         .meaning = "u = square, v = a .. b: u is 0 in the middle and increases to the right, with "
+                    "v's units "
+                    "per "
+                    "pixel",
+         .parameters = {edge("v_first", "v at the bottom edge"),
+                        edge("v_last", "v at the top edge")},
+         .make =
+             [](const Arguments& a) {
+                 return made<SquareMapper>(SquareMapper::Given::v, a.number("v_first"),
+                                           a.number("v_last"));
+             },
+         .example = R"(
 // 60 degrees in height, and the same number of pixels per degree in width. Longitudes increase to
 // the left, so u is reversed.
 camera high {

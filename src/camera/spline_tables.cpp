@@ -109,25 +109,20 @@ Result<SplinePointer> bezier_spline(std::size_t points, std::optional<std::size_
 StageParameter points_parameter(std::vector<std::size_t> coordinates, std::size_t minimum,
                                 std::string_view meaning) {
     return {.name = "points",
-            .type = ParameterType::points,
-            .coordinates = std::move(coordinates),
-            .min_points = minimum,
+            .type = PointsParameter{.coordinates = std::move(coordinates), .min_points = minimum},
             .meaning = meaning};
 }
 
 StageParameter weights_parameter() {
     return {.name = "weights",
-            .type = ParameterType::points,
-            .coordinates = {1},
+            .type = PointsParameter{.coordinates = {1}},
             .optional = true,
             .meaning = "weight of each point, above 0; 1 by default"};
 }
 
 StageParameter knots_parameter(std::string_view name) {
     return {.name = name,
-            .type = ParameterType::points,
-            .coordinates = {1},
-            .min_points = 4,
+            .type = PointsParameter{.coordinates = {1}, .min_points = 4},
             .optional = true,
             .meaning =
                 "the knots in order: the number of points plus the degree plus 1; the range "
@@ -135,24 +130,22 @@ StageParameter knots_parameter(std::string_view name) {
 }
 
 StageParameter optional_degree_parameter(std::string_view meaning, std::string_view name) {
-    return {.name = name,
-            .type = ParameterType::count,
-            .minimum = 1.0,
-            .maximum = static_cast<double>(expr::Table::max_degree),
-            .optional = true,
-            .meaning = meaning};
+    return {
+        .name = name,
+        .type = CountParameter{.range = {.minimum = 1.0,
+                                         .maximum = static_cast<double>(expr::Table::max_degree)}},
+        .optional = true,
+        .meaning = meaning};
 }
 
 StageParameter ends_parameter(std::string_view name, std::string_view meaning) {
     return {.name = name,
-            .type = ParameterType::choice,
-            .choices = {"clamped", "open", "closed"},
+            .type = ChoiceParameter{.choices = {"clamped", "open", "closed"}},
             .meaning = meaning};
 }
 
 StageParameter closed_parameter(std::string_view name, std::string_view meaning) {
-    return {
-        .name = name, .type = ParameterType::choice, .choices = {"no", "yes"}, .meaning = meaning};
+    return {.name = name, .type = ChoiceParameter{.choices = {"no", "yes"}}, .meaning = meaning};
 }
 
 }  // namespace balcony::camera

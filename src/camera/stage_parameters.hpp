@@ -5,9 +5,8 @@
 // Parameters of several families of stages: their rows in the catalogue, and the values made of
 // the numbers.
 
+#include <array>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 #include "balcony/catalogue.hpp"
 
@@ -34,35 +33,36 @@ inline Triple xyz_of(const Arguments& a) { return {a.number("x"), a.number("y"),
 /// An optional number.
 inline StageParameter number_parameter(std::string_view name, double value,
                                        std::string_view meaning) {
-    return {.name = name, .default_value = {value}, .meaning = meaning};
+    return {.name = name, .type = NumberParameter{.default_value = value}, .meaning = meaning};
 }
 
 /// An optional number above 0.
 inline StageParameter positive_parameter(std::string_view name, double value,
                                          std::string_view meaning) {
     return {.name = name,
-            .default_value = {value},
-            .minimum = 0.0,
-            .excludes_minimum = true,
+            .type = NumberParameter{.default_value = value,
+                                    .range = {.minimum = 0.0, .excludes_minimum = true}},
             .meaning = meaning};
 }
 
 /// An optional point or vector in PCS.
-inline StageParameter pair_parameter(std::string_view name, std::vector<double> value,
+inline StageParameter pair_parameter(std::string_view name, std::array<double, 2> value,
                                      std::string_view meaning) {
     return {.name = name,
-            .type = ParameterType::pair,
-            .unit = Unit::parameter,
-            .default_value = std::move(value),
+            .type = PairParameter{.unit = Unit::parameter, .default_value = value},
             .meaning = meaning};
 }
 
 /// An optional point or vector in OCS.
-inline StageParameter triple_parameter(std::string_view name, std::vector<double> value,
+inline StageParameter triple_parameter(std::string_view name, std::array<double, 3> value,
                                        std::string_view meaning) {
+    return {.name = name, .type = TripleParameter{.default_value = value}, .meaning = meaning};
+}
+
+/// A curve that the stage is made of.
+inline StageParameter curve_parameter(std::string_view name, std::string_view meaning) {
     return {.name = name,
-            .type = ParameterType::triple,
-            .default_value = std::move(value),
+            .type = NestedStageParameter{.kind = StageKind::object_generator, .dimension = 1},
             .meaning = meaning};
 }
 

@@ -41,6 +41,13 @@ void Reporter::add(const Diagnostics& diagnostics) {
     }
 }
 
+void Reporter::add(const Reporter& other) {
+    const std::size_t errors_before = errors_;
+    add(other.diagnostics_);
+    errors_ = errors_before + other.errors_;
+    left_out_ = left_out_ || other.left_out_;
+}
+
 void Reporter::error(SourceSpan span, std::string message, std::string remedy) {
     add(balcony::error(std::move(message), std::move(span), std::move(remedy)));
 }
@@ -79,33 +86,6 @@ Diagnostics Reporter::take() {
     }
     diagnostics_.clear();
     return sorted;
-}
-
-namespace {
-
-std::string listed(const std::vector<std::string>& names, std::string_view last_join) {
-    std::string text;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        text += i == 0 ? "" : i + 1 == names.size() ? last_join : ", ";
-        text += fmt::format("'{}'", names[i]);
-    }
-    return text;
-}
-
-}  // namespace
-
-std::string one_of(const std::vector<std::string>& names) { return listed(names, " or "); }
-std::string all_of(const std::vector<std::string>& names) { return listed(names, " and "); }
-
-std::string suggestion(std::string_view name, const std::vector<std::string>& known,
-                       std::string_view otherwise) {
-    if (const auto nearest = nearest_name(name, known)) {
-        return fmt::format("did you mean '{}'?", *nearest);
-    }
-    constexpr std::size_t max_listed = 40;
-    return known.empty() || known.size() > max_listed
-               ? std::string()
-               : fmt::format("{} {}", otherwise, all_of(known));
 }
 
 }  // namespace balcony::lang

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "balcony/base.hpp"
+#include "balcony/names.hpp"
 
 namespace balcony::lang {
 
@@ -14,6 +15,8 @@ public:
 
     void add(Diagnostic diagnostic);
     void add(const Diagnostics& diagnostics);
+    /// All that another one has collected.
+    void add(const Reporter& other);
     void error(SourceSpan span, std::string message, std::string remedy = {});
     void warning(SourceSpan span, std::string message, std::string remedy = {});
 
@@ -31,14 +34,5 @@ private:
     std::size_t errors_said_ = 0;
     bool left_out_ = false;
 };
-
-/// 'a', 'b' or 'c'; the empty string for no names.
-[[nodiscard]] std::string one_of(const std::vector<std::string>& names);
-/// 'a', 'b' and 'c'.
-[[nodiscard]] std::string all_of(const std::vector<std::string>& names);
-
-/// A suggested fix for an unknown name: the nearest known name, or `otherwise` and all names.
-[[nodiscard]] std::string suggestion(std::string_view name, const std::vector<std::string>& known,
-                                     std::string_view otherwise);
 
 }  // namespace balcony::lang

@@ -168,7 +168,7 @@ void expect_lawful(const Tally& counts, const std::string& what) {
 }  // namespace
 
 TEST(InverseOfPictures, HoldsForThePoster) {
-    const auto poster = lang::load_picture(BALCONY_SOURCE_DIR "/docs/pictures/poster.cam", "");
+    const auto poster = lang::make_picture(BALCONY_SOURCE_DIR "/docs/pictures/poster.cam", "");
     ASSERT_TRUE(poster) << to_text(poster.diagnostics);
     const Tally counts = tally(*poster, 600, 4'000);
     expect_lawful(counts, "poster");

@@ -64,7 +64,7 @@ TEST(InverseLaw, HoldsForThePlates) {
         if (entry.path().extension() != ".cam") {
             continue;
         }
-        const auto camera = lang::load_camera(entry.path(), "");
+        const auto camera = lang::make_camera(entry.path(), "");
         ASSERT_TRUE(camera) << to_text(camera.diagnostics);
         EXPECT_EQ(lost(*camera, 300, 10'000), 0U) << entry.path();
         ++count;

@@ -15,7 +15,7 @@ camera::Camera camera_of(const std::string& text) {
 }
 
 camera::Camera standard(const std::string& name, const std::vector<lang::Override>& overrides) {
-    Result<camera::Camera> made = lang::load_camera(name, "", overrides);
+    Result<camera::Camera> made = lang::make_camera(name, "", overrides);
     EXPECT_TRUE(made) << to_text(made.diagnostics);
     return *made;
 }

@@ -18,7 +18,7 @@ Arguments::Value points(std::size_t coordinates, std::vector<double> values) {
 }
 
 ObjectGeneratorPointer formula_curve(Formula made) {
-    const StageEntry* row = find_stage(StageKind::object_generator, "curve");
+    const StageEntry* row = catalogue().find(StageKind::object_generator, "curve");
     Arguments arguments;
     arguments.set_formula(std::move(made));
     return std::static_pointer_cast<const ObjectGenerator>(*row->make(arguments).value);

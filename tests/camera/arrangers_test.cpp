@@ -48,7 +48,7 @@ public:
         Arguments arguments;
         arguments.set_formula(
             formula(2, [&build](Graph&, const std::vector<Expr>& p) { return build(p); }));
-        const auto made = find_stage(StageKind::picture_arranger, "formula")->make(arguments);
+        const auto made = catalogue().find(StageKind::picture_arranger, "formula")->make(arguments);
         const auto arranger = std::dynamic_pointer_cast<const PictureArranger>(*made);
         Emitter emit(graph_);
         const PicturePoint p = arranger->arrange(

@@ -230,7 +230,7 @@ TEST(Camera, HasNoRayWhereACoordinateDoesNotExist) {
     arguments.set_formula(formula(2, [](Graph&, const std::vector<Expr>& p) {
         return std::vector{p[0], p[1], sqrt(1.0 - (p[0] * p[0] + p[1] * p[1]))};
     }));
-    const auto made = find_stage(StageKind::object_generator, "surface")->make(arguments);
+    const auto made = catalogue().find(StageKind::object_generator, "surface")->make(arguments);
     Camera::Parts parts = normal_camera(std::dynamic_pointer_cast<const ObjectGenerator>(*made),
                                         range(-2.0, 2.0, -2.0, 2.0));
     for (const bool relative : {false, true}) {

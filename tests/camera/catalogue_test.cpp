@@ -1,8 +1,10 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+#include <functional>
 #include <set>
 
+#include "balcony/make_stage.hpp"
 #include "support.hpp"
 
 namespace balcony::camera {
@@ -17,83 +19,25 @@ std::string test_name(const testing::TestParamInfo<StageEntry>& row) {
     return name;
 }
 
-std::size_t numbers_in(ParameterType type) {
-    switch (type) {
-        case ParameterType::number:
-        case ParameterType::count: return 1;
-        case ParameterType::pair:
-        case ParameterType::size: return 2;
-        case ParameterType::triple:
-        case ParameterType::axis: return 3;
-        default: return 0;
-    }
-}
-
 }  // namespace
 
 TEST_P(EveryStage, SaysWhatItAndItsParametersMean) {
     EXPECT_FALSE(GetParam().meaning.empty());
-    std::set<std::string_view> names;
     for (const StageParameter& parameter : GetParam().parameters) {
         EXPECT_FALSE(parameter.meaning.empty()) << parameter.name;
-        EXPECT_TRUE(names.insert(parameter.name).second) << parameter.name << " stands twice";
-        EXPECT_EQ(parameter.type == ParameterType::choice, !parameter.choices.empty());
-        EXPECT_EQ(parameter.type == ParameterType::points, !parameter.coordinates.empty());
-        EXPECT_EQ(parameter.type == ParameterType::formula, parameter.shape.max_results > 0);
-        // A count becomes a size: what a user can write must be one.
-        if (parameter.type == ParameterType::count) {
-            EXPECT_GE(parameter.minimum, 0.0) << parameter.name;
-            EXPECT_LE(parameter.maximum, 1e6) << parameter.name;
-        }
     }
 }
 
-TEST_P(EveryStage, HasDefaultsOfItsTypesInTheirRanges) {
-    for (const StageParameter& parameter : GetParam().parameters) {
-        EXPECT_LE(parameter.minimum, parameter.maximum);
-        if (!parameter.default_value.empty()) {
-            EXPECT_EQ(parameter.default_value.size(), numbers_in(parameter.type)) << parameter.name;
-        }
-        for (const double value : parameter.default_value) {
-            EXPECT_GE(value, parameter.minimum) << parameter.name;
-            EXPECT_LE(value, parameter.maximum) << parameter.name;
-            EXPECT_FALSE(parameter.excludes_minimum && value == parameter.minimum)
-                << parameter.name;
-        }
-    }
-}
+TEST_P(EveryStage, DoesNotContradictItself) { EXPECT_EQ(to_text(check(GetParam())), ""); }
 
 TEST_P(EveryStage, IsFoundByItsKindAndName) {
-    EXPECT_EQ(find_stage(GetParam().kind, GetParam().name)->meaning, GetParam().meaning);
+    EXPECT_EQ(catalogue().find(GetParam().kind, GetParam().name)->meaning, GetParam().meaning);
 }
 
 TEST_P(EveryStage, CanBeMadeAndFitsItsPort) {
     const auto made = GetParam().make(arguments_for(GetParam(), {}));
     ASSERT_TRUE(made) << to_text(made.diagnostics);
-    const Stage* stage = made->get();
-    switch (GetParam().kind) {
-        case StageKind::picture_arranger:
-            EXPECT_NE(dynamic_cast<const PictureArranger*>(stage), nullptr);
-            break;
-        case StageKind::picture_mapper:
-            EXPECT_NE(dynamic_cast<const PictureMapper*>(stage), nullptr);
-            break;
-        case StageKind::parameter_transformer:
-            EXPECT_NE(dynamic_cast<const ParameterTransformer*>(stage), nullptr);
-            break;
-        case StageKind::object_generator:
-            EXPECT_NE(dynamic_cast<const ObjectGenerator*>(stage), nullptr);
-            break;
-        case StageKind::object_transformer:
-            EXPECT_NE(dynamic_cast<const ObjectTransformer*>(stage), nullptr);
-            break;
-        case StageKind::direction_rule:
-            EXPECT_NE(dynamic_cast<const DirectionRule*>(stage), nullptr);
-            break;
-        case StageKind::clip_shape:
-            EXPECT_NE(dynamic_cast<const ClipShape*>(stage), nullptr);
-            break;
-    }
+    EXPECT_TRUE(is_of_kind(**made, GetParam().kind));
 }
 
 // The dimension is the rank of the derivative: of a point no tangent moves, of a curve that along
@@ -120,19 +64,86 @@ TEST(Catalogue, NamesAreUniqueWithinAKind) {
     for (const StageEntry& row : catalogue()) {
         EXPECT_TRUE(names.emplace(row.kind, row.name).second) << row.name;
     }
-    EXPECT_EQ(find_stage(StageKind::object_generator, "no such object"), nullptr);
+    EXPECT_EQ(catalogue().find(StageKind::object_generator, "no such object"), nullptr);
 }
 
 TEST(Catalogue, EveryChoiceCanBeMade) {
     for (const StageEntry& row : catalogue()) {
         for (const StageParameter& parameter : row.parameters) {
-            for (const std::string_view choice : parameter.choices) {
+            for (const std::string_view choice : choices_of(parameter)) {
                 const auto made =
                     row.make(arguments_for(row, {{parameter.name, std::string(choice)}}));
                 EXPECT_TRUE(made) << row.name << ' ' << choice;
             }
         }
     }
+}
+
+StageEntry ring() {
+    return {.kind = StageKind::object_generator,
+            .name = "ring",
+            .meaning = "a row of this test",
+            .parameters = {{.name = "radius",
+                            .type = NumberParameter{.default_value = 1.0,
+                                                    .range = {.minimum = 0.0,
+                                                              .excludes_minimum = true}},
+                            .meaning = "its radius"}},
+            .make = [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
+                return {object("circle", {{"radius", numbers({*a.number("radius").constant()})}})};
+            },
+            .dimension = 1};
+}
+
+TEST(Catalogue, TakesRowsOfAProgram) {
+    Catalogue own;
+    const std::size_t built_in = own.size();
+    EXPECT_EQ(to_text(own.add(ring())), "");
+    EXPECT_EQ(own.size(), built_in + 1);
+    EXPECT_EQ(catalogue().size(), built_in) << "a copy must not change the original";
+    const auto* row = own.find(StageKind::object_generator, "ring");
+    ASSERT_NE(row, nullptr);
+    EXPECT_TRUE(std::is_sorted(own.begin(), own.end(),
+                               [](const auto& a, const auto& b) { return a.kind < b.kind; }));
+    EXPECT_NE(to_text(own.add(ring())).find("there is an object generator 'ring' already"),
+              std::string::npos);
+    EXPECT_EQ(own.size(), built_in + 1);
+}
+
+// Each change makes one contradiction; the message names it.
+TEST(Catalogue, RefusesRowsThatContradictThemselves) {
+    const auto refused = [](const std::function<void(StageEntry&)>& change) {
+        StageEntry row = ring();
+        change(row);
+        Catalogue own;
+        const Diagnostics found = own.add(row);
+        EXPECT_EQ(own.size(), catalogue().size());
+        return found.size() == 1 ? found.front().message : to_text(found);
+    };
+    EXPECT_EQ(refused([](StageEntry& row) { row.name = "two words"; }),
+              "the row of 'two words': a name is made of letters, digits and _, and begins with a "
+              "letter");
+    EXPECT_EQ(refused([](StageEntry& row) { row.make = nullptr; }),
+              "the row of 'ring': it has no maker");
+    EXPECT_EQ(refused([](StageEntry& row) { row.parameters.push_back(row.parameters.front()); }),
+              "the row of 'ring', parameter 'radius': there are two parameters of this name");
+    const auto with_type = [&refused](const ParameterType& type) {
+        return refused([&type](StageEntry& row) { row.parameters.front().type = type; });
+    };
+    const std::string of_radius = "the row of 'ring', parameter 'radius': ";
+    EXPECT_EQ(with_type(NumberParameter{.default_value = 0.0,
+                                        .range = {.minimum = 0.0, .excludes_minimum = true}}),
+              of_radius + "its default value is outside its range");
+    EXPECT_EQ(with_type(NumberParameter{.range = {.minimum = 2.0, .maximum = 1.0}}),
+              of_radius + "its range is empty");
+    EXPECT_EQ(
+        with_type(CountParameter{.default_value = 1.5, .range = {.minimum = 0.0, .maximum = 9.0}}),
+        of_radius + "its default value must be a whole number");
+    EXPECT_EQ(with_type(CountParameter{}), of_radius + "its range must lie within 0 to 1000000");
+    EXPECT_EQ(with_type(ChoiceParameter{}), of_radius + "it has no choices");
+    EXPECT_EQ(with_type(PointsParameter{}), of_radius + "its points have no co-ordinates");
+    EXPECT_EQ(with_type(FormulaParameter{}), of_radius + "its formula must have results");
+    EXPECT_EQ(with_type(NestedStageParameter{.kind = StageKind::direction_rule, .dimension = 1}),
+              of_radius + "only object generators have a dimension");
 }
 
 TEST(Arguments, ALaterValueTakesThePlaceOfAnEarlierOne) {

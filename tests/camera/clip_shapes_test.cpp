@@ -55,7 +55,7 @@ Given list(std::vector<double> corners) { return {{"points", PointList{2, std::m
 /// build(graph, {x, y}) gives the value that is above 0 inside.
 template <class Build>
 ClipShapePointer formula_shape(const Build& build) {
-    const auto* row = find_stage(StageKind::clip_shape, "formula");
+    const auto* row = catalogue().find(StageKind::clip_shape, "formula");
     Arguments arguments;
     arguments.set_formula(formula(2, [&build](Graph& graph, const std::vector<Expr>& p) {
         return std::vector<Expr>{build(graph, p)};

@@ -12,7 +12,7 @@ std::shared_ptr<const Stage> by_formula(StageKind kind, std::string_view name,
                                         std::size_t parameters, const Build& build) {
     Arguments arguments;
     arguments.set_formula(formula(parameters, build));
-    return *find_stage(kind, name)->make(arguments);
+    return *catalogue().find(kind, name)->make(arguments);
 }
 
 using Expressions = std::vector<Expr>;

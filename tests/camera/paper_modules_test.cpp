@@ -64,19 +64,20 @@ const std::vector<Module> modules = {
 TEST(PaperModules, AreAllInTheCatalogue) {
     for (const Module& module : modules) {
         for (const std::string_view stage : module.stages) {
-            EXPECT_NE(find_stage(module.kind, stage), nullptr) << module.what << ": " << stage;
+            EXPECT_NE(catalogue().find(module.kind, stage), nullptr)
+                << module.what << ": " << stage;
         }
     }
 }
 
 TEST(PaperModules, HaveTheParametrisationsOfTheSphere) {
-    const StageEntry* sphere = find_stage(object, "sphere");
+    const StageEntry* sphere = catalogue().find(object, "sphere");
     ASSERT_NE(sphere, nullptr);
     for (const StageParameter& parameter : sphere->parameters) {
         if (parameter.name == "by") {
             for (const char* choice : {"latitude", "stereographic", "equal_area", "cube"}) {
-                EXPECT_NE(std::find(parameter.choices.begin(), parameter.choices.end(), choice),
-                          parameter.choices.end())
+                const auto choices = choices_of(parameter);
+                EXPECT_NE(std::find(choices.begin(), choices.end(), choice), choices.end())
                     << choice;
             }
             return;

@@ -36,7 +36,7 @@ PictureArrangerPointer bend(const Build& build) {
     arguments.set_formula(
         formula(2, [&build](Graph&, const std::vector<Expr>& p) { return build(p); }));
     return std::dynamic_pointer_cast<const PictureArranger>(
-        *find_stage(StageKind::picture_arranger, "formula")->make(arguments));
+        *catalogue().find(StageKind::picture_arranger, "formula")->make(arguments));
 }
 
 /// Has no place for the left half of a picture, though its formula has a value there.

@@ -43,23 +43,26 @@ private:
         const StageEntry& row = *rows[below(rows.size())];
         Given given;
         for (const StageParameter& parameter : row.parameters) {
-            if (parameter.type == ParameterType::choice) {
-                given[parameter.name] =
-                    std::string(parameter.choices[below(parameter.choices.size())]);
-            } else if (parameter.type == ParameterType::count) {
-                given[parameter.name] = numbers({std::round(number(parameter))});
-            } else if (parameter.type <= ParameterType::axis) {
-                given[parameter.name] =
-                    numbers({number(parameter), number(parameter), number(parameter)});
+            if (const auto* choice = parameter.as<ChoiceParameter>()) {
+                given[parameter.name] = std::string(choice->choices[below(choice->choices.size())]);
+            } else if (const auto* count = parameter.as<CountParameter>()) {
+                given[parameter.name] = numbers({std::round(number(count->range))});
+            } else if (const auto* one = parameter.as<NumberParameter>()) {
+                given[parameter.name] = numbers({number(one->range)});
+            } else if (const auto* pair = parameter.as<PairParameter>()) {
+                given[parameter.name] = numbers({number(pair->range), number(pair->range)});
+            } else if (const auto* triple = parameter.as<TripleParameter>()) {
+                const Range& range = triple->range;
+                given[parameter.name] = numbers({number(range), number(range), number(range)});
             }
         }
         auto made = row.make(arguments_for(row, given));
         return made ? *made : stage(kind);
     }
 
-    double number(const StageParameter& parameter) {
-        const double minimum = std::max(parameter.minimum, -4.0);
-        const double maximum = std::min(parameter.maximum, 4.0);
+    double number(const Range& range) {
+        const double minimum = std::max(range.minimum, -4.0);
+        const double maximum = std::min(range.maximum, 4.0);
         return std::uniform_real_distribution<double>(minimum, maximum)(engine_);
     }
 

@@ -34,9 +34,9 @@ Arguments::Value numbers(std::vector<double> values) {
 namespace {
 
 // As many as there must be, on a grid in their first two coordinates, the others small and varied.
-PointList some_points(const StageParameter& parameter) {
-    PointList points{parameter.coordinates.front(), {}};
-    for (std::size_t i = 0; i < parameter.min_points; ++i) {
+PointList some_points(const PointsParameter& type) {
+    PointList points{type.coordinates.front(), {}};
+    for (std::size_t i = 0; i < type.min_points; ++i) {
         for (std::size_t k = 0; k < points.coordinates; ++k) {
             const double place = static_cast<double>(k == 0 ? i % 4 : k == 1 ? i / 4 : 0);
             points.values.push_back(place + 0.1 * std::sin(static_cast<double>(7 * i + 3 * k)));
@@ -85,28 +85,38 @@ Formula some_formula(const FormulaShape& shape) {
     });
 }
 
-Arguments::Value default_of(const StageParameter& parameter) {
-    if (!parameter.default_value.empty()) {
-        return numbers(parameter.default_value);
+// The default value of a parameter, or one that its maker takes.
+struct SomeValue {
+    Arguments::Value operator()(const NumberParameter& type) const {
+        return numbers({type.default_value.value_or(0.7)});
     }
-    switch (parameter.type) {
-        case ParameterType::number: return numbers({0.7});
-        case ParameterType::pair:
-        case ParameterType::size: return numbers({0.6, 0.4});
-        case ParameterType::triple: return numbers({0.6, 0.4, 0.3});
-        case ParameterType::axis: return numbers({0.0, 0.6, 0.8});
-        case ParameterType::choice: return std::string(parameter.choices.front());
-        case ParameterType::count: return numbers({2.0});
-        case ParameterType::curve: return object("circle");
-        case ParameterType::points: return some_points(parameter);
-        case ParameterType::stage: return some_stage(parameter.stage_kind);
-        case ParameterType::stages: return std::vector{some_stage(parameter.stage_kind)};
-        case ParameterType::formula: return some_formula(parameter.shape);
-        case ParameterType::image: return some_image();
-        case ParameterType::mesh: return some_mesh();
+    Arguments::Value operator()(const CountParameter& type) const {
+        return numbers({type.default_value.value_or(2.0)});
     }
-    return {};
-}
+    Arguments::Value operator()(const PairParameter& type) const {
+        const std::array<double, 2> value = type.default_value.value_or(std::array{0.6, 0.4});
+        return numbers({value[0], value[1]});
+    }
+    Arguments::Value operator()(const TripleParameter& type) const {
+        const std::array<double, 3> value = type.default_value.value_or(
+            type.names_axes ? std::array{0.0, 0.6, 0.8} : std::array{0.6, 0.4, 0.3});
+        return numbers({value[0], value[1], value[2]});
+    }
+    Arguments::Value operator()(const ChoiceParameter& type) const {
+        return std::string(type.choices.front());
+    }
+    Arguments::Value operator()(const PointsParameter& type) const { return some_points(type); }
+    Arguments::Value operator()(const NestedStageParameter& type) const {
+        Arguments::StagePointer stage =
+            type.dimension == 1 ? object("circle") : some_stage(type.kind);
+        return type.several ? Arguments::Value(std::vector{stage}) : Arguments::Value(stage);
+    }
+    Arguments::Value operator()(const FormulaParameter& type) const {
+        return some_formula(type.shape);
+    }
+    Arguments::Value operator()(const ImageParameter&) const { return some_image(); }
+    Arguments::Value operator()(const MeshParameter&) const { return some_mesh(); }
+};
 
 }  // namespace
 
@@ -117,7 +127,7 @@ Arguments arguments_for(const StageEntry& row, const Given& given) {
         if (value != given.end()) {
             arguments.set(parameter.name, value->second);
         } else if (!parameter.optional) {
-            arguments.set(parameter.name, default_of(parameter));
+            arguments.set(parameter.name, std::visit(SomeValue{}, parameter.type));
         }
     }
     if (row.formula) {
@@ -126,9 +136,14 @@ Arguments arguments_for(const StageEntry& row, const Given& given) {
     return arguments;
 }
 
+std::vector<std::string_view> choices_of(const StageParameter& parameter) {
+    const auto* type = parameter.as<ChoiceParameter>();
+    return type != nullptr ? type->choices : std::vector<std::string_view>();
+}
+
 Result<std::shared_ptr<const Stage>> try_stage(StageKind kind, std::string_view name,
                                                const Given& given) {
-    const StageEntry* row = find_stage(kind, name);
+    const StageEntry* row = catalogue().find(kind, name);
     if (row == nullptr) {
         return error("no such stage");
     }

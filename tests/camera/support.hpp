@@ -32,6 +32,9 @@ using Given = std::map<std::string_view, Arguments::Value>;
 Arguments::Value numbers(std::vector<double> values);
 Arguments arguments_for(const StageEntry& row, const Given& given);
 
+/// The words of a choice; none for other parameters.
+[[nodiscard]] std::vector<std::string_view> choices_of(const StageParameter& parameter);
+
 Result<std::shared_ptr<const Stage>> try_stage(StageKind kind, std::string_view name,
                                                const Given& given);
 

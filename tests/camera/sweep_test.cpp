@@ -20,7 +20,7 @@ ObjectGeneratorPointer curve(const Build& build) {
     Arguments arguments;
     arguments.set_formula(
         formula(1, [&](Graph& graph, const std::vector<Expr>& u) { return build(graph, u[0]); }));
-    const StageEntry* row = find_stage(StageKind::object_generator, "curve");
+    const StageEntry* row = catalogue().find(StageKind::object_generator, "curve");
     return std::static_pointer_cast<const ObjectGenerator>(*row->make(arguments).value);
 }
 

@@ -18,10 +18,11 @@ double tolerance(double slope) { return 1e-8 + 1e-7 * std::fabs(slope); }
 std::vector<Given> variants(const StageEntry& row) {
     std::vector<Given> all{{}};
     for (const StageParameter& parameter : row.parameters) {
-        for (const std::string_view choice : parameter.choices) {
+        for (const std::string_view choice : choices_of(parameter)) {
             all.push_back({{parameter.name, std::string(choice)}});
         }
-        if (parameter.type == ParameterType::count && parameter.minimum <= 3.0) {
+        const auto* count = parameter.as<CountParameter>();
+        if (count != nullptr && count->range.minimum <= 3.0) {
             all.push_back({{parameter.name, numbers({3.0})}});
         }
     }

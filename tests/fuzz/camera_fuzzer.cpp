@@ -29,13 +29,13 @@ void demand_no(const std::string& broken) { demand(broken.empty(), broken.c_str(
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
     const auto source = std::make_shared<const SourceText>(
         "fuzz.cam", std::string(reinterpret_cast<const char*>(bytes), count));
-    const Result<camera::Camera> made = lang::make_camera(source, "", {}, "/nonexistent");
+    const Result<camera::Camera> made = lang::make_camera({source, "/nonexistent"}, "");
     demand(made.value.has_value() != has_errors(made.diagnostics), "neither camera nor error");
     (void)to_text(made.diagnostics);
     if (made) {
         demand_no(laws::broken_law(*made));
     }
-    const Result<camera::Picture> picture = lang::make_picture(source, "", {}, "/nonexistent");
+    const Result<camera::Picture> picture = lang::make_picture({source, "/nonexistent"}, "");
     demand(picture.value.has_value() != has_errors(picture.diagnostics),
            "neither picture nor error");
     if (picture) {

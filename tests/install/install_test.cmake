@@ -2,7 +2,8 @@
 # prefix.
 set(prefix "${FOLDER}/prefix")
 set(consumer "${FOLDER}/consumer")
-file(REMOVE_RECURSE "${prefix}" "${consumer}")
+set(example "${FOLDER}/example")
+file(REMOVE_RECURSE "${prefix}" "${consumer}" "${example}")
 
 function(run)
     execute_process(COMMAND ${ARGN} RESULT_VARIABLE result)
@@ -13,15 +14,30 @@ function(run)
 endfunction()
 
 run("${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${prefix}")
-run("${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}/consumer" -B "${consumer}" -G "${GENERATOR}"
-    "-DCMAKE_PREFIX_PATH=${prefix}" "-DCMAKE_CXX_COMPILER=${COMPILER}"
-    -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
-run("${CMAKE_COMMAND}" --build "${consumer}")
+
+function(build source folder)
+    run("${CMAKE_COMMAND}" -S "${source}" -B "${folder}" -G "${GENERATOR}"
+        "-DCMAKE_PREFIX_PATH=${prefix}" "-DCMAKE_CXX_COMPILER=${COMPILER}"
+        -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
+    run("${CMAKE_COMMAND}" --build "${folder}")
+endfunction()
+
+build("${CMAKE_CURRENT_LIST_DIR}/consumer" "${consumer}")
 run("${consumer}/consumer")
 run("${consumer}/consumer_of_cameras")
 run("${prefix}/bin/balcony" --version)
 
-# Exactly the public headers are installed.
+# The example has a stage of its own. Its picture has a line for each row, light and dark in it.
+build("${EXAMPLE}" "${example}")
+execute_process(COMMAND "${example}/own_stage" RESULT_VARIABLE result OUTPUT_VARIABLE picture)
+string(REGEX MATCHALL "[^\n]+\n" lines "${picture}")
+list(LENGTH lines line_count)
+if(NOT result EQUAL 0 OR NOT line_count EQUAL 18 OR NOT picture MATCHES "@" OR
+   NOT picture MATCHES "   ")
+    message(FATAL_ERROR "own_stage (${result}) draws:\n${picture}")
+endif()
+
+# All public headers are there, and no others.
 file(GLOB_RECURSE ours RELATIVE "${PUBLIC_HEADERS}" "${PUBLIC_HEADERS}/*")
 file(GLOB_RECURSE installed RELATIVE "${prefix}/include" "${prefix}/include/*")
 if(NOT ours STREQUAL installed)

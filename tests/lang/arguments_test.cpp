@@ -15,10 +15,19 @@ namespace balcony::lang {
 namespace {
 
 using camera::Arguments;
-using camera::ParameterType;
+using camera::ChoiceParameter;
+using camera::CountParameter;
+using camera::FormulaParameter;
+using camera::ImageParameter;
+using camera::MeshParameter;
+using camera::NestedStageParameter;
+using camera::NumberParameter;
+using camera::PairParameter;
+using camera::PointsParameter;
 using camera::StageEntry;
 using camera::StageKind;
 using camera::StageParameter;
+using camera::TripleParameter;
 using camera::Unit;
 
 struct Read {
@@ -32,18 +41,20 @@ struct Read {
 /// Reads a call, such as stage(1, 2), by the parameters of a row. `a` is 2.
 Read read(std::vector<StageParameter> parameters, const std::string& call,
           const std::string& statement = "eye", const std::filesystem::path& folder = {}) {
-    const StageEntry row{StageKind::object_generator, "stage", "", std::move(parameters), nullptr};
-    Session session;
+    const StageEntry row{.name = "stage", .parameters = std::move(parameters)};
+    const camera::Catalogue catalogue;
+    Files files(catalogue);
+    Session session(files);
     const Module* module = session.load(
         std::make_shared<const SourceText>(
             "test.cam", test::joined({"let a = 2 camera c { ", statement, " ", call, " }"})),
         folder);
     const DefinitionSyntax& syntax = *own_definitions(*module).front().camera;
-    if (syntax.statements.empty() || syntax.statements.front().stages.empty()) {
+    if (syntax.statements.empty() || syntax.statements.front().stages().empty()) {
         return {std::nullopt, session.reporter().take()};
     }
     StageBuilder stages(*module, *module->scope, session);
-    const ExpressionId id = syntax.statements.front().stages.front();
+    const ExpressionId id = syntax.statements.front().stages().front();
     std::optional<Arguments> made = stages.arguments(row, module->tree[id]);
     return {std::move(made), session.reporter().take()};
 }
@@ -58,9 +69,7 @@ std::string refused(const std::vector<StageParameter>& parameters, const std::st
 
 std::vector<StageParameter> count() {
     return {{.name = "n",
-             .type = ParameterType::count,
-             .minimum = 1,
-             .maximum = 20,
+             .type = CountParameter{.range = {.minimum = 1, .maximum = 20}},
              .meaning = "its use"}};
 }
 
@@ -80,67 +89,72 @@ TEST(StageArguments, ACountIsAWholeConstantNumber) {
 
 TEST(StageArguments, AConstantParameterTakesNoTime) {
     std::vector<StageParameter> row{
-        {.name = "width", .type = ParameterType::pair, .meaning = "its use"}};
+        {.name = "width", .type = PairParameter{}, .meaning = "its use"}};
     EXPECT_TRUE(read(row, "stage((1, t))").arguments);
-    row.front().constant = true;
+    row.front().type = PairParameter{.constant = true};
     EXPECT_TRUE(read(row, "stage((1, a))").arguments);
     EXPECT_TRUE(refused(row, "stage((1, t))").starts_with("'width' of 'stage' cannot change"));
 }
 
 TEST(StageArguments, AnOptionalParameterMayBeMissing) {
-    std::vector<StageParameter> row{{.name = "r", .meaning = "its use"}};
+    std::vector<StageParameter> row{{.name = "r", .type = NumberParameter{}, .meaning = "its use"}};
     EXPECT_FALSE(read(row, "stage").arguments);
     row.front().optional = true;
     ASSERT_TRUE(read(row, "stage").arguments);
     EXPECT_FALSE(read(row, "stage").arguments->has("r"));
     EXPECT_TRUE(read(row, "stage(1)").arguments->has("r"));
-    row.front().default_value = {3.0};
+    row.front().type = NumberParameter{.default_value = 3.0};
     EXPECT_EQ(read(row, "stage").arguments->number("r").constant(), 3.0);
 }
 
 TEST(StageArguments, RangesHaveTheirEndsAndUnits) {
-    const std::vector<StageParameter> angle{{.name = "fov",
-                                             .unit = Unit::angle,
-                                             .minimum = 0.0,
-                                             .maximum = std::numbers::pi / 2,
-                                             .meaning = "its use"}};
+    const std::vector<StageParameter> angle{
+        {.name = "fov",
+         .type = NumberParameter{.unit = Unit::angle,
+                                 .range = {.minimum = 0.0, .maximum = std::numbers::pi / 2}},
+         .meaning = "its use"}};
     EXPECT_TRUE(read(angle, "stage(0deg)").arguments);
     EXPECT_TRUE(read(angle, "stage(90deg)").arguments);
     EXPECT_EQ(refused(angle, "stage(100deg)"),
               "'fov' of 'stage' must be from 0deg to 90deg, but is 100deg; fov: its use");
     const std::vector<StageParameter> above{
-        {.name = "r", .minimum = 0.0, .excludes_minimum = true, .meaning = "its use"}};
+        {.name = "r",
+         .type = NumberParameter{.range = {.minimum = 0.0, .excludes_minimum = true}},
+         .meaning = "its use"}};
     EXPECT_TRUE(read(above, "stage(1/1000)").arguments);
     EXPECT_EQ(refused(above, "stage(0)"), "'r' of 'stage' must be above 0, but is 0; r: its use");
 }
 
-TEST(StageArguments, OneDefaultNumberIsForAll) {
+TEST(StageArguments, OneNumberMayBeForBoth) {
     const std::vector<StageParameter> row{
-        {.name = "size", .type = ParameterType::size, .default_value = {3.0}, .meaning = "its use"},
-        {.name = "at",
-         .type = ParameterType::triple,
-         .default_value = {2.0},
+        {.name = "size",
+         .type = PairParameter{.default_value = std::array{3.0, 4.0}, .one_for_both = true},
          .meaning = "its use"}};
-    const Read made = read(row, "stage");
-    ASSERT_TRUE(made.arguments) << to_text(made.said);
-    EXPECT_EQ(made.arguments->pair("size")[1].constant(), 3.0);
-    EXPECT_EQ(made.arguments->triple("at")[2].constant(), 2.0);
+    EXPECT_EQ(read(row, "stage").arguments->pair("size")[1].constant(), 4.0);
+    EXPECT_EQ(read(row, "stage(a)").arguments->pair("size")[1].constant(), 2.0);
+    EXPECT_EQ(read(row, "stage((1, a))").arguments->pair("size")[1].constant(), 2.0);
+    EXPECT_EQ(refused(row, "stage((1, 2, 3))"),
+              "'size' of 'stage' takes two numbers (a, b) or one number for both, but there are 3; "
+              "for example size = (3, 4)");
 }
 
 std::vector<StageParameter> points(std::vector<std::size_t> coordinates, Unit unit = Unit::number) {
-    return {{.name = "at",
-             .type = ParameterType::points,
-             .unit = unit,
-             .coordinates = std::move(coordinates),
-             .min_points = 2,
-             .meaning = "its use"}};
+    return {
+        {.name = "at",
+         .type =
+             PointsParameter{.unit = unit, .coordinates = std::move(coordinates), .min_points = 2},
+         .meaning = "its use"}};
 }
 
 TEST(StageArguments, ValuesThatChangeWithTimeAreClamped) {
     const std::vector<StageParameter> row{
-        {.name = "strength", .minimum = 0.0, .maximum = 0.99, .meaning = "below 1"},
-        {.name = "radius", .minimum = 0.0, .excludes_minimum = true, .meaning = "above 0"},
-        {.name = "height", .meaning = "any"}};
+        {.name = "strength",
+         .type = NumberParameter{.range = {.minimum = 0.0, .maximum = 0.99}},
+         .meaning = "below 1"},
+        {.name = "radius",
+         .type = NumberParameter{.range = {.minimum = 0.0, .excludes_minimum = true}},
+         .meaning = "above 0"},
+        {.name = "height", .type = NumberParameter{}, .meaning = "any"}};
     const Read made = read(row, "stage(t, 1 + t, 2*t)");
     ASSERT_TRUE(made.arguments) << to_text(made.said);
     const auto at = [&](std::string_view name, double time) {
@@ -189,7 +203,7 @@ TEST(StageArguments, WrongPointsAreErrors) {
     EXPECT_EQ(refused(points({1}), "stage([(1, 2), 3])"),
               "a point of 'at' of 'stage' has 1 number, but this has 2; for example at = [0, 1]");
     std::vector<StageParameter> triangle = points({1, 2, 3});
-    triangle.front().min_points = 3;
+    triangle.front().type = PointsParameter{.coordinates = {1, 2, 3}, .min_points = 3};
     EXPECT_EQ(refused(triangle, "stage([(1, 2, 3, 4), 0, 0])"),
               "a point of 'at' of 'stage' has 1, 2 or 3 numbers, but this has 4; for example "
               "at = [0, 1, 2]");
@@ -242,7 +256,7 @@ TEST(StageArguments, PointsMayComeFromATable) {
 
 TEST(StageArguments, ImagesAndMeshesAreFiles) {
     const std::vector<StageParameter> row{
-        {.name = "file", .type = ParameterType::mesh, .meaning = "its use"}};
+        {.name = "file", .type = MeshParameter{}, .meaning = "its use"}};
     const Read vase = read(row, "stage(\"vase.obj\")");
     ASSERT_TRUE(vase.arguments) << to_text(vase.said);
     EXPECT_GT(vase.arguments->mesh("file")->triangles.size(), 1000U);
@@ -253,25 +267,25 @@ TEST(StageArguments, ImagesAndMeshesAreFiles) {
               "there is no file and no built-in file named 'vaze.obj'; did you mean "
               "'vase.obj'?");
     const std::vector<StageParameter> mask{
-        {.name = "mask", .type = ParameterType::image, .meaning = "its use"}};
+        {.name = "mask", .type = ImageParameter{}, .meaning = "its use"}};
     EXPECT_TRUE(refused(mask, "stage(\"vase.obj\")")
                     .starts_with("'standard/vase.obj' cannot be read as an image: "));
 }
 
 TEST(StageArguments, OfOneFileAreReadOnce) {
     const std::vector<StageParameter> row{
-        {.name = "one", .type = ParameterType::mesh, .meaning = "its use"},
-        {.name = "other", .type = ParameterType::mesh, .meaning = "its use"}};
+        {.name = "one", .type = MeshParameter{}, .meaning = "its use"},
+        {.name = "other", .type = MeshParameter{}, .meaning = "its use"}};
     const Read made = read(row, "stage(\"vase.obj\", \"vase.obj\")");
     ASSERT_TRUE(made.arguments) << to_text(made.said);
     EXPECT_EQ(made.arguments->mesh("one"), made.arguments->mesh("other"));
 }
 
 TEST(StageArguments, AStageTakesAStageOfItsKind) {
-    const std::vector<StageParameter> row{{.name = "inner",
-                                           .type = ParameterType::stage,
-                                           .stage_kind = StageKind::parameter_transformer,
-                                           .meaning = "its use"}};
+    const std::vector<StageParameter> row{
+        {.name = "inner",
+         .type = NestedStageParameter{.kind = StageKind::parameter_transformer},
+         .meaning = "its use"}};
     const Read made = read(row, "stage(rotate(10deg))");
     ASSERT_TRUE(made.arguments) << to_text(made.said);
     EXPECT_NE(made.arguments->stage<camera::ParameterTransformer>("inner"), nullptr);
@@ -288,10 +302,9 @@ TEST(StageArguments, AStageTakesAStageOfItsKind) {
 
 TEST(StageArguments, StagesTakeAllThatIsLeft) {
     const std::vector<StageParameter> row{
-        {.name = "n", .type = ParameterType::count, .meaning = "its use"},
+        {.name = "n", .type = CountParameter{.range = {.minimum = 0.0}}, .meaning = "its use"},
         {.name = "stages",
-         .type = ParameterType::stages,
-         .stage_kind = StageKind::object_transformer,
+         .type = NestedStageParameter{.kind = StageKind::object_transformer, .several = true},
          .meaning = "its use"}};
     const auto made = [&row](const std::string& call) {
         const Read read_call = read(row, call);
@@ -365,12 +378,9 @@ TEST(StageArguments, AFormulaCallsTheFunctionsThatItsStageOffers) {
 
 TEST(StageArguments, AFormulaHasTheNameOfItsParameter) {
     const std::vector<StageParameter> row{
-        {.name = "r", .default_value = {1.0}, .meaning = "its use"},
-        {.name = "weight",
-         .type = ParameterType::formula,
-         .shape = {2, 1, 1},
-         .meaning = "its use"},
-        {.name = "s", .default_value = {1.0}, .meaning = "its use"}};
+        {.name = "r", .type = NumberParameter{.default_value = 1.0}, .meaning = "its use"},
+        {.name = "weight", .type = FormulaParameter{.shape = {2, 1, 1}}, .meaning = "its use"},
+        {.name = "s", .type = NumberParameter{.default_value = 1.0}, .meaning = "its use"}};
     const Read made = read(row, "stage(3, weight(p, q) = [p/a + q + t], 4)");
     ASSERT_TRUE(made.arguments) << to_text(made.said);
     EXPECT_EQ(made.arguments->number("s").constant(), 4.0);
@@ -407,14 +417,11 @@ TEST(StageArguments, AFormulaHasTheNameOfItsParameter) {
 
 // A formula with the name of a stage is this stage, for any formulas of the row.
 TEST(StageArguments, AFormulaMayBeAStageBesideFormulas) {
-    const std::vector<StageParameter> row{{.name = "inner",
-                                           .type = ParameterType::stage,
-                                           .stage_kind = StageKind::object_generator,
-                                           .meaning = "its use"},
-                                          {.name = "weight",
-                                           .type = ParameterType::formula,
-                                           .shape = {1, 1, 1},
-                                           .meaning = "its use"}};
+    const std::vector<StageParameter> row{
+        {.name = "inner",
+         .type = NestedStageParameter{.kind = StageKind::object_generator},
+         .meaning = "its use"},
+        {.name = "weight", .type = FormulaParameter{.shape = {1, 1, 1}}, .meaning = "its use"}};
     const Read made = read(row, "stage(weight(u) = [u], surface(u, v) = [u, v, 0])");
     ASSERT_TRUE(made.arguments) << to_text(made.said);
     EXPECT_EQ(made.arguments->stage<camera::ObjectGenerator>("inner")->dimension(), 2U);
@@ -422,12 +429,10 @@ TEST(StageArguments, AFormulaMayBeAStageBesideFormulas) {
 
 TEST(StageArguments, WordsBehindARuleAreItsChoices) {
     const std::vector<StageParameter> row{{.name = "side",
-                                           .type = ParameterType::choice,
-                                           .choices = {"front", "back"},
+                                           .type = ChoiceParameter{.choices = {"front", "back"}},
                                            .meaning = "its use"},
                                           {.name = "length",
-                                           .type = ParameterType::choice,
-                                           .choices = {"one", "own"},
+                                           .type = ChoiceParameter{.choices = {"one", "own"}},
                                            .meaning = "its use"}};
     const auto choices = [&row](const std::string& call) {
         const Read made = read(row, call, "look");

@@ -31,7 +31,7 @@ std::vector<fs::path> bad_files() {
 
 // The messages with file names in the place of paths.
 std::string said_of(const fs::path& file) {
-    std::string text = to_text(check(file));
+    std::string text = to_text(test::check(file));
     for (const std::string_view path : {BALCONY_BAD_FILES "/", BALCONY_BAD_FILES}) {
         for (std::size_t at = text.find(path); at != std::string::npos; at = text.find(path, at)) {
             text.replace(at, path.size(), path.ends_with('/') ? "" : "bad");
@@ -53,7 +53,7 @@ TEST_P(BadFile, HasTheExpectedDiagnostics) {
 }
 
 TEST_P(BadFile, HasAWayOutOfEachError) {
-    for (const Diagnostic& said : check(GetParam())) {
+    for (const Diagnostic& said : test::check(GetParam())) {
         const bool is_sum = said.message.starts_with("there are more errors");
         EXPECT_TRUE(said.severity != Severity::error || !said.remedy.empty() || is_sum)
             << to_text({said});
@@ -79,7 +79,7 @@ TEST(GeneratedBadFile, FiftyMegabytesAreRefusedUnread) {
     const test::TemporaryFolder folder;
     const fs::path file = folder.write("large.cam", "");
     fs::resize_file(file, 50'000'000);
-    EXPECT_EQ(to_text(check(file)),
+    EXPECT_EQ(to_text(test::check(file)),
               test::joined({"error: '", file.string(),
                             "' is larger than 1 MB, the maximum for camera files\n"
                             "  help: check that it is a camera file\n"}));
@@ -89,7 +89,7 @@ TEST(GeneratedBadFile, ZeroBytesGiveOneError) {
     const test::TemporaryFolder folder;
     const fs::path file =
         folder.write("binary.cam", test::joined({"camera a {", std::string(5000, '\0')}));
-    const Diagnostics said = check(file);
+    const Diagnostics said = test::check(file);
     ASSERT_EQ(said.size(), 1U);
     EXPECT_EQ(said[0].message,
               test::joined({"'", file.string(), "' is not a text file: its byte 11 is zero"}));
@@ -101,12 +101,12 @@ TEST(GeneratedBadFile, RubbishGivesOneError) {
     for (int i = 0; i < 10000; ++i) {
         rubbish += static_cast<char>(i * 37 % 255 + 1);
     }
-    EXPECT_EQ(check(folder.write("rubbish.cam", rubbish)).size(), 1U);
+    EXPECT_EQ(test::check(folder.write("rubbish.cam", rubbish)).size(), 1U);
 }
 
 TEST(GeneratedBadFile, AFolderIsNoFile) {
     const test::TemporaryFolder folder;
-    const Diagnostics said = check(folder.path());
+    const Diagnostics said = test::check(folder.path());
     ASSERT_EQ(said.size(), 1U);
     EXPECT_EQ(said[0].message,
               test::joined({"'", folder.path().string(), "' is a folder, not a file"}));

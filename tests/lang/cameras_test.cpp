@@ -26,7 +26,7 @@ void expect_near(const std::array<double, 3>& a, const std::array<double, 3>& b)
 }
 
 camera::Camera standard(const char* name, const std::vector<Override>& overrides = {}) {
-    Result<camera::Camera> made = load_camera(name, "", overrides);
+    Result<camera::Camera> made = make_camera(name, "", overrides);
     EXPECT_TRUE(made.diagnostics.empty()) << to_text(made.diagnostics);
     return *made;
 }
@@ -36,11 +36,11 @@ TEST(StandardCameras, AllLoadWithoutDiagnostics) {
               (std::vector<std::string>{"cylinder", "fisheye", "hyperbolic", "orthographic",
                                         "panorama", "pinhole", "superelliptic"}));
     for (const std::string& name : built_in_cameras()) {
-        const Result<camera::Camera> made = load_camera(name, "");
+        const Result<camera::Camera> made = make_camera(name, "");
         ASSERT_TRUE(made) << to_text(made.diagnostics);
         EXPECT_EQ(to_text(made.diagnostics), "");
         EXPECT_EQ(made->name(), name);
-        const Result<std::vector<Description>> said = describe(name);
+        const Result<std::vector<Description>> said = Workspace().describe(name);
         ASSERT_TRUE(said);
         EXPECT_FALSE(said->front().comment.empty());
     }

@@ -21,7 +21,8 @@ std::size_t try_snippets(const std::filesystem::path& page) {
         const test::TemporaryFolder folder;
         folder.write("lengths.cam", "let room_length = 9");
         const std::string snippet = text.substr(at, text.find("```", at) - at);
-        EXPECT_EQ(to_text(check(folder.write("snippet.cam", snippet))), "") << page << snippet;
+        EXPECT_EQ(to_text(test::check(folder.write("snippet.cam", snippet))), "")
+            << page << snippet;
         ++count;
     }
     return count;
@@ -36,6 +37,23 @@ TEST(Documentation, EverySnippetWorks) {
     }
     EXPECT_GE(try_snippets(docs / "language.md"), 12U);
     EXPECT_EQ(try_snippets(docs / "tutorial.md"), 7U);
+}
+
+// What the page about the library quotes stands in the example, which another test builds and runs.
+TEST(Documentation, SnippetsOfTheLibraryAreInTheExample) {
+    const std::filesystem::path root = BALCONY_SOURCE_DIR;
+    const std::string page = test::read_file(root / "docs/library.md");
+    const std::string program = test::read_file(root / "examples/own_stage/main.cpp");
+    const std::string opening = "```cpp\n";
+    std::size_t count = 0;
+    for (std::size_t at = page.find(opening); at != std::string::npos;
+         at = page.find(opening, at)) {
+        at += opening.size();
+        const std::string snippet = page.substr(at, page.find("```", at) - at);
+        EXPECT_NE(program.find(snippet), std::string::npos) << snippet;
+        ++count;
+    }
+    EXPECT_EQ(count, 4U);
 }
 
 }  // namespace

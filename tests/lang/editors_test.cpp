@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "lang/names/value.hpp"
-#include "lang/syntax/keywords.hpp"
+#include "lang/syntax/statement_rows.hpp"
 #include "support.hpp"
 
 namespace balcony::lang {
@@ -23,8 +23,8 @@ TEST_P(Editor, KnowsEveryWord) {
     const std::string text =
         test::read_file(std::filesystem::path(BALCONY_SOURCE_DIR) / "editors" / GetParam());
     std::vector<std::string> words = function_names();
-    for (const Keyword& keyword : keywords()) {
-        words.emplace_back(keyword.text);
+    for (const StatementRow& row : statement_rows()) {
+        words.emplace_back(row.keyword);
     }
     words.insert(words.end(), {"import", "camera", "pi", "t", "square", "deg", "rad"});
     for (const std::string& word : words) {

@@ -58,7 +58,7 @@ TEST(Explain, ListsStepsInTheOrderOfTheMachine) {
                                    "    map u = 0 .. 1,\n"
                                    "        v = square\n"
                                    "}\n");
-    const auto made = explain(file, "", {{"r", "3 + 1"}});
+    const auto made = explanation_of(file, "", {{"r", "3 + 1"}});
     ASSERT_TRUE(made) << to_text(made.diagnostics);
     EXPECT_EQ(made->name, "a");
     ASSERT_EQ(made->parameters.size(), 2U);
@@ -69,13 +69,13 @@ TEST(Explain, ListsStepsInTheOrderOfTheMachine) {
         ".object torus(r, 1)",        "move rotate(z, turn)", "look relative"};
     EXPECT_EQ(written(made->steps), wanted);
     // The stage of the statement's own kind: rotate is a parameter transformer too.
-    const auto* row = camera::find_stage(camera::StageKind::object_transformer, "rotate");
+    const auto* row = camera::catalogue().find(camera::StageKind::object_transformer, "rotate");
     EXPECT_EQ(made->steps[5].meanings, std::vector{"rotate: " + std::string(row->meaning)});
 }
 
 TEST(Explain, DescribesLayers) {
     const test::TemporaryFolder folder;
-    const auto made = explain(folder.write("a.cam", nested_picture), "", {{"fade", "1/4"}});
+    const auto made = explanation_of(folder.write("a.cam", nested_picture), "", {{"fade", "1/4"}});
     ASSERT_TRUE(made) << to_text(made.diagnostics);
     EXPECT_TRUE(made->is_picture);
     EXPECT_EQ(made->summary, "A picture of 400 x 300 pixels in 4 layers.");
@@ -90,7 +90,7 @@ TEST(Explain, DescribesLayers) {
                                              "alpha fade",           "blend multiply",
                                              "frame (width = 0.01)", "leader (0, 0) .. (1, 0.5)"};
     EXPECT_EQ(written(layer.steps), wanted);
-    const auto* row = camera::find_stage(camera::StageKind::clip_shape, "ellipse");
+    const auto* row = camera::catalogue().find(camera::StageKind::clip_shape, "ellipse");
     EXPECT_EQ(layer.steps[2].meanings, std::vector{"ellipse: " + std::string(row->meaning)});
     EXPECT_EQ(layer.steps[5].meanings,
               std::vector{"multiply: " + std::string(meaning_of(camera::BlendMode::multiply))});
@@ -102,7 +102,7 @@ TEST(Explain, DescribesLayers) {
 
 TEST(Explain, ExplainsACameraOnceForTheSameParameters) {
     const test::TemporaryFolder folder;
-    const auto made = explain(folder.write("a.cam", nested_picture), "poster");
+    const auto made = explanation_of(folder.write("a.cam", nested_picture), "poster");
     ASSERT_TRUE(made) << to_text(made.diagnostics);
     std::vector<std::string> shown;
     for (const Explanation& one : made->shown) {
@@ -122,14 +122,14 @@ TEST(Explain, ExplainsACameraOnceForTheSameParameters) {
 }
 
 TEST(Explain, ReportsErrorsInsteadOfExplaining) {
-    const auto made = explain("nothing.cam", "");
+    const auto made = explanation_of("nothing.cam", "");
     EXPECT_FALSE(made);
     EXPECT_TRUE(has_errors(made.diagnostics));
 }
 
 TEST(Explain, KnowsEveryStandardCamera) {
     for (const std::string& name : built_in_cameras()) {
-        const auto made = explain(name, "");
+        const auto made = explanation_of(name, "");
         ASSERT_TRUE(made) << name << to_text(made.diagnostics);
         for (const Explanation::Step& step : made->steps) {
             EXPECT_FALSE(step.meanings.empty() && !step.written.empty()) << name << step.statement;

@@ -111,10 +111,10 @@ TEST(Load, ImportsBringLetsAndCameras) {
                                    "import \"more.cam\" import \"lengths.cam\" "
                                    "import \"pinhole.cam\" camera a(r = k + m) " +
                                        plain);
-    EXPECT_EQ(radius_of(load_camera(file, "")), 7.0);
-    EXPECT_EQ(radius_of(load_camera(file, "more")), 4.0);
-    EXPECT_TRUE(load_camera(file, "pinhole"));
-    EXPECT_EQ(describe(file)->size(), 1U);
+    EXPECT_EQ(radius_of(make_camera(file, "")), 7.0);
+    EXPECT_EQ(radius_of(make_camera(file, "more")), 4.0);
+    EXPECT_TRUE(make_camera(file, "pinhole"));
+    EXPECT_EQ(Workspace().describe(file)->size(), 1U);
 }
 
 TEST(Load, TextsFindImportsInTheirFolder) {
@@ -122,7 +122,7 @@ TEST(Load, TextsFindImportsInTheirFolder) {
     folder.write("lengths.cam", "let k = 3");
     const auto source = std::make_shared<const SourceText>(
         "text", "import \"lengths.cam\" camera a(r = k) " + plain);
-    EXPECT_EQ(radius_of(make_camera(source, "", {}, folder.path())), 3.0);
+    EXPECT_EQ(radius_of(make_camera({source, folder.path()}, "")), 3.0);
     EXPECT_FALSE(make_camera(source, ""));
 }
 
@@ -133,7 +133,7 @@ TEST(Load, AFileWithOnlyImportsSuggestsImportedCameras) {
 }
 
 TEST(Load, UnknownFilesGetASuggestion) {
-    const Diagnostics said = load_camera("pinhol", "").diagnostics;
+    const Diagnostics said = make_camera("pinhol", "").diagnostics;
     ASSERT_EQ(said.size(), 1U);
     EXPECT_EQ(said[0].message, "there is no file and no built-in camera named 'pinhol'");
     EXPECT_EQ(said[0].remedy, "did you mean 'pinhole'?");
@@ -145,7 +145,7 @@ TEST(Load, DescribesCameras) {
                                    "// Not this.\n\n// First line,\n// second line.\n"
                                    "camera a(r = 1 + 2, turn = 30deg) " +
                                        plain + "\ncamera b " + plain);
-    const auto said = describe(file);
+    const auto said = Workspace().describe(file);
     ASSERT_TRUE(said);
     ASSERT_EQ(said->size(), 2U);
     const Description& a = (*said)[0];

@@ -145,14 +145,14 @@ TEST(Pictures, AreDescribed) {
         "poster.cam",
         test::joined(
             {cameras, "// Two.\npicture p(a = 1) { layer plain(width = a)  layer round }"}));
-    const auto described = describe(file);
+    const auto described = Workspace().describe(file);
     ASSERT_TRUE(described) << to_text(described.diagnostics);
     ASSERT_EQ(described->size(), 3U);
     EXPECT_TRUE((*described)[2].is_picture);
     EXPECT_EQ((*described)[2].comment, "Two.");
     EXPECT_EQ((*described)[2].layers, (std::vector<std::string>{"plain", "round"}));
-    EXPECT_TRUE(check(file).empty()) << to_text(check(file));
-    EXPECT_EQ(load_picture(file, "")->name(), "p");
+    EXPECT_TRUE(test::check(file).empty()) << to_text(test::check(file));
+    EXPECT_EQ(make_picture(file, "")->name(), "p");
 }
 
 TEST(Pictures, AreBounded) {

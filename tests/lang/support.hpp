@@ -22,6 +22,11 @@ inline Result<camera::Camera> make(std::string text, const std::vector<Override>
                        overrides);
 }
 
+/// All that is wrong with a file.
+inline Diagnostics check(const CameraSource& source) {
+    return Workspace().make_all(source).diagnostics;
+}
+
 inline std::string read_file(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};

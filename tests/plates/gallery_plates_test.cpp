@@ -30,7 +30,7 @@ scene::Scene gallery() {
 render::Film render_gallery(const scene::Scene& scene, const std::string& plate, std::size_t width,
                             std::size_t height, const std::vector<lang::Override>& overrides = {}) {
     const auto camera =
-        lang::load_camera(BALCONY_PLATES "/" + plate + "/camera.cam", "", overrides);
+        lang::make_camera(BALCONY_PLATES "/" + plate + "/camera.cam", "", overrides);
     EXPECT_TRUE(camera) << to_text(camera.diagnostics);
     const auto renderer = render::Renderer::make(std::make_shared<const scene::Scene>(scene));
     EXPECT_TRUE(renderer) << to_text(renderer.diagnostics);

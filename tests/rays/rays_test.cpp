@@ -27,7 +27,7 @@ camera::Picture picture_of(const std::string& text) {
     return *made;
 }
 
-camera::Camera built_in(const std::string& name) { return *lang::load_camera(name, ""); }
+camera::Camera built_in(const std::string& name) { return *lang::make_camera(name, ""); }
 
 RayProgram compiled(const camera::Camera& camera, double width, double height,
                     const Request& request) {

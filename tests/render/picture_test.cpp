@@ -64,7 +64,7 @@ camera::Picture picture(std::vector<Layer> layers) {
 }
 
 camera::PictureArrangerPointer place(double x0, double y0, double x1, double y1) {
-    const auto* row = camera::find_stage(StageKind::picture_arranger, "place");
+    const auto* row = camera::catalogue().find(StageKind::picture_arranger, "place");
     camera::Arguments arguments;
     arguments.set("from", std::vector<camera::Scalar>{x0, y0});
     arguments.set("to", std::vector<camera::Scalar>{x1, y1});
@@ -228,7 +228,7 @@ TEST(PictureComposition, DoesNotDependOnThreads) {
 TEST(PictureBorder, LayersThatTouchItAreComplete) {
     // Mirrored, it still covers the half pixel beyond the border that filters reach.
     Layer mirrored = layer("mirrored", wall_camera());
-    const auto* row = camera::find_stage(StageKind::picture_arranger, "mirror");
+    const auto* row = camera::catalogue().find(StageKind::picture_arranger, "mirror");
     camera::Arguments arguments;
     arguments.set("axis", std::string("x"));
     mirrored.arrangers = {

@@ -308,47 +308,36 @@ constexpr std::string_view image_example = R"(picture masked {
 // Clip shapes with a formula for their edge.
 std::vector<StageEntry> round_shapes() {
     return {
-        {StageKind::clip_shape,
-         "rectangle",
-         "the whole image of the layer",
-         {},
-         [](const Arguments&) { return made<Rectangle>(); },
-         {},
-         0,
-         rectangle_example},
-        {StageKind::clip_shape,
-         "ellipse",
-         "the largest ellipse in the layer's image",
-         {},
-         [](const Arguments&) { return made<Ellipse>(); },
-         {},
-         0,
-         ellipse_example},
-        {StageKind::clip_shape,
-         "ring",
-         "the largest ellipse in the layer's image, with a hole",
-         {{.name = "inner",
-           .default_value = {0.5},
-           .minimum = 0.0,
-           .maximum = 1.0,
-           .excludes_minimum = true,
-           .meaning = "size of the hole, relative to the ellipse"}},
-         [](const Arguments& a) { return made<Ring>(a.number("inner")); },
-         {},
-         0,
-         ring_example},
-        {StageKind::clip_shape,
-         "rounded",
-         "a rectangle with rounded corners",
-         {{.name = "radius",
-           .default_value = {0.1},
-           .minimum = 0.0,
-           .maximum = 0.5,
-           .meaning = "radius of the corners, as a fraction of the shorter side"}},
-         [](const Arguments& a) { return made<RoundedRectangle>(a.number("radius")); },
-         {},
-         0,
-         rounded_example},
+        {.kind = StageKind::clip_shape,
+         .name = "rectangle",
+         .meaning = "the whole image of the layer",
+         .make = [](const Arguments&) { return made<Rectangle>(); },
+         .example = rectangle_example},
+        {.kind = StageKind::clip_shape,
+         .name = "ellipse",
+         .meaning = "the largest ellipse in the layer's image",
+         .make = [](const Arguments&) { return made<Ellipse>(); },
+         .example = ellipse_example},
+        {.kind = StageKind::clip_shape,
+         .name = "ring",
+         .meaning = "the largest ellipse in the layer's image, with a hole",
+         .parameters = {{.name = "inner",
+                         .type = NumberParameter{.default_value = 0.5,
+                                                 .range = {.minimum = 0.0,
+                                                           .maximum = 1.0,
+                                                           .excludes_minimum = true}},
+                         .meaning = "size of the hole, relative to the ellipse"}},
+         .make = [](const Arguments& a) { return made<Ring>(a.number("inner")); },
+         .example = ring_example},
+        {.kind = StageKind::clip_shape,
+         .name = "rounded",
+         .meaning = "a rectangle with rounded corners",
+         .parameters = {{.name = "radius",
+                         .type = NumberParameter{.default_value = 0.1,
+                                                 .range = {.minimum = 0.0, .maximum = 0.5}},
+                         .meaning = "radius of the corners, as a fraction of the shorter side"}},
+         .make = [](const Arguments& a) { return made<RoundedRectangle>(a.number("radius")); },
+         .example = rounded_example},
     };
 }
 
@@ -360,70 +349,61 @@ ClipShapePointer whole_rectangle() {
 }
 
 std::vector<StageEntry> clip_shapes() {
-    using enum ParameterType;
     std::vector<StageEntry> rows = round_shapes();
-    rows.push_back({StageKind::clip_shape,
-                    "polygon",
-                    "the inside of a polygon, by the even-odd rule",
-                    {{.name = "points",
-                      .type = points,
-                      .coordinates = {2},
-                      .min_points = 3,
-                      .meaning = "corners, as fractions of the layer's image from its top left"}},
-                    make_polygon,
-                    {},
-                    0,
-                    polygon_example});
-    rows.push_back({StageKind::clip_shape,
-                    "star",
-                    "a star, with one tip at the top",
-                    {{.name = "points",
-                      .type = count,
-                      .default_value = {5.0},
-                      .minimum = 2.0,
-                      .maximum = 100.0,
-                      .constant = true,
-                      .meaning = "number of tips"},
-                     {.name = "inner",
-                      .default_value = {0.382},
-                      .minimum = 0.0,
-                      .maximum = 1.0,
-                      .excludes_minimum = true,
-                      .constant = true,
-                      .meaning = "distance of the inner corners from the centre, as a fraction "
-                                 "of the distance of the tips"}},
-                    [](const Arguments& a) {
-                        return made<Polygon>(star_corners(a.count("points"), a.constant("inner")));
-                    },
-                    {},
-                    0,
-                    star_example});
-    rows.push_back({StageKind::clip_shape,
-                    "formula",
-                    "where a formula is above 0: formula(x, y) = [f], x and y from -1 to 1, to the "
+    rows.push_back(
+        {.kind = StageKind::clip_shape,
+         .name = "polygon",
+         .meaning = "the inside of a polygon, by the even-odd rule",
+         .parameters = {{.name = "points",
+                         .type = PointsParameter{.coordinates = {2}, .min_points = 3},
+                         .meaning =
+                             "corners, as fractions of the layer's image from its top left"}},
+         .make = make_polygon,
+         .example = polygon_example});
+    rows.push_back(
+        {.kind = StageKind::clip_shape,
+         .name = "star",
+         .meaning = "a star, with one tip at the top",
+         .parameters = {{.name = "points",
+                         .type = CountParameter{.default_value = 5.0,
+                                                .range = {.minimum = 2.0, .maximum = 100.0}},
+                         .meaning = "number of tips"},
+                        {.name = "inner",
+                         .type = NumberParameter{.default_value = 0.382,
+                                                 .range = {.minimum = 0.0,
+                                                           .maximum = 1.0,
+                                                           .excludes_minimum = true},
+                                                 .constant = true},
+                         .meaning = "distance of the inner corners from the centre, as a fraction "
+                                    "of the distance of the tips"}},
+         .make =
+             [](const Arguments& a) {
+                 return made<Polygon>(star_corners(a.count("points"), a.constant("inner")));
+             },
+         .example = star_example});
+    rows.push_back(
+        {.kind = StageKind::clip_shape,
+         .name = "formula",
+         .meaning = "where a formula is above 0: formula(x, y) = [f], x and y from -1 to 1, to the "
                     "right and up",
-                    {},
-                    [](const Arguments& a) { return made<ClipFormula>(a.formula()); },
-                    FormulaShape{2, 1, 1},
-                    0,
-                    formula_example});
-    rows.push_back({StageKind::clip_shape,
-                    "image",
-                    "a grey image as a mask: white is visible, black is not",
-                    {{.name = "file",
-                      .type = image,
-                      .meaning = "image file, stretched over the layer's image"},
-                     {.name = "invert",
-                      .type = choice,
-                      .choices = {"no", "yes"},
-                      .meaning = "whether black is visible instead of white"}},
-                    [](const Arguments& a) {
-                        return made<ImageMask>(
-                            grey_table(*a.image("file"), a.choice("invert") == "yes"));
-                    },
-                    {},
-                    0,
-                    image_example});
+         .make = [](const Arguments& a) { return made<ClipFormula>(a.formula()); },
+         .formula = FormulaShape{2, 1, 1},
+         .example = formula_example});
+    rows.push_back({.kind = StageKind::clip_shape,
+                    .name = "image",
+                    .meaning = "a grey image as a mask: white is visible, black is not",
+                    .parameters = {{.name = "file",
+                                    .type = ImageParameter{},
+                                    .meaning = "image file, stretched over the layer's image"},
+                                   {.name = "invert",
+                                    .type = ChoiceParameter{.choices = {"no", "yes"}},
+                                    .meaning = "whether black is visible instead of white"}},
+                    .make =
+                        [](const Arguments& a) {
+                            return made<ImageMask>(
+                                grey_table(*a.image("file"), a.choice("invert") == "yes"));
+                        },
+                    .example = image_example});
     return rows;
 }
 

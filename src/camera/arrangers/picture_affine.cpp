@@ -99,24 +99,22 @@ private:
 };
 
 StageParameter fixed_point(std::string_view meaning) {
-    return {
-        .name = "at", .type = ParameterType::pair, .default_value = {0.5, 0.5}, .meaning = meaning};
+    return {.name = "at",
+            .type = PairParameter{.default_value = std::array{0.5, 0.5}},
+            .meaning = meaning};
 }
 
 StageEntry place_row() {
-    using enum ParameterType;
-    return {StageKind::picture_arranger,
-            "place",
-            "places the camera's image in a part of the picture",
-            {{.name = "from",
-              .type = pair,
-              .default_value = {0.0, 0.0},
-              .meaning = "top left corner, as a fraction of the picture"},
-             {.name = "to",
-              .type = pair,
-              .default_value = {1.0, 1.0},
-              .meaning = "bottom right corner, as a fraction of the picture"}},
-            [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
+    return {.kind = StageKind::picture_arranger,
+            .name = "place",
+            .meaning = "places the camera's image in a part of the picture",
+            .parameters = {{.name = "from",
+                            .type = PairParameter{.default_value = std::array{0.0, 0.0}},
+                            .meaning = "top left corner, as a fraction of the picture"},
+                           {.name = "to",
+                            .type = PairParameter{.default_value = std::array{1.0, 1.0}},
+                            .meaning = "bottom right corner, as a fraction of the picture"}},
+            .make = [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
                 const auto from = a.pair("from");
                 const auto to = a.pair("to");
                 for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
@@ -129,9 +127,7 @@ StageEntry place_row() {
                 }
                 return made<Place>(from, to);
             },
-            {},
-            0,
-            R"(camera half {
+            .example = R"(camera half {
     place (0.05, 0.1) .. (0.8, 0.9)
     map   u = 60deg .. -60deg, v = square
     eye   sphere(1)
@@ -141,64 +137,58 @@ StageEntry place_row() {
 }  // namespace
 
 std::vector<StageEntry> picture_affine() {
-    using enum ParameterType;
     return {
         place_row(),
-        {StageKind::picture_arranger,
-         "shift",
-         "shifts the image",
-         {{.name = "by",
-           .type = pair,
-           .meaning = "offset to the right and down, as a fraction of the picture"}},
-         [](const Arguments& a) { return made<Shift>(a.pair("by")); },
-         {},
-         0,
-         R"(camera shifted {
+        {.kind = StageKind::picture_arranger,
+         .name = "shift",
+         .meaning = "shifts the image",
+         .parameters = {{.name = "by",
+                         .type = PairParameter{},
+                         .meaning = "offset to the right and down, as a fraction of the picture"}},
+         .make = [](const Arguments& a) { return made<Shift>(a.pair("by")); },
+         .example = R"(camera shifted {
     arrange shift((0.2, 0.1))
     map     u = 60deg .. -60deg, v = square
     eye     sphere(1)
 })"},
-        {StageKind::picture_arranger,
-         "scale",
-         "scales the image",
-         {{.name = "by",
-           .type = size,
-           .minimum = 0.0,
-           .excludes_minimum = true,
-           .meaning = "factors for width and height; below 1 reduces the image"},
-          fixed_point("the fixed point, as a fraction of the picture")},
-         [](const Arguments& a) { return made<ScalePicture>(a.pair("by"), a.pair("at")); },
-         {},
-         0,
-         R"(camera smaller {
+        {.kind = StageKind::picture_arranger,
+         .name = "scale",
+         .meaning = "scales the image",
+         .parameters = {{.name = "by",
+                         .type = PairParameter{.range = {.minimum = 0.0, .excludes_minimum = true},
+                                               .one_for_both = true},
+                         .meaning = "factors for width and height; below 1 reduces the image"},
+                        fixed_point("the fixed point, as a fraction of the picture")},
+         .make = [](const Arguments& a) { return made<ScalePicture>(a.pair("by"), a.pair("at")); },
+         .example = R"(camera smaller {
     arrange scale(0.8, at = (1, 0.5))
     map     u = 60deg .. -60deg, v = square
     eye     sphere(1)
 })"},
-        {StageKind::picture_arranger,
-         "rotate",
-         "rotates the image",
-         {{.name = "angle", .unit = Unit::angle, .meaning = "angle, counter-clockwise"},
-          fixed_point("the fixed point, as a fraction of the picture")},
-         [](const Arguments& a) { return made<RotatePicture>(a.number("angle"), a.pair("at")); },
-         {},
-         0,
-         R"(camera turned {
+        {.kind = StageKind::picture_arranger,
+         .name = "rotate",
+         .meaning = "rotates the image",
+         .parameters = {{.name = "angle",
+                         .type = NumberParameter{.unit = Unit::angle},
+                         .meaning = "angle, counter-clockwise"},
+                        fixed_point("the fixed point, as a fraction of the picture")},
+         .make =
+             [](const Arguments& a) {
+                 return made<RotatePicture>(a.number("angle"), a.pair("at"));
+             },
+         .example = R"(camera turned {
     arrange scale(0.8), rotate(10deg)
     map     u = 60deg .. -60deg, v = square
     eye     sphere(1)
 })"},
-        {StageKind::picture_arranger,
-         "mirror",
-         "mirrors the image",
-         {{.name = "axis",
-           .type = choice,
-           .choices = {"x", "y"},
-           .meaning = "x exchanges left and right, y exchanges top and bottom"}},
-         [](const Arguments& a) { return made<Mirror>(a.choice("axis") == "x"); },
-         {},
-         0,
-         R"(camera in_the_mirror {
+        {.kind = StageKind::picture_arranger,
+         .name = "mirror",
+         .meaning = "mirrors the image",
+         .parameters = {{.name = "axis",
+                         .type = ChoiceParameter{.choices = {"x", "y"}},
+                         .meaning = "x exchanges left and right, y exchanges top and bottom"}},
+         .make = [](const Arguments& a) { return made<Mirror>(a.choice("axis") == "x"); },
+         .example = R"(camera in_the_mirror {
     arrange mirror(x)
     map     u = 60deg .. -60deg, v = square
     eye     sphere(1)

@@ -90,23 +90,22 @@ private:
 };
 
 StageEntry zoom_row() {
-    using enum ParameterType;
-    return {StageKind::picture_arranger,
-            "zoom",
-            "local zoom: magnifies around a point of the picture and keeps the rest visible",
-            {{.name = "at",
-              .type = pair,
-              .default_value = {0.5, 0.5},
-              .meaning = "the point, as a fraction of the picture"},
-             positive_parameter("radius", 0.3,
-                                "radius of the affected region, as a fraction of the height"),
-             positive_parameter("strength", 2.0, "magnification at the centre")},
+    return {
+        .kind = StageKind::picture_arranger,
+        .name = "zoom",
+        .meaning = "local zoom: magnifies around a point of the picture and keeps the rest visible",
+        .parameters = {{.name = "at",
+                        .type = PairParameter{.default_value = std::array{0.5, 0.5}},
+                        .meaning = "the point, as a fraction of the picture"},
+                       positive_parameter(
+                           "radius", 0.3,
+                           "radius of the affected region, as a fraction of the height"),
+                       positive_parameter("strength", 2.0, "magnification at the centre")},
+        .make =
             [](const Arguments& a) {
                 return made<ZoomPicture>(a.pair("at"), a.number("radius"), a.number("strength"));
             },
-            {},
-            0,
-            R"(camera under_the_glass {
+        .example = R"(camera under_the_glass {
     arrange zoom(at = (0.4, 0.5), radius = 0.4, strength = 3)
     map     u = 60deg .. -60deg, v = square
     eye     sphere(1)
@@ -114,28 +113,26 @@ StageEntry zoom_row() {
 }
 
 StageEntry ripple_row() {
-    using enum ParameterType;
     return {
-        StageKind::picture_arranger,
-        "ripple",
-        "circular waves, like those of a drop on water",
-        {number_parameter("amplitude", 0.01, "amplitude of the waves, as a fraction of the height"),
-         positive_parameter("wavelength", 0.1, "wavelength, as a fraction of the height"),
-         {.name = "at",
-          .type = pair,
-          .default_value = {0.5, 0.5},
-          .meaning = "centre of the waves, as a fraction of the picture"},
-         {.name = "phase",
-          .unit = Unit::angle,
-          .default_value = {0.0},
-          .meaning = "phase: how far the waves have moved outwards; 360deg is one wavelength"}},
-        [](const Arguments& a) {
-            return made<Ripple>(a.number("amplitude"), a.number("wavelength"), a.pair("at"),
-                                a.number("phase"));
-        },
-        {},
-        0,
-        R"(camera in_the_pond {
+        .kind = StageKind::picture_arranger,
+        .name = "ripple",
+        .meaning = "circular waves, like those of a drop on water",
+        .parameters =
+            {number_parameter("amplitude", 0.01,
+                              "amplitude of the waves, as a fraction of the height"),
+             positive_parameter("wavelength", 0.1, "wavelength, as a fraction of the height"),
+             {.name = "at",
+              .type = PairParameter{.default_value = std::array{0.5, 0.5}},
+              .meaning = "centre of the waves, as a fraction of the picture"},
+             {.name = "phase",
+              .type = NumberParameter{.unit = Unit::angle, .default_value = 0.0},
+              .meaning = "phase: how far the waves have moved outwards; 360deg is one wavelength"}},
+        .make =
+            [](const Arguments& a) {
+                return made<Ripple>(a.number("amplitude"), a.number("wavelength"), a.pair("at"),
+                                    a.number("phase"));
+            },
+        .example = R"(camera in_the_pond {
     arrange ripple(amplitude = 0.01, wavelength = 0.15, phase = t*360deg)
     map     u = 60deg .. -60deg, v = square
     eye     sphere(1)
@@ -148,14 +145,13 @@ std::vector<StageEntry> picture_warps() {
     return {
         zoom_row(),
         ripple_row(),
-        {StageKind::picture_arranger,
-         "formula",
-         "a map of the picture: formula(x, y) = [x', y'], from -1 to 1, to the right and up",
-         {},
-         [](const Arguments& a) { return made<PictureFormula>(a.formula()); },
-         FormulaShape{2, 2, 2},
-         0,
-         R"(camera barrel {
+        {.kind = StageKind::picture_arranger,
+         .name = "formula",
+         .meaning =
+             "a map of the picture: formula(x, y) = [x', y'], from -1 to 1, to the right and up",
+         .make = [](const Arguments& a) { return made<PictureFormula>(a.formula()); },
+         .formula = FormulaShape{2, 2, 2},
+         .example = R"(camera barrel {
     arrange formula(x, y) = [x*(0.8 + 0.1*(x^2 + y^2)), y*(0.8 + 0.1*(x^2 + y^2))]
     map     u = 60deg .. -60deg, v = square
     eye     sphere(1)

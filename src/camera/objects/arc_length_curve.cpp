@@ -95,27 +95,27 @@ Result<std::shared_ptr<const Stage>> make_arc_length(const Arguments& a) {
 }  // namespace
 
 std::vector<StageEntry> arc_length_curve() {
-    using enum ParameterType;
     return {
-        {StageKind::object_generator,
-         "arc_length",
-         "any curve by arc length, for u from 0 to 1: equal steps of u have equal lengths",
-         {{.name = "curve", .type = curve, .meaning = "the curve; it cannot change with time"},
-          {.name = "from",
-           .unit = Unit::parameter,
-           .default_value = {0.0},
-           .constant = true,
-           .meaning = "the curve's own parameter at u = 0"},
-          {.name = "to",
-           .unit = Unit::parameter,
-           .default_value = {1.0},
-           .constant = true,
-           .meaning =
-               "the curve's own parameter at u = 1; if the curve is closed there, it is periodic"}},
-         make_arc_length,
-         {},
-         1,
-         R"(// Along a long ellipse at constant speed, so that nothing is stretched at its ends.
+        {.kind = StageKind::object_generator,
+         .name = "arc_length",
+         .meaning =
+             "any curve by arc length, for u from 0 to 1: equal steps of u have equal lengths",
+         .parameters =
+             {curve_parameter("curve", "the curve; it cannot change with time"),
+              {.name = "from",
+               .type =
+                   NumberParameter{.unit = Unit::parameter, .default_value = 0.0, .constant = true},
+               .meaning = "the curve's own parameter at u = 0"},
+              {.name = "to",
+               .type =
+                   NumberParameter{.unit = Unit::parameter, .default_value = 1.0, .constant = true},
+               .meaning = "the curve's own parameter at u = 1; if the curve is closed there, it is "
+                          "periodic"}},
+         .make = make_arc_length,
+         .dimension = 1,
+         .section = "General curves",
+         .example =
+             R"(// Along a long ellipse at constant speed, so that nothing is stretched at its ends.
 camera even_ellipse {
     aspect 3
     map  u = 1 .. 0, v = -30deg .. 30deg

@@ -152,10 +152,8 @@ Result<std::shared_ptr<const Stage>> make_hyperbola(const Arguments& arguments) 
 }
 
 StageParameter parametrisation(std::vector<std::string_view> choices, std::string_view meaning) {
-    return {.name = "by",
-            .type = ParameterType::choice,
-            .choices = std::move(choices),
-            .meaning = meaning};
+    return {
+        .name = "by", .type = ChoiceParameter{.choices = std::move(choices)}, .meaning = meaning};
 }
 
 std::vector<StageParameter> half_axes(StageParameter by) {
@@ -168,19 +166,19 @@ std::vector<StageParameter> half_axes(StageParameter by) {
 std::vector<StageEntry> conics() {
     const StageKind kind = StageKind::object_generator;
     return {
-        {kind,
-         "ellipse",
-         "x^2/a^2 + y^2/b^2 = 1, as a curve in u",
-         half_axes(parametrisation(
+        {.kind = kind,
+         .name = "ellipse",
+         .meaning = "x^2/a^2 + y^2/b^2 = 1, as a curve in u",
+         .parameters = half_axes(parametrisation(
              {"trigonometric", "arc_length", "polar", "focal"},
              "the parametrisation: u is the classical parameter, the eccentric anomaly; "
              "proportional to arc length (the whole curve is 360deg); the polar angle at the "
              "centre; "
              "or the polar angle at the focus with x > 0, the true anomaly (requires a >= b)")),
-         make_ellipse,
-         {},
-         1,
-         R"(
+         .make = make_ellipse,
+         .dimension = 1,
+         .section = "Conics and superconics",
+         .example = R"(
 // Once around an oval table: all people at the same scale, because the eye moves by arc length.
 camera oval_table(a = 3, b = 1) {
     aspect 4
@@ -189,18 +187,18 @@ camera oval_table(a = 3, b = 1) {
     toward product(ellipse(1, (b + 1)/(a + 1), by = arc_length), curve(v) = [a + 1, v])
 }
 )"},
-        {kind,
-         "hyperbola",
-         "the branch x > 0 of x^2/a^2 - y^2/b^2 = 1, as a curve in u",
-         half_axes(parametrisation(
+        {.kind = kind,
+         .name = "hyperbola",
+         .meaning = "the branch x > 0 of x^2/a^2 - y^2/b^2 = 1, as a curve in u",
+         .parameters = half_axes(parametrisation(
              {"hyperbolic", "cartesian", "trigonometric", "polar", "focal"},
              "the parametrisation: u is the hyperbolic parameter; y/b; the classical angle (below "
              "90deg); the polar angle at the centre, between the asymptotes; or the angle at the "
              "focus, 0 towards the vertex")),
-         make_hyperbola,
-         {},
-         1,
-         R"(
+         .make = make_hyperbola,
+         .dimension = 1,
+         .section = "Conics and superconics",
+         .example = R"(
 // The hyperbolic cylinder: sees both walls of a corner at right angles and bends in between.
 camera both_walls {
     map  u = -1.5 .. 1.5, v = -2 .. 2
@@ -209,21 +207,24 @@ camera both_walls {
     move rotate(z, 180deg)
 }
 )"},
-        {kind,
-         "parabola",
-         "y^2 = 4 focus x, as a curve in u",
-         {positive_parameter("focus", 1.0,
-                             "distance from the vertex, at the origin, to the focus at x > 0"),
-          parametrisation({"cartesian", "focal"},
-                          "the parametrisation: u is y, or the angle at the focus, 0 towards the "
-                          "vertex, below 180deg")},
-         [](const Arguments& a) {
-             return a.choice("by") == "cartesian" ? made<CartesianParabola>(a.number("focus"))
-                                                  : made<FocalParabola>(a.number("focus"));
-         },
-         {},
-         1,
-         R"(
+        {.kind = kind,
+         .name = "parabola",
+         .meaning = "y^2 = 4 focus x, as a curve in u",
+         .parameters = {positive_parameter(
+                            "focus", 1.0,
+                            "distance from the vertex, at the origin, to the focus at x > 0"),
+                        parametrisation(
+                            {"cartesian", "focal"},
+                            "the parametrisation: u is y, or the angle at the focus, 0 towards the "
+                            "vertex, below 180deg")},
+         .make =
+             [](const Arguments& a) {
+                 return a.choice("by") == "cartesian" ? made<CartesianParabola>(a.number("focus"))
+                                                      : made<FocalParabola>(a.number("focus"));
+             },
+         .dimension = 1,
+         .section = "Conics and superconics",
+         .example = R"(
 // From a comet's orbit, always towards the sun in its focus, and slightly above and below it.
 camera comet(focus = 2) {
     map    u = 120deg .. -120deg, v = -1 .. 1
@@ -231,23 +232,26 @@ camera comet(focus = 2) {
     toward surface(u, v) = [focus, 0, v]
 }
 )"},
-        {kind,
-         "superparabola",
-         "x/a = |y/b|^e with e = 2/gamma, as a curve in u",
-         {positive_parameter("a", 1.0, "x where y is b"),
-          positive_parameter("b", 1.0, "y where x is a"),
-          gamma_parameter("gamma",
-                          "superconic parameter: 1 is the parabola, less is flatter at the vertex"),
-          parametrisation({"cartesian", "root"},
-                          "the parametrisation: u is y/b, or the root of x/a with y's sign")},
-         [](const Arguments& a) {
-             using enum Superparabola::Parameter;
-             return made<Superparabola>(a.number("a"), a.number("b"), a.number("gamma"),
-                                        a.choice("by") == "cartesian" ? height : root);
-         },
-         {},
-         1,
-         R"(
+        {.kind = kind,
+         .name = "superparabola",
+         .meaning = "x/a = |y/b|^e with e = 2/gamma, as a curve in u",
+         .parameters =
+             {positive_parameter("a", 1.0, "x where y is b"),
+              positive_parameter("b", 1.0, "y where x is a"),
+              gamma_parameter(
+                  "gamma",
+                  "superconic parameter: 1 is the parabola, less is flatter at the vertex"),
+              parametrisation({"cartesian", "root"},
+                              "the parametrisation: u is y/b, or the root of x/a with y's sign")},
+         .make =
+             [](const Arguments& a) {
+                 using enum Superparabola::Parameter;
+                 return made<Superparabola>(a.number("a"), a.number("b"), a.number("gamma"),
+                                            a.choice("by") == "cartesian" ? height : root);
+             },
+         .dimension = 1,
+         .section = "Conics and superconics",
+         .example = R"(
 // A shop window that is flat in the middle and curves at both sides.
 camera bow_window(gamma = 1/2) {
     map  u = -1.2 .. 1.2, v = -1 .. 1

@@ -63,7 +63,9 @@ private:
 };
 
 StageParameter end_angle(std::string_view name, double value, std::string_view meaning) {
-    return {.name = name, .unit = Unit::angle, .default_value = {value}, .meaning = meaning};
+    return {.name = name,
+            .type = NumberParameter{.unit = Unit::angle, .default_value = value},
+            .meaning = meaning};
 }
 
 }  // namespace
@@ -71,15 +73,14 @@ StageParameter end_angle(std::string_view name, double value, std::string_view m
 std::vector<StageEntry> curve_primitives() {
     const StageKind kind = StageKind::object_generator;
     return {
-        {kind,
-         "segment",
-         "the line segment between two points, u from 0 to 1",
-         {triple_parameter("from", {0.0, 0.0, 0.0}, "the point at u = 0"),
-          triple_parameter("to", {1.0, 0.0, 0.0}, "the point at u = 1")},
-         [](const Arguments& a) { return made<Segment>(a.triple("from"), a.triple("to")); },
-         {},
-         1,
-         R"(
+        {.kind = kind,
+         .name = "segment",
+         .meaning = "the line segment between two points, u from 0 to 1",
+         .parameters = {triple_parameter("from", {0.0, 0.0, 0.0}, "the point at u = 0"),
+                        triple_parameter("to", {1.0, 0.0, 0.0}, "the point at u = 1")},
+         .make = [](const Arguments& a) { return made<Segment>(a.triple("from"), a.triple("to")); },
+         .dimension = 1,
+         .example = R"(
 // The side of a street from a car that drives along it: perspective only in the vertical direction.
 camera street(length = 12) {
     map    u = 0 .. 1, v = -1 .. 1
@@ -87,18 +88,18 @@ camera street(length = 12) {
     toward surface(u, v) = [3, length*(1/2 - u), 3*v]
 }
 )"},
-        {kind,
-         "arc",
-         "a circular arc around the z axis, u from 0 to 1",
-         {positive_parameter("radius", 1.0, "the radius"),
-          end_angle("from", 0.0, "the angle where u is 0"),
-          end_angle("to", 0.5 * std::numbers::pi, "the angle where u is 1")},
-         [](const Arguments& a) {
-             return made<Arc>(a.number("radius"), a.number("from"), a.number("to"));
-         },
-         {},
-         1,
-         R"(
+        {.kind = kind,
+         .name = "arc",
+         .meaning = "a circular arc around the z axis, u from 0 to 1",
+         .parameters = {positive_parameter("radius", 1.0, "the radius"),
+                        end_angle("from", 0.0, "the angle where u is 0"),
+                        end_angle("to", 0.5 * std::numbers::pi, "the angle where u is 1")},
+         .make =
+             [](const Arguments& a) {
+                 return made<Arc>(a.number("radius"), a.number("from"), a.number("to"));
+             },
+         .dimension = 1,
+         .example = R"(
 // Walks a third of a turn around an object, from left to right, and always looks at the centre.
 camera walk(radius = 4) {
     map    u = 0 .. 1, v = -1.5 .. 1.5
@@ -106,15 +107,15 @@ camera walk(radius = 4) {
     toward surface(u, v) = [0, 0, v]
 }
 )"},
-        {kind,
-         "helix",
-         "a helix around the z axis, by angle",
-         {positive_parameter("radius", 1.0, "distance from the axis"),
-          number_parameter("pitch", 1.0, "rise per turn")},
-         [](const Arguments& a) { return made<Helix>(a.number("radius"), a.number("pitch")); },
-         {},
-         1,
-         R"(
+        {.kind = kind,
+         .name = "helix",
+         .meaning = "a helix around the z axis, by angle",
+         .parameters = {positive_parameter("radius", 1.0, "distance from the axis"),
+                        number_parameter("pitch", 1.0, "rise per turn")},
+         .make =
+             [](const Arguments& a) { return made<Helix>(a.number("radius"), a.number("pitch")); },
+         .dimension = 1,
+         .example = R"(
 // Climbs around a tower in two turns and unrolls its wall.
 camera spiral_stair(radius = 3, pitch = 2) {
     map    u = 0deg .. 720deg, v = -1.2 .. 1.2

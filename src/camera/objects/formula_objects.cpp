@@ -42,14 +42,14 @@ private:
 std::vector<StageEntry> formula_objects() {
     const StageKind kind = StageKind::object_generator;
     return {
-        {kind,
-         "curve",
-         "a curve from a formula: curve(u) = [x, y] or [x, y, z]",
-         {},
-         [](const Arguments& a) { return made<FormulaCurve>(a.formula()); },
-         FormulaShape{1, 2, 3},
-         1,
-         R"(
+        {.kind = kind,
+         .name = "curve",
+         .meaning = "a curve from a formula: curve(u) = [x, y] or [x, y, z]",
+         .make = [](const Arguments& a) { return made<FormulaCurve>(a.formula()); },
+         .formula = FormulaShape{1, 2, 3},
+         .dimension = 1,
+         .section = "Objects from formulas",
+         .example = R"(
 // The right side of a winding path through a valley, seen at right angles to the path.
 camera valley_walk {
     map    u = 3 .. -3, v = -1 .. 1
@@ -57,14 +57,14 @@ camera valley_walk {
     toward surface(u, v) = [u + cos(u), sin(u) - 1, 0.2*u^2 + v]
 }
 )"},
-        {kind,
-         "surface",
-         "a surface from a formula: surface(u, v) = [x, y, z]",
-         {},
-         [](const Arguments& a) { return made<FormulaSurface>(a.formula()); },
-         FormulaShape{2, 3, 3},
-         2,
-         R"(
+        {.kind = kind,
+         .name = "surface",
+         .meaning = "a surface from a formula: surface(u, v) = [x, y, z]",
+         .make = [](const Arguments& a) { return made<FormulaSurface>(a.formula()); },
+         .formula = FormulaShape{2, 3, 3},
+         .dimension = 2,
+         .section = "Objects from formulas",
+         .example = R"(
 // A curved wall: its normals face both sides of a room's corner and spread between them.
 camera bulge {
     map  u = 1.2 .. -1.2, v = -1 .. 1

@@ -66,34 +66,25 @@ private:
 };
 
 std::vector<StageParameter> height_field_parameters() {
-    using enum ParameterType;
     // Sixteen octaves of lacunarity 2 reach from a landscape to a pebble.
-    return {number_parameter("height", 0.1, "standard deviation of the heights"),
-            positive_parameter("scale", 1.0, "size of the largest features"),
-            {.name = "hurst",
-             .default_value = {0.8},
-             .minimum = 0.0,
-             .maximum = 1.0,
-             .meaning = "Hurst exponent: 1 is smooth hills, 1/2 is rough rock; heights at a "
-                        "distance d differ by about d^hurst"},
-            {.name = "octaves",
-             .type = count,
-             .default_value = {8.0},
-             .minimum = 1.0,
-             .maximum = 16.0,
-             .meaning = "number of octaves, each finer by the lacunarity"},
-            {.name = "lacunarity",
-             .default_value = {2.0},
-             .minimum = 1.0,
-             .maximum = 8.0,
-             .excludes_minimum = true,
-             .meaning = "frequency ratio between successive octaves"},
-            {.name = "seed",
-             .type = count,
-             .default_value = {1.0},
-             .minimum = 0.0,
-             .maximum = 1e6,
-             .meaning = "random seed: the same seed gives the same surface on every machine"}};
+    return {
+        number_parameter("height", 0.1, "standard deviation of the heights"),
+        positive_parameter("scale", 1.0, "size of the largest features"),
+        {.name = "hurst",
+         .type = NumberParameter{.default_value = 0.8, .range = {.minimum = 0.0, .maximum = 1.0}},
+         .meaning = "Hurst exponent: 1 is smooth hills, 1/2 is rough rock; heights at a "
+                    "distance d differ by about d^hurst"},
+        {.name = "octaves",
+         .type = CountParameter{.default_value = 8.0, .range = {.minimum = 1.0, .maximum = 16.0}},
+         .meaning = "number of octaves, each finer by the lacunarity"},
+        {.name = "lacunarity",
+         .type =
+             NumberParameter{.default_value = 2.0,
+                             .range = {.minimum = 1.0, .maximum = 8.0, .excludes_minimum = true}},
+         .meaning = "frequency ratio between successive octaves"},
+        {.name = "seed",
+         .type = CountParameter{.default_value = 1.0, .range = {.minimum = 0.0, .maximum = 1e6}},
+         .meaning = "random seed: the same seed gives the same surface on every machine"}};
 }
 
 }  // namespace
@@ -104,14 +95,15 @@ std::vector<StageEntry> fractals() {
     sphere_parameters.insert(sphere_parameters.begin(),
                              positive_parameter("radius", 1.0, "radius at height 0"));
     return {
-        {kind,
-         "fractal_plane",
-         "a fractal landscape, z = height over (x, y) = (u, v), by fractional Brownian motion",
-         height_field_parameters(),
-         [](const Arguments& a) { return made<FractalPlane>(HeightField(a)); },
-         {},
-         2,
-         R"(
+        {.kind = kind,
+         .name = "fractal_plane",
+         .meaning =
+             "a fractal landscape, z = height over (x, y) = (u, v), by fractional Brownian motion",
+         .parameters = height_field_parameters(),
+         .make = [](const Arguments& a) { return made<FractalPlane>(HeightField(a)); },
+         .dimension = 2,
+         .section = "Fractal objects",
+         .example = R"(
 // A view through frosted glass: every point of the pane, an upright landscape, looks elsewhere.
 camera frosted_glass {
     map  u = 2 .. -2, v = square
@@ -120,14 +112,18 @@ camera frosted_glass {
     move rotate(z, 90deg), rotate(y, 90deg)
 }
 )"},
-        {kind,
-         "fractal_sphere",
-         "a fractal planet by longitude u and latitude v, heights by fractional Brownian motion",
-         std::move(sphere_parameters),
-         [](const Arguments& a) { return made<FractalSphere>(a.number("radius"), HeightField(a)); },
-         {},
-         2,
-         R"(
+        {.kind = kind,
+         .name = "fractal_sphere",
+         .meaning = "a fractal planet by longitude u and latitude v, heights by fractional "
+                    "Brownian motion",
+         .parameters = std::move(sphere_parameters),
+         .make =
+             [](const Arguments& a) {
+                 return made<FractalSphere>(a.number("radius"), HeightField(a));
+             },
+         .dimension = 2,
+         .section = "Fractal objects",
+         .example = R"(
 // A full panorama from a boulder: every facet looks in another direction.
 camera boulder {
     map  u = 180deg .. -180deg, v = -80deg .. 80deg

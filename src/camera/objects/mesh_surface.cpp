@@ -350,20 +350,21 @@ Result<std::shared_ptr<const Stage>> make_mesh(const Arguments& a) {
 
 std::vector<StageEntry> mesh_surface() {
     return {
-        {StageKind::object_generator,
-         "mesh",
-         "the surface of a triangle mesh from a file, by its texture coordinates",
-         {{.name = "file",
-           .type = ParameterType::mesh,
-           .meaning = "mesh file with texture coordinates; (0, 0) is the bottom left"},
-          {.name = "normals",
-           .type = ParameterType::choice,
-           .choices = {"smooth", "flat"},
-           .meaning = "normals interpolated from the vertices, or those of the faces"}},
-         make_mesh,
-         {},
-         2,
-         R"(
+        {.kind = StageKind::object_generator,
+         .name = "mesh",
+         .meaning = "the surface of a triangle mesh from a file, by its texture coordinates",
+         .parameters = {{.name = "file",
+                         .type = MeshParameter{},
+                         .meaning =
+                             "mesh file with texture coordinates; (0, 0) is the bottom left"},
+                        {.name = "normals",
+                         .type = ChoiceParameter{.choices = {"smooth", "flat"}},
+                         .meaning =
+                             "normals interpolated from the vertices, or those of the faces"}},
+         .make = make_mesh,
+         .dimension = 2,
+         .section = "Free-form surfaces",
+         .example = R"(
 // An unrolled vase: every ray starts on it and follows its normal.
 camera unrolled_vase {
     aspect 2

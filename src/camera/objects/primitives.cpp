@@ -108,14 +108,12 @@ StageParameter radius() { return positive_parameter("radius", 1.0, "the radius")
 std::vector<StageEntry> primitives() {
     const StageKind kind = StageKind::object_generator;
     return {
-        {kind,
-         "point",
-         "a single point",
-         {coordinate("x"), coordinate("y"), coordinate("z")},
-         [](const Arguments& a) { return made<Point>(xyz_of(a)); },
-         {},
-         0,
-         R"(
+        {.kind = kind,
+         .name = "point",
+         .meaning = "a single point",
+         .parameters = {coordinate("x"), coordinate("y"), coordinate("z")},
+         .make = [](const Arguments& a) { return made<Point>(xyz_of(a)); },
+         .example = R"(
 // All round from one point: the ceiling and the floor are stretched at the edges.
 camera all_round {
     aspect 2
@@ -124,15 +122,14 @@ camera all_round {
     toward sphere(1)
 }
 )"},
-        {kind,
-         "line",
-         "at + u along",
-         {triple_parameter("at", {0.0, 0.0, 0.0}, "the point at u = 0"),
-          triple_parameter("along", {1.0, 0.0, 0.0}, "the vector for one unit of u")},
-         [](const Arguments& a) { return made<Line>(a.triple("at"), a.triple("along")); },
-         {},
-         1,
-         R"(
+        {.kind = kind,
+         .name = "line",
+         .meaning = "at + u along",
+         .parameters = {triple_parameter("at", {0.0, 0.0, 0.0}, "the point at u = 0"),
+                        triple_parameter("along", {1.0, 0.0, 0.0}, "the vector for one unit of u")},
+         .make = [](const Arguments& a) { return made<Line>(a.triple("at"), a.triple("along")); },
+         .dimension = 1,
+         .example = R"(
 // From a train window: the eye moves along a line, and only the vertical direction has perspective.
 camera train_window {
     map    u = -4 .. 4, v = -1 .. 1
@@ -140,14 +137,13 @@ camera train_window {
     toward plane((1, 0, 0), along_u = (0, -1, 0))
 }
 )"},
-        {kind,
-         "circle",
-         "a circle around the z axis in the plane z = 0, by angle",
-         {radius()},
-         [](const Arguments& a) { return made<Circle>(a.number("radius")); },
-         {},
-         1,
-         R"(
+        {.kind = kind,
+         .name = "circle",
+         .meaning = "a circle around the z axis in the plane z = 0, by angle",
+         .parameters = {radius()},
+         .make = [](const Arguments& a) { return made<Circle>(a.number("radius")); },
+         .dimension = 1,
+         .example = R"(
 // Rays start on a circle and pass through a torus around it.
 camera flight(R = 10, r = 2) {
     map    u = 90deg .. 0deg, v = -180deg .. 180deg
@@ -155,18 +151,20 @@ camera flight(R = 10, r = 2) {
     toward torus(R, r)
 }
 )"},
-        {kind,
-         "plane",
-         "at + u along_u + v along_v",
-         {triple_parameter("at", {0.0, 0.0, 0.0}, "the point at u = v = 0"),
-          triple_parameter("along_u", {0.0, 1.0, 0.0}, "the vector for one unit of u"),
-          triple_parameter("along_v", {0.0, 0.0, 1.0}, "the vector for one unit of v")},
-         [](const Arguments& a) {
-             return made<Plane>(a.triple("at"), a.triple("along_u"), a.triple("along_v"));
-         },
-         {},
-         2,
-         R"(
+        {.kind = kind,
+         .name = "plane",
+         .meaning = "at + u along_u + v along_v",
+         .parameters = {triple_parameter("at", {0.0, 0.0, 0.0}, "the point at u = v = 0"),
+                        triple_parameter("along_u", {0.0, 1.0, 0.0},
+                                         "the vector for one unit of u"),
+                        triple_parameter("along_v", {0.0, 0.0, 1.0},
+                                         "the vector for one unit of v")},
+         .make =
+             [](const Arguments& a) {
+                 return made<Plane>(a.triple("at"), a.triple("along_u"), a.triple("along_v"));
+             },
+         .dimension = 2,
+         .example = R"(
 // Parallel rays from a plane: no perspective.
 camera flat {
     map  u = 4 .. -4, v = square
@@ -174,14 +172,13 @@ camera flat {
     look normal
 }
 )"},
-        {kind,
-         "cylinder",
-         "a cylinder around the z axis, by angle u and height v",
-         {radius()},
-         [](const Arguments& a) { return made<Cylinder>(a.number("radius")); },
-         {},
-         2,
-         R"(
+        {.kind = kind,
+         .name = "cylinder",
+         .meaning = "a cylinder around the z axis, by angle u and height v",
+         .parameters = {radius()},
+         .make = [](const Arguments& a) { return made<Cylinder>(a.number("radius")); },
+         .dimension = 2,
+         .example = R"(
 // Unrolls a vase inside the cylinder.
 camera unrolled_vase {
     map  u = -180deg .. 180deg, v = -1.5 .. 1.5
@@ -189,15 +186,17 @@ camera unrolled_vase {
     look normal(side = back)
 }
 )"},
-        {kind,
-         "torus",
-         "a torus around the z axis, by the angles u around the axis and v around the tube",
-         {positive_parameter("major", 1.0, "distance from the axis to the centre of the tube"),
-          positive_parameter("minor", 1.0, "radius of the tube")},
-         [](const Arguments& a) { return made<Torus>(a.number("major"), a.number("minor")); },
-         {},
-         2,
-         R"(
+        {.kind = kind,
+         .name = "torus",
+         .meaning =
+             "a torus around the z axis, by the angles u around the axis and v around the tube",
+         .parameters = {positive_parameter("major", 1.0,
+                                           "distance from the axis to the centre of the tube"),
+                        positive_parameter("minor", 1.0, "radius of the tube")},
+         .make =
+             [](const Arguments& a) { return made<Torus>(a.number("major"), a.number("minor")); },
+         .dimension = 2,
+         .example = R"(
 // The outer half of a torus: all round and beyond the zenith and the nadir.
 camera ring_outside {
     map  u = 180deg .. -180deg, v = -110deg .. 110deg

@@ -124,10 +124,8 @@ Parameters gammas() {
 
 StageParameter parametrisation(std::string_view name, std::vector<std::string_view> choices,
                                std::string_view meaning) {
-    return {.name = name,
-            .type = ParameterType::choice,
-            .choices = std::move(choices),
-            .meaning = meaning};
+    return {
+        .name = name, .type = ChoiceParameter{.choices = std::move(choices)}, .meaning = meaning};
 }
 
 Parameters by_ellipses() {
@@ -156,14 +154,15 @@ Parameters by_ellipse_and_hyperbola() {
 std::vector<StageEntry> quadrics() {
     const StageKind kind = StageKind::object_generator;
     return {
-        {kind,
-         "ellipsoid",
-         "x^2/a^2 + y^2/b^2 + z^2/c^2 = 1, u around the z axis and v upwards from the equator",
-         half_axes() + by_ellipses_of_quadrics(),
-         make_ellipsoid,
-         {},
-         2,
-         R"(
+        {.kind = kind,
+         .name = "ellipsoid",
+         .meaning =
+             "x^2/a^2 + y^2/b^2 + z^2/c^2 = 1, u around the z axis and v upwards from the equator",
+         .parameters = half_axes() + by_ellipses_of_quadrics(),
+         .make = make_ellipsoid,
+         .dimension = 2,
+         .section = "Quadrics and superquadrics",
+         .example = R"(
 // All round from a flattened dome: the ground and the sky in one picture.
 camera dome {
     map  u = 180deg .. -180deg, v = -80deg .. 80deg
@@ -171,15 +170,16 @@ camera dome {
     look normal
 }
 )"},
-        {kind,
-         "superellipsoid",
-         "product of two superellipses, (|x/a|^e + |y/b|^e)^(f/e) + |z/c|^f = 1 with e = 2/gamma_u "
-         "and f = 2/gamma_v",
-         half_axes() + gammas() + by_ellipses(),
-         make_ellipsoid,
-         {},
-         2,
-         R"(
+        {.kind = kind,
+         .name = "superellipsoid",
+         .meaning = "product of two superellipses, (|x/a|^e + |y/b|^e)^(f/e) + |z/c|^f = 1 with e "
+                    "= 2/gamma_u "
+                    "and f = 2/gamma_v",
+         .parameters = half_axes() + gammas() + by_ellipses(),
+         .make = make_ellipsoid,
+         .dimension = 2,
+         .section = "Quadrics and superquadrics",
+         .example = R"(
 // Nearly a box: each side sees a wall of the surrounding room at right angles.
 camera long_room {
     aspect 4
@@ -188,19 +188,21 @@ camera long_room {
     look normal
 }
 )"},
-        {kind,
-         "hyperboloid_one",
-         "the hyperboloid of one sheet, x^2/a^2 + y^2/b^2 - z^2/c^2 = 1, u around the z axis and v "
-         "along it",
-         half_axes() + by_hyperbolas("by"),
-         [](const Arguments& arguments) {
-             Arguments both = arguments;
-             both.set("by_u", std::string("trigonometric"));
-             return make_hyperboloid_one(both);
-         },
-         {},
-         2,
-         R"(
+        {.kind = kind,
+         .name = "hyperboloid_one",
+         .meaning = "the hyperboloid of one sheet, x^2/a^2 + y^2/b^2 - z^2/c^2 = 1, u around the z "
+                    "axis and v "
+                    "along it",
+         .parameters = half_axes() + by_hyperbolas("by"),
+         .make =
+             [](const Arguments& arguments) {
+                 Arguments both = arguments;
+                 both.set("by_u", std::string("trigonometric"));
+                 return make_hyperboloid_one(both);
+             },
+         .dimension = 2,
+         .section = "Quadrics and superquadrics",
+         .example = R"(
 // From the waist of a cooling tower: downwards at its top, upwards at its base.
 camera cooling_tower {
     map  u = 180deg .. -180deg, v = -1.5 .. 1.5
@@ -208,15 +210,16 @@ camera cooling_tower {
     look normal
 }
 )"},
-        {kind,
-         "superhyperboloid_one",
-         "product of a superellipse and a superhyperbola, (|x/a|^e + |y/b|^e)^(f/e) - |z/c|^f = 1 "
-         "with e = 2/gamma_u and f = 2/gamma_v",
-         half_axes() + gammas() + by_ellipse_and_hyperbola(),
-         make_hyperboloid_one,
-         {},
-         2,
-         R"(
+        {.kind = kind,
+         .name = "superhyperboloid_one",
+         .meaning = "product of a superellipse and a superhyperbola, (|x/a|^e + |y/b|^e)^(f/e) - "
+                    "|z/c|^f = 1 "
+                    "with e = 2/gamma_u and f = 2/gamma_v",
+         .parameters = half_axes() + gammas() + by_ellipse_and_hyperbola(),
+         .make = make_hyperboloid_one,
+         .dimension = 2,
+         .section = "Quadrics and superquadrics",
+         .example = R"(
 // A square tower with a waist: four walls side by side, with a larger view above and below.
 camera square_tower {
     map  u = 180deg .. -180deg, v = -1.5 .. 1.5
@@ -224,14 +227,15 @@ camera square_tower {
     look normal
 }
 )"},
-        {kind,
-         "hyperboloid_two",
-         "the sheet x > 0 of the hyperboloid of two sheets, x^2/a^2 - y^2/b^2 - z^2/c^2 = 1",
-         half_axes() + by_hyperbolas("by"),
-         make_hyperboloid_two,
-         {},
-         2,
-         R"(
+        {.kind = kind,
+         .name = "hyperboloid_two",
+         .meaning =
+             "the sheet x > 0 of the hyperboloid of two sheets, x^2/a^2 - y^2/b^2 - z^2/c^2 = 1",
+         .parameters = half_axes() + by_hyperbolas("by"),
+         .make = make_hyperboloid_two,
+         .dimension = 2,
+         .section = "Quadrics and superquadrics",
+         .example = R"(
 // The view in a convex mirror: wide, and undistorted in the middle.
 camera wide_view {
     map  u = -1.5 .. 1.5, v = -1 .. 1
@@ -240,16 +244,17 @@ camera wide_view {
     move rotate(z, 180deg)
 }
 )"},
-        {kind,
-         "superhyperboloid_two",
-         "product of two superhyperbolas, one sheet: (|x/a|^e - |y/b|^e)^(f/e) - |z/c|^f = 1 with "
-         "e "
-         "= 2/gamma_u and f = 2/gamma_v",
-         half_axes() + gammas() + by_hyperbolas("by"),
-         make_hyperboloid_two,
-         {},
-         2,
-         R"(
+        {.kind = kind,
+         .name = "superhyperboloid_two",
+         .meaning = "product of two superhyperbolas, one sheet: (|x/a|^e - |y/b|^e)^(f/e) - "
+                    "|z/c|^f = 1 with "
+                    "e "
+                    "= 2/gamma_u and f = 2/gamma_v",
+         .parameters = half_axes() + gammas() + by_hyperbolas("by"),
+         .make = make_hyperboloid_two,
+         .dimension = 2,
+         .section = "Quadrics and superquadrics",
+         .example = R"(
 // Enlarges the middle of a wall and keeps its borders in the picture.
 camera wall_of_pictures {
     map  u = -2 .. 2, v = -2 .. 2
@@ -258,15 +263,16 @@ camera wall_of_pictures {
     move rotate(z, 180deg)
 }
 )"},
-        {kind,
-         "toroid",
-         "a torus whose centre line and tube are ellipses, u around the z axis and v around the "
-         "tube",
-         torus_measures() + by_ellipses_of_quadrics(),
-         make_toroid,
-         {},
-         2,
-         R"(
+        {.kind = kind,
+         .name = "toroid",
+         .meaning = "a torus whose centre line and tube are ellipses, u around the z axis and v "
+                    "around the "
+                    "tube",
+         .parameters = torus_measures() + by_ellipses_of_quadrics(),
+         .make = make_toroid,
+         .dimension = 2,
+         .section = "Quadrics and superquadrics",
+         .example = R"(
 // All sides of an oval tube: outwards in the middle of the picture, towards the hole at its edges.
 camera oval_ring {
     map  u = 180deg .. -180deg, v = -180deg .. 180deg
@@ -274,14 +280,14 @@ camera oval_ring {
     look normal
 }
 )"},
-        {kind,
-         "supertoroid",
-         "a torus whose centre line and tube are superellipses",
-         torus_measures() + gammas() + by_ellipses(),
-         make_toroid,
-         {},
-         2,
-         R"(
+        {.kind = kind,
+         .name = "supertoroid",
+         .meaning = "a torus whose centre line and tube are superellipses",
+         .parameters = torus_measures() + gammas() + by_ellipses(),
+         .make = make_toroid,
+         .dimension = 2,
+         .section = "Quadrics and superquadrics",
+         .example = R"(
 // A corridor around a square court, seen from inside and unrolled: outer wall, ceiling, inner
 // wall and floor.
 camera corridor {

@@ -161,30 +161,32 @@ Result<std::shared_ptr<const Stage>> make_sphere(const Arguments& a) {
 }  // namespace
 
 std::vector<StageEntry> spheres() {
-    using enum ParameterType;
     return {
-        {StageKind::object_generator,
-         "sphere",
-         "a sphere, by longitude u and latitude v or by a map projection; u = v = 0 is on the x "
-         "axis",
-         {positive_parameter("radius", 1.0, "the radius"),
-          {.name = "by",
-           .type = choice,
-           .choices = {"latitude", "stereographic", "equal_area", "cylindrical_equal_area",
-                       "mollweide", "cube", "equiangular_cube"},
-           .meaning =
-               "the parametrisation: longitude and latitude; plane coordinates of the "
-               "stereographic projection, the hemisphere within 2; of Lambert's azimuthal "
-               "projection, the "
-               "sphere within 2, the hemisphere within the square root of 2; longitude and "
-               "z/radius; "
-               "Mollweide's ellipse of 2.83 by 1.41; a cube unfolded to a cross of faces that are "
-               "2 wide: the front from -1 to 1, all from u = 5 .. -3 and v = -3 .. 3, flat or in "
-               "equal angles"}},
-         make_sphere,
-         {},
-         2,
-         R"(
+        {.kind = StageKind::object_generator,
+         .name = "sphere",
+         .meaning = "a sphere, by longitude u and latitude v or by a map projection; u = v = 0 is "
+                    "on the x "
+                    "axis",
+         .parameters =
+             {positive_parameter("radius", 1.0, "the radius"),
+              {.name = "by",
+               .type = ChoiceParameter{.choices = {"latitude", "stereographic", "equal_area",
+                                                   "cylindrical_equal_area", "mollweide", "cube",
+                                                   "equiangular_cube"}},
+               .meaning =
+                   "the parametrisation: longitude and latitude; plane coordinates of the "
+                   "stereographic projection, the hemisphere within 2; of Lambert's azimuthal "
+                   "projection, the "
+                   "sphere within 2, the hemisphere within the square root of 2; longitude and "
+                   "z/radius; "
+                   "Mollweide's ellipse of 2.83 by 1.41; a cube unfolded to a cross of faces that "
+                   "are "
+                   "2 wide: the front from -1 to 1, all from u = 5 .. -3 and v = -3 .. 3, flat or "
+                   "in "
+                   "equal angles"}},
+         .make = make_sphere,
+         .dimension = 2,
+         .example = R"(
 // A cube map in one picture: four walls in a row, ceiling and floor above and below the front.
 camera cube_map {
     aspect 4/3

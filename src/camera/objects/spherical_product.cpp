@@ -7,6 +7,7 @@
 #include "camera/objects/spherical_product.hpp"
 
 #include "camera/families.hpp"
+#include "camera/stage_parameters.hpp"
 
 namespace balcony::camera {
 
@@ -47,14 +48,13 @@ ObjectGeneratorPointer spherical_product_of(ObjectGeneratorPointer g, ObjectGene
 }
 
 std::vector<StageEntry> spherical_product() {
-    using enum ParameterType;
     return {
-        {StageKind::object_generator,
-         "product",
-         "spherical product (g1 h1, g2 h1, h2) of two plane curves g(u) and h(v)",
-         {{.name = "g", .type = curve, .meaning = "the horizontal cross-section, a curve in u"},
-          {.name = "h", .type = curve, .meaning = "the vertical cross-section, a curve in v"}},
-         [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
+        {.kind = StageKind::object_generator,
+         .name = "product",
+         .meaning = "spherical product (g1 h1, g2 h1, h2) of two plane curves g(u) and h(v)",
+         .parameters = {curve_parameter("g", "the horizontal cross-section, a curve in u"),
+                        curve_parameter("h", "the vertical cross-section, a curve in v")},
+         .make = [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
              for (const char* factor : {"g", "h"}) {
                  if (!lies_in_xy_plane(*a.curve(factor))) {
                      return error("factor " + std::string(factor) +
@@ -64,9 +64,9 @@ std::vector<StageEntry> spherical_product() {
              }
              return made<SphericalProduct>(a.curve("g"), a.curve("h"));
          },
-         {},
-         2,
-         R"(
+         .dimension = 2,
+         .section = "Quadrics and superquadrics",
+         .example = R"(
 // A long room unfolded: walls, ceiling and floor, from the product of two superellipses.
 camera room(a = 45, b = 25, c = 25, gamma = 1/4) {
     aspect 4

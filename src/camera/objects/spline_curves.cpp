@@ -241,8 +241,7 @@ Made make_nurbs_curve(const Arguments& a) {
 StageParameter spacing_parameter(std::vector<std::string_view> choices) {
     return {
         .name = "spacing",
-        .type = ParameterType::choice,
-        .choices = std::move(choices),
+        .type = ChoiceParameter{.choices = std::move(choices)},
         .meaning =
             "the range of u between two points: the same for all "
             "(uniform), proportional to their distance (chordal) or its square root (centripetal)"};
@@ -250,9 +249,8 @@ StageParameter spacing_parameter(std::vector<std::string_view> choices) {
 
 StageParameter tangent_parameter(std::string_view name, std::string_view meaning) {
     return {.name = name,
-            .type = ParameterType::triple,
+            .type = TripleParameter{.constant = true},
             .optional = true,
-            .constant = true,
             .meaning = meaning};
 }
 
@@ -273,44 +271,45 @@ std::vector<StageParameter> interpolating_parameters() {
 std::vector<StageEntry> spline_curves() {
     const StageKind kind = StageKind::object_generator;
     return {
-        {kind,
-         "polyline",
-         "straight lines from point to point, for u from 0 to 1",
-         {points_parameter({2, 3}, 2, "the corners, in sequence"),
-          spacing_parameter({"chordal", "uniform", "centripetal"}),
-          closed_parameter("closed", "whether the curve returns to the first point")},
-         make_polyline,
-         {},
-         1,
-         R"(// A room whose plan is given corner by corner.
+        {.kind = kind,
+         .name = "polyline",
+         .meaning = "straight lines from point to point, for u from 0 to 1",
+         .parameters = {points_parameter({2, 3}, 2, "the corners, in sequence"),
+                        spacing_parameter({"chordal", "uniform", "centripetal"}),
+                        closed_parameter("closed", "whether the curve returns to the first point")},
+         .make = make_polyline,
+         .dimension = 1,
+         .section = "General curves",
+         .example = R"(// A room whose plan is given corner by corner.
 camera angular_room {
     map  u = 1 .. 0, v = -40deg .. 40deg
     eye  product(polyline([(2, 0), (0.6, 1.2), (-2, 1), (-1.2, -1), (1, -1.2)], closed = yes),
                  circle)
     look normal
 })"},
-        {kind,
-         "catmull_rom",
-         "a smooth curve through points, with tangents from neighbouring points, for u from 0 to 1",
-         interpolating_parameters(),
-         make_interpolating<Interpolation::catmull_rom>,
-         {},
-         1,
-         R"(// A vase from the points of its outline.
+        {.kind = kind,
+         .name = "catmull_rom",
+         .meaning = "a smooth curve through points, with tangents from neighbouring points, for u "
+                    "from 0 to 1",
+         .parameters = interpolating_parameters(),
+         .make = make_interpolating<Interpolation::catmull_rom>,
+         .dimension = 1,
+         .section = "General curves",
+         .example = R"(// A vase from the points of its outline.
 camera vase {
     aspect 1
     map  u = 180deg .. -180deg, v = 0 .. 1
     eye  product(circle, catmull_rom([(0.5, -1.2), (0.9, -0.5), (0.8, 0.2), (0.3, 0.8), (0.5, 1.2)]))
     look normal
 })"},
-        {kind,
-         "natural_spline",
-         "the cubic spline through points, with continuous curvature, for u from 0 to 1",
-         interpolating_parameters(),
-         make_interpolating<Interpolation::natural>,
-         {},
-         1,
-         R"(// A tower on a plan with rounded corners.
+        {.kind = kind,
+         .name = "natural_spline",
+         .meaning = "the cubic spline through points, with continuous curvature, for u from 0 to 1",
+         .parameters = interpolating_parameters(),
+         .make = make_interpolating<Interpolation::natural>,
+         .dimension = 1,
+         .section = "General curves",
+         .example = R"(// A tower on a plan with rounded corners.
 camera soft_tower {
     aspect 3
     map  u = 1 .. 0, v = -0.6 .. 0.6
@@ -319,55 +318,58 @@ camera soft_tower {
                  curve(v) = [1 + v^2/2, v])
     look normal
 })"},
-        {kind,
-         "hermite",
-         "cubic segments between points with given tangents, for u from 0 to 1",
-         {points_parameter({2, 3}, 2, "the points on the curve, in sequence"),
-          {.name = "tangents",
-           .type = ParameterType::points,
-           .coordinates = {2, 3},
-           .min_points = 2,
-           .meaning = "the tangent at each point; its length is that of a segment at this speed"},
-          closed_parameter("closed", "whether the curve returns to the first point")},
-         make_hermite,
-         {},
-         1,
-         R"(// A wall that leaves the line of sight and returns to it.
+        {.kind = kind,
+         .name = "hermite",
+         .meaning = "cubic segments between points with given tangents, for u from 0 to 1",
+         .parameters =
+             {points_parameter({2, 3}, 2, "the points on the curve, in sequence"),
+              {.name = "tangents",
+               .type = PointsParameter{.coordinates = {2, 3}, .min_points = 2},
+               .meaning =
+                   "the tangent at each point; its length is that of a segment at this speed"},
+              closed_parameter("closed", "whether the curve returns to the first point")},
+         .make = make_hermite,
+         .dimension = 1,
+         .section = "General curves",
+         .example = R"(// A wall that leaves the line of sight and returns to it.
 camera swerving_wall {
     map  u = 1 .. 0, v = -40deg .. 40deg
     eye  product(hermite([(1, -2), (1.5, 0), (1, 2)], tangents = [(0, 2), (1, 1.5), (0, 2)]),
                  circle)
     look normal
 })"},
-        {kind,
-         "bezier",
-         "a Bézier curve, which starts at its first point and ends at its last, for u from 0 to 1",
-         {points_parameter({2, 3}, 2, "the control points, at most 8 for each piece"),
-          optional_degree_parameter("degree of each piece; by default there is one piece"),
-          closed_parameter("closed", "whether the last piece ends with the first point")},
-         make_bezier_curve,
-         {},
-         1,
-         R"(// A fan vault: rays leave a quarter arch rotated around the z axis.
+        {.kind = kind,
+         .name = "bezier",
+         .meaning = "a Bézier curve, which starts at its first point and ends at its last, for u "
+                    "from 0 to 1",
+         .parameters =
+             {points_parameter({2, 3}, 2, "the control points, at most 8 for each piece"),
+              optional_degree_parameter("degree of each piece; by default there is one piece"),
+              closed_parameter("closed", "whether the last piece ends with the first point")},
+         .make = make_bezier_curve,
+         .dimension = 1,
+         .section = "General curves",
+         .example = R"(// A fan vault: rays leave a quarter arch rotated around the z axis.
 camera vault {
     map  u = 70deg .. -70deg, v = 0 .. 1
     eye  product(circle, bezier([(3, 0), (3, 1.6), (2, 2), (0.5, 2.2)]))
     look normal
 })"},
-        {kind,
-         "bspline",
-         "a B-spline curve, which approximates its points, for u from 0 to 1",
-         {points_parameter({2, 3}, 2, "the control points"),
-          optional_degree_parameter(
-              "degree of its pieces; by default 3, or the number of points minus 1"),
-          ends_parameter(
-              "ends",
-              "clamped starts and ends at the end points, open does not reach them, closed "
-              "is periodic")},
-         make_bspline_curve,
-         {},
-         1,
-         R"(// All round from a plan shaped like a cloverleaf.
+        {.kind = kind,
+         .name = "bspline",
+         .meaning = "a B-spline curve, which approximates its points, for u from 0 to 1",
+         .parameters =
+             {points_parameter({2, 3}, 2, "the control points"),
+              optional_degree_parameter(
+                  "degree of its pieces; by default 3, or the number of points minus 1"),
+              ends_parameter(
+                  "ends",
+                  "clamped starts and ends at the end points, open does not reach them, closed "
+                  "is periodic")},
+         .make = make_bspline_curve,
+         .dimension = 1,
+         .section = "General curves",
+         .example = R"(// All round from a plan shaped like a cloverleaf.
 camera clover {
     aspect 3
     map  u = 1 .. 0, v = -30deg .. 30deg
@@ -376,22 +378,25 @@ camera clover {
                  circle)
     look normal
 })"},
-        {kind,
-         "nurbs",
-         "a rational B-spline curve, which can represent conics exactly, for u from 0 to 1",
-         {points_parameter({2, 3, 4}, 2, "the control points; a fourth coordinate is the weight"),
-          weights_parameter(),
-          optional_degree_parameter(
-              "degree of its pieces; by default 3, or the number of points minus 1"),
-          ends_parameter(
-              "ends",
-              "clamped starts and ends at the end points, open does not reach them, closed "
-              "is periodic; given knots override this"),
-          knots_parameter("knots")},
-         make_nurbs_curve,
-         {},
-         1,
-         R"(// An exact half circle, revolved to a globe.
+        {.kind = kind,
+         .name = "nurbs",
+         .meaning =
+             "a rational B-spline curve, which can represent conics exactly, for u from 0 to 1",
+         .parameters =
+             {points_parameter({2, 3, 4}, 2,
+                               "the control points; a fourth coordinate is the weight"),
+              weights_parameter(),
+              optional_degree_parameter(
+                  "degree of its pieces; by default 3, or the number of points minus 1"),
+              ends_parameter(
+                  "ends",
+                  "clamped starts and ends at the end points, open does not reach them, closed "
+                  "is periodic; given knots override this"),
+              knots_parameter("knots")},
+         .make = make_nurbs_curve,
+         .dimension = 1,
+         .section = "General curves",
+         .example = R"(// An exact half circle, revolved to a globe.
 camera globe {
     map  u = 180deg .. -180deg, v = 0 .. 1
     eye  product(circle,

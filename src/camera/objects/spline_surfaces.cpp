@@ -189,9 +189,7 @@ std::vector<StageParameter> net_parameters(std::vector<std::size_t> coordinates,
                                            std::string_view meaning) {
     return {points_parameter(std::move(coordinates), 4, meaning),
             {.name = "columns",
-             .type = ParameterType::count,
-             .minimum = 2.0,
-             .maximum = 65536.0,
+             .type = CountParameter{.range = {.minimum = 2.0, .maximum = 65536.0}},
              .meaning = "number of points per row, along u"}};
 }
 
@@ -212,10 +210,12 @@ constexpr std::string_view bspline_ends =
 std::vector<StageEntry> spline_surfaces() {
     const StageKind kind = StageKind::object_generator;
     return {
-        {kind,
-         "bezier_patch",
-         "a Bézier surface, which interpolates the corners of its net, for u and v from 0 to 1",
-         net_parameters({3}, "the control points, row by row; at most 8 per side of a piece") +
+        {.kind = kind,
+         .name = "bezier_patch",
+         .meaning =
+             "a Bézier surface, which interpolates the corners of its net, for u and v from 0 to 1",
+         .parameters =
+             net_parameters({3}, "the control points, row by row; at most 8 per side of a piece") +
              std::vector{
                  optional_degree_parameter(
                      "degree of each piece along u; by default there is one piece", "degree_u"),
@@ -223,10 +223,10 @@ std::vector<StageEntry> spline_surfaces() {
                      "degree of each piece along v; by default there is one piece", "degree_v"),
                  closed_parameter("closed_u", "whether rows end with their first point"),
                  closed_parameter("closed_v", "whether the last row is followed by the first")},
-         make_bezier_patch,
-         {},
-         2,
-         R"(// A sail in the wind: rays leave it along its normals.
+         .make = make_bezier_patch,
+         .dimension = 2,
+         .section = "Free-form surfaces",
+         .example = R"(// A sail in the wind: rays leave it along its normals.
 camera sail {
     aspect 1
     map  u = 1 .. 0, v = 0 .. 1
@@ -235,18 +235,18 @@ camera sail {
                        (0, -0.6, 1), (1.5, -0.2, 1.4), (1, 0.2, 1.6), (0, 0.5, 2)], columns = 4)
     look normal
 })"},
-        {kind,
-         "bspline_patch",
-         "a B-spline surface, which approximates its net, for u and v from 0 to 1",
-         net_parameters({3}, "the control points, row by row") +
-             std::vector{optional_degree_parameter(bspline_degree, "degree_u"),
-                         optional_degree_parameter(bspline_degree, "degree_v"),
-                         ends_parameter("ends_u", bspline_ends),
-                         ends_parameter("ends_v", bspline_ends)},
-         make_bspline_patch,
-         {},
-         2,
-         R"(// A leaning tube of varying width, seen from its axis outwards.
+        {.kind = kind,
+         .name = "bspline_patch",
+         .meaning = "a B-spline surface, which approximates its net, for u and v from 0 to 1",
+         .parameters = net_parameters({3}, "the control points, row by row") +
+                       std::vector{optional_degree_parameter(bspline_degree, "degree_u"),
+                                   optional_degree_parameter(bspline_degree, "degree_v"),
+                                   ends_parameter("ends_u", bspline_ends),
+                                   ends_parameter("ends_v", bspline_ends)},
+         .make = make_bspline_patch,
+         .dimension = 2,
+         .section = "Free-form surfaces",
+         .example = R"(// A leaning tube of varying width, seen from its axis outwards.
 camera leaning_tube {
     aspect 3
     map  u = 1 .. 0, v = 0 .. 1
@@ -257,22 +257,24 @@ camera leaning_tube {
                        columns = 4, ends_u = closed)
     look normal
 })"},
-        {kind,
-         "nurbs_patch",
-         "a rational B-spline surface, which can represent quadrics exactly, for u and v from 0 to "
-         "1",
-         net_parameters({3, 4},
-                        "the control points, row by row; a fourth coordinate is the "
-                        "weight") +
+        {.kind = kind,
+         .name = "nurbs_patch",
+         .meaning = "a rational B-spline surface, which can represent quadrics exactly, for u and "
+                    "v from 0 to "
+                    "1",
+         .parameters =
+             net_parameters({3, 4},
+                            "the control points, row by row; a fourth coordinate is the "
+                            "weight") +
              std::vector{weights_parameter(), optional_degree_parameter(bspline_degree, "degree_u"),
                          optional_degree_parameter(bspline_degree, "degree_v"),
                          ends_parameter("ends_u", bspline_ends),
                          ends_parameter("ends_v", bspline_ends), knots_parameter("knots_u"),
                          knots_parameter("knots_v")},
-         make_nurbs_patch,
-         {},
-         2,
-         R"(// An exact quarter cylinder, bent back at its upper end.
+         .make = make_nurbs_patch,
+         .dimension = 2,
+         .section = "Free-form surfaces",
+         .example = R"(// An exact quarter cylinder, bent back at its upper end.
 camera apse {
     let w = sqrt(1/2)
     map  u = 1 .. 0, v = 0 .. 1
@@ -282,25 +284,26 @@ camera apse {
                      columns = 3, degree_u = 2, degree_v = 2)
     look normal
 })"},
-        {kind,
-         "interpolating_patch",
-         "a smooth surface through the points of a net, for u and v from 0 to 1",
-         net_parameters({3},
-                        "the points on the surface, row by row, evenly spaced "
-                        "in u and v") +
+        {.kind = kind,
+         .name = "interpolating_patch",
+         .meaning = "a smooth surface through the points of a net, for u and v from 0 to 1",
+         .parameters =
+             net_parameters({3},
+                            "the points on the surface, row by row, evenly spaced "
+                            "in u and v") +
              std::vector{
                  StageParameter{.name = "by",
-                                .type = ParameterType::choice,
-                                .choices = {"catmull_rom", "natural"},
+                                .type = ChoiceParameter{.choices = {"catmull_rom", "natural"}},
                                 .meaning =
                                     "tangents from the neighbours, which limits the influence "
                                     "of a point to its surroundings, or continuous curvature"},
                  closed_parameter("closed_u", "whether rows return to their first point"),
                  closed_parameter("closed_v", "whether the last row is followed by the first")},
-         make_interpolating_patch,
-         {},
-         2,
-         R"(// A wall with a bulge, from which rays spread: it shows a larger region at a smaller scale.
+         .make = make_interpolating_patch,
+         .dimension = 2,
+         .section = "Free-form surfaces",
+         .example =
+             R"(// A wall with a bulge, from which rays spread: it shows a larger region at a smaller scale.
 camera swelling_wall {
     map  u = 1 .. 0, v = 0 .. 1
     eye  interpolating_patch([(0, -2, -1), (0, -1, -1),  (0, 0, -1),  (0, 1, -1),  (0, 2, -1),

@@ -134,33 +134,32 @@ std::vector<StageParameter> half_widths() {
 }  // namespace
 
 std::vector<StageEntry> surface_primitives() {
-    using enum ParameterType;
     const StageKind kind = StageKind::object_generator;
     std::vector<StageParameter> paraboloid_parameters = half_widths();
     paraboloid_parameters.push_back(
         {.name = "by",
-         .type = choice,
-         .choices = {"polar", "cartesian"},
+         .type = ChoiceParameter{.choices = {"polar", "cartesian"}},
          .meaning = "the parametrisation: u is the angle and v the root of z, front outside; or u "
                     "is x/a and v is y/b, front inside"});
     return {
-        {kind,
-         "disc",
-         "a disc around the z axis in the plane z = 0, whose front faces up",
-         {positive_parameter("radius", 1.0, "the radius"),
-          {.name = "by",
-           .type = choice,
-           .choices = {"polar", "concentric"},
-           .meaning =
-               "the parametrisation: u is the angle and v the distance from the centre, 1 "
-               "at the rim; or the square of u and v from -1 to 1, with relative areas preserved"}},
-         [](const Arguments& a) {
-             return a.choice("by") == "polar" ? made<Ring>(0.0, a.number("radius"))
-                                              : made<ConcentricDisc>(a.number("radius"));
-         },
-         {},
-         2,
-         R"(
+        {.kind = kind,
+         .name = "disc",
+         .meaning = "a disc around the z axis in the plane z = 0, whose front faces up",
+         .parameters =
+             {positive_parameter("radius", 1.0, "the radius"),
+              {.name = "by",
+               .type = ChoiceParameter{.choices = {"polar", "concentric"}},
+               .meaning =
+                   "the parametrisation: u is the angle and v the distance from the centre, 1 "
+                   "at the rim; or the square of u and v from -1 to 1, with relative areas "
+                   "preserved"}},
+         .make =
+             [](const Arguments& a) {
+                 return a.choice("by") == "polar" ? made<Ring>(0.0, a.number("radius"))
+                                                  : made<ConcentricDisc>(a.number("radius"));
+             },
+         .dimension = 2,
+         .example = R"(
 // The view down through a round window, from its centre at the lower edge to its rim at the upper.
 camera round_window(radius = 2) {
     map  u = 180deg .. -180deg, v = 0 .. 1
@@ -168,19 +167,19 @@ camera round_window(radius = 2) {
     look normal(side = back)
 }
 )"},
-        {kind,
-         "ring",
-         "the part of the plane z = 0 between two circles around the z axis, whose front faces up; "
-         "u is the angle, v runs from 0 at the inner to 1 at the outer circle",
-         {{.name = "inner",
-           .default_value = {0.5},
-           .minimum = 0.0,
-           .meaning = "radius of the inner circle"},
-          positive_parameter("outer", 1.0, "radius of the outer circle")},
-         [](const Arguments& a) { return made<Ring>(a.number("inner"), a.number("outer")); },
-         {},
-         2,
-         R"(
+        {.kind = kind,
+         .name = "ring",
+         .meaning = "the part of the plane z = 0 between two circles around the z axis, whose "
+                    "front faces up; "
+                    "u is the angle, v runs from 0 at the inner to 1 at the outer circle",
+         .parameters = {{.name = "inner",
+                         .type = NumberParameter{.default_value = 0.5, .range = {.minimum = 0.0}},
+                         .meaning = "radius of the inner circle"},
+                        positive_parameter("outer", 1.0, "radius of the outer circle")},
+         .make =
+             [](const Arguments& a) { return made<Ring>(a.number("inner"), a.number("outer")); },
+         .dimension = 2,
+         .example = R"(
 // A ring of seats, unrolled and seen from above: the stage is at the bottom, the last row on top.
 camera arena {
     aspect 4
@@ -190,21 +189,24 @@ camera arena {
     move translate(0, 0, 3)
 }
 )"},
-        {kind,
-         "cone",
-         "a cone or a frustum around the z axis, by angle u and height v; ends at its apex",
-         {{.name = "radius",
-           .default_value = {1.0},
-           .minimum = 0.0,
-           .meaning = "radius at height 0"},
-          {.name = "top", .default_value = {0.0}, .minimum = 0.0, .meaning = "radius at `height`"},
-          positive_parameter("height", 1.0, "the height at which the radius is `top`")},
-         [](const Arguments& a) {
-             return made<Cone>(a.number("radius"), a.number("top"), a.number("height"));
-         },
-         {},
-         2,
-         R"(
+        {.kind = kind,
+         .name = "cone",
+         .meaning =
+             "a cone or a frustum around the z axis, by angle u and height v; ends at its apex",
+         .parameters = {{.name = "radius",
+                         .type = NumberParameter{.default_value = 1.0, .range = {.minimum = 0.0}},
+                         .meaning = "radius at height 0"},
+                        {.name = "top",
+                         .type = NumberParameter{.default_value = 0.0, .range = {.minimum = 0.0}},
+                         .meaning = "radius at `height`"},
+                        positive_parameter("height", 1.0,
+                                           "the height at which the radius is `top`")},
+         .make =
+             [](const Arguments& a) {
+                 return made<Cone>(a.number("radius"), a.number("top"), a.number("height"));
+             },
+         .dimension = 2,
+         .example = R"(
 // Looks out of a pointed roof all round, upwards according to the slope of its sides.
 camera roof {
     map  u = 180deg .. -180deg, v = 0 .. 1.8
@@ -212,17 +214,17 @@ camera roof {
     look normal
 }
 )"},
-        {kind,
-         "paraboloid",
-         "the elliptic paraboloid z = x^2/a^2 + y^2/b^2",
-         std::move(paraboloid_parameters),
-         [](const Arguments& a) {
-             return a.choice("by") == "polar" ? made<PolarParaboloid>(axes_of(a))
-                                              : made<CartesianParaboloid>(axes_of(a), 1.0);
-         },
-         {},
-         2,
-         R"(
+        {.kind = kind,
+         .name = "paraboloid",
+         .meaning = "the elliptic paraboloid z = x^2/a^2 + y^2/b^2",
+         .parameters = std::move(paraboloid_parameters),
+         .make =
+             [](const Arguments& a) {
+                 return a.choice("by") == "polar" ? made<PolarParaboloid>(axes_of(a))
+                                                  : made<CartesianParaboloid>(axes_of(a), 1.0);
+             },
+         .dimension = 2,
+         .example = R"(
 // The outside of a headlight's reflector: undistorted in the middle, compressed at the border.
 camera headlight {
     map  u = -2 .. 2, v = square
@@ -231,14 +233,13 @@ camera headlight {
     move rotate(z, -90deg), rotate(y, -90deg)
 }
 )"},
-        {kind,
-         "hyperbolic_paraboloid",
-         "the saddle z = x^2/a^2 - y^2/b^2 by u = x/a and v = y/b, whose front faces up",
-         half_widths(),
-         [](const Arguments& a) { return made<CartesianParaboloid>(axes_of(a), -1.0); },
-         {},
-         2,
-         R"(
+        {.kind = kind,
+         .name = "hyperbolic_paraboloid",
+         .meaning = "the saddle z = x^2/a^2 - y^2/b^2 by u = x/a and v = y/b, whose front faces up",
+         .parameters = half_widths(),
+         .make = [](const Arguments& a) { return made<CartesianParaboloid>(axes_of(a), -1.0); },
+         .dimension = 2,
+         .example = R"(
 // The normals of a saddle converge in one direction and diverge in the other. Where rays have
 // crossed, the picture is mirrored in one direction.
 camera saddle {
@@ -247,24 +248,22 @@ camera saddle {
     look normal
 }
 )"},
-        {kind,
-         "mobius_band",
-         "a twisted band around the z axis, by the angle u and the distance v "
-         "from its centre circle",
-         {positive_parameter("radius", 1.0, "radius of its centre circle"),
-          {.name = "half_turns",
-           .type = count,
-           .default_value = {1.0},
-           .minimum = 0.0,
-           .maximum = 1000.0,
-           .meaning =
-               "number of half turns per revolution: with an odd number, the band is one-sided"}},
-         [](const Arguments& a) {
-             return made<MobiusBand>(a.number("radius"), a.count("half_turns"));
-         },
-         {},
-         2,
-         R"(
+        {.kind = kind,
+         .name = "mobius_band",
+         .meaning = "a twisted band around the z axis, by the angle u and the distance v "
+                    "from its centre circle",
+         .parameters = {positive_parameter("radius", 1.0, "radius of its centre circle"),
+                        {.name = "half_turns",
+                         .type = CountParameter{.default_value = 1.0,
+                                                .range = {.minimum = 0.0, .maximum = 1000.0}},
+                         .meaning = "number of half turns per revolution: with an odd number, the "
+                                    "band is one-sided"}},
+         .make =
+             [](const Arguments& a) {
+                 return made<MobiusBand>(a.number("radius"), a.count("half_turns"));
+             },
+         .dimension = 2,
+         .example = R"(
 // Twice around a one-sided band: the second half of the picture looks in the opposite directions
 // of the first half.
 camera both_sides {

@@ -135,52 +135,51 @@ Result<std::shared_ptr<const Stage>> make_sweep(const Arguments& a) {
 }  // namespace
 
 std::vector<StageEntry> sweeps() {
-    using enum ParameterType;
     return {
-        {StageKind::object_generator,
-         "sweep",
-         "a curve, the profile, swept along another, the path: u is the path's own parameter, v "
-         "that of the profile",
-         {{.name = "profile",
-           .type = curve,
-           .meaning = "the profile; its x axis points to the right and its y axis up, as seen "
-                      "along the path"},
-          {.name = "path", .type = curve, .meaning = "the path; it cannot change with time"},
-          {.name = "from",
-           .unit = Unit::parameter,
-           .default_value = {0.0},
-           .constant = true,
-           .meaning = "the path's parameter at the start"},
-          {.name = "to",
-           .unit = Unit::parameter,
-           .default_value = {1.0},
-           .constant = true,
-           .meaning = "the path's parameter at the end; a path that is closed there is periodic"},
-          {.name = "twist",
-           .unit = Unit::angle,
-           .default_value = {0.0},
-           .meaning = "rotation of the profile along the path, counter-clockwise as seen along it"},
-          {.name = "scale",
-           .type = formula,
-           .shape = {1, 1, 2},
-           .optional = true,
-           .meaning = "size of the profile: scale(s) = [k], or [k, l] in x and y, with s from "
-                      "0 to 1 along the path"},
-          {.name = "frame",
-           .type = choice,
-           .choices = {"rotation_minimising", "upright"},
-           .meaning =
-               "orientation of the profile: without rotation about the path, or with its y axis as "
-               "close to up as possible"},
-          {.name = "up",
-           .type = axis,
-           .default_value = {0.0, 0.0, 1.0},
-           .constant = true,
-           .meaning = "direction of the profile's y axis: at the start, or everywhere"}},
-         make_sweep,
-         {},
-         2,
-         R"(// Outwards from a tube that winds through space, from its last bend to its first.
+        {.kind = StageKind::object_generator,
+         .name = "sweep",
+         .meaning = "a curve, the profile, swept along another, the path: u is the path's own "
+                    "parameter, v "
+                    "that of the profile",
+         .parameters =
+             {curve_parameter(
+                  "profile",
+                  "the profile; its x axis points to the right and its y axis up, as seen "
+                  "along the path"),
+              curve_parameter("path", "the path; it cannot change with time"),
+              {.name = "from",
+               .type =
+                   NumberParameter{.unit = Unit::parameter, .default_value = 0.0, .constant = true},
+               .meaning = "the path's parameter at the start"},
+              {.name = "to",
+               .type =
+                   NumberParameter{.unit = Unit::parameter, .default_value = 1.0, .constant = true},
+               .meaning =
+                   "the path's parameter at the end; a path that is closed there is periodic"},
+              {.name = "twist",
+               .type = NumberParameter{.unit = Unit::angle, .default_value = 0.0},
+               .meaning =
+                   "rotation of the profile along the path, counter-clockwise as seen along it"},
+              {.name = "scale",
+               .type = FormulaParameter{.shape = {1, 1, 2}},
+               .optional = true,
+               .meaning = "size of the profile: scale(s) = [k], or [k, l] in x and y, with s from "
+                          "0 to 1 along the path"},
+              {.name = "frame",
+               .type = ChoiceParameter{.choices = {"rotation_minimising", "upright"}},
+               .meaning = "orientation of the profile: without rotation about the path, or with "
+                          "its y axis as "
+                          "close to up as possible"},
+              {.name = "up",
+               .type = TripleParameter{.default_value = std::array{0.0, 0.0, 1.0},
+                                       .constant = true,
+                                       .names_axes = true},
+               .meaning = "direction of the profile's y axis: at the start, or everywhere"}},
+         .make = make_sweep,
+         .dimension = 2,
+         .section = "Sweeps",
+         .example =
+             R"(// Outwards from a tube that winds through space, from its last bend to its first.
 camera winding_tube {
     map  u = 0.98 .. 0.02, v = -180deg .. 180deg
     eye  sweep(circle(0.4), natural_spline([(-4, -3, 0), (-2, 2, 1), (0, 0, -1), (2, -2, 1), (4, 3, 0)]),

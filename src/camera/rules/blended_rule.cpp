@@ -71,40 +71,37 @@ class SphericallyBlendedRule final : public BlendedRule {
 }  // namespace
 
 std::vector<StageEntry> blended_rule() {
-    using enum ParameterType;
     const auto rule = [](std::string_view name, std::string_view meaning) {
         return StageParameter{.name = name,
-                              .type = stage,
-                              .stage_kind = StageKind::direction_rule,
+                              .type = NestedStageParameter{.kind = StageKind::direction_rule},
                               .meaning = meaning};
     };
     return {
-        {StageKind::direction_rule,
-         "blend",
-         "interpolates two rules by a formula of the eye object's parameters",
-         {rule("first", "the rule where the weight is 0"),
-          rule("second", "the rule where the weight is 1"),
-          {.name = "weight",
-           .type = formula,
-           .shape = {2, 1, 1},
-           .meaning = "weight(u, v) = [w]; below 0 and above 1 the directions are extrapolated"},
-          {.name = "by",
-           .type = choice,
-           .choices = {"mixing", "angle"},
-           .meaning =
-               "the sum (1 - w) first + w second of unit vectors, or a rotation from the first "
-               "to the second by w times the angle between them (no ray where they are "
-               "opposite)"}},
-         [](const Arguments& a) {
-             const auto first = a.stage<DirectionRule>("first");
-             const auto second = a.stage<DirectionRule>("second");
-             return a.choice("by") == "mixing"
-                        ? made<LinearlyBlendedRule>(first, second, a.formula("weight"))
-                        : made<SphericallyBlendedRule>(first, second, a.formula("weight"));
-         },
-         {},
-         0,
-         R"(
+        {.kind = StageKind::direction_rule,
+         .name = "blend",
+         .meaning = "interpolates two rules by a formula of the eye object's parameters",
+         .parameters =
+             {rule("first", "the rule where the weight is 0"),
+              rule("second", "the rule where the weight is 1"),
+              {.name = "weight",
+               .type = FormulaParameter{.shape = {2, 1, 1}},
+               .meaning =
+                   "weight(u, v) = [w]; below 0 and above 1 the directions are extrapolated"},
+              {.name = "by",
+               .type = ChoiceParameter{.choices = {"mixing", "angle"}},
+               .meaning =
+                   "the sum (1 - w) first + w second of unit vectors, or a rotation from the first "
+                   "to the second by w times the angle between them (no ray where they are "
+                   "opposite)"}},
+         .make =
+             [](const Arguments& a) {
+                 const auto first = a.stage<DirectionRule>("first");
+                 const auto second = a.stage<DirectionRule>("second");
+                 return a.choice("by") == "mixing"
+                            ? made<LinearlyBlendedRule>(first, second, a.formula("weight"))
+                            : made<SphericallyBlendedRule>(first, second, a.formula("weight"));
+             },
+         .example = R"(
 // Perspective in the middle, and the walls at right angles at both sides.
 camera half_perspective {
     map    u = 2 .. -2, v = square

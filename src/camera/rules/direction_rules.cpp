@@ -70,17 +70,13 @@ Result<std::shared_ptr<const Stage>> make_fixed_rule(const Arguments& a) {
 }  // namespace
 
 std::vector<StageEntry> direction_rules() {
-    using enum ParameterType;
     const StageKind kind = StageKind::direction_rule;
     return {
-        {kind,
-         "absolute",
-         "from the direction object's own origin to its point",
-         {},
-         [](const Arguments&) { return made<AbsoluteRule>(); },
-         {},
-         0,
-         R"(
+        {.kind = kind,
+         .name = "absolute",
+         .meaning = "from the direction object's own origin to its point",
+         .make = [](const Arguments&) { return made<AbsoluteRule>(); },
+         .example = R"(
 // The directions of a panorama from points along a street: each column from one step further.
 camera walking_panorama {
     map    u = 120deg .. -120deg, v = -45deg .. 45deg
@@ -89,14 +85,11 @@ camera walking_panorama {
     look   absolute
 }
 )"},
-        {kind,
-         "relative",
-         "from the eye point to the point of the direction object",
-         {},
-         [](const Arguments&) { return made<RelativeRule>(); },
-         {},
-         0,
-         R"(
+        {.kind = kind,
+         .name = "relative",
+         .meaning = "from the eye point to the point of the direction object",
+         .make = [](const Arguments&) { return made<RelativeRule>(); },
+         .example = R"(
 // Perspective projection: all rays start at one point and pass through a plane.
 camera perspective {
     map    u = 0.6 .. -0.6, v = square
@@ -105,25 +98,22 @@ camera perspective {
     look   relative
 }
 )"},
-        {kind,
-         "tangent",
-         "along a tangent of the eye object",
-         {{.name = "along",
-           .type = choice,
-           .choices = {"u", "v"},
-           .meaning = "the increasing parameter: u or, for a surface, v"},
-          {.name = "sense",
-           .type = choice,
-           .choices = {"forward", "backward"},
-           .meaning = "in the direction of the point's motion, or opposite to it"}},
-         [](const Arguments& a) {
-             using enum TangentRule::Parameter;
-             return made<TangentRule>(a.choice("along") == "u" ? u : v,
-                                      a.choice("sense") == "backward");
-         },
-         {},
-         0,
-         R"(
+        {.kind = kind,
+         .name = "tangent",
+         .meaning = "along a tangent of the eye object",
+         .parameters = {{.name = "along",
+                         .type = ChoiceParameter{.choices = {"u", "v"}},
+                         .meaning = "the increasing parameter: u or, for a surface, v"},
+                        {.name = "sense",
+                         .type = ChoiceParameter{.choices = {"forward", "backward"}},
+                         .meaning = "in the direction of the point's motion, or opposite to it"}},
+         .make =
+             [](const Arguments& a) {
+                 using enum TangentRule::Parameter;
+                 return made<TangentRule>(a.choice("along") == "u" ? u : v,
+                                          a.choice("sense") == "backward");
+             },
+         .example = R"(
 // Looks around a pillar: rays leave its wall sideways, all to the left.
 camera round_the_pillar {
     map  u = 180deg .. -180deg, v = -1 .. 1
@@ -131,14 +121,14 @@ camera round_the_pillar {
     look tangent(along = u)
 }
 )"},
-        {kind,
-         "along",
-         "along a fixed vector in the camera's axes, which moves do not rotate",
-         {{.name = "direction", .type = axis, .meaning = "x, y, z, -z or a vector"}},
-         make_fixed_rule,
-         {},
-         0,
-         R"(
+        {.kind = kind,
+         .name = "along",
+         .meaning = "along a fixed vector in the camera's axes, which moves do not rotate",
+         .parameters = {{.name = "direction",
+                         .type = TripleParameter{.names_axes = true},
+                         .meaning = "x, y, z, -z or a vector"}},
+         .make = make_fixed_rule,
+         .example = R"(
 // An unrolled plan of a ring-shaped building: everything is seen from above.
 camera unrolled_plan {
     map  u = 180deg .. -180deg, v = 0 .. 1

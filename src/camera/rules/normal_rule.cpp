@@ -107,24 +107,22 @@ NormalRule::Side side_of(std::string_view name) {
 }  // namespace
 
 std::vector<StageEntry> normal_rule() {
-    using enum ParameterType;
     return {
-        {StageKind::direction_rule,
-         "normal",
-         "along the normals of the eye object",
-         {{.name = "side",
-           .type = choice,
-           .choices = {"front", "back", "outward", "inward"},
-           .meaning =
-               "front: the cross product of the tangents along u and v, unless the object "
-               "specifies otherwise; back: the opposite; outward: the side of the surface that "
-               "leaves its visible part on the convex side, the same side in the whole picture, "
-               "also beyond a pole, where the front is on the other side (for a plane: front); "
-               "inward: the opposite of outward"}},
-         [](const Arguments& a) { return made<NormalRule>(side_of(a.choice("side"))); },
-         {},
-         0,
-         R"(
+        {.kind = StageKind::direction_rule,
+         .name = "normal",
+         .meaning = "along the normals of the eye object",
+         .parameters =
+             {{.name = "side",
+               .type = ChoiceParameter{.choices = {"front", "back", "outward", "inward"}},
+               .meaning =
+                   "front: the cross product of the tangents along u and v, unless the object "
+                   "specifies otherwise; back: the opposite; outward: the side of the surface that "
+                   "leaves its visible part on the convex side, the same side in the whole "
+                   "picture, "
+                   "also beyond a pole, where the front is on the other side (for a plane: front); "
+                   "inward: the opposite of outward"}},
+         .make = [](const Arguments& a) { return made<NormalRule>(side_of(a.choice("side"))); },
+         .example = R"(
 // A room seen from inside a glass bowl: outwards in all directions, for any parametrisation.
 camera bowl {
     map  u = 180deg .. -180deg, v = 0.3 .. 1.5

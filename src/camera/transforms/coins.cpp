@@ -107,37 +107,37 @@ Result<std::shared_ptr<const Stage>> coins_of(const Arguments& a) {
 }  // namespace
 
 std::vector<StageEntry> coins() {
-    using enum ParameterType;
     const StageKind kind = StageKind::object_transformer;
-    const StageParameter strength{.name = "strength",
-                                  .default_value = {0.5},
-                                  .minimum = 0.0,
-                                  .maximum = max_strength,
-                                  .meaning =
-                                      "the fraction of the way by which a point near the centre "
-                                      "moves towards it; enlarges by "
-                                      "1/(1 - strength) there"};
+    const StageParameter strength{
+        .name = "strength",
+        .type = NumberParameter{.default_value = 0.5,
+                                .range = {.minimum = 0.0, .maximum = max_strength}},
+        .meaning =
+            "the fraction of the way by which a point near the centre "
+            "moves towards it; enlarges by "
+            "1/(1 - strength) there"};
     const StageParameter radius = positive_parameter("radius", 1.0, "range of the effect");
     const StageParameter falloff{
         .name = "fall_off",
-        .type = choice,
-        .choices = {"gaussian", "inverse", "linear", "smooth"},
+        .type = ChoiceParameter{.choices = {"gaussian", "inverse", "linear", "smooth"}},
         .meaning =
             "exp(-q), 1/(1 + q), 1 - sqrt(q) or (1 - q)^3 with "
             "q = (distance/radius)^2; the last two are 0 beyond the radius"};
     return {
-        {kind,
-         "coin",
-         "centre of interest: points near it move towards it, so that it appears larger",
-         {{.name = "at", .type = triple, .meaning = "the centre"}, strength, radius, falloff},
-         [](const Arguments& a) {
-             return made<Coins>(
-                 std::vector{Coin{a.triple("at"), a.number("strength"), a.number("radius")}},
-                 fall_off_of(a));
-         },
-         {},
-         0,
-         R"(camera coin {
+        {.kind = kind,
+         .name = "coin",
+         .meaning = "centre of interest: points near it move towards it, so that it appears larger",
+         .parameters = {{.name = "at", .type = TripleParameter{}, .meaning = "the centre"},
+                        strength,
+                        radius,
+                        falloff},
+         .make =
+             [](const Arguments& a) {
+                 return made<Coins>(
+                     std::vector{Coin{a.triple("at"), a.number("strength"), a.number("radius")}},
+                     fall_off_of(a));
+             },
+         .example = R"(camera coin {
     map    u = 1.6 .. -1.6, v = square
     eye    point
     toward {
@@ -145,20 +145,19 @@ std::vector<StageEntry> coins() {
         move   coin((2, 0.5, 0.2), strength = 0.8, radius = 0.8)
     }
 })"},
-        {kind,
-         "coins",
-         "several centres of interest at once, which share the points between them",
-         {{.name = "points",
-           .type = points,
-           .coordinates = {3, 5},
-           .meaning = "the centres (x, y, z), or each with its own (x, y, z, strength, radius)"},
-          strength,
-          radius,
-          falloff},
-         coins_of,
-         {},
-         0,
-         R"(camera coins {
+        {.kind = kind,
+         .name = "coins",
+         .meaning = "several centres of interest at once, which share the points between them",
+         .parameters =
+             {{.name = "points",
+               .type = PointsParameter{.coordinates = {3, 5}},
+               .meaning =
+                   "the centres (x, y, z), or each with its own (x, y, z, strength, radius)"},
+              strength,
+              radius,
+              falloff},
+         .make = coins_of,
+         .example = R"(camera coins {
     map    u = 1.6 .. -1.6, v = square
     eye    point
     toward {

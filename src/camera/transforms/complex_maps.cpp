@@ -164,8 +164,7 @@ private:
 
 StageParameter cut_parameter() {
     return {.name = "cut",
-            .unit = Unit::angle,
-            .default_value = {pi},
+            .type = NumberParameter{.unit = Unit::angle, .default_value = pi},
             .meaning = "the direction of the branch cut from the centre"};
 }
 
@@ -193,121 +192,111 @@ bool is_degenerate(const Arguments& arguments) {
 }  // namespace
 
 std::vector<StageEntry> complex_maps() {
-    using enum ParameterType;
     const StageKind kind = StageKind::parameter_transformer;
     const StageParameter center = pair_parameter("at", {0.0, 0.0}, "the centre");
     return {
-        {kind,
-         "power",
-         "z^w of z = u + i v; a whole w from 1 to 16 has no branch cut",
-         {number_parameter("exponent", 2.0, "the real part of w"),
-          number_parameter("imaginary", 0.0, "the imaginary part of w"), cut_parameter(), center},
-         [](const Arguments& a) {
-             return made<Power>(Pair{a.number("exponent"), a.number("imaginary")}, a.number("cut"),
-                                a.pair("at"));
-         },
-         {},
-         0,
-         R"(camera power {
+        {.kind = kind,
+         .name = "power",
+         .meaning = "z^w of z = u + i v; a whole w from 1 to 16 has no branch cut",
+         .parameters = {number_parameter("exponent", 2.0, "the real part of w"),
+                        number_parameter("imaginary", 0.0, "the imaginary part of w"),
+                        cut_parameter(), center},
+         .make =
+             [](const Arguments& a) {
+                 return made<Power>(Pair{a.number("exponent"), a.number("imaginary")},
+                                    a.number("cut"), a.pair("at"));
+             },
+         .example = R"(camera power {
     map    u = 1.2 .. -1.2, v = square
     warp   power(2)
     eye    point
     toward plane((1, 0, 0))
 })"},
-        {kind,
-         "exponential",
-         "e^z of z = u + i v: columns become circles, rows become rays from (0, 0)",
-         {},
-         [](const Arguments&) { return made<Exponential>(); },
-         {},
-         0,
-         R"(camera exponential {
+        {.kind = kind,
+         .name = "exponential",
+         .meaning = "e^z of z = u + i v: columns become circles, rows become rays from (0, 0)",
+         .make = [](const Arguments&) { return made<Exponential>(); },
+         .example = R"(camera exponential {
     map    u = 180deg .. -180deg, v = square
     warp   exponential
     eye    point
     toward plane((1, 0, 0))
 })"},
-        {kind,
-         "logarithm",
-         "log z of z = u + i v: unrolls the surroundings of (0, 0): u becomes the logarithm of the "
-         "distance and v the angle",
-         {cut_parameter()},
-         [](const Arguments& a) { return made<Logarithm>(a.number("cut")); },
-         {},
-         0,
-         R"(camera logarithm {
+        {.kind = kind,
+         .name = "logarithm",
+         .meaning = "log z of z = u + i v: unrolls the surroundings of (0, 0): u becomes the "
+                    "logarithm of the "
+                    "distance and v the angle",
+         .parameters = {cut_parameter()},
+         .make = [](const Arguments& a) { return made<Logarithm>(a.number("cut")); },
+         .example = R"(camera logarithm {
     map  u = 3 .. -3, v = square
     warp logarithm, rotate(90deg)
     eye  sphere(1)
 })"},
-        {kind,
-         "moebius",
-         "(a z + b) / (c z + d) of z = u + i v: circles and lines become circles and lines",
-         {complex_parameter("a", 1.0, "(real part, imaginary part)"),
-          complex_parameter("b", 0.0, "(real part, imaginary part)"),
-          complex_parameter("c", 0.0, "(real part, imaginary part)"),
-          complex_parameter("d", 1.0, "(real part, imaginary part); a d must differ from b c")},
-         [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
+        {.kind = kind,
+         .name = "moebius",
+         .meaning =
+             "(a z + b) / (c z + d) of z = u + i v: circles and lines become circles and lines",
+         .parameters = {complex_parameter("a", 1.0, "(real part, imaginary part)"),
+                        complex_parameter("b", 0.0, "(real part, imaginary part)"),
+                        complex_parameter("c", 0.0, "(real part, imaginary part)"),
+                        complex_parameter("d", 1.0,
+                                          "(real part, imaginary part); a d must differ from b c")},
+         .make = [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
              if (is_degenerate(a)) {
                  return error("a d = b c maps all of parameter space to one point", {},
                               "change one of a, b, c and d");
              }
              return made<Moebius>(a.pair("a"), a.pair("b"), a.pair("c"), a.pair("d"));
          },
-         {},
-         0,
-         R"(camera moebius {
+         .example = R"(camera moebius {
     map    u = 1.2 .. -1.2, v = square
     warp   moebius(a = (1, 0), b = (0.3, 0), c = (0.4, 0.4), d = (1, 0))
     eye    point
     toward plane((1, 0, 0))
 })"},
-        {kind,
-         "print_gallery",
-         "Escher's Print Gallery: along one turn around the centre, everything grows `scale` times "
-         "and "
-         "joins itself",
-         {{.name = "scale",
-           .default_value = {256.0},
-           .minimum = 1.0,
-           .excludes_minimum = true,
-           .meaning = "size of a picture relative to the one inside it"},
-          {.name = "turns",
-           .type = count,
-           .default_value = {1.0},
-           .minimum = 0.0,
-           .maximum = 16.0,
-           .constant = true,
-           .meaning =
-               "number of scale factors per turn; 0 is the picture within the picture, without "
-               "rotation"},
-          {.name = "grows",
-           .type = choice,
-           .choices = {"clockwise", "counter_clockwise"},
-           .meaning = "sense in which things become larger, for u to the right and v up; "
-                      "if u runs to the left, it is reversed"},
-          {.name = "frame",
-           .type = size,
-           .unit = Unit::parameter,
-           .default_value = {1.0, 1.0},
-           .minimum = 0.0,
-           .excludes_minimum = true,
-           .meaning =
-               "half the width and height of the picture that repeats; its edge is the seam"},
-          {.name = "shape",
-           .type = choice,
-           .choices = {"rectangle", "ellipse"},
-           .meaning = "shape of the frame"},
-          center},
-         [](const Arguments& a) {
-             const double sense = a.choice("grows") == "clockwise" ? 1.0 : -1.0;
-             return made<PrintGallery>(a.number("scale"), sense * a.constant("turns"),
-                                       a.pair("frame"), a.choice("shape") == "ellipse",
-                                       a.pair("at"));
-         },
-         {},
-         0,
-         R"(// Clockwise in the picture, as in Escher's lithograph, because u runs to the left.
+        {.kind = kind,
+         .name = "print_gallery",
+         .meaning = "Escher's Print Gallery: along one turn around the centre, everything grows "
+                    "`scale` times "
+                    "and "
+                    "joins itself",
+         .parameters =
+             {{.name = "scale",
+               .type = NumberParameter{.default_value = 256.0,
+                                       .range = {.minimum = 1.0, .excludes_minimum = true}},
+               .meaning = "size of a picture relative to the one inside it"},
+              {.name = "turns",
+               .type =
+                   CountParameter{.default_value = 1.0, .range = {.minimum = 0.0, .maximum = 16.0}},
+               .meaning =
+                   "number of scale factors per turn; 0 is the picture within the picture, without "
+                   "rotation"},
+              {.name = "grows",
+               .type = ChoiceParameter{.choices = {"clockwise", "counter_clockwise"}},
+               .meaning = "sense in which things become larger, for u to the right and v up; "
+                          "if u runs to the left, it is reversed"},
+              {.name = "frame",
+               .type = PairParameter{.unit = Unit::parameter,
+                                     .default_value = std::array{1.0, 1.0},
+                                     .range = {.minimum = 0.0, .excludes_minimum = true},
+                                     .one_for_both = true},
+               .meaning =
+                   "half the width and height of the picture that repeats; its edge is the seam"},
+              {.name = "shape",
+               .type = ChoiceParameter{.choices = {"rectangle", "ellipse"}},
+               .meaning = "shape of the frame"},
+              center},
+         .make =
+             [](const Arguments& a) {
+                 const double sense = a.choice("grows") == "clockwise" ? 1.0 : -1.0;
+                 return made<PrintGallery>(a.number("scale"), sense * a.constant("turns"),
+                                           a.pair("frame"), a.choice("shape") == "ellipse",
+                                           a.pair("at"));
+             },
+         .example =
+             R"(// Clockwise in the picture, as in Escher's lithograph, because u runs to the left.
 camera print_gallery {
     map    u = 1 .. -1, v = square
     warp   print_gallery(scale = 16, grows = counter_clockwise)

@@ -155,7 +155,7 @@ Result<std::shared_ptr<const Stage>> bend(const Arguments& a) {
 
 std::vector<StageParameter> deformation_parameters(std::vector<StageParameter> own) {
     own.insert(own.begin(), {.name = "axis",
-                             .type = ParameterType::axis,
+                             .type = TripleParameter{.names_axes = true},
                              .meaning = "axis of the deformation: x, y, z or a vector"});
     own.push_back(number_parameter("from", -1.0, "the height along the axis where it starts"));
     own.push_back(number_parameter("to", 1.0, "the height along the axis where it ends"));
@@ -168,46 +168,42 @@ std::vector<StageParameter> deformation_parameters(std::vector<StageParameter> o
 std::vector<StageEntry> deformations() {
     const StageKind kind = StageKind::object_transformer;
     return {
-        {kind,
-         "twist",
-         "rotates about an axis, by an angle that increases along it",
-         deformation_parameters(
-             {{.name = "angle", .unit = Unit::angle, .meaning = "rotation between from and to"}}),
-         [](const Arguments& a) { return deformation<Twist>(a, "angle"); },
-         {},
-         0,
-         R"(camera twist {
+        {.kind = kind,
+         .name = "twist",
+         .meaning = "rotates about an axis, by an angle that increases along it",
+         .parameters = deformation_parameters({{.name = "angle",
+                                                .type = NumberParameter{.unit = Unit::angle},
+                                                .meaning = "rotation between from and to"}}),
+         .make = [](const Arguments& a) { return deformation<Twist>(a, "angle"); },
+         .example = R"(camera twist {
     map  u = 2 .. -2, v = square
     eye  plane
     move twist(z, 120deg)
 })"},
-        {kind,
-         "taper",
-         "scales perpendicular to an axis, by a factor that changes along it",
-         deformation_parameters(
+        {.kind = kind,
+         .name = "taper",
+         .meaning = "scales perpendicular to an axis, by a factor that changes along it",
+         .parameters = deformation_parameters(
              {positive_parameter("factor", 0.5, "scale at `to`; at `from` it is 1")}),
-         [](const Arguments& a) { return deformation<Taper>(a, "factor"); },
-         {},
-         0,
-         R"(camera taper {
+         .make = [](const Arguments& a) { return deformation<Taper>(a, "factor"); },
+         .example = R"(camera taper {
     map  u = 180deg .. -180deg, v = -1 .. 1
     eye  cylinder(1)
     move taper(z, 0.3)
 })"},
-        {kind,
-         "bend",
-         "bends an axis and its surroundings into an arc",
-         deformation_parameters({{.name = "angle",
-                                  .unit = Unit::angle,
-                                  .meaning = "angle of the arc between from and to"},
-                                 {.name = "toward",
-                                  .type = ParameterType::axis,
-                                  .default_value = {1.0, 0.0, 0.0},
-                                  .meaning = "the direction to bend to"}}),
-         bend,
-         {},
-         0,
-         R"(camera bend {
+        {.kind = kind,
+         .name = "bend",
+         .meaning = "bends an axis and its surroundings into an arc",
+         .parameters = deformation_parameters(
+             {{.name = "angle",
+               .type = NumberParameter{.unit = Unit::angle},
+               .meaning = "angle of the arc between from and to"},
+              {.name = "toward",
+               .type =
+                   TripleParameter{.default_value = std::array{1.0, 0.0, 0.0}, .names_axes = true},
+               .meaning = "the direction to bend to"}}),
+         .make = bend,
+         .example = R"(camera bend {
     map  u = 2 .. -2, v = square
     eye  plane
     move bend(y, 120deg, toward = -x, from = -1.5, to = 1.5)

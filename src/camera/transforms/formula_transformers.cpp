@@ -40,14 +40,12 @@ private:
 
 std::vector<StageEntry> formula_transformers() {
     return {
-        {StageKind::parameter_transformer,
-         "formula",
-         "a map of parameter space: formula(u, v) = [u', v']",
-         {},
-         [](const Arguments& a) { return made<ParameterFormula>(a.formula()); },
-         FormulaShape{2, 2, 2},
-         0,
-         R"(
+        {.kind = StageKind::parameter_transformer,
+         .name = "formula",
+         .meaning = "a map of parameter space: formula(u, v) = [u', v']",
+         .make = [](const Arguments& a) { return made<ParameterFormula>(a.formula()); },
+         .formula = FormulaShape{2, 2, 2},
+         .example = R"(
 // Looks through rippled glass.
 camera rippled {
     map    u = 40deg .. -40deg, v = square
@@ -56,14 +54,12 @@ camera rippled {
     toward sphere(1)
 }
 )"},
-        {StageKind::object_transformer,
-         "formula",
-         "a map of object space: formula(x, y, z) = [x', y', z']",
-         {},
-         [](const Arguments& a) { return made<ObjectFormula>(a.formula()); },
-         FormulaShape{3, 3, 3},
-         0,
-         R"(
+        {.kind = StageKind::object_transformer,
+         .name = "formula",
+         .meaning = "a map of object space: formula(x, y, z) = [x', y', z']",
+         .make = [](const Arguments& a) { return made<ObjectFormula>(a.formula()); },
+         .formula = FormulaShape{3, 3, 3},
+         .example = R"(
 // A plane bent by a wave: its normals diverge on crests and converge over troughs.
 camera bent {
     map  u = 2 .. -2, v = square

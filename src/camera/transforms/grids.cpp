@@ -144,85 +144,80 @@ Result<Offsets> offsets_of(const Arguments& a, const Box& from, const Box& to,
 
 StageParameter count_parameter(std::string_view name, std::string_view meaning) {
     return {.name = name,
-            .type = ParameterType::count,
-            .minimum = 2.0,
-            .maximum = 1000.0,
-            .constant = true,
+            .type = CountParameter{.range = {.minimum = 2.0, .maximum = 1000.0}},
             .meaning = meaning};
 }
 
-/// The parameters after the points and their counts.
-std::vector<StageParameter> with_box(std::vector<StageParameter> own, StageParameter from,
-                                     StageParameter to) {
-    using enum ParameterType;
-    from.name = "from";
-    to.name = "to";
-    from.constant = to.constant = true;
-    own.push_back(std::move(from));
-    own.push_back(std::move(to));
+/// The parameters after the points, their counts and their box.
+void add_common_parameters(std::vector<StageParameter>& own) {
     own.push_back({.name = "given",
-                   .type = choice,
-                   .choices = {"offsets", "positions"},
+                   .type = ChoiceParameter{.choices = {"offsets", "positions"}},
                    .meaning = "whether the points are offsets from the regular lattice or the "
                               "new positions of its points"});
-    own.push_back(
-        {.name = "basis",
-         .type = choice,
-         .choices = {"b_spline", "interpolating", "bernstein"},
-         .meaning = "approximates the points, interpolates them, or is one polynomial of at most "
-                    "8 points along an axis"});
+    own.push_back({.name = "basis",
+                   .type = ChoiceParameter{.choices = {"b_spline", "interpolating", "bernstein"}},
+                   .meaning = "approximates the points, interpolates them, or is one polynomial of "
+                              "at most 8 points along an axis"});
     own.push_back(amount_parameter());
-    return own;
 }
 
 std::vector<StageParameter> parameter_grid_parameters() {
-    using enum ParameterType;
-    return with_box(
-        {{.name = "points",
-          .type = points,
-          .unit = Unit::parameter,
-          .coordinates = {2},
-          .min_points = 4,
-          .meaning = "(u, v), from the corner `from` along u, then row by row along v"},
-         count_parameter("columns", "number of points per row")},
-        pair_parameter("from", {-1.0, -1.0}, "the corner (u, v) of the box at the first point"),
-        pair_parameter("to", {1.0, 1.0}, "the corner at the last point"));
+    const auto corner = [](std::string_view name, double at, std::string_view meaning) {
+        return StageParameter{.name = name,
+                              .type = PairParameter{.unit = Unit::parameter,
+                                                    .default_value = std::array{at, at},
+                                                    .constant = true},
+                              .meaning = meaning};
+    };
+    std::vector<StageParameter> made{
+        {.name = "points",
+         .type = PointsParameter{.unit = Unit::parameter, .coordinates = {2}, .min_points = 4},
+         .meaning = "(u, v), from the corner `from` along u, then row by row along v"},
+        count_parameter("columns", "number of points per row"),
+        corner("from", -1.0, "the corner (u, v) of the box at the first point"),
+        corner("to", 1.0, "the corner at the last point")};
+    add_common_parameters(made);
+    return made;
 }
 
 std::vector<StageParameter> object_grid_parameters() {
-    using enum ParameterType;
-    return with_box({{.name = "points",
-                      .type = points,
-                      .coordinates = {3},
-                      .min_points = 8,
-                      .meaning = "(x, y, z), from the corner `from` along x, then row by row "
-                                 "along y, then layer by layer along z"},
-                     count_parameter("columns", "number of points per row, along x"),
-                     count_parameter("rows", "number of rows per layer, along y")},
-                    triple_parameter("from", {-1.0, -1.0, -1.0},
-                                     "the corner (x, y, z) of the box at the first point"),
-                    triple_parameter("to", {1.0, 1.0, 1.0}, "the corner at the last point"));
+    const auto corner = [](std::string_view name, double at, std::string_view meaning) {
+        return StageParameter{
+            .name = name,
+            .type = TripleParameter{.default_value = std::array{at, at, at}, .constant = true},
+            .meaning = meaning};
+    };
+    std::vector<StageParameter> made{
+        {.name = "points",
+         .type = PointsParameter{.coordinates = {3}, .min_points = 8},
+         .meaning = "(x, y, z), from the corner `from` along x, then row by row along y, then "
+                    "layer by layer along z"},
+        count_parameter("columns", "number of points per row, along x"),
+        count_parameter("rows", "number of rows per layer, along y"),
+        corner("from", -1.0, "the corner (x, y, z) of the box at the first point"),
+        corner("to", 1.0, "the corner at the last point")};
+    add_common_parameters(made);
+    return made;
 }
 
 }  // namespace
 
 std::vector<StageEntry> grids() {
     return {
-        {StageKind::parameter_transformer,
-         "grid",
-         "distorts parameter space by a lattice of control points; outside its box, the offset of "
-         "the nearest border point applies",
-         parameter_grid_parameters(),
-         [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
+        {.kind = StageKind::parameter_transformer,
+         .name = "grid",
+         .meaning = "distorts parameter space by a lattice of control points; outside its box, the "
+                    "offset of "
+                    "the nearest border point applies",
+         .parameters = parameter_grid_parameters(),
+         .make = [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
              auto offsets = offsets_of(a, a.pair("from"), a.pair("to"), {"columns", "rows"});
              if (!offsets) {
                  return std::move(offsets.diagnostics);
              }
              return made<ParameterOffset<Offsets>>(std::move(*offsets), a.number("amount"));
          },
-         {},
-         0,
-         R"(camera grid {
+         .example = R"(camera grid {
     map    u = 1.2 .. -1.2, v = square
     warp   grid([(0, 0), (0, 0),      (0, 0),       (0, 0),
                  (0, 0), (0.4, 0.2),  (0.2, -0.4),  (0, 0),
@@ -231,12 +226,13 @@ std::vector<StageEntry> grids() {
     eye    point
     toward plane((1, 0, 0))
 })"},
-        {StageKind::object_transformer,
-         "grid",
-         "free-form deformation: distorts object space by a lattice of control points; outside "
-         "its box, the offset of the nearest border point applies",
-         object_grid_parameters(),
-         [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
+        {.kind = StageKind::object_transformer,
+         .name = "grid",
+         .meaning =
+             "free-form deformation: distorts object space by a lattice of control points; outside "
+             "its box, the offset of the nearest border point applies",
+         .parameters = object_grid_parameters(),
+         .make = [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
              auto offsets =
                  offsets_of(a, a.triple("from"), a.triple("to"), {"columns", "rows", "layers"});
              if (!offsets) {
@@ -244,9 +240,7 @@ std::vector<StageEntry> grids() {
              }
              return made<ObjectOffset<Offsets>>(std::move(*offsets), a.number("amount"));
          },
-         {},
-         0,
-         R"(camera grid {
+         .example = R"(camera grid {
     map  u = 1.5 .. -1.5, v = square
     eye  plane
     move grid([(0, 0, 0), (0, 0, 0), (0.8, 0, 0), (0.8, 0, 0), (0, 0, 0), (0, 0, 0),

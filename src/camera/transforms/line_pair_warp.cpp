@@ -98,40 +98,33 @@ Result<std::shared_ptr<const Stage>> line_pairs(const Arguments& arguments) {
 }  // namespace
 
 std::vector<StageEntry> line_pair_warp() {
-    using enum ParameterType;
     return {
-        {StageKind::parameter_transformer,
-         "line_pairs",
-         "field warping: lines in the picture move their surroundings (Beier and Neely)",
-         {{.name = "lines",
-           .type = points,
-           .unit = Unit::parameter,
-           .coordinates = {8},
-           .meaning = "(P, Q, P', Q') as 8 numbers: the line P Q of the picture shows what was "
-                      "along P' Q'"},
-          {.name = "a",
-           .default_value = {0.1},
-           .minimum = 0.0,
-           .excludes_minimum = true,
-           .constant = true,
-           .meaning = "a distance; smaller values move the lines more exactly"},
-          {.name = "b",
-           .default_value = {2.0},
-           .minimum = 0.0,
-           .maximum = 16.0,
-           .constant = true,
-           .meaning = "falloff of a line's influence with distance; 0 is none"},
-          {.name = "p",
-           .default_value = {0.5},
-           .minimum = 0.0,
-           .maximum = 4.0,
-           .constant = true,
-           .meaning = "additional influence of long lines; 0 is none"},
-          amount_parameter()},
-         line_pairs,
-         {},
-         0,
-         R"(camera line_pairs {
+        {.kind = StageKind::parameter_transformer,
+         .name = "line_pairs",
+         .meaning = "field warping: lines in the picture move their surroundings (Beier and Neely)",
+         .parameters =
+             {{.name = "lines",
+               .type = PointsParameter{.unit = Unit::parameter, .coordinates = {8}},
+               .meaning = "(P, Q, P', Q') as 8 numbers: the line P Q of the picture shows what was "
+                          "along P' Q'"},
+              {.name = "a",
+               .type = NumberParameter{.default_value = 0.1,
+                                       .range = {.minimum = 0.0, .excludes_minimum = true},
+                                       .constant = true},
+               .meaning = "a distance; smaller values move the lines more exactly"},
+              {.name = "b",
+               .type = NumberParameter{.default_value = 2.0,
+                                       .range = {.minimum = 0.0, .maximum = 16.0},
+                                       .constant = true},
+               .meaning = "falloff of a line's influence with distance; 0 is none"},
+              {.name = "p",
+               .type = NumberParameter{.default_value = 0.5,
+                                       .range = {.minimum = 0.0, .maximum = 4.0},
+                                       .constant = true},
+               .meaning = "additional influence of long lines; 0 is none"},
+              amount_parameter()},
+         .make = line_pairs,
+         .example = R"(camera line_pairs {
     map    u = 1.2 .. -1.2, v = square
     warp   line_pairs([(-1, -0.6, 1, -0.6, -1, -0.6, 1, -0.6), (-1, 0.6, 1, 0.6, -1, 0.6, 1, 0.6),
                        (0, -0.3, 0, 0.3, -0.2, -0.2, 0.2, 0.2)])

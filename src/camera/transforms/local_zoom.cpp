@@ -38,29 +38,30 @@ private:
 }  // namespace
 
 std::vector<StageEntry> local_zoom() {
-    using enum ParameterType;
     return {
-        {StageKind::parameter_transformer,
-         "zoom",
-         "local zoom: magnifies around a point of parameter space and keeps the rest visible",
-         {{.name = "at", .type = pair, .unit = Unit::parameter, .meaning = "the point (u, v)"},
-          {.name = "radius",
-           .type = size,
-           .unit = Unit::parameter,
-           .minimum = 0.0,
-           .excludes_minimum = true,
-           .meaning = "radius of the affected region, in u and v"},
-          {.name = "strength",
-           .default_value = {2.0},
-           .minimum = 0.0,
-           .excludes_minimum = true,
-           .meaning = "magnification at the centre; the picture folds over below 32/81"}},
-         [](const Arguments& a) {
-             return made<LocalZoom>(a.pair("at"), a.pair("radius"), a.number("strength"));
-         },
-         {},
-         0,
-         R"(
+        {.kind = StageKind::parameter_transformer,
+         .name = "zoom",
+         .meaning =
+             "local zoom: magnifies around a point of parameter space and keeps the rest visible",
+         .parameters = {{.name = "at",
+                         .type = PairParameter{.unit = Unit::parameter},
+                         .meaning = "the point (u, v)"},
+                        {.name = "radius",
+                         .type = PairParameter{.unit = Unit::parameter,
+                                               .range = {.minimum = 0.0, .excludes_minimum = true},
+                                               .one_for_both = true},
+                         .meaning = "radius of the affected region, in u and v"},
+                        {.name = "strength",
+                         .type =
+                             NumberParameter{.default_value = 2.0,
+                                             .range = {.minimum = 0.0, .excludes_minimum = true}},
+                         .meaning =
+                             "magnification at the centre; the picture folds over below 32/81"}},
+         .make =
+             [](const Arguments& a) {
+                 return made<LocalZoom>(a.pair("at"), a.pair("radius"), a.number("strength"));
+             },
+         .example = R"(
 // Enlarges the centre by a factor of 2.5 and keeps the rest visible.
 camera overview_and_detail {
     map    u = 40deg .. -40deg, v = square

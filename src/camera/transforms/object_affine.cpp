@@ -90,7 +90,7 @@ private:
 StageParameter center() { return triple_parameter("at", {0.0, 0.0, 0.0}, "the fixed point"); }
 
 StageParameter axis(std::string_view meaning) {
-    return {.name = "axis", .type = ParameterType::axis, .meaning = meaning};
+    return {.name = "axis", .type = TripleParameter{.names_axes = true}, .meaning = meaning};
 }
 
 bool is_null(const Triple& t) {
@@ -107,15 +107,14 @@ Diagnostic null_axis() {
 std::vector<StageEntry> object_affine() {
     const StageKind kind = StageKind::object_transformer;
     return {
-        {kind,
-         "translate",
-         "translates by a vector",
-         {number_parameter("x", 0.0, "along x"), number_parameter("y", 0.0, "along y"),
-          number_parameter("z", 0.0, "along z")},
-         [](const Arguments& a) { return made<Translate>(xyz_of(a)); },
-         {},
-         0,
-         R"(
+        {.kind = kind,
+         .name = "translate",
+         .meaning = "translates by a vector",
+         .parameters = {number_parameter("x", 0.0, "along x"),
+                        number_parameter("y", 0.0, "along y"),
+                        number_parameter("z", 0.0, "along z")},
+         .make = [](const Arguments& a) { return made<Translate>(xyz_of(a)); },
+         .example = R"(
 // The same parallel rays from a position two units forward and one up.
 camera moved {
     map  u = 3 .. -3, v = square
@@ -124,21 +123,21 @@ camera moved {
     move translate(2, 0, 1)
 }
 )"},
-        {kind,
-         "rotate",
-         "rotates about an axis, counter-clockwise as seen from its tip",
-         {axis("x, y, z or a vector"),
-          {.name = "angle", .unit = Unit::angle, .meaning = "angle of rotation"},
-          center()},
-         [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
+        {.kind = kind,
+         .name = "rotate",
+         .meaning = "rotates about an axis, counter-clockwise as seen from its tip",
+         .parameters = {axis("x, y, z or a vector"),
+                        {.name = "angle",
+                         .type = NumberParameter{.unit = Unit::angle},
+                         .meaning = "angle of rotation"},
+                        center()},
+         .make = [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
              if (is_null(a.triple("axis"))) {
                  return null_axis();
              }
              return made<Rotate>(a.triple("axis"), a.number("angle"), a.triple("at"));
          },
-         {},
-         0,
-         R"(
+         .example = R"(
 // A plan seen from above on the left: the plane is tilted down, then rotated to the right.
 camera from_above {
     map  u = 3 .. -3, v = square
@@ -147,17 +146,19 @@ camera from_above {
     move rotate(y, 35deg), rotate(z, -30deg)
 }
 )"},
-        {kind,
-         "scale",
-         "scales about a point",
-         {{.name = "factor", .meaning = "factor for all three axes"}, center()},
-         [](const Arguments& a) {
-             const Scalar factor = a.number("factor");
-             return made<Stretch>(Triple{factor, factor, factor}, a.triple("at"));
-         },
-         {},
-         0,
-         R"(
+        {.kind = kind,
+         .name = "scale",
+         .meaning = "scales about a point",
+         .parameters = {{.name = "factor",
+                         .type = NumberParameter{},
+                         .meaning = "factor for all three axes"},
+                        center()},
+         .make =
+             [](const Arguments& a) {
+                 const Scalar factor = a.number("factor");
+                 return made<Stretch>(Triple{factor, factor, factor}, a.triple("at"));
+             },
+         .example = R"(
 // A sphere of half the size: rays start nearer to its centre, with the same directions.
 camera smaller {
     map  u = 180deg .. -180deg, v = -80deg .. 80deg
@@ -166,16 +167,14 @@ camera smaller {
     move scale(1/2)
 }
 )"},
-        {kind,
-         "stretch",
-         "scales along each axis about a point",
-         {number_parameter("x", 1.0, "factor along x"),
-          number_parameter("y", 1.0, "factor along y"),
-          number_parameter("z", 1.0, "factor along z"), center()},
-         [](const Arguments& a) { return made<Stretch>(xyz_of(a), a.triple("at")); },
-         {},
-         0,
-         R"(
+        {.kind = kind,
+         .name = "stretch",
+         .meaning = "scales along each axis about a point",
+         .parameters = {number_parameter("x", 1.0, "factor along x"),
+                        number_parameter("y", 1.0, "factor along y"),
+                        number_parameter("z", 1.0, "factor along z"), center()},
+         .make = [](const Arguments& a) { return made<Stretch>(xyz_of(a), a.triple("at")); },
+         .example = R"(
 // A sphere stretched vertically, whose normals concentrate towards the horizon.
 camera egg {
     map  u = 180deg .. -180deg, v = -80deg .. 80deg
@@ -184,21 +183,20 @@ camera egg {
     move stretch(z = 2)
 }
 )"},
-        {kind,
-         "mirror",
-         "reflects in the plane through a point and perpendicular to an axis; a surface's front "
-         "becomes its "
-         "back",
-         {axis("the plane's normal: x, y, z or a vector"), center()},
-         [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
+        {.kind = kind,
+         .name = "mirror",
+         .meaning = "reflects in the plane through a point and perpendicular to an axis; a "
+                    "surface's front "
+                    "becomes its "
+                    "back",
+         .parameters = {axis("the plane's normal: x, y, z or a vector"), center()},
+         .make = [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
              if (is_null(a.triple("axis"))) {
                  return null_axis();
              }
              return made<Mirror>(a.triple("axis"), a.triple("at"));
          },
-         {},
-         0,
-         R"(
+         .example = R"(
 // The view in a flat mirror in the plane y = 0, from its left side.
 camera mirrored {
     map    u = 0.6 .. -0.6, v = square
@@ -207,19 +205,19 @@ camera mirrored {
     move   mirror(y)
 }
 )"},
-        {kind,
-         "affine",
-         "at + x (image of x) + y (image of y) + z (image of z)",
-         {triple_parameter("x", {1.0, 0.0, 0.0}, "the image of (1, 0, 0), before adding `at`"),
-          triple_parameter("y", {0.0, 1.0, 0.0}, "the image of (0, 1, 0), before adding `at`"),
-          triple_parameter("z", {0.0, 0.0, 1.0}, "the image of (0, 0, 1), before adding `at`"),
-          triple_parameter("at", {0.0, 0.0, 0.0}, "the image of (0, 0, 0)")},
-         [](const Arguments& a) {
-             return made<Affine>(a.triple("x"), a.triple("y"), a.triple("z"), a.triple("at"));
-         },
-         {},
-         0,
-         R"(
+        {.kind = kind,
+         .name = "affine",
+         .meaning = "at + x (image of x) + y (image of y) + z (image of z)",
+         .parameters =
+             {triple_parameter("x", {1.0, 0.0, 0.0}, "the image of (1, 0, 0), before adding `at`"),
+              triple_parameter("y", {0.0, 1.0, 0.0}, "the image of (0, 1, 0), before adding `at`"),
+              triple_parameter("z", {0.0, 0.0, 1.0}, "the image of (0, 0, 1), before adding `at`"),
+              triple_parameter("at", {0.0, 0.0, 0.0}, "the image of (0, 0, 0)")},
+         .make =
+             [](const Arguments& a) {
+                 return made<Affine>(a.triple("x"), a.triple("y"), a.triple("z"), a.triple("at"));
+             },
+         .example = R"(
 // Parallel rays from a picture plane that leans forwards and to the left, perpendicular to it.
 camera sheared {
     map  u = 3 .. -3, v = square

@@ -81,7 +81,9 @@ private:
 StageParameter center() { return pair_parameter("at", {0.0, 0.0}, "the fixed point"); }
 
 StageParameter addend(std::string_view name, std::string_view meaning) {
-    return {.name = name, .unit = Unit::parameter, .default_value = {0.0}, .meaning = meaning};
+    return {.name = name,
+            .type = NumberParameter{.unit = Unit::parameter, .default_value = 0.0},
+            .meaning = meaning};
 }
 
 }  // namespace
@@ -89,16 +91,15 @@ StageParameter addend(std::string_view name, std::string_view meaning) {
 std::vector<StageEntry> parameter_affine() {
     const StageKind kind = StageKind::parameter_transformer;
     return {
-        {kind,
-         "translate",
-         "(u + a, v + b)",
-         {addend("u", "added to u"), addend("v", "added to v")},
-         [](const Arguments& a) {
-             return made<Translate>(Pair{a.number("u"), a.number("v")});
-         },
-         {},
-         0,
-         R"(
+        {.kind = kind,
+         .name = "translate",
+         .meaning = "(u + a, v + b)",
+         .parameters = {addend("u", "added to u"), addend("v", "added to v")},
+         .make =
+             [](const Arguments& a) {
+                 return made<Translate>(Pair{a.number("u"), a.number("v")});
+             },
+         .example = R"(
 // Looks 30 degrees further to the left and 10 degrees up, with the same field of view.
 camera aside {
     map    u = 40deg .. -40deg, v = square
@@ -107,15 +108,15 @@ camera aside {
     toward sphere(1)
 }
 )"},
-        {kind,
-         "scale",
-         "scales about a point; a factor above 1 shows more of the object",
-         {{.name = "factor", .type = ParameterType::size, .meaning = "factors for u and v"},
-          center()},
-         [](const Arguments& a) { return made<Scale>(a.pair("factor"), a.pair("at")); },
-         {},
-         0,
-         R"(
+        {.kind = kind,
+         .name = "scale",
+         .meaning = "scales about a point; a factor above 1 shows more of the object",
+         .parameters = {{.name = "factor",
+                         .type = PairParameter{.one_for_both = true},
+                         .meaning = "factors for u and v"},
+                        center()},
+         .make = [](const Arguments& a) { return made<Scale>(a.pair("factor"), a.pair("at")); },
+         .example = R"(
 // Shows 1.5 times as much in width and the same in height.
 camera wider {
     map    u = 40deg .. -40deg, v = square
@@ -124,14 +125,15 @@ camera wider {
     toward sphere(1)
 }
 )"},
-        {kind,
-         "rotate",
-         "rotates (u, v) about a point, from u towards v",
-         {{.name = "angle", .unit = Unit::angle, .meaning = "angle of rotation"}, center()},
-         [](const Arguments& a) { return made<Rotate>(a.number("angle"), a.pair("at")); },
-         {},
-         0,
-         R"(
+        {.kind = kind,
+         .name = "rotate",
+         .meaning = "rotates (u, v) about a point, from u towards v",
+         .parameters = {{.name = "angle",
+                         .type = NumberParameter{.unit = Unit::angle},
+                         .meaning = "angle of rotation"},
+                        center()},
+         .make = [](const Arguments& a) { return made<Rotate>(a.number("angle"), a.pair("at")); },
+         .example = R"(
 // The picture is tilted, like that of a tilted camera.
 camera askew {
     map    u = 40deg .. -40deg, v = square
@@ -140,17 +142,16 @@ camera askew {
     toward sphere(1)
 }
 )"},
-        {kind,
-         "shear",
-         "(u + a v, v + b u)",
-         {number_parameter("u", 0.0, "the multiple of v added to u"),
-          number_parameter("v", 0.0, "the multiple of u added to v")},
-         [](const Arguments& a) {
-             return made<Shear>(Pair{a.number("u"), a.number("v")});
-         },
-         {},
-         0,
-         R"(
+        {.kind = kind,
+         .name = "shear",
+         .meaning = "(u + a v, v + b u)",
+         .parameters = {number_parameter("u", 0.0, "the multiple of v added to u"),
+                        number_parameter("v", 0.0, "the multiple of u added to v")},
+         .make =
+             [](const Arguments& a) {
+                 return made<Shear>(Pair{a.number("u"), a.number("v")});
+             },
+         .example = R"(
 // Vertical lines lean like italic letters.
 camera leaning {
     map    u = 40deg .. -40deg, v = square
@@ -159,16 +160,17 @@ camera leaning {
     toward sphere(1)
 }
 )"},
-        {kind,
-         "affine",
-         "at + u (image of u) + v (image of v)",
-         {pair_parameter("u", {1.0, 0.0}, "the image of (1, 0), before adding `at`"),
-          pair_parameter("v", {0.0, 1.0}, "the image of (0, 1), before adding `at`"),
-          pair_parameter("at", {0.0, 0.0}, "the image of (0, 0)")},
-         [](const Arguments& a) { return made<Affine>(a.pair("u"), a.pair("v"), a.pair("at")); },
-         {},
-         0,
-         R"(
+        {.kind = kind,
+         .name = "affine",
+         .meaning = "at + u (image of u) + v (image of v)",
+         .parameters = {pair_parameter("u", {1.0, 0.0}, "the image of (1, 0), before adding `at`"),
+                        pair_parameter("v", {0.0, 1.0}, "the image of (0, 1), before adding `at`"),
+                        pair_parameter("at", {0.0, 0.0}, "the image of (0, 0)")},
+         .make =
+             [](const Arguments& a) {
+                 return made<Affine>(a.pair("u"), a.pair("v"), a.pair("at"));
+             },
+         .example = R"(
 // Any affine map of the angles: here rotation, scaling and translation at once.
 camera any_affine {
     map    u = 40deg .. -40deg, v = square

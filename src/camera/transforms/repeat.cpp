@@ -60,14 +60,10 @@ Result<std::shared_ptr<const Stage>> make_repeat(const Arguments& a) {
 
 std::vector<StageParameter> parameters(StageKind kind) {
     return {{.name = "times",
-             .type = ParameterType::count,
-             .minimum = 1.0,
-             .maximum = max_times,
-             .constant = true,
+             .type = CountParameter{.range = {.minimum = 1.0, .maximum = max_times}},
              .meaning = "number of repetitions"},
             {.name = "stages",
-             .type = ParameterType::stages,
-             .stage_kind = kind,
+             .type = NestedStageParameter{.kind = kind, .several = true},
              .meaning = "the stages to repeat, in sequence"}};
 }
 

@@ -201,20 +201,18 @@ Result<std::shared_ptr<const Stage>> inverse_distance(const Arguments& a) {
 StageParameter seeds_parameter(StageKind kind, std::size_t minimum) {
     const bool plane = kind == StageKind::parameter_transformer;
     return {.name = "seeds",
-            .type = ParameterType::points,
-            .unit = plane ? Unit::parameter : Unit::number,
-            .coordinates = {plane ? std::size_t{4} : std::size_t{6}},
-            .min_points = minimum,
+            .type = PointsParameter{.unit = plane ? Unit::parameter : Unit::number,
+                                    .coordinates = {plane ? std::size_t{4} : std::size_t{6}},
+                                    .min_points = minimum},
             .meaning = plane ? "(u, v, u', v'): the picture shows at (u, v) what was at (u', v')"
                              : "(x, y, z, x', y', z'): a point and its new position"};
 }
 
 StageParameter smoothing_parameter(std::string_view meaning) {
-    return {.name = "smoothing",
-            .default_value = {0.0},
-            .minimum = 0.0,
-            .constant = true,
-            .meaning = meaning};
+    return {
+        .name = "smoothing",
+        .type = NumberParameter{.default_value = 0.0, .range = {.minimum = 0.0}, .constant = true},
+        .meaning = meaning};
 }
 
 std::vector<StageParameter> thin_plate_parameters(StageKind kind) {
@@ -229,11 +227,10 @@ std::vector<StageParameter> inverse_distance_parameters(StageKind kind) {
     return {
         seeds_parameter(kind, 1),
         {.name = "power",
-         .default_value = {2.0},
-         .minimum = 1.0,
-         .maximum = 8.0,
-         .excludes_minimum = true,
-         .constant = true,
+         .type =
+             NumberParameter{.default_value = 2.0,
+                             .range = {.minimum = 1.0, .maximum = 8.0, .excludes_minimum = true},
+                             .constant = true},
          .meaning = "exponent of the distance; a higher value increases the influence of the "
                     "nearest seed"},
         smoothing_parameter("0 interpolates the seeds; otherwise a radius, in units of the seeds' "

@@ -127,8 +127,8 @@ std::size_t count_pictures(const std::vector<lang::Description>& all) {
 /// One run of the command. It collects the output for the terminal or for JSON.
 class Run {
 public:
-    Run(const CheckOptions& options, CheckRequest request)
-        : options_(options), request_(std::move(request)) {}
+    Run(const CheckOptions& options, CheckRequest request, lang::Workspace& workspace)
+        : options_(options), request_(std::move(request)), workspace_(workspace) {}
 
     ExitCode operator()() {
         if (!options_.scene.empty()) {
@@ -188,16 +188,14 @@ private:
 
     void check_file(const std::string& argument) {
         const std::string file = camera_file(argument).string();
-        const Diagnostics diagnostics = lang::check(file);
-        add(diagnostics);
-        // The file can be correct and the request wrong.
-        const auto subjects = has_errors(diagnostics)
-                                  ? Result<std::vector<CheckSubject>>(diagnostics)
-                                  : check_subjects(argument, request_.cameras);
-        if (!has_errors(diagnostics) && !subjects) {
+        const auto all = workspace_.make_all(file);
+        add(all.diagnostics);
+        const auto subjects = all ? subjects_of(argument, file, *all)
+                                  : Result<std::vector<CheckSubject>>(all.diagnostics);
+        if (all && !subjects) {
             add(subjects.diagnostics);
         }
-        const auto cameras = lang::describe(file);
+        const auto cameras = workspace_.describe(file);
         const std::size_t pictures = cameras ? count_pictures(*cameras) : 0;
         const std::size_t count = cameras ? cameras->size() - pictures : 0;
         nlohmann::json entry{{"file", file},
@@ -214,6 +212,20 @@ private:
             }
         }
         files_.push_back(std::move(entry));
+    }
+
+    // The file can be correct and the request wrong. Nothing is made twice.
+    Result<std::vector<CheckSubject>> subjects_of(const std::string& argument,
+                                                  const std::string& file,
+                                                  const std::vector<camera::Picture>& all) {
+        const bool whole_file =
+            argument == file && request_.cameras.set.empty() && request_.cameras.layer.empty();
+        if (whole_file) {
+            return check_subjects(all, request_.cameras);
+        }
+        const auto requested = check_pictures(argument, request_.cameras, workspace_);
+        return requested ? check_subjects(*requested, request_.cameras)
+                         : Result<std::vector<CheckSubject>>(requested.diagnostics);
     }
 
     void check_camera(const CheckSubject& subject, nlohmann::json& reports) {
@@ -307,6 +319,7 @@ private:
 
     const CheckOptions& options_;
     CheckRequest request_;
+    lang::Workspace& workspace_;
     std::optional<scene::Scene> scene_;
     std::optional<double> scene_distance_;
     ExitCode code_ = ExitCode::done;
@@ -316,9 +329,11 @@ private:
 
 // A map shows one camera. Other mistakes are found when the cameras are analysed.
 void check_one_camera(const CheckOptions& options, const SubjectRequest& request,
-                      Diagnostics& diagnostics) {
+                      lang::Workspace& workspace, Diagnostics& diagnostics) {
     const std::string& first = options.cameras.front();
-    const auto subjects = check_subjects(first, request);
+    const auto pictures = check_pictures(first, request, workspace);
+    const auto subjects = pictures ? check_subjects(*pictures, request)
+                                   : Result<std::vector<CheckSubject>>(pictures.diagnostics);
     if (options.cameras.size() == 1 && (!subjects || subjects->size() == 1)) {
         return;
     }
@@ -340,12 +355,13 @@ void check_one_camera(const CheckOptions& options, const SubjectRequest& request
 ExitCode check_command(const CheckOptions& options) {
     Diagnostics diagnostics;
     CheckRequest request = read_request(options, diagnostics);
+    lang::Workspace workspace;
     if (!options.layer.empty() && options.cameras.size() > 1) {
         diagnostics.push_back(error("--layer refers to one picture, but there are several files",
                                     {}, "name the picture"));
     }
     if (!request.maps.empty() && !has_errors(diagnostics)) {
-        check_one_camera(options, request.cameras, diagnostics);
+        check_one_camera(options, request.cameras, workspace, diagnostics);
     }
     if (has_errors(diagnostics)) {
         if (options.json) {
@@ -355,7 +371,7 @@ ExitCode check_command(const CheckOptions& options) {
         }
         return ExitCode::wrong_usage;
     }
-    return Run(options, std::move(request))();
+    return Run(options, std::move(request), workspace)();
 }
 
 }  // namespace

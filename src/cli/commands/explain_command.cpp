@@ -25,17 +25,17 @@ struct ExplainOptions {
 // Prints the text, or adds the same facts to the JSON document.
 ExitCode explain(const CameraArgument& wanted, const PictureSize& size, bool as_json,
                  nlohmann::json& document, Diagnostics& diagnostics) {
-    const auto picture = lang::load_picture(wanted.file, wanted.name, wanted.overrides);
-    diagnostics.insert(diagnostics.end(), picture.diagnostics.begin(), picture.diagnostics.end());
-    const auto explanation = lang::explain(wanted.file, wanted.name, wanted.overrides);
-    if (!picture || !explanation) {
+    const auto made = lang::Workspace().explain(wanted.file, wanted.name, wanted.overrides);
+    diagnostics.insert(diagnostics.end(), made.diagnostics.begin(), made.diagnostics.end());
+    if (!made) {
         return ExitCode::bad_input;
     }
-    const auto [width, height] = size.resolve(picture->parts().aspect, picture->parts().size);
+    const auto& [picture, explanation] = *made;
+    const auto [width, height] = size.resolve(picture.parts().aspect, picture.parts().size);
     const std::string formulas =
-        formulas_text(*picture, static_cast<double>(width), static_cast<double>(height));
+        formulas_text(picture, static_cast<double>(width), static_cast<double>(height));
     if (as_json) {
-        document = explanation_json(*explanation);
+        document = explanation_json(explanation);
         document["width"] = width;
         document["height"] = height;
         document["formulas"] = formulas;
@@ -44,9 +44,8 @@ ExitCode explain(const CameraArgument& wanted, const PictureSize& size, bool as_
             "{}\nFormulas for a picture of {} x {} pixels. x and y are the position in pixels from "
             "the\n"
             "top left corner, t is the time{}:\n\n{}",
-            explanation_text(*explanation), width, height,
-            explanation->is_picture ? ", a coverage is the opacity at the position" : "",
-            formulas));
+            explanation_text(explanation), width, height,
+            explanation.is_picture ? ", a coverage is the opacity at the position" : "", formulas));
     }
     return ExitCode::done;
 }

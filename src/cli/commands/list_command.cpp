@@ -63,7 +63,7 @@ bool names_kind(std::string what, camera::StageKind kind) {
 }
 
 bool is_kind(const std::string& what) {
-    const auto rows = camera::catalogue();
+    const auto& rows = camera::catalogue();
     return std::any_of(rows.begin(), rows.end(),
                        [&](const StageEntry& row) { return names_kind(what, row.kind); });
 }
@@ -113,7 +113,7 @@ ExitCode list_stages(const ListOptions& options) {
 }
 
 bool is_stage(const std::string& name) {
-    const auto rows = camera::catalogue();
+    const auto& rows = camera::catalogue();
     return std::any_of(rows.begin(), rows.end(),
                        [&](const StageEntry& row) { return row.name == name; });
 }
@@ -126,11 +126,12 @@ bool is_built_in_camera(const std::string& name) {
 // The cameras of a file, or the built-in cameras with the comments of their files.
 Result<std::vector<lang::Description>> cameras_of(const std::string& file) {
     if (file != "cameras") {
-        return lang::describe(file);
+        return lang::Workspace().describe(file);
     }
+    lang::Workspace workspace;
     std::vector<lang::Description> all;
     for (const std::string& name : lang::built_in_cameras()) {
-        auto described = lang::describe(name);
+        auto described = workspace.describe(name);
         if (!described) {
             return described;
         }

@@ -46,14 +46,14 @@ Result<CameraArgument> read_camera(const std::string& camera, const std::vector<
 
 Result<camera::Camera> load_camera(const std::string& camera, const std::vector<std::string>& set) {
     const Result<CameraArgument> wanted = read_camera(camera, set);
-    return wanted ? lang::load_camera(wanted->file, wanted->name, wanted->overrides)
+    return wanted ? lang::make_camera(wanted->file, wanted->name, wanted->overrides)
                   : Result<camera::Camera>(wanted.diagnostics);
 }
 
 Result<camera::Picture> load_picture(const std::string& picture,
                                      const std::vector<std::string>& set) {
     const Result<CameraArgument> wanted = read_camera(picture, set);
-    return wanted ? lang::load_picture(wanted->file, wanted->name, wanted->overrides)
+    return wanted ? lang::make_picture(wanted->file, wanted->name, wanted->overrides)
                   : Result<camera::Picture>(wanted.diagnostics);
 }
 

@@ -10,21 +10,23 @@
 
 namespace balcony::cli {
 
-namespace {
-
-Result<std::vector<camera::Picture>> load(const std::string& argument,
-                                          const SubjectRequest& request) {
+Result<std::vector<camera::Picture>> check_pictures(const std::string& argument,
+                                                    const SubjectRequest& request,
+                                                    lang::Workspace& workspace) {
     const Result<CameraArgument> wanted = read_camera(argument, request.set);
     if (!wanted) {
         return wanted.diagnostics;
     }
     if (wanted->name.empty() && request.layer.empty()) {
-        return lang::load_all(wanted->file, wanted->overrides);
+        return workspace.make_all(wanted->file, wanted->overrides);
     }
-    Result<camera::Picture> one = lang::load_picture(wanted->file, wanted->name, wanted->overrides);
+    Result<camera::Picture> one =
+        workspace.make_picture(wanted->file, wanted->name, wanted->overrides);
     return one ? Result<std::vector<camera::Picture>>({std::move(*one)}, one.diagnostics)
                : Result<std::vector<camera::Picture>>(one.diagnostics);
 }
+
+namespace {
 
 class SubjectList {
 public:
@@ -90,28 +92,24 @@ private:
 
 }  // namespace
 
-Result<std::vector<CheckSubject>> check_subjects(const std::string& argument,
+Result<std::vector<CheckSubject>> check_subjects(const std::vector<camera::Picture>& pictures,
                                                  const SubjectRequest& request) {
-    const auto pictures = load(argument, request);
-    if (!pictures) {
-        return pictures.diagnostics;
-    }
-    if (!request.layer.empty() && pictures->front().only_camera() != nullptr) {
-        return error(fmt::format("'{}' is a camera, which has no layers", pictures->front().name()),
+    if (!request.layer.empty() && pictures.front().only_camera() != nullptr) {
+        return error(fmt::format("'{}' is a camera, which has no layers", pictures.front().name()),
                      {}, "omit --layer, or name a picture");
     }
     SubjectList list(request);
-    for (const camera::Picture& picture : *pictures) {
+    for (const camera::Picture& picture : pictures) {
         list.add(picture);
     }
     std::vector<CheckSubject> subjects = list.take();
     if (!request.layer.empty() && subjects.empty()) {
-        const camera::Picture& picture = pictures->front();
+        const camera::Picture& picture = pictures.front();
         return error(
             fmt::format("picture '{}' has no layer {}", picture.name(), request.layer), {},
             "give its number, counted from 1 at the back: 2, or 3.1 in the picture of layer 3");
     }
-    return {std::move(subjects), pictures.diagnostics};
+    return subjects;
 }
 
 }  // namespace balcony::cli

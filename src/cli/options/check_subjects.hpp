@@ -27,8 +27,13 @@ struct SubjectRequest {
     double time = 0.0;
 };
 
-/// The cameras of FILE or FILE:NAME. Cameras with the same parameters occur once.
-[[nodiscard]] Result<std::vector<CheckSubject>> check_subjects(const std::string& argument,
-                                                               const SubjectRequest& request);
+/// The pictures of FILE, or the one of FILE:NAME.
+[[nodiscard]] Result<std::vector<camera::Picture>> check_pictures(const std::string& argument,
+                                                                  const SubjectRequest& request,
+                                                                  lang::Workspace& workspace);
+
+/// The cameras in pictures. Cameras with the same parameters occur once.
+[[nodiscard]] Result<std::vector<CheckSubject>> check_subjects(
+    const std::vector<camera::Picture>& pictures, const SubjectRequest& request);
 
 }  // namespace balcony::cli

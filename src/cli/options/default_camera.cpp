@@ -6,11 +6,53 @@
 #include <cmath>
 #include <numbers>
 
-#include <fmt/format.h>
-
-#include "balcony/lang.hpp"
+#include "balcony/make_stage.hpp"
 
 namespace balcony::cli {
+
+namespace {
+
+using camera::ObjectTransformer;
+using camera::radians;
+
+// The stages of the built-in camera `pinhole`. At rest it looks along x.
+Result<camera::Picture> pinhole(double half_width, double yaw, double pitch,
+                                const Imath::V3d& position) {
+    const auto mapper = camera::make_stage<camera::PictureMapper>(
+        "square_v", {{"u_first", half_width}, {"u_last", -half_width}});
+    const auto eye = camera::make_stage<camera::ObjectGenerator>("point");
+    const auto plane =
+        camera::make_stage<camera::ObjectGenerator>("plane", {{"at", {1.0, 0.0, 0.0}}});
+    const auto look = camera::make_stage<camera::DirectionRule>("relative");
+    const auto moves = {
+        camera::make_stage<ObjectTransformer>("rotate",
+                                              {{"axis", "y"}, {"angle", radians(-pitch)}}),
+        camera::make_stage<ObjectTransformer>("rotate", {{"axis", "z"}, {"angle", radians(yaw)}}),
+        camera::make_stage<ObjectTransformer>(
+            "translate", {{"x", position.x}, {"y", position.y}, {"z", position.z}})};
+
+    Diagnostics found;
+    const auto collect = [&found](const auto& made) {
+        found.insert(found.end(), made.diagnostics.begin(), made.diagnostics.end());
+    };
+    collect(mapper);
+    std::vector<camera::ObjectTransformerPointer> placed;
+    for (const auto& move : moves) {
+        collect(move);
+        placed.push_back(move.value.value_or(nullptr));
+    }
+    if (has_errors(found)) {
+        return found;
+    }
+    auto made = camera::Camera::make({.name = "pinhole",
+                                      .eye = {*mapper, {}, *eye, placed},
+                                      .toward = camera::Path{*mapper, {}, *plane, placed},
+                                      .look = *look});
+    return made ? Result<camera::Picture>(std::move(*made), std::move(made.diagnostics))
+                : Result<camera::Picture>(std::move(made.diagnostics));
+}
+
+}  // namespace
 
 Result<camera::Picture> default_picture(const scene::Scene& scene) {
     // In the camera's axes: z up; the front of a y-up scene, its +z, is the camera's -y.
@@ -36,15 +78,7 @@ Result<camera::Picture> default_picture(const scene::Scene& scene) {
     const Imath::V3d eye = center + offset;
     const double yaw = std::atan2(-offset.y, -offset.x);
     const double pitch = std::asin(-offset.z / distance);
-    const auto number = [](double value) { return fmt::format("{}", value); };
-    const auto angle = [](double value) { return fmt::format("{}rad", value); };
-    return lang::load_picture("pinhole", "pinhole",
-                              {{"fov", angle(2.0 * half_field)},
-                               {"px", number(eye.x)},
-                               {"py", number(eye.y)},
-                               {"pz", number(eye.z)},
-                               {"yaw", angle(yaw)},
-                               {"pitch", angle(pitch)}});
+    return pinhole(std::tan(half_field), yaw, pitch, eye);
 }
 
 }  // namespace balcony::cli

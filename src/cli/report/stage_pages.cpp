@@ -4,6 +4,7 @@
 #include "cli/report/stage_pages.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -19,51 +20,34 @@ namespace {
 using camera::StageEntry;
 using camera::StageKind;
 
-/// The classes of "Ray Tracing with Extended Cameras", section 3, in the paper's order. A stage
-/// belongs to the first class of its kind that lists it or lists no names.
-struct StageClass {
+/// The headings of the list of stages: the classes of "Ray Tracing with Extended Cameras", section
+/// 3, in its order. A row names its heading, or is under the one of its kind.
+struct Heading {
     std::string_view title;
     StageKind kind;
-    std::vector<std::string_view> names{};
+    bool of_kind = true;
 };
 
-const std::vector<StageClass>& classes() {
-    constexpr auto object = StageKind::object_generator;
-    static const std::vector<StageClass> rows{
-        {"Picture mappers", StageKind::picture_mapper},
-        {"Parameter transformers", StageKind::parameter_transformer},
-        {"Object transformers", StageKind::object_transformer},
-        {"Conics and superconics",
-         object,
-         {"ellipse", "hyperbola", "parabola", "superellipse", "superhyperbola", "superparabola"}},
-        {"Quadrics and superquadrics",
-         object,
-         {"product", "ellipsoid", "superellipsoid", "hyperboloid_one", "superhyperboloid_one",
-          "hyperboloid_two", "superhyperboloid_two", "toroid", "supertoroid"}},
-        {"General curves",
-         object,
-         {"polyline", "catmull_rom", "natural_spline", "hermite", "bezier", "bspline", "nurbs",
-          "arc_length"}},
-        {"Free-form surfaces",
-         object,
-         {"bezier_patch", "bspline_patch", "nurbs_patch", "interpolating_patch", "mesh"}},
-        {"Sweeps", object, {"sweep"}},
-        {"Fractal objects", object, {"fractal_plane", "fractal_sphere"}},
-        {"Objects from formulas", object, {"curve", "surface"}},
-        {"Points, curves and surfaces of elementary geometry", object},
-        {"Direction rules", StageKind::direction_rule},
-        {"Picture arrangers", StageKind::picture_arranger},
-        {"Clip shapes", StageKind::clip_shape},
-    };
-    return rows;
-}
+constexpr std::array headings{
+    Heading{"Picture mappers", StageKind::picture_mapper},
+    Heading{"Parameter transformers", StageKind::parameter_transformer},
+    Heading{"Object transformers", StageKind::object_transformer},
+    Heading{"Conics and superconics", StageKind::object_generator, false},
+    Heading{"Quadrics and superquadrics", StageKind::object_generator, false},
+    Heading{"General curves", StageKind::object_generator, false},
+    Heading{"Free-form surfaces", StageKind::object_generator, false},
+    Heading{"Sweeps", StageKind::object_generator, false},
+    Heading{"Fractal objects", StageKind::object_generator, false},
+    Heading{"Objects from formulas", StageKind::object_generator, false},
+    Heading{"Points, curves and surfaces of elementary geometry", StageKind::object_generator},
+    Heading{"Direction rules", StageKind::direction_rule},
+    Heading{"Picture arrangers", StageKind::picture_arranger},
+    Heading{"Clip shapes", StageKind::clip_shape},
+};
 
-const StageClass& class_of(const StageEntry& row) {
-    const auto found = std::find_if(classes().begin(), classes().end(), [&](const StageClass& c) {
-        return c.kind == row.kind && (c.names.empty() || std::find(c.names.begin(), c.names.end(),
-                                                                   row.name) != c.names.end());
-    });
-    return *found;
+bool is_under(const StageEntry& row, const Heading& heading) {
+    return row.kind == heading.kind &&
+           (row.section.empty() ? heading.of_kind : row.section == heading.title);
 }
 
 // "object-generator"
@@ -143,17 +127,17 @@ std::string index_text() {
         "All stages of cameras, grouped as in the founding paper. `scripts/pictures` generates\n"
         "these pages and their pictures from the catalogue of stages; `balcony list` prints the\n"
         "same text in the terminal. [Drawing a camera](../drawing.md) explains the pictures.\n";
-    for (const StageClass& each : classes()) {
+    for (const Heading& heading : headings) {
         std::string rows;
         for (const StageEntry& row : camera::catalogue()) {
-            if (&class_of(row) == &each) {
+            if (is_under(row, heading)) {
                 rows += fmt::format("| [{0}]({1}#{0}) | {2} |\n", row.name, page_file(row.kind),
                                     in_cell(row.meaning));
             }
         }
         if (!rows.empty()) {
-            text +=
-                fmt::format("\n## {}\n\n| stage | description |\n|---|---|\n{}", each.title, rows);
+            text += fmt::format("\n## {}\n\n| stage | description |\n|---|---|\n{}", heading.title,
+                                rows);
         }
     }
     return text;

@@ -5,27 +5,27 @@
 
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include <fmt/format.h>
 
 namespace balcony::cli {
 
-using camera::ParameterType;
 using camera::StageParameter;
 
 namespace {
 
-// Shows radians as degrees.
-std::string value_text(const StageParameter& parameter, double value) {
-    return parameter.unit == camera::Unit::angle && value != 0.0
+// Radians as degrees for people.
+std::string value_text(camera::Unit unit, double value) {
+    return unit == camera::Unit::angle && value != 0.0
                ? fmt::format("{:.6g}deg", value * 180.0 / std::numbers::pi)
                : fmt::format("{}", value);
 }
 
-std::string coordinates_text(const StageParameter& parameter) {
+std::string coordinates_text(const camera::PointsParameter& type) {
     std::vector<std::string> kinds;
-    for (const std::size_t coordinates : parameter.coordinates) {
+    for (const std::size_t coordinates : type.coordinates) {
         constexpr const char* tuples[] = {"numbers", "(a, b)", "(a, b, c)", "(a, b, c, d)"};
         kinds.push_back(coordinates >= 1 && coordinates <= std::size(tuples)
                             ? tuples[coordinates - 1]
@@ -43,59 +43,115 @@ std::string formula_text(const StageParameter& parameter) {
                            : parameter.meaning.substr(begin, end + 1 - begin));
 }
 
+std::string of_range(const camera::Range& range, camera::Unit unit) {
+    const bool has_min = std::isfinite(range.minimum);
+    const bool has_max = std::isfinite(range.maximum);
+    const std::string minimum = value_text(unit, range.minimum);
+    const std::string maximum = value_text(unit, range.maximum);
+    if (has_min && has_max) {
+        return fmt::format("{}{} to {}", range.excludes_minimum ? "above " : "", minimum, maximum);
+    }
+    return has_min   ? fmt::format("{}{}", range.excludes_minimum ? "above " : "from ", minimum)
+           : has_max ? fmt::format("to {}", maximum)
+                     : "";
+}
+
+std::string_view unit_text(camera::Unit unit) {
+    return unit == camera::Unit::angle ? "angle" : "number";
+}
+
+struct TypeText {
+    std::string operator()(const camera::NumberParameter& type) const {
+        return std::string(unit_text(type.unit));
+    }
+    std::string operator()(const camera::CountParameter&) const { return "whole number"; }
+    std::string operator()(const camera::PairParameter& type) const {
+        return type.one_for_both ? fmt::format("{} or (a, b)", unit_text(type.unit)) : "(a, b)";
+    }
+    std::string operator()(const camera::TripleParameter& type) const {
+        return type.names_axes ? "x, y, z or (a, b, c)" : "(a, b, c)";
+    }
+    std::string operator()(const camera::ChoiceParameter& type) const {
+        return fmt::format("{}", fmt::join(type.choices, " | "));
+    }
+    std::string operator()(const camera::PointsParameter& type) const {
+        return fmt::format("points{} or \"table.csv\"", coordinates_text(type));
+    }
+    std::string operator()(const camera::NestedStageParameter& type) const {
+        return type.dimension == 1
+                   ? "curve"
+                   : fmt::format("{}{}", camera::name_of(type.kind), type.several ? "s" : "");
+    }
+    std::string operator()(const camera::FormulaParameter&) const { return "formula"; }
+    std::string operator()(const camera::ImageParameter&) const { return "\"image.png\""; }
+    std::string operator()(const camera::MeshParameter&) const { return "\"mesh.obj\""; }
+};
+
+struct DefaultText {
+    std::string operator()(const camera::NumberParameter& type) const {
+        return type.default_value ? value_text(type.unit, *type.default_value) : "";
+    }
+    std::string operator()(const camera::CountParameter& type) const {
+        return type.default_value ? value_text(camera::Unit::number, *type.default_value) : "";
+    }
+    std::string operator()(const camera::PairParameter& type) const {
+        return type.default_value ? tuple(*type.default_value, type.unit) : "";
+    }
+    std::string operator()(const camera::TripleParameter& type) const {
+        return type.default_value ? tuple(*type.default_value, camera::Unit::number) : "";
+    }
+    std::string operator()(const camera::ChoiceParameter& type) const {
+        return std::string(type.choices.front());
+    }
+    template <class Other>
+    std::string operator()(const Other&) const {
+        return {};
+    }
+
+private:
+    static std::string tuple(std::span<const double> numbers, camera::Unit unit) {
+        std::vector<std::string> values;
+        for (const double value : numbers) {
+            values.push_back(value_text(unit, value));
+        }
+        return fmt::format("({})", fmt::join(values, ", "));
+    }
+};
+
+struct RangeText {
+    std::string operator()(const camera::NumberParameter& type) const {
+        return of_range(type.range, type.unit);
+    }
+    std::string operator()(const camera::CountParameter& type) const {
+        return of_range(type.range, camera::Unit::number);
+    }
+    std::string operator()(const camera::PairParameter& type) const {
+        return of_range(type.range, type.unit);
+    }
+    std::string operator()(const camera::TripleParameter& type) const {
+        return of_range(type.range, camera::Unit::number);
+    }
+    std::string operator()(const camera::PointsParameter& type) const {
+        return type.min_points > 1 ? fmt::format("{} or more", type.min_points) : "";
+    }
+    template <class Other>
+    std::string operator()(const Other&) const {
+        return {};
+    }
+};
+
 }  // namespace
 
 std::string type_text(const StageParameter& parameter) {
-    const char* unit = parameter.unit == camera::Unit::angle ? "angle" : "number";
-    switch (parameter.type) {
-        case ParameterType::number: return unit;
-        case ParameterType::count: return "whole number";
-        case ParameterType::pair: return "(a, b)";
-        case ParameterType::size: return fmt::format("{} or (a, b)", unit);
-        case ParameterType::triple: return "(a, b, c)";
-        case ParameterType::axis: return "x, y, z or (a, b, c)";
-        case ParameterType::choice: return fmt::format("{}", fmt::join(parameter.choices, " | "));
-        case ParameterType::points:
-            return fmt::format("points{} or \"table.csv\"", coordinates_text(parameter));
-        case ParameterType::curve: return "curve";
-        case ParameterType::stage: return std::string(camera::name_of(parameter.stage_kind));
-        case ParameterType::stages:
-            return fmt::format("{}s", camera::name_of(parameter.stage_kind));
-        case ParameterType::formula: return "formula";
-        case ParameterType::image: return "\"image.png\"";
-        case ParameterType::mesh: return "\"mesh.obj\"";
-    }
-    return {};
+    return std::visit(TypeText{}, parameter.type);
 }
 
 std::string default_text(const StageParameter& parameter) {
-    if (!parameter.choices.empty()) {
-        return std::string(parameter.choices.front());
-    }
-    std::vector<std::string> values;
-    for (const double value : parameter.default_value) {
-        values.push_back(value_text(parameter, value));
-    }
-    return values.size() == 1 ? values.front()
-           : values.empty()   ? ""
-                              : fmt::format("({})", fmt::join(values, ", "));
+    return std::visit(DefaultText{}, parameter.type);
 }
 
 std::string range_text(const StageParameter& parameter) {
-    if (parameter.type == ParameterType::points) {
-        return parameter.min_points > 1 ? fmt::format("{} or more", parameter.min_points) : "";
-    }
-    const bool has_min = std::isfinite(parameter.minimum);
-    const bool has_max = std::isfinite(parameter.maximum);
-    const std::string minimum = value_text(parameter, parameter.minimum);
-    const std::string maximum = value_text(parameter, parameter.maximum);
-    if (has_min && has_max) {
-        return fmt::format("{}{} to {}", parameter.excludes_minimum ? "above " : "", minimum,
-                           maximum);
-    }
-    return has_min   ? fmt::format("{}{}", parameter.excludes_minimum ? "above " : "from ", minimum)
-           : has_max ? fmt::format("to {}", maximum)
-                     : "";
+    return std::visit(RangeText{}, parameter.type);
 }
 
 std::string call_text(const camera::StageEntry& row) {
@@ -104,8 +160,9 @@ std::string call_text(const camera::StageEntry& row) {
     }
     std::vector<std::string> names;
     for (const StageParameter& parameter : row.parameters) {
-        names.push_back(parameter.type == ParameterType::formula ? formula_text(parameter)
-                                                                 : std::string(parameter.name));
+        names.push_back(parameter.as<camera::FormulaParameter>() != nullptr
+                            ? formula_text(parameter)
+                            : std::string(parameter.name));
     }
     return names.empty() ? std::string(row.name)
                          : fmt::format("{}({})", row.name, fmt::join(names, ", "));

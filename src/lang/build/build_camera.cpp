@@ -10,13 +10,11 @@
 #include "lang/build/stages.hpp"
 #include "lang/build/statements.hpp"
 #include "lang/names/definition_scope.hpp"
-#include "lang/syntax/keywords.hpp"
+#include "lang/syntax/statement_rows.hpp"
 
 namespace balcony::lang {
 
 namespace {
-
-using camera::StageKind;
 
 class CameraBuilder {
 public:
@@ -35,10 +33,10 @@ public:
         aspect(parts);
         axes(parts);
         shared_.mapper = mapper(statements_);
-        shared_.parameter_transformers = list<camera::ParameterTransformer>(
-            statements_, StatementKind::warp, StageKind::parameter_transformer);
-        shared_.object_transformers = list<camera::ObjectTransformer>(
-            statements_, StatementKind::move, StageKind::object_transformer);
+        shared_.parameter_transformers =
+            list<camera::ParameterTransformer>(statements_, StatementKind::warp);
+        shared_.object_transformers =
+            list<camera::ObjectTransformer>(statements_, StatementKind::move);
         paths(parts);
         look(parts);
         // A null result without a diagnostic here has been reported at its source.
@@ -53,11 +51,11 @@ private:
     }
 
     template <class Port>
-    std::vector<std::shared_ptr<const Port>> list(const Statements& statements, StatementKind kind,
-                                                  StageKind stage_kind) {
+    std::vector<std::shared_ptr<const Port>> list(const Statements& statements,
+                                                  StatementKind kind) {
         std::vector<std::shared_ptr<const Port>> made;
         for (const ExpressionId call : statements.stages(kind)) {
-            made.push_back(stages_.make<Port>(stage_kind, call));
+            made.push_back(stages_.make<Port>(call));
         }
         return made;
     }
@@ -67,7 +65,7 @@ private:
         if (statement == nullptr) {
             return;
         }
-        if (const auto value = stages_.aspect(statement->value, "a camera")) {
+        if (const auto value = stages_.aspect(statement->value(), "a camera")) {
             parts.aspect = *value;
         }
     }
@@ -77,7 +75,7 @@ private:
         if (statement == nullptr) {
             return;
         }
-        const Identifier& name = statement->name;
+        const Identifier& name = statement->word();
         if (name.text != "z_up" && name.text != "y_up") {
             error(name.span, fmt::format("unknown axes '{}'", name.text),
                   suggestion(name.text, {"z_up", "y_up"}, "write"));
@@ -109,7 +107,7 @@ private:
         }
         const MapRange* u = nullptr;
         const MapRange* v = nullptr;
-        for (const MapRange& range : statement->ranges) {
+        for (const MapRange& range : statement->ranges()) {
             const std::string_view name = range.coordinate.text;
             if (name != "u" && name != "v") {
                 error(range.coordinate.span,
@@ -151,7 +149,23 @@ private:
             }
         }
         const char* name = u_square ? "square_u" : v_square ? "square_v" : "range";
-        return stages_.make_mapper(name, values, statement.span);
+        auto made = stages_.make<camera::PictureMapper>(name, values, statement.span);
+        for (const MapRange* range : {&u, &v}) {
+            if (made && range->first.valid()) {
+                warn_of_empty(*range);
+            }
+        }
+        return made;
+    }
+
+    void warn_of_empty(const MapRange& range) {
+        const auto first = stages_.known_number(range.first);
+        const auto last = stages_.known_number(range.last);
+        if (first && first == last) {
+            reporter_.warning(tree_.at({tree_[range.first].span.begin, tree_[range.last].span.end}),
+                              "this range starts and ends at the same value",
+                              "the picture does not change in this direction");
+        }
     }
 
     // ----------------------------------------------------------------------------------- paths
@@ -181,15 +195,15 @@ private:
     // The path's own warps follow the camera's; its own moves precede the camera's.
     camera::Path path(const Statement& statement, bool& shared_map_used) {
         camera::Path made = shared_;
-        if (!statement.stages.empty()) {
-            made.generator = generator(statement.stages.front());
+        if (!statement.stages().empty()) {
+            made.generator = generator(statement.stages().front());
             shared_map_used = true;
             require_map(statement);
             return made;
         }
         const Statements own(tree_, statement.block, reporter_);
         if (const Statement* object = own.find(StatementKind::object)) {
-            made.generator = generator(object->stages.front());
+            made.generator = generator(object->stages().front());
         } else if (own.lacks(StatementKind::object)) {
             error(statement.keyword,
                   fmt::format("this '{}' has no object", keyword(statement.kind)),
@@ -201,12 +215,10 @@ private:
         } else {
             made.mapper = mapper(own);
         }
-        const auto warps = list<camera::ParameterTransformer>(own, StatementKind::warp,
-                                                              StageKind::parameter_transformer);
+        const auto warps = list<camera::ParameterTransformer>(own, StatementKind::warp);
         made.parameter_transformers.insert(made.parameter_transformers.end(), warps.begin(),
                                            warps.end());
-        const auto moves = list<camera::ObjectTransformer>(own, StatementKind::move,
-                                                           StageKind::object_transformer);
+        const auto moves = list<camera::ObjectTransformer>(own, StatementKind::move);
         made.object_transformers.insert(made.object_transformers.begin(), moves.begin(),
                                         moves.end());
         return made;
@@ -225,7 +237,7 @@ private:
     }
 
     camera::ObjectGeneratorPointer generator(ExpressionId call) {
-        return stages_.make<camera::ObjectGenerator>(StageKind::object_generator, call);
+        return stages_.make<camera::ObjectGenerator>(call);
     }
 
     // ------------------------------------------------------------------------------------ look
@@ -235,11 +247,11 @@ private:
         const Statement* toward = statements_.find(StatementKind::toward);
         const Span span = statement != nullptr ? statement->span : camera_.name.span;
         if (statement != nullptr) {
-            parts.look = stages_.make<camera::DirectionRule>(StageKind::direction_rule,
-                                                             statement->stages.front());
+            parts.look = stages_.make<camera::DirectionRule>(statement->stages().front());
         } else if (statements_.lacks(StatementKind::look) &&
                    (toward != nullptr || statements_.lacks(StatementKind::toward))) {
-            parts.look = stages_.make_default_rule(toward != nullptr ? "relative" : "normal", span);
+            parts.look = stages_.make<camera::DirectionRule>(
+                toward != nullptr ? "relative" : "normal", std::span<const ExpressionId>(), span);
         }
         if (!parts.look) {
             return;

@@ -12,58 +12,54 @@
 #include "lang/build/build_camera.hpp"
 #include "lang/build/resolved_layer.hpp"
 #include "lang/build/statements.hpp"
-#include "lang/syntax/keywords.hpp"
+#include "lang/syntax/statement_rows.hpp"
 
 namespace balcony::lang {
 
 namespace {
 
-using camera::ParameterType;
+using camera::NumberParameter;
+using camera::PairParameter;
 using camera::StageEntry;
+using camera::StageParameter;
+using camera::TripleParameter;
 
-// Rows for the numbers in layers, which are checked like arguments of stages.
+// Rows for what layers are told as numbers, to be checked as the arguments of stages are.
+
+StageParameter number_from_0_to_1(std::string_view name, std::string_view meaning) {
+    return {.name = name,
+            .type = NumberParameter{.range = {.minimum = 0.0, .maximum = 1.0}},
+            .optional = true,
+            .meaning = meaning};
+}
+
 const StageEntry& layer_row() {
     static const StageEntry row{
-        .kind = camera::StageKind::clip_shape,
         .name = "layer",
-        .meaning = "",
-        .parameters = {{.name = "soft",
-                        .minimum = 0.0,
-                        .maximum = 1.0,
-                        .meaning = "width of the clip's soft edge"},
-                       {.name = "alpha", .minimum = 0.0, .maximum = 1.0, .meaning = "opacity"}},
-        .make = nullptr};
+        .parameters = {number_from_0_to_1("soft", "width of the clip's soft edge"),
+                       number_from_0_to_1("alpha", "opacity")}};
     return row;
 }
 
 const StageEntry& frame_row() {
-    static const StageEntry row{.kind = camera::StageKind::clip_shape,
-                                .name = "frame",
-                                .meaning = "",
-                                .parameters = {{.name = "width",
-                                                .default_value = {0.004},
-                                                .minimum = 0.0,
-                                                .maximum = 1.0,
-                                                .meaning = "as a fraction of the picture's height"},
-                                               {.name = "color",
-                                                .type = ParameterType::triple,
-                                                .default_value = {1.0, 1.0, 1.0},
-                                                .minimum = 0.0,
-                                                .meaning = "red, green and blue in linear light"}},
-                                .make = nullptr};
+    static const StageEntry row{
+        .name = "frame",
+        .parameters = {{.name = "width",
+                        .type = NumberParameter{.default_value = 0.004,
+                                                .range = {.minimum = 0.0, .maximum = 1.0}},
+                        .meaning = "as a fraction of the picture's height"},
+                       {.name = "color",
+                        .type = TripleParameter{.default_value = std::array{1.0, 1.0, 1.0},
+                                                .range = {.minimum = 0.0}},
+                        .meaning = "red, green and blue in linear light"}}};
     return row;
 }
 
 const StageEntry& leader_row() {
     static const StageEntry row{
-        .kind = camera::StageKind::clip_shape,
         .name = "leader",
-        .meaning = "",
-        .parameters = {{.name = "from", .type = ParameterType::pair, .meaning = "top left corner"},
-                       {.name = "to",
-                        .type = ParameterType::pair,
-                        .meaning = "bottom right corner"}},
-        .make = nullptr};
+        .parameters = {{.name = "from", .type = PairParameter{}, .meaning = "top left corner"},
+                       {.name = "to", .type = PairParameter{}, .meaning = "bottom right corner"}}};
     return row;
 }
 
@@ -152,7 +148,7 @@ private:
         if (!picture_.size.empty()) {
             error(statement.span, "this picture has both a size and an aspect",
                   "remove the aspect, which follows from the size");
-        } else if (const auto value = stages_.aspect(statement.value, "a picture")) {
+        } else if (const auto value = stages_.aspect(statement.value(), "a picture")) {
             parts.aspect = *value;
         }
     }
@@ -171,22 +167,19 @@ private:
     // -------------------------------------------------------------------------------------- layers
 
     void layer(const Statement& statement, camera::Picture::Parts& parts) {
-        const Expression& call = tree_[statement.stages.front()];
+        const Expression& call = tree_[statement.stages().front()];
         const Statements own(tree_, statement.block, reporter_);
         std::optional<Content> content = this->content(call);
         const auto arrangers = make_arrangers(statement.block, stages_);
         const Statement* clip = own.find(StatementKind::clip);
-        const auto shape = clip != nullptr
-                               ? stages_.make<camera::ClipShape>(camera::StageKind::clip_shape,
-                                                                 clip->stages.front())
-                               : nullptr;
+        const auto shape =
+            clip != nullptr ? stages_.make<camera::ClipShape>(clip->stages().front()) : nullptr;
         const bool good = std::find(arrangers.begin(), arrangers.end(), nullptr) == arrangers.end();
         // Reads all statements, to report all mistakes.
         camera::Layer made{std::string(call.name.text), content.value_or(NestedPicture())};
         made.arrangers = arrangers;
         made.clip = shape;
-        made.softness = number(own, StatementKind::soft, 0.0);
-        made.alpha = number(own, StatementKind::alpha, 1.0);
+        numbers(own, made);
         blend(own, made);
         strokes(statement, own, made);
         if (content && good && (clip == nullptr || shape)) {
@@ -196,13 +189,21 @@ private:
         }
     }
 
-    camera::Scalar number(const Statements& own, StatementKind kind, double otherwise) {
-        const Statement* statement = own.find(kind);
-        const StageEntry& row = layer_row();
-        const auto given = statement != nullptr
-                               ? stages_.argument(row, keyword(kind), statement->value)
-                               : std::nullopt;
-        return given ? given->number(keyword(kind)) : camera::Scalar(otherwise);
+    void numbers(const Statements& own, camera::Layer& made) {
+        std::array<ExpressionId, 2> values;
+        Span span;
+        for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+            const Statement* statement =
+                own.find(i == 0 ? StatementKind::soft : StatementKind::alpha);
+            if (statement != nullptr) {
+                values[i] = statement->value();
+                span = statement->span;
+            }
+        }
+        if (const auto given = stages_.arguments(layer_row(), values, span)) {
+            made.softness = given->has("soft") ? given->number("soft") : made.softness;
+            made.alpha = given->has("alpha") ? given->number("alpha") : made.alpha;
+        }
     }
 
     void blend(const Statements& own, camera::Layer& made) {
@@ -210,32 +211,36 @@ private:
         if (statement == nullptr) {
             return;
         }
-        const auto mode = camera::find_blend_mode(statement->name.text);
+        const auto mode = camera::find_blend_mode(statement->word().text);
         if (!mode) {
-            error(statement->name.span,
-                  fmt::format("unknown blend mode '{}'", statement->name.text),
-                  suggestion(statement->name.text, camera::blend_mode_names(),
+            error(statement->word().span,
+                  fmt::format("unknown blend mode '{}'", statement->word().text),
+                  suggestion(statement->word().text, camera::blend_mode_names(),
                              "the blend modes are"));
         }
         made.blend = mode.value_or(camera::BlendMode::normal);
     }
 
-    // Leader lines are drawn like the frame.
+    camera::Stroke stroke(const Statement& frame) {
+        const auto given = stages_.arguments(frame_row(), tree_[frame.stages().front()]);
+        return given ? camera::Stroke{given->number("width"), given->triple("color")}
+                     : camera::Stroke();
+    }
+
+    // Leader lines are drawn as the frame is.
     void strokes(const Statement& statement, const Statements& own, camera::Layer& made) {
-        camera::Stroke stroke;
-        if (const Statement* frame = own.find(StatementKind::frame)) {
-            if (const auto given = stages_.arguments(frame_row(), tree_[frame->stages.front()])) {
-                stroke = {given->number("width"), given->triple("color")};
-            }
+        const Statement* frame = own.find(StatementKind::frame);
+        const camera::Stroke stroke = frame != nullptr ? this->stroke(*frame) : camera::Stroke();
+        if (frame != nullptr) {
             made.frame = stroke;
         }
         for (const Statement& one : statement.block) {
             if (one.kind != StatementKind::leader || one.broken) {
                 continue;
             }
-            const MapRange& region = one.ranges.front();
-            if (const auto given =
-                    stages_.arguments(leader_row(), std::array{region.first, region.last})) {
+            const Corners& region = one.corners();
+            if (const auto given = stages_.arguments(
+                    leader_row(), std::array{region.first, region.last}, region.span)) {
                 made.leaders.push_back({given->pair("from"), given->pair("to"), stroke});
             }
         }

@@ -59,7 +59,7 @@ bool read_parameters(const SyntaxTree& tree, const Expression& call, Scope& name
             good = false;
             continue;
         }
-        const Value value = evaluate_any(tree, argument.value, names, *session.graph(), reporter);
+        const Value value = evaluate_any(tree, argument.value, names, session.context());
         good = good && !value.failed();
         given.values.push_back({*argument.name, tree.at(argument.name->span), value, span});
     }

@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// Assigns arguments to the parameters of a stage, and reads arguments that are names or stages.
+// Which parameter an argument of a stage is for, and where what camera::bind finds is reported.
 
 #include <algorithm>
 
@@ -15,31 +15,36 @@ namespace balcony::lang {
 namespace {
 
 using camera::Arguments;
-using camera::ParameterType;
+using camera::Finding;
 using camera::StageEntry;
-using camera::StageKind;
 using camera::StageParameter;
 
-// The formula parameter that a formula among the arguments belongs to; null if there is none
+bool is_formula(const StageParameter& parameter) {
+    return parameter.as<camera::FormulaParameter>() != nullptr;
+}
+
+bool takes_the_rest(const StageParameter& parameter) {
+    const auto* nested = parameter.as<camera::NestedStageParameter>();
+    return nested != nullptr && nested->several;
+}
+
+const StageParameter* find_parameter(const StageEntry& row, std::string_view name) {
+    const auto found =
+        std::find_if(row.parameters.begin(), row.parameters.end(),
+                     [name](const StageParameter& parameter) { return parameter.name == name; });
+    return found != row.parameters.end() ? &*found : nullptr;
+}
+
+// The formula parameter that a formula in the place of an argument is for; null if there is none,
 // and the formula is a stage.
 const StageParameter* parameter_of_formula(const StageEntry& row, const Expression& value) {
-    const auto found = std::find_if(
-        row.parameters.begin(), row.parameters.end(), [&value](const StageParameter& parameter) {
-            return parameter.type == ParameterType::formula && parameter.name == value.name.text;
-        });
-    return value.kind == ExpressionKind::formula && found != row.parameters.end() ? &*found
-                                                                                  : nullptr;
+    const StageParameter* found =
+        value.kind == ExpressionKind::formula ? find_parameter(row, value.name.text) : nullptr;
+    return found != nullptr && is_formula(*found) ? found : nullptr;
 }
 
-bool takes_formulas(const StageEntry& row) {
-    return std::any_of(row.parameters.begin(), row.parameters.end(), [](const auto& parameter) {
-        return parameter.type == ParameterType::formula;
-    });
-}
-
-bool is_stage_formula(std::string_view name) {
-    const auto& rows = camera::catalogue();
-    return std::any_of(rows.begin(), rows.end(),
+bool is_stage_formula(const camera::Catalogue& catalogue, std::string_view name) {
+    return std::any_of(catalogue.begin(), catalogue.end(),
                        [name](const StageEntry& row) { return row.formula && row.name == name; });
 }
 
@@ -49,7 +54,7 @@ class Positions {
 public:
     explicit Positions(const StageEntry& row) {
         for (const StageParameter& parameter : row.parameters) {
-            if (parameter.type != ParameterType::formula) {
+            if (!is_formula(parameter)) {
                 parameters_.push_back(&parameter);
             }
         }
@@ -58,14 +63,13 @@ public:
     [[nodiscard]] std::span<const StageParameter* const> rest() const {
         return std::span(parameters_).subspan(at_);
     }
-    void skip(std::size_t count) { at_ += count; }
-    /// Null at the end.
+    /// Null if there are no more.
     const StageParameter* next() {
         if (at_ == parameters_.size()) {
             return nullptr;
         }
         const StageParameter* parameter = parameters_[at_];
-        at_ += parameter->type == ParameterType::stages ? 0 : 1;
+        at_ += takes_the_rest(*parameter) ? 0 : 1;
         return parameter;
     }
 
@@ -74,54 +78,30 @@ private:
     std::size_t at_ = 0;
 };
 
-constexpr std::string_view curve_remedy =
-    "write a curve, for example circle(1) or curve(u) = [cos(u), sin(u)]";
-
-// A number literal, with or without a sign.
+// A number that is written as one, with or without a sign.
 bool is_literal(const SyntaxTree& tree, const Expression& node) {
     const bool sign = node.kind == ExpressionKind::operation && node.arguments.size() == 1;
     return node.kind == ExpressionKind::number ||
            (sign && is_literal(tree, tree[node.arguments.front().value]));
 }
 
-bool may_be_stage(const Expression& node) {
-    return node.kind == ExpressionKind::name || node.kind == ExpressionKind::call ||
-           node.kind == ExpressionKind::formula;
-}
-
-// An example of a stage of a kind: the first one in the catalogue.
-std::string example_of(StageKind kind) {
-    for (const StageEntry& row : camera::catalogue()) {
-        if (row.kind == kind && !row.formula) {
-            return signature(row);
-        }
-    }
-    return {};
+// What a user writes instead of a plain number that should be an angle.
+std::string angle_remedy(const SourceSpan& place) {
+    const std::string_view written =
+        place.source->text().substr(place.begin, place.end - place.begin);
+    const bool literal = written.find_first_not_of("0123456789.") == std::string::npos;
+    return literal ? fmt::format("write {0}deg or {0}rad", written)
+                   : "multiply it by 1rad if it is in radians, or by 1deg if it is in degrees";
 }
 
 }  // namespace
 
-std::string_view described(const Expression& node) {
-    switch (node.kind) {
-        case ExpressionKind::tuple: return "a tuple";
-        case ExpressionKind::list: return "a list";
-        case ExpressionKind::text: return "a file name";
-        case ExpressionKind::formula: return "a formula";
-        default: return "a number";
-    }
-}
-
 std::optional<Arguments> StageBuilder::arguments(const StageEntry& row, const Expression& call) {
-    Arguments made;
-    if (row.formula) {
-        std::optional<camera::Formula> formula = stage_formula(row, call);
-        if (!formula) {
-            return std::nullopt;
-        }
-        made.set_formula(std::move(*formula));
-        return made;
+    if (row.formula && call.kind == ExpressionKind::formula) {
+        Located made = formula(row.name, *row.formula, call);
+        return bind(row, {{{row.name, std::move(made.value)}, std::move(made.place)}}, call.span);
     }
-    if (call.kind == ExpressionKind::formula) {
+    if (!row.formula && call.kind == ExpressionKind::formula) {
         error(call.span, fmt::format("'{}' does not take a formula", row.name),
               fmt::format("the syntax is {}", signature(row)));
         return std::nullopt;
@@ -129,23 +109,76 @@ std::optional<Arguments> StageBuilder::arguments(const StageEntry& row, const Ex
     if (tuple_is_spread(row, call)) {
         return std::nullopt;
     }
-    std::vector<Given> given(row.parameters.size());
-    bool good = assign(row, call, given);
-    for (std::size_t i = 0; i < given.size(); ++i) {
-        const StageParameter& parameter = row.parameters[i];
-        if (const std::optional<Element>& element = given[i].element) {
-            const auto value = number(row, parameter, element->value, element->place);
-            good = value && good;
-            if (value) {
-                made.set(parameter.name, std::vector<camera::Scalar>{*value});
-            }
-        } else if (!given[i].empty()) {
-            good = set_argument(row, parameter, given[i].expressions, made) && good;
-        } else if (good) {
-            good = set_default(row, parameter, call.name.span, made);
+    std::vector<Given> values;
+    if (!row.formula) {
+        for (const Assigned& assigned : assign(row, call)) {
+            values.push_back(given(assigned));
         }
     }
-    return good ? std::optional(std::move(made)) : std::nullopt;
+    return bind(row, values, row.formula ? call.span : call.name.span);
+}
+
+std::optional<Arguments> StageBuilder::arguments(const StageEntry& row,
+                                                 std::span<const ExpressionId> values, Span span) {
+    assert(values.size() <= row.parameters.size());
+    std::vector<Given> all;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (values[i].valid()) {
+            const StageParameter& parameter = row.parameters[i];
+            all.push_back(given({parameter.name, &parameter, span, {values[i]}, std::nullopt}));
+        }
+    }
+    return bind(row, all, span);
+}
+
+// ------------------------------------------------------------------------------------ findings
+
+std::optional<Arguments> StageBuilder::bind(const StageEntry& row, const std::vector<Given>& given,
+                                            Span whole) {
+    std::vector<camera::NamedValue> values;
+    for (const Given& one : given) {
+        values.push_back(one.named);
+    }
+    camera::Binding bound = camera::bind(row, values);
+    for (Finding& finding : bound.findings) {
+        Diagnostic& diagnostic = finding.diagnostic;
+        if (!finding.value) {
+            diagnostic.span = tree_.at(whole);
+            reporter_.add(std::move(diagnostic));
+            continue;
+        }
+        const Given& about = given[*finding.value];
+        const bool of_name = finding.kind == Finding::Kind::unknown_name ||
+                             finding.kind == Finding::Kind::given_twice;
+        const Place* place = &about.place;
+        for (const std::size_t i : finding.element) {
+            place = i < place->parts.size() ? &place->parts[i] : place;
+        }
+        diagnostic.span = of_name ? tree_.at(about.name) : place->span;
+        if (finding.kind == Finding::Kind::number_for_angle) {
+            diagnostic.remedy = angle_remedy(diagnostic.span);
+        } else if (finding.kind == Finding::Kind::wrong_coordinates &&
+                   diagnostic.span.source != tree_.source) {
+            diagnostic.remedy = "each line of a table is a point; remove other columns";
+        }
+        if (finding.earlier) {
+            diagnostic.notes.push_back({given[*finding.earlier].place.span, "first given here"});
+        }
+        report({std::move(diagnostic)}, of_name ? about.name : about.expression);
+    }
+    return std::move(bound.arguments);
+}
+
+void StageBuilder::report(Diagnostics found, Span named) {
+    for (Diagnostic& diagnostic : found) {
+        if (!diagnostic.span.source) {
+            diagnostic.span = tree_.at(named);
+        } else if (diagnostic.span.source != tree_.source || diagnostic.span.begin < named.begin ||
+                   diagnostic.span.end > named.end) {
+            diagnostic.notes.push_back({tree_.at(named), "used here"});
+        }
+        reporter_.add(std::move(diagnostic));
+    }
 }
 
 // -------------------------------------------------------------- parameters of the arguments
@@ -158,9 +191,10 @@ bool StageBuilder::tuple_is_spread(const StageEntry& row, const Expression& call
         if (parameter == nullptr) {
             return false;
         }
-        const std::size_t count = parameter->type == ParameterType::triple ? 3
-                                  : parameter->type == ParameterType::pair ? 2
-                                                                           : 1;
+        const auto* pair = parameter->as<camera::PairParameter>();
+        const std::size_t count = parameter->as<camera::TripleParameter>() != nullptr ? 3
+                                  : pair != nullptr && !pair->one_for_both            ? 2
+                                                                                      : 1;
         const auto first = call.arguments.begin() + static_cast<std::ptrdiff_t>(i);
         if (count == 1 || call.arguments.size() < i + count ||
             !std::all_of(first, first + static_cast<std::ptrdiff_t>(count),
@@ -174,113 +208,94 @@ bool StageBuilder::tuple_is_spread(const StageEntry& row, const Expression& call
         error(span,
               fmt::format("the {} numbers of '{}' of '{}' must be in parentheses",
                           count == 2 ? "two" : "three", parameter->name, row.name),
-              fmt::format("write ({})",
-                          tree_.source->text().substr(span.begin, span.end - span.begin)));
+              fmt::format("write ({})", tree_.text(span)));
         return true;
     }
     return false;
 }
 
-bool StageBuilder::assign(const StageEntry& row, const Expression& call,
-                          std::vector<Given>& given) {
-    bool good = true;
+// An argument with an error of its own is assigned to no name.
+std::vector<StageBuilder::Assigned> StageBuilder::assign(const StageEntry& row,
+                                                         const Expression& call) {
+    std::vector<Assigned> made;
     bool named = false;
     std::size_t values =
         call.arguments.size();  // Including the numbers of tuples that are for several parameters.
     Positions positions(row);
+    const bool takes_formulas =
+        std::any_of(row.parameters.begin(), row.parameters.end(), is_formula);
     for (const Argument& argument : call.arguments) {
         const Expression& value = tree_[argument.value];
         const StageParameter* parameter = parameter_of_formula(row, value);
         if (argument.name) {
             named = true;
-            parameter = named_parameter(row, *argument.name);
+            made.push_back({argument.name->text,
+                            find_parameter(row, argument.name->text),
+                            argument.name->span,
+                            {argument.value},
+                            std::nullopt});
         } else if (call.words) {
             parameter = parameter_of_word(row, value.name);
-        } else if (parameter == nullptr && value.kind == ExpressionKind::formula &&
-                   takes_formulas(row) && !is_stage_formula(value.name.text)) {
-            (void)named_parameter(row, value.name);
-        } else if (parameter == nullptr && named) {
+            made.push_back({parameter != nullptr ? parameter->name : "",
+                            parameter,
+                            value.span,
+                            {argument.value},
+                            std::nullopt});
+        } else if (parameter == nullptr && takes_formulas &&
+                   value.kind == ExpressionKind::formula &&
+                   !is_stage_formula(session_.catalogue(), value.name.text)) {
+            made.push_back({value.name.text, nullptr, value.name.span, {}, std::nullopt});
+        } else if (parameter != nullptr) {
+            made.push_back(
+                {parameter->name, parameter, value.span, {argument.value}, std::nullopt});
+        } else if (named) {
             error(value.span, "a positional argument follows a named argument",
                   fmt::format("write positional arguments first, in the order of {}, or name them",
                               signature(row)));
-        } else if (parameter == nullptr) {
-            if (const std::size_t count =
-                    assign_tuple(row, argument.value, positions.rest(), given)) {
-                positions.skip(count);
-                values += count - 1;
-                continue;
+            made.emplace_back();
+        } else if (const auto tuple = tuple_for(argument.value, positions.rest())) {
+            values += tuple->elements->size() - 1;
+            for (const Element& element : *tuple->elements) {
+                const StageParameter* next = positions.next();
+                made.push_back({next->name, next, value.span, {argument.value}, element});
             }
-            parameter = positions.next();
-            if (parameter == nullptr) {
-                error(value.span,
-                      fmt::format("'{}' takes {} argument{}, but {} are given", row.name,
-                                  positions.count(), positions.count() == 1 ? "" : "s", values),
-                      fmt::format("the syntax is {}", signature(row)));
-                return false;
+        } else if (const StageParameter* next = positions.next()) {
+            const auto rest = std::find_if(made.begin(), made.end(), [next](const Assigned& one) {
+                return one.parameter == next && takes_the_rest(*next);
+            });
+            if (rest != made.end()) {
+                rest->expressions.push_back(argument.value);
+            } else {
+                made.push_back({next->name, next, value.span, {argument.value}, std::nullopt});
             }
-        }
-        if (parameter == nullptr) {
-            good = false;
-            continue;
-        }
-        Given& slot = given[static_cast<std::size_t>(parameter - row.parameters.data())];
-        const bool one_more = parameter->type == ParameterType::stages && !argument.name;
-        if (!slot.empty() && !one_more) {
-            Diagnostic diagnostic =
-                balcony::error(fmt::format("'{}' is given twice", parameter->name),
-                               tree_.at(argument.name ? argument.name->span : value.span),
-                               fmt::format("remove one; positional arguments have the order "
-                                           "of {}",
-                                           signature(row)));
-            diagnostic.notes.push_back({slot.element
-                                            ? slot.element->place
-                                            : tree_.at(tree_[slot.expressions.front()].span),
-                                        "first given here"});
-            reporter_.add(std::move(diagnostic));
-            good = false;
         } else {
-            slot.expressions.push_back(argument.value);
+            error(value.span,
+                  fmt::format("'{}' takes {} argument{}, but {} are given", row.name,
+                              positions.count(), positions.count() == 1 ? "" : "s", values),
+                  fmt::format("the syntax is {}", signature(row)));
+            made.emplace_back();
+            break;
         }
     }
-    return good;
+    return made;
 }
 
-// A tuple in place of the same number of number arguments stands for all of them:
-// translate(corner) is translate(x, y, z). Returns their number; 0 if it does not.
-std::size_t StageBuilder::assign_tuple(const StageEntry& row, ExpressionId value,
-                                       std::span<const StageParameter* const> positions,
-                                       std::vector<Given>& given) {
+// A tuple in the place of as many numbers is for all of them: translate(corner) is
+// translate(x, y, z).
+std::optional<Value> StageBuilder::tuple_for(ExpressionId value,
+                                             std::span<const StageParameter* const> positions) {
     const auto is_number = [](const StageParameter* parameter) {
-        return parameter->type == ParameterType::number;
+        return parameter->as<camera::NumberParameter>() != nullptr;
     };
     const auto numbers = static_cast<std::size_t>(
         std::find_if_not(positions.begin(), positions.end(), is_number) - positions.begin());
     if (numbers < 2) {
-        return 0;
+        return std::nullopt;
     }
-    const auto tuple = evaluate_compound(tree_, value, scope_, *graph_, reporter_);
-    if (!tuple || tuple->form != Value::Form::tuple || tuple->elements->size() > numbers) {
-        return 0;
-    }
-    for (std::size_t i = 0; i < tuple->elements->size(); ++i) {
-        given[static_cast<std::size_t>(positions[i] - row.parameters.data())].element =
-            (*tuple->elements)[i];
-    }
-    return tuple->elements->size();
-}
-
-const StageParameter* StageBuilder::named_parameter(const StageEntry& row, const Identifier& name) {
-    std::vector<std::string> known;
-    for (const StageParameter& parameter : row.parameters) {
-        if (parameter.name == name.text) {
-            return &parameter;
-        }
-        known.emplace_back(parameter.name);
-    }
-    error(name.span, fmt::format("'{}' has no argument '{}'", row.name, name.text),
-          known.empty() ? fmt::format("'{}' takes no arguments", row.name)
-                        : suggestion(name.text, known, "its arguments are"));
-    return nullptr;
+    std::optional<Value> tuple = evaluate_compound(tree_, value, scope_, session_.context());
+    const bool fits =
+        tuple && tuple->form == Value::Form::tuple && tuple->elements->size() <= numbers;
+    return fits ? std::move(tuple) : std::nullopt;
 }
 
 // The first parameter that has the word as a choice.
@@ -288,11 +303,12 @@ const StageParameter* StageBuilder::parameter_of_word(const StageEntry& row,
                                                       const Identifier& word) {
     std::vector<std::string> known;
     for (const StageParameter& parameter : row.parameters) {
-        for (const std::string_view choice : parameter.choices) {
-            if (choice == word.text) {
+        if (const auto* choice = parameter.as<camera::ChoiceParameter>()) {
+            if (std::find(choice->choices.begin(), choice->choices.end(), word.text) !=
+                choice->choices.end()) {
                 return &parameter;
             }
-            known.emplace_back(choice);
+            known.insert(known.end(), choice->choices.begin(), choice->choices.end());
         }
     }
     error(word.span, fmt::format("'{}' cannot be '{}'", row.name, word.text),
@@ -301,98 +317,20 @@ const StageParameter* StageBuilder::parameter_of_word(const StageEntry& row,
     return nullptr;
 }
 
-// -------------------------------------------------------------------- values of the arguments
-
-bool StageBuilder::set_argument(const StageEntry& row, const StageParameter& parameter,
-                                std::span<const ExpressionId> given, Arguments& arguments) {
-    // `made` is an optional value or a pointer.
-    const auto set = [&parameter, &arguments](auto made) {
-        const bool good = static_cast<bool>(made);
-        if constexpr (std::is_constructible_v<Arguments::Value, decltype(made)>) {
-            if (good) {
-                arguments.set(parameter.name, std::move(made));
-            }
-        } else if (good) {
-            arguments.set(parameter.name, std::move(*made));
-        }
-        return good;
-    };
-    switch (parameter.type) {
-        case ParameterType::choice: return set(choice(row, parameter, given.front()));
-        case ParameterType::points: return set(points(row, parameter, given.front()));
-        case ParameterType::image: return set(image(row, parameter, given.front()));
-        case ParameterType::mesh: return set(mesh(row, parameter, given.front()));
-        case ParameterType::curve: return set(curve(row, parameter, given.front()));
-        case ParameterType::stage: return set(nested_stage(row, parameter, given.front()));
-        case ParameterType::stages: return set(nested_stages(row, parameter, given));
-        case ParameterType::formula: return set(formula_argument(row, parameter, given.front()));
-        default: return set(numbers(row, parameter, given.front()));
-    }
-}
-
-std::optional<std::string> StageBuilder::choice(const StageEntry& row,
-                                                const StageParameter& parameter,
-                                                ExpressionId given) {
-    const Expression& node = tree_[given];
-    const std::vector<std::string> words(parameter.choices.begin(), parameter.choices.end());
-    if (node.kind != ExpressionKind::name) {
-        error(node.span, fmt::format("'{}' of '{}' takes a name", parameter.name, row.name),
-              fmt::format("write {}", one_of(words)));
-        return std::nullopt;
-    }
-    if (std::find(words.begin(), words.end(), node.name.text) == words.end()) {
-        error(node.span,
-              fmt::format("'{}' of '{}' cannot be '{}'", parameter.name, row.name, node.name.text),
-              suggestion(node.name.text, words, "it is"));
-        return std::nullopt;
-    }
-    return std::string(node.name.text);
-}
-
-StageBuilder::Stage StageBuilder::nested_stage(const StageEntry& row,
-                                               const StageParameter& parameter,
-                                               ExpressionId given) {
-    const Expression& node = tree_[given];
-    if (!may_be_stage(node)) {
-        const std::string_view kind = camera::name_of(parameter.stage_kind);
-        error(node.span,
-              fmt::format("'{}' of '{}' takes {}, but this is {}", parameter.name, row.name,
-                          with_article(kind), described(node)),
-              fmt::format("write {}, for example {}", with_article(kind),
-                          example_of(parameter.stage_kind)));
-        return nullptr;
-    }
-    return make_stage(parameter.stage_kind, given);
-}
-
-std::optional<std::vector<StageBuilder::Stage>> StageBuilder::nested_stages(
-    const StageEntry& row, const StageParameter& parameter, std::span<const ExpressionId> given) {
-    std::vector<Stage> made;
-    for (const ExpressionId id : given) {
-        if (Stage stage = nested_stage(row, parameter, id)) {
-            made.push_back(std::move(stage));
-        }
-    }
-    return made.size() == given.size() ? std::optional(std::move(made)) : std::nullopt;
-}
-
-StageBuilder::Stage StageBuilder::curve(const StageEntry& row, const StageParameter& parameter,
-                                        ExpressionId given) {
-    const Expression& node = tree_[given];
-    if (!may_be_stage(node)) {
-        error(node.span,
-              fmt::format("'{}' of '{}' takes a curve, but this is {}", parameter.name, row.name,
-                          described(node)),
-              std::string(curve_remedy));
-        return nullptr;
-    }
-    const auto made = make<camera::ObjectGenerator>(StageKind::object_generator, given);
-    if (made && made->dimension() != 1) {
-        error(node.span,
-              fmt::format("'{}' of '{}' takes a curve, but '{}' is a {}", parameter.name, row.name,
-                          node.name.text, made->dimension() == 0 ? "point" : "surface"),
-              std::string(curve_remedy));
-        return nullptr;
+StageBuilder::Given StageBuilder::given(const Assigned& assigned) {
+    const Span expression = assigned.expressions.empty() ? assigned.name_span
+                                                         : tree_[assigned.expressions.front()].span;
+    Given made{
+        {assigned.name, camera::Failed{}}, {tree_.at(expression)}, assigned.name_span, expression};
+    if (assigned.element) {
+        made.named.value = quantity(assigned.element->value);
+        made.place = {assigned.element->place};
+    } else if (assigned.parameter != nullptr) {
+        Located located = value(*assigned.parameter, assigned.expressions);
+        made.named.value = std::move(located.value);
+        made.place = std::move(located.place);
+    } else if (!assigned.name.empty()) {
+        made.named.value = camera::Unsuitable{};
     }
     return made;
 }

@@ -3,123 +3,83 @@
 
 // Arguments that are files: tables of points, images, meshes.
 
-#include <fmt/format.h>
+#include <utility>
 
 #include "lang/build/stages.hpp"
 
 namespace balcony::lang {
 
-namespace {
+using camera::Failed;
 
-using camera::PointList;
-using camera::StageEntry;
-using camera::StageParameter;
-
-}  // namespace
-
-void StageBuilder::error(SourceSpan place, std::string message, std::string remedy) {
-    Diagnostics diagnostics{
-        balcony::error(std::move(message), std::move(place), std::move(remedy))};
-    if (named_) {
-        report_file(std::move(diagnostics), *named_);
-    } else {
-        reporter_.add(std::move(diagnostics.front()));
-    }
+std::optional<data::File> StageBuilder::file(const Expression& node) {
+    const auto folder = module_.built_in ? std::nullopt : std::optional(module_.folder);
+    const Result<data::File>& found = session_.files().find(node.name.text, folder);
+    report(found.diagnostics, node.span);
+    return found.value;
 }
 
-// A diagnostic without a position gets that of the name in the camera file. A diagnostic in another
-// file gets a note that shows where the file is used.
-void StageBuilder::report_file(Diagnostics diagnostics, Span named) {
-    for (Diagnostic& diagnostic : diagnostics) {
-        if (!diagnostic.span.source) {
-            diagnostic.span = tree_.at(named);
-        } else if (diagnostic.span.source != tree_.source || diagnostic.span.begin < named.begin ||
-                   diagnostic.span.end > named.end) {
-            diagnostic.notes.push_back({tree_.at(named), "used here"});
-        }
-        reporter_.add(std::move(diagnostic));
-    }
+StageBuilder::Located StageBuilder::image(ExpressionId given) {
+    return file(
+        given, [this](const data::File& found) -> const auto& {
+            return session_.files().image(found);
+        });
 }
 
-std::optional<data::File> StageBuilder::file(const StageEntry& row, const StageParameter& parameter,
-                                             ExpressionId given, std::string_view what,
-                                             std::string_view example) {
+StageBuilder::Located StageBuilder::mesh(ExpressionId given) {
+    return file(
+        given, [this](const data::File& found) -> const auto& {
+            return session_.files().mesh(found);
+        });
+}
+
+template <class Read>
+StageBuilder::Located StageBuilder::file(ExpressionId given, Read read) {
     const Expression& node = tree_[given];
     if (node.kind != ExpressionKind::text) {
-        error(node.span, fmt::format("'{}' of '{}' takes {}", parameter.name, row.name, what),
-              fmt::format("write a file name in quotation marks, for example \"{}\"", example));
-        return std::nullopt;
+        return unsuitable(given);
     }
-    const auto folder = module_.built_in ? std::nullopt : std::optional(module_.folder);
-    Result<data::File> found = data::find_file(node.name.text, folder);
-    report_file(std::move(found.diagnostics), node.span);
-    return std::move(found.value);
-}
-
-// Two stages that name the same file share its contents.
-template <class Data>
-std::shared_ptr<const Data> StageBuilder::read_once(
-    std::map<std::string, std::shared_ptr<const Data>>& known, const data::File& file,
-    Result<std::shared_ptr<const Data>> (*read)(const data::File&), ExpressionId given) {
-    const auto found = known.find(file.name);
-    if (found != known.end()) {
-        return found->second;
+    Located made{Failed{}, {tree_.at(node.span)}};
+    if (const auto found = file(node)) {
+        const auto& data = read(*found);
+        report(data.diagnostics, node.span);
+        if (data) {
+            made.value = *data;
+        }
     }
-    Result<std::shared_ptr<const Data>> made = read(file);
-    report_file(std::move(made.diagnostics), tree_[given].span);
-    return made ? known[file.name] = *made : nullptr;
+    return made;
 }
 
-std::shared_ptr<const camera::GreyImage> StageBuilder::image(const StageEntry& row,
-                                                             const StageParameter& parameter,
-                                                             ExpressionId given) {
-    const auto found = file(row, parameter, given, "an image", "mask.png");
-    return found ? read_once(session_.images(), *found, data::read_grey_image, given) : nullptr;
-}
-
-std::shared_ptr<const camera::TexturedMesh> StageBuilder::mesh(const StageEntry& row,
-                                                               const StageParameter& parameter,
-                                                               ExpressionId given) {
-    const auto found = file(row, parameter, given, "a mesh", "vase.obj");
-    return found ? read_once(session_.meshes(), *found, data::read_mesh, given) : nullptr;
-}
-
-// One point per line; a list of numbers may be in one line or in several.
-std::optional<PointList> StageBuilder::table(const StageEntry& row, const StageParameter& parameter,
-                                             ExpressionId given) {
-    const auto found = file(row, parameter, given, "a table", "table.csv");
+// One point a line; a list of numbers may stand in one line or in several.
+StageBuilder::Located StageBuilder::table(const camera::PointsParameter& type, ExpressionId given) {
+    const Expression& node = tree_[given];
+    Located made{Failed{}, {tree_.at(node.span)}};
+    const auto found = file(node);
     if (!found) {
-        return std::nullopt;
+        return made;
     }
-    Result<data::NumberTable> read = data::read_table(*found);
-    const Naming naming(*this, tree_[given]);
+    const Result<data::NumberTable>& read = session_.files().table(*found);
+    report(read.diagnostics, node.span);
     if (!read) {
-        report_file(std::move(read.diagnostics), tree_[given].span);
-        return std::nullopt;
+        return made;
     }
-    const bool numbers = parameter.coordinates == std::vector<std::size_t>{1};
-    PointList made;
-    bool good = true;
+    const bool numbers = type.coordinates == std::vector<std::size_t>{1};
+    camera::Points points;
     for (const auto& line : read->rows) {
-        std::vector<Element> point;
-        for (const data::NumberTable::Number& number : line) {
-            const Dimension dimension = number.angle ? Dimension::angle : Dimension::number;
-            point.push_back({{graph_->constant(number.value), dimension}, read->at(number)});
-        }
-        const std::size_t step = numbers ? 1 : point.size();
-        for (std::size_t i = 0; i < point.size(); i += step) {
-            const std::span<const Element> one = std::span(point).subspan(i, step);
-            good =
-                add_point(row, parameter, join(one.front().place, one.back().place), one, made) &&
-                good;
-        }
-        if (reporter_.full()) {
-            return std::nullopt;
+        Place place;
+        camera::Tuple point;
+        for (std::size_t i = 0; i < line.size(); ++i) {
+            point.push_back({camera::Scalar(line[i].value),
+                             line[i].angle ? Dimension::angle : Dimension::number});
+            place.parts.push_back({read->at(line[i])});
+            if (numbers || i + 1 == line.size()) {
+                place.span = join(place.parts.front().span, place.parts.back().span);
+                points.push_back(std::exchange(point, {}));
+                made.place.parts.push_back(std::exchange(place, {}));
+            }
         }
     }
-    return good && enough_points(row, parameter, made.size(), tree_[given].span)
-               ? std::optional(std::move(made))
-               : std::nullopt;
+    made.value = std::move(points);
+    return made;
 }
 
 }  // namespace balcony::lang

@@ -2,21 +2,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <functional>
-#include <map>
+#include <cassert>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "balcony/catalogue.hpp"
 #include "balcony/data.hpp"
+#include "balcony/make_stage.hpp"
 #include "lang/names/session.hpp"
 
 namespace balcony::lang {
 
-/// Makes stages from calls and checks them against the rows of the catalogue.
+/// Makes stages from calls: finds out which argument is for which parameter and what its value is.
+/// camera::bind judges the values; what it finds is reported where they are written.
 class StageBuilder {
 public:
     StageBuilder(const Module& module, Scope& scope, Session& session)
@@ -29,33 +29,35 @@ public:
 
     /// The stage of a call; null after an error, which is reported.
     template <class Port>
-    [[nodiscard]] std::shared_ptr<const Port> make(camera::StageKind kind, ExpressionId call) {
-        return std::static_pointer_cast<const Port>(make_stage(kind, call));
+    [[nodiscard]] std::shared_ptr<const Port> make(ExpressionId call) {
+        return std::static_pointer_cast<const Port>(make_stage(camera::kind_of<Port>(), call));
     }
 
-    /// A picture mapper from the values of a map statement, in the order of the row.
-    [[nodiscard]] camera::PictureMapperPointer make_mapper(std::string_view name,
-                                                           std::span<const ExpressionId> values,
-                                                           Span span);
-
-    /// The arranger of a place statement; null after an error.
-    [[nodiscard]] camera::PictureArrangerPointer make_place(const MapRange& corners);
-
-    /// A direction rule with all its defaults, for a camera without `look`.
-    [[nodiscard]] camera::DirectionRulePointer make_default_rule(std::string_view name, Span span);
+    /// The built-in stage of a name from values for its first parameters, in their order; `span` is
+    /// what is written. Null if there is an error.
+    template <class Port>
+    [[nodiscard]] std::shared_ptr<const Port> make(std::string_view name,
+                                                   std::span<const ExpressionId> values,
+                                                   Span span) {
+        const camera::StageEntry* row = camera::catalogue().find(camera::kind_of<Port>(), name);
+        assert(row != nullptr);
+        const std::optional<camera::Arguments> given = arguments(*row, values, span);
+        return given ? std::static_pointer_cast<const Port>(make_from_row(*row, *given, span))
+                     : nullptr;
+    }
 
     /// The arguments of a call, checked against a row; nothing after an error, which is reported.
     [[nodiscard]] std::optional<camera::Arguments> arguments(const camera::StageEntry& row,
                                                              const Expression& call);
 
-    /// The same from values for the row's first parameters, in their order.
+    /// The same from values for the row's first parameters, in their order. An invalid one is not
+    /// given.
     [[nodiscard]] std::optional<camera::Arguments> arguments(const camera::StageEntry& row,
-                                                             std::span<const ExpressionId> values);
+                                                             std::span<const ExpressionId> values,
+                                                             Span span);
 
-    /// The same from a value for one parameter of the row.
-    [[nodiscard]] std::optional<camera::Arguments> argument(const camera::StageEntry& row,
-                                                            std::string_view parameter,
-                                                            ExpressionId value);
+    /// The value of an expression without errors, if it is a number that does not change with time.
+    [[nodiscard]] std::optional<double> known_number(ExpressionId id);
 
     /// A number that must be known when the camera is made; nothing after an error.
     [[nodiscard]] std::optional<double> constant(ExpressionId id, std::string_view what);
@@ -71,122 +73,78 @@ private:
                         Span span);
     const camera::StageEntry* find_row(camera::StageKind kind, const Identifier& name);
 
-    // ------------------------------------------------------- parameters of the arguments
-    // The argument of a parameter: an expression; several, for a parameter that takes all remaining
-    // ones; or one number of a tuple that is for several parameters.
-    struct Given {
+    // ------------------------------------------------------ which parameter an argument is for
+    // The name that an argument is given for, and what is written: an expression, several for a
+    // parameter that takes all the rest, or a number out of a tuple that is for several parameters.
+    struct Assigned {
+        std::string_view name{};
+        const camera::StageParameter* parameter = nullptr;  // Null: none has the name.
+        Span name_span{};
         std::vector<ExpressionId> expressions{};
         std::optional<Element> element{};
-
-        [[nodiscard]] bool empty() const { return expressions.empty() && !element; }
     };
 
+    std::vector<Assigned> assign(const camera::StageEntry& row, const Expression& call);
     bool tuple_is_spread(const camera::StageEntry& row, const Expression& call);
-    bool assign(const camera::StageEntry& row, const Expression& call, std::vector<Given>& given);
-    std::size_t assign_tuple(const camera::StageEntry& row, ExpressionId value,
-                             std::span<const camera::StageParameter* const> positions,
-                             std::vector<Given>& given);
-    const camera::StageParameter* named_parameter(const camera::StageEntry& row,
-                                                  const Identifier& name);
+    std::optional<Value> tuple_for(ExpressionId value,
+                                   std::span<const camera::StageParameter* const> positions);
     const camera::StageParameter* parameter_of_word(const camera::StageEntry& row,
                                                     const Identifier& word);
 
-    // ---------------------------------------------------------- values of the arguments
-    bool set_argument(const camera::StageEntry& row, const camera::StageParameter& parameter,
-                      std::span<const ExpressionId> given, camera::Arguments& arguments);
-    bool set_default(const camera::StageEntry& row, const camera::StageParameter& parameter,
-                     Span call, camera::Arguments& arguments);
-    std::optional<std::string> choice(const camera::StageEntry& row,
-                                      const camera::StageParameter& parameter, ExpressionId given);
-    Stage nested_stage(const camera::StageEntry& row, const camera::StageParameter& parameter,
-                       ExpressionId given);
-    std::optional<std::vector<Stage>> nested_stages(const camera::StageEntry& row,
-                                                    const camera::StageParameter& parameter,
-                                                    std::span<const ExpressionId> given);
-    Stage curve(const camera::StageEntry& row, const camera::StageParameter& parameter,
-                ExpressionId given);
+    // ------------------------------------------------------------------------ what is given
+    /// Where a value is written, and where its parts are.
+    struct Place {
+        SourceSpan span{};
+        std::vector<Place> parts{};
+    };
+    struct Located {
+        camera::ArgumentValue value;
+        Place place;
+    };
+    /// A value for a parameter, with what in the camera file stands for it.
+    struct Given {
+        camera::NamedValue named;
+        Place place;
+        Span name{};
+        Span expression{};
+    };
 
-    // ------------------------------------------------------------------------------- numbers
-    std::optional<std::vector<camera::Scalar>> numbers(const camera::StageEntry& row,
-                                                       const camera::StageParameter& parameter,
-                                                       ExpressionId given);
-    std::optional<std::vector<double>> named_axis(const Expression& node);
-    std::optional<camera::Scalar> number(const camera::StageEntry& row,
-                                         const camera::StageParameter& parameter,
-                                         const Value& value, const SourceSpan& place);
-    bool fits(const camera::StageEntry& row, const camera::StageParameter& parameter,
-              const Value& value, const SourceSpan& place);
-    bool in_range(const camera::StageEntry& row, const camera::StageParameter& parameter,
-                  double value, const SourceSpan& place);
-
-    // -------------------------------------------------------------------------------- points
-    std::optional<camera::PointList> points(const camera::StageEntry& row,
-                                            const camera::StageParameter& parameter,
-                                            ExpressionId given);
-    bool enough_points(const camera::StageEntry& row, const camera::StageParameter& parameter,
-                       std::size_t count, Span span);
-    bool add_point(const camera::StageEntry& row, const camera::StageParameter& parameter,
-                   const SourceSpan& place, std::span<const Element> coordinates,
-                   camera::PointList& points);
-    bool has_coordinates(const camera::StageEntry& row, const camera::StageParameter& parameter,
-                         std::size_t count, const SourceSpan& place,
-                         const camera::PointList& points);
+    std::optional<camera::Arguments> bind(const camera::StageEntry& row,
+                                          const std::vector<Given>& given, Span whole);
+    Given given(const Assigned& assigned);
+    Located value(const camera::StageParameter& parameter, std::span<const ExpressionId> given);
+    [[nodiscard]] Located located(const Value& value, const SourceSpan& span) const;
+    Located number(ExpressionId given);
+    Located numbers(ExpressionId given, bool one_for_all, bool names_axes);
+    Located word(ExpressionId given);
+    Located points(const camera::PointsParameter& type, ExpressionId given);
+    Located stages(const camera::NestedStageParameter& type, std::span<const ExpressionId> given);
+    Located unsuitable(ExpressionId given);
+    [[nodiscard]] camera::Quantity quantity(const Value& value) const;
+    [[nodiscard]] camera::Tuple tuple(const Value& value) const;
+    [[nodiscard]] static Place place_of(const Value& value, const SourceSpan& span);
+    std::optional<std::string> named_axis(const Expression& node);
 
     // --------------------------------------------------------------------------------- files
-    std::optional<camera::PointList> table(const camera::StageEntry& row,
-                                           const camera::StageParameter& parameter,
-                                           ExpressionId given);
-    std::shared_ptr<const camera::GreyImage> image(const camera::StageEntry& row,
-                                                   const camera::StageParameter& parameter,
-                                                   ExpressionId given);
-    std::shared_ptr<const camera::TexturedMesh> mesh(const camera::StageEntry& row,
-                                                     const camera::StageParameter& parameter,
-                                                     ExpressionId given);
-    std::optional<data::File> file(const camera::StageEntry& row,
-                                   const camera::StageParameter& parameter, ExpressionId given,
-                                   std::string_view what, std::string_view example);
-    void report_file(Diagnostics diagnostics, Span named);
-    template <class Data>
-    std::shared_ptr<const Data> read_once(
-        std::map<std::string, std::shared_ptr<const Data>>& known, const data::File& file,
-        Result<std::shared_ptr<const Data>> (*read)(const data::File&), ExpressionId given);
+    Located table(const camera::PointsParameter& type, ExpressionId given);
+    Located image(ExpressionId given);
+    Located mesh(ExpressionId given);
+    std::optional<data::File> file(const Expression& node);
+    template <class Read>
+    Located file(ExpressionId given, Read read);
 
     // ------------------------------------------------------------------------------ formulas
-    /// The requirements on a formula and on its results.
-    struct FormulaRules {
-        std::string_view name;
-        const camera::FormulaShape& shape;
-        std::string written;
-        std::function<bool(const Value& result, const SourceSpan& place)> fits;
-    };
-    std::optional<camera::Formula> stage_formula(const camera::StageEntry& row,
-                                                 const Expression& node);
-    std::optional<camera::Formula> formula_argument(const camera::StageEntry& row,
-                                                    const camera::StageParameter& parameter,
-                                                    ExpressionId given);
-    std::optional<camera::Formula> formula(const FormulaRules& rules, const Expression& node);
-    std::optional<std::vector<expr::Expr>> formula_results(const FormulaRules& rules,
-                                                           const Expression& node, Scope& scope);
+    Located formula(std::string_view name, const camera::FormulaShape& shape,
+                    const Expression& node);
+    bool define_formula_parameters(const Expression& node, Scope& scope,
+                                   std::vector<expr::Expr>& variables);
 
     void error(Span span, std::string message, std::string remedy = {}) {
-        error(tree_.at(span), std::move(message), std::move(remedy));
+        reporter_.error(tree_.at(span), std::move(message), std::move(remedy));
     }
-    /// Reports an error at a position in the camera file, or in a table or let that it names.
-    void error(SourceSpan place, std::string message, std::string remedy = {});
-
-    /// During its lifetime, errors in other places get a note that shows where they are named.
-    class Naming {
-    public:
-        Naming(StageBuilder& stages, const Expression& node) : stages_(stages) {
-            stages.named_ = node.span;
-        }
-        ~Naming() { stages_.named_.reset(); }
-        Naming(const Naming&) = delete;
-        Naming& operator=(const Naming&) = delete;
-
-    private:
-        StageBuilder& stages_;
-    };
+    /// What has no place of its own is reported of what the camera file names; what is elsewhere
+    /// gets a note that says where it is used.
+    void report(Diagnostics found, Span named);
 
     const Module& module_;
     Session& session_;
@@ -194,16 +152,6 @@ private:
     Scope& scope_;
     std::shared_ptr<expr::Graph> graph_;
     Reporter& reporter_;
-    std::optional<Span> named_;  // The position in the camera file that names the current value.
 };
-
-/// A description of an unexpected expression: a number, a list, a file name, ...
-[[nodiscard]] std::string_view described(const Expression& node);
-/// "a parameter transformer", "an object generator".
-[[nodiscard]] std::string with_article(std::string_view noun);
-/// The syntax of a stage: circle(radius), surface(u, v) = [x, y, z].
-[[nodiscard]] std::string signature(const camera::StageEntry& row);
-/// The syntax of a formula: weight(u, v) = [a].
-[[nodiscard]] std::string signature(std::string_view name, const camera::FormulaShape& shape);
 
 }  // namespace balcony::lang

@@ -3,31 +3,22 @@
 
 #include "lang/build/statements.hpp"
 
+#include <array>
+
 #include <fmt/format.h>
 
-#include "lang/syntax/keywords.hpp"
+#include "lang/syntax/statement_rows.hpp"
 
 namespace balcony::lang {
-
-namespace {
-
-// A statement that may occur only once in a camera or a block.
-bool stands_once(StatementKind kind) {
-    return kind != StatementKind::let && kind != StatementKind::warp &&
-           kind != StatementKind::move && kind != StatementKind::place &&
-           kind != StatementKind::arrange && kind != StatementKind::layer &&
-           kind != StatementKind::leader && kind != StatementKind::unknown;
-}
-
-}  // namespace
 
 Statements::Statements(const SyntaxTree& tree, const std::vector<Statement>& all,
                        Reporter& reporter)
     : all_(all) {
     for (const Statement& statement : all) {
         const auto [earlier, is_first] = first_.emplace(statement.kind, &statement);
-        if (!is_first && stands_once(statement.kind)) {
-            const std::string_view word = keyword(statement.kind);
+        const StatementRow* row = row_of(statement.kind);
+        if (!is_first && row != nullptr && row->once) {
+            const std::string_view word = row->keyword;
             Diagnostic diagnostic = error(fmt::format("'{}' occurs a second time", word),
                                           tree.at(statement.keyword), "remove one of them");
             diagnostic.notes.push_back(
@@ -50,7 +41,8 @@ std::vector<ExpressionId> Statements::stages(StatementKind kind) const {
     std::vector<ExpressionId> calls;
     for (const Statement& statement : all_) {
         if (statement.kind == kind && !statement.broken) {
-            calls.insert(calls.end(), statement.stages.begin(), statement.stages.end());
+            const std::span<const ExpressionId> own = statement.stages();
+            calls.insert(calls.end(), own.begin(), own.end());
         }
     }
     return calls;
@@ -58,17 +50,20 @@ std::vector<ExpressionId> Statements::stages(StatementKind kind) const {
 
 std::vector<camera::PictureArrangerPointer> make_arrangers(const std::vector<Statement>& statements,
                                                            StageBuilder& stages) {
+    const auto place = [&stages](const Corners& corners) {
+        return stages.make<camera::PictureArranger>(
+            "place", std::array{corners.first, corners.last}, corners.span);
+    };
     std::vector<camera::PictureArrangerPointer> made;
     for (const Statement& statement : statements) {
         if (statement.broken) {
             continue;
         }
         if (statement.kind == StatementKind::place) {
-            made.push_back(stages.make_place(statement.ranges.front()));
+            made.push_back(place(statement.corners()));
         } else if (statement.kind == StatementKind::arrange) {
-            for (const ExpressionId call : statement.stages) {
-                made.push_back(stages.make<camera::PictureArranger>(
-                    camera::StageKind::picture_arranger, call));
+            for (const ExpressionId call : statement.stages()) {
+                made.push_back(stages.make<camera::PictureArranger>(call));
             }
         }
     }

@@ -28,13 +28,13 @@ DefinitionScope::DefinitionScope(const LocatedDefinition& place, const GivenPara
     for (const Statement& statement : place.camera->statements) {
         if (statement.kind == StatementKind::let) {
             lets.push_back(&statement);
-            scope_.announce(statement.name.text,
+            scope_.announce(statement.let().name.text,
                             "it is a let in the camera's body, but a default may use only the "
                             "parameters before it and lets outside of cameras");
         }
     }
     define_parameters();
-    define_lets(tree_, lets, scope_, *session.graph(), session.reporter());
+    define_lets(tree_, lets, scope_, session.context());
 }
 
 void DefinitionScope::read_overrides(const std::vector<Override>& overrides) {
@@ -52,7 +52,8 @@ void DefinitionScope::read_overrides(const std::vector<Override>& overrides) {
             continue;
         }
         const std::size_t errors_before = session_.reporter().error_count();
-        const SyntaxTree& tree = session_.keep(parse_override(source, session_.reporter()));
+        const SyntaxTree& tree =
+            session_.keep(parse_override(source, session_.catalogue(), session_.reporter()));
         const bool good = session_.reporter().error_count() == errors_before;
         const std::string_view name = tree.source->text().substr(0, given.name.size());
         given_.push_back({name, good ? &tree : nullptr});
@@ -96,8 +97,7 @@ void DefinitionScope::define_parameter(const DefinitionParameter& parameter) {
     const std::string_view name = parameter.name.text;
     Value value;
     if (parameter.default_value.valid()) {
-        value = evaluate_any(tree_, parameter.default_value, scope_, *session_.graph(),
-                             session_.reporter());
+        value = evaluate_any(tree_, parameter.default_value, scope_, session_.context());
     }
     // The last value applies, as usual for options.
     const auto given = std::find_if(given_.rbegin(), given_.rend(),
@@ -123,8 +123,7 @@ Value DefinitionScope::overridden(const Given& given, const Value& default_value
         return {};
     }
     const ExpressionId id(given.tree->expressions.size() - 1);
-    const Value value =
-        evaluate_any(*given.tree, id, scope_, *session_.graph(), session_.reporter());
+    const Value value = evaluate_any(*given.tree, id, scope_, session_.context());
     return checked(value, given.tree->at((*given.tree)[id].span), default_value, name);
 }
 
@@ -188,7 +187,7 @@ void DefinitionScope::warn_of_unused() {
     }
     for (const Statement& statement : place_.camera->statements) {
         if (statement.kind == StatementKind::let) {
-            warn(statement.name, "let");
+            warn(statement.let().name, "let");
         }
     }
 }

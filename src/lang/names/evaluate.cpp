@@ -22,8 +22,12 @@ constexpr double radians_per_degree = std::numbers::pi / 180.0;
 // no recursion.
 class Evaluator {
 public:
-    Evaluator(const SyntaxTree& tree, Scope& scope, expr::Graph& graph, Reporter& reporter)
-        : tree_(tree), scope_(scope), graph_(graph), reporter_(reporter) {}
+    Evaluator(const SyntaxTree& tree, Scope& scope, const Context& context)
+        : tree_(tree),
+          scope_(scope),
+          graph_(context.graph),
+          reporter_(context.reporter),
+          catalogue_(context.catalogue) {}
 
     Value run(ExpressionId id) {
         first_ = tree_[id].first.value();
@@ -33,8 +37,14 @@ public:
                 return {};
             }
         }
-        for (std::size_t i = first_; i <= last; ++i) {
-            values_.push_back(value_of(tree_.expressions[i]));
+        try {
+            for (std::size_t i = first_; i <= last; ++i) {
+                values_.push_back(value_of(tree_.expressions[i]));
+            }
+        } catch (const expr::GraphTooLarge&) {
+            error(tree_[id].span, "the formulas of this file are too large",
+                  "leave some out, or share what they have in common by let");
+            return {};
         }
         Value result = values_.back();
         if (result.problem) {
@@ -105,7 +115,7 @@ private:
     }
 
     void unknown_function(const Identifier& name) {
-        for (const camera::StageEntry& row : camera::catalogue()) {
+        for (const camera::StageEntry& row : catalogue_) {
             if (row.name == name.text) {
                 error(
                     name.span,
@@ -290,13 +300,14 @@ private:
     Scope& scope_;
     expr::Graph& graph_;
     Reporter& reporter_;
+    const camera::Catalogue& catalogue_;
     std::size_t first_ = 0;
     std::vector<Value> values_;
 };
 
 // The elements of a tuple or a list: numbers and, in a list, tuples, which may be named.
 Value evaluate_elements(const SyntaxTree& tree, const Expression& compound, Scope& scope,
-                        expr::Graph& graph, Reporter& reporter) {
+                        const Context& context) {
     const bool is_list = compound.kind == ExpressionKind::list;
     auto elements = std::make_shared<std::vector<Element>>();
     elements->reserve(compound.arguments.size());
@@ -304,18 +315,18 @@ Value evaluate_elements(const SyntaxTree& tree, const Expression& compound, Scop
         const SourceSpan place = tree.at(tree[argument.value].span);
         const bool list_in_list = is_list && tree[argument.value].kind == ExpressionKind::list;
         Value value = list_in_list ? Value()
-                      : is_list    ? evaluate_any(tree, argument.value, scope, graph, reporter)
-                                   : evaluate(tree, argument.value, scope, graph, reporter);
+                      : is_list    ? evaluate_any(tree, argument.value, scope, context)
+                                   : evaluate(tree, argument.value, scope, context);
         if (list_in_list || value.form == Value::Form::list) {
-            reporter.error(place, "a list contains numbers or points, but this is a list",
-                           "write a point in parentheses, (1, 2); write several rows of points as "
-                           "one list, row by row");
+            context.reporter.error(place, "a list contains numbers or points, but this is a list",
+                                   "write a point in parentheses, (1, 2); write several rows of "
+                                   "points as one list, row by row");
             return {};
         }
         if (!value.failed()) {
             elements->push_back({std::move(value), place});
         }
-        if (reporter.full()) {
+        if (context.reporter.full()) {
             return {};
         }
     }
@@ -329,16 +340,15 @@ Value evaluate_elements(const SyntaxTree& tree, const Expression& compound, Scop
 
 }  // namespace
 
-Value evaluate(const SyntaxTree& tree, ExpressionId id, Scope& scope, expr::Graph& graph,
-               Reporter& reporter) {
-    return Evaluator(tree, scope, graph, reporter).run(id);
+Value evaluate(const SyntaxTree& tree, ExpressionId id, Scope& scope, const Context& context) {
+    return Evaluator(tree, scope, context).run(id);
 }
 
 std::optional<Value> evaluate_compound(const SyntaxTree& tree, ExpressionId id, Scope& scope,
-                                       expr::Graph& graph, Reporter& reporter) {
+                                       const Context& context) {
     const Expression& node = tree[id];
     if (node.kind == ExpressionKind::tuple || node.kind == ExpressionKind::list) {
-        return evaluate_elements(tree, node, scope, graph, reporter);
+        return evaluate_elements(tree, node, scope, context);
     }
     Definition* definition =
         node.kind == ExpressionKind::name ? scope.find(node.name.text) : nullptr;
@@ -349,10 +359,9 @@ std::optional<Value> evaluate_compound(const SyntaxTree& tree, ExpressionId id, 
     return definition->value;
 }
 
-Value evaluate_any(const SyntaxTree& tree, ExpressionId id, Scope& scope, expr::Graph& graph,
-                   Reporter& reporter) {
-    const std::optional<Value> compound = evaluate_compound(tree, id, scope, graph, reporter);
-    return compound ? *compound : evaluate(tree, id, scope, graph, reporter);
+Value evaluate_any(const SyntaxTree& tree, ExpressionId id, Scope& scope, const Context& context) {
+    const std::optional<Value> compound = evaluate_compound(tree, id, scope, context);
+    return compound ? *compound : evaluate(tree, id, scope, context);
 }
 
 }  // namespace balcony::lang

@@ -10,16 +10,15 @@ namespace balcony::lang {
 
 /// The number of an expression. Mistakes are reported; the value has then failed.
 [[nodiscard]] Value evaluate(const SyntaxTree& tree, ExpressionId id, Scope& scope,
-                             expr::Graph& graph, Reporter& reporter);
+                             const Context& context);
 
 /// The value of a tuple or a list, literal or named; nothing if the expression is neither. A name
 /// whose value has failed may be either.
 [[nodiscard]] std::optional<Value> evaluate_compound(const SyntaxTree& tree, ExpressionId id,
-                                                     Scope& scope, expr::Graph& graph,
-                                                     Reporter& reporter);
+                                                     Scope& scope, const Context& context);
 
 /// The value of any expression that can be named.
 [[nodiscard]] Value evaluate_any(const SyntaxTree& tree, ExpressionId id, Scope& scope,
-                                 expr::Graph& graph, Reporter& reporter);
+                                 const Context& context);
 
 }  // namespace balcony::lang

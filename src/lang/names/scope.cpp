@@ -118,24 +118,24 @@ namespace {
 // Depth-first search over the lets, without recursion: a let is evaluated after those it uses.
 class LetOrder {
 public:
-    LetOrder(const SyntaxTree& tree, Scope& scope, expr::Graph& graph, Reporter& reporter)
-        : tree_(tree), scope_(scope), graph_(graph), reporter_(reporter) {}
+    LetOrder(const SyntaxTree& tree, Scope& scope, const Context& context)
+        : tree_(tree), scope_(scope), context_(context), reporter_(context.reporter) {}
 
     void add(const Statement& let) {
-        if (let.name.text.empty()) {
+        if (let.let().name.text.empty()) {
             return;
         }
-        const SourceSpan place = tree_.at(let.name.span);
-        if (Definition* earlier = scope_.find_here(let.name.text)) {
-            report_duplicate(let.name, place, earlier->place, reporter_);
+        const SourceSpan place = tree_.at(let.let().name.span);
+        if (Definition* earlier = scope_.find_here(let.let().name.text)) {
+            report_duplicate(let.let().name, place, earlier->place, reporter_);
             earlier->value = {};
-        } else if (const auto known = numbers_.find(let.name.text); known != numbers_.end()) {
-            report_duplicate(let.name, place, tree_.at(lets_[known->second].let->name.span),
-                             reporter_);
+        } else if (const auto known = numbers_.find(let.let().name.text); known != numbers_.end()) {
+            report_duplicate(let.let().name, place,
+                             tree_.at(lets_[known->second].let->let().name.span), reporter_);
             lets_[known->second].failed = true;
         } else {
-            numbers_.emplace(let.name.text, lets_.size());
-            lets_.push_back({&let, State::fresh, let.value.valid() ? first_node(let) : 0});
+            numbers_.emplace(let.let().name.text, lets_.size());
+            lets_.push_back({&let, State::fresh, let.let().value.valid() ? first_node(let) : 0});
         }
     }
 
@@ -155,15 +155,15 @@ private:
     };
 
     [[nodiscard]] std::size_t first_node(const Statement& let) const {
-        return tree_[let.value].first.value();
+        return tree_[let.let().value].first.value();
     }
 
     // The next let that an open let uses.
     std::optional<std::size_t> next_used(Entry& entry) {
-        if (!entry.let->value.valid()) {
+        if (!entry.let->let().value.valid()) {
             return std::nullopt;
         }
-        while (entry.next_node <= entry.let->value.value()) {
+        while (entry.next_node <= entry.let->let().value.value()) {
             const Expression& node = tree_.expressions[entry.next_node++];
             if (node.kind == ExpressionKind::name) {
                 if (const auto found = numbers_.find(node.name.text); found != numbers_.end()) {
@@ -198,10 +198,10 @@ private:
         const Statement& let = *lets_[i].let;
         lets_[i].state = State::done;
         Value value;
-        if (!lets_[i].failed && let.value.valid() && !let.broken) {
-            value = evaluate_any(tree_, let.value, scope_, graph_, reporter_);
+        if (!lets_[i].failed && let.let().value.valid() && !let.broken) {
+            value = evaluate_any(tree_, let.let().value, scope_, context_);
         }
-        scope_.define(let.name.text, {value, tree_.at(let.name.span), "let", false});
+        scope_.define(let.let().name.text, {value, tree_.at(let.let().name.span), "let", false});
     }
 
     void report_circle(const std::vector<std::size_t>& path, std::size_t begin) {
@@ -211,20 +211,21 @@ private:
         for (auto i = first; i != path.end(); ++i) {
             lets_[*i].failed = true;
             if (shown <= max_shown) {
-                circle += shown < max_shown ? fmt::format("{} -> ", lets_[*i].let->name.text)
+                circle += shown < max_shown ? fmt::format("{} -> ", lets_[*i].let->let().name.text)
                                             : std::string("... -> ");
             }
             ++shown;
         }
-        circle += lets_[begin].let->name.text;
-        Diagnostic diagnostic =
-            error(fmt::format("'{}' is defined in terms of itself: {}", lets_[begin].let->name.text,
-                              circle),
-                  tree_.at(lets_[begin].let->name.span), "define one of them without the others");
+        circle += lets_[begin].let->let().name.text;
+        Diagnostic diagnostic = error(fmt::format("'{}' is defined in terms of itself: {}",
+                                                  lets_[begin].let->let().name.text, circle),
+                                      tree_.at(lets_[begin].let->let().name.span),
+                                      "define one of them without the others");
         for (auto i = first; i != path.end(); ++i) {
             if (*i != begin && diagnostic.notes.size() + 1 < max_shown) {
-                diagnostic.notes.push_back({tree_.at(lets_[*i].let->name.span),
-                                            fmt::format("through '{}'", lets_[*i].let->name.text)});
+                diagnostic.notes.push_back(
+                    {tree_.at(lets_[*i].let->let().name.span),
+                     fmt::format("through '{}'", lets_[*i].let->let().name.text)});
             }
         }
         reporter_.add(std::move(diagnostic));
@@ -234,7 +235,7 @@ private:
 
     const SyntaxTree& tree_;
     Scope& scope_;
-    expr::Graph& graph_;
+    const Context& context_;
     Reporter& reporter_;
     std::vector<Entry> lets_;
     std::unordered_map<std::string_view, std::size_t> numbers_;
@@ -243,8 +244,8 @@ private:
 }  // namespace
 
 void define_lets(const SyntaxTree& tree, const std::vector<const Statement*>& lets, Scope& scope,
-                 expr::Graph& graph, Reporter& reporter) {
-    LetOrder order(tree, scope, graph, reporter);
+                 const Context& context) {
+    LetOrder order(tree, scope, context);
     for (const Statement* let : lets) {
         order.add(*let);
     }

@@ -14,6 +14,13 @@
 
 namespace balcony::lang {
 
+/// What values are worked out with.
+struct Context {
+    expr::Graph& graph;
+    Reporter& reporter;
+    const camera::Catalogue& catalogue;
+};
+
 /// A name that has a value.
 struct Definition {
     Value value;
@@ -75,6 +82,6 @@ void report_duplicate(const Identifier& name, SourceSpan place, const SourceSpan
 /// Evaluates the lets of a scope in dependency order and defines them. Cyclic lets are
 /// reported.
 void define_lets(const SyntaxTree& tree, const std::vector<const Statement*>& lets, Scope& scope,
-                 expr::Graph& graph, Reporter& reporter);
+                 const Context& context);
 
 }  // namespace balcony::lang

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "lang/built_in_cameras.hpp"
-#include "lang/syntax/read_source.hpp"
 
 namespace balcony::lang {
 
@@ -43,7 +42,11 @@ const BuiltInCamera* find_built_in_camera(std::string_view name) {
     return nullptr;
 }
 
-Session::Session() : graph_(std::make_shared<expr::Graph>()), constants_(constants(*graph_)) {}
+Session::Session(Files& files)
+    : files_(files),
+      graph_(std::make_shared<expr::Graph>()),
+      context_{*graph_, reporter_, files.catalogue()},
+      constants_(constants(*graph_)) {}
 
 const SyntaxTree& Session::keep(SyntaxTree tree) {
     overrides_.push_back(std::make_unique<SyntaxTree>(std::move(tree)));
@@ -73,21 +76,22 @@ Session::Shown Session::share(const LocatedDefinition& place, const std::vector<
 
 Module* Session::load(const fs::path& file) {
     const std::string name = file.string();
-    std::error_code failure;
     const BuiltInCamera* built_in = find_built_in_camera(name);
+    std::error_code failure;
     if (built_in != nullptr && !fs::is_regular_file(file, failure)) {
         return open_built_in(built_in->name);
     }
-    if (!fs::exists(file, failure)) {
+    const std::optional<std::string> key = files_.key_of(file);
+    if (!key) {
         reporter_.error({}, fmt::format("there is no file and no built-in camera named '{}'", name),
                         suggestion(name, built_in_names(""), "the built-in cameras are"));
         return nullptr;
     }
-    return open_file(file, name, {});
+    return open_file(*key, file, name, {});
 }
 
 Module* Session::load(std::shared_ptr<const SourceText> source, const fs::path& folder) {
-    return resolve(std::move(source), folder, false, "");
+    return resolve(files_.text(source), folder, false, "");
 }
 
 Module* Session::load_built_in(std::string_view name) {
@@ -114,17 +118,15 @@ bool Session::known(const std::string& key, const SourceSpan& asked, Module*& fo
     return found != nullptr;
 }
 
-Module* Session::open_file(const fs::path& file, const std::string& name, const SourceSpan& asked) {
-    std::error_code failure;
-    const fs::path canonical = fs::weakly_canonical(file, failure);
-    const std::string key = failure ? name : canonical.string();
+Module* Session::open_file(const std::string& key, const fs::path& file, const std::string& name,
+                           const SourceSpan& asked) {
     Module* module = nullptr;
     if (known(key, asked, module)) {
         return module;
     }
-    Result<std::shared_ptr<const SourceText>> source = read_source(file, name, asked);
-    reporter_.add(source.diagnostics);
-    return source ? resolve(*source, file.parent_path(), false, key) : nullptr;
+    const auto parsed = files_.camera_file(key, file, name, asked);
+    reporter_.add(parsed.diagnostics);
+    return parsed ? resolve(*parsed, file.parent_path(), false, key) : nullptr;
 }
 
 Module* Session::open_built_in(std::string_view name) {
@@ -134,16 +136,15 @@ Module* Session::open_built_in(std::string_view name) {
         return module;
     }
     const BuiltInCamera* camera = find_built_in_camera(name);
-    return resolve(std::make_shared<const SourceText>(key, std::string(camera->text)), {}, true,
-                   key);
+    return resolve(files_.built_in(key, camera->text), {}, true, key);
 }
 
-Module* Session::resolve(std::shared_ptr<const SourceText> source, fs::path folder, bool built_in,
+Module* Session::resolve(std::shared_ptr<const ParsedFile> file, fs::path folder, bool built_in,
                          const std::string& key) {
     std::unique_ptr<Module>& slot = modules_[key];
-    slot = std::make_unique<Module>();
+    slot = std::make_unique<Module>(std::move(file));
     Module& module = *slot;
-    module.tree = parse(std::move(source), reporter_);
+    reporter_.add(module.file->found);
     module.folder = std::move(folder);
     module.built_in = built_in;
     module.scope = std::make_unique<Scope>(constants_.get());
@@ -158,7 +159,7 @@ Module* Session::resolve(std::shared_ptr<const SourceText> source, fs::path fold
         }
     }
     opened_.pop_back();
-    define_lets(module.tree, lets, *module.scope, *graph_, reporter_);
+    define_lets(module.tree, lets, *module.scope, context_);
     check_duplicate_definitions(module);
     return &module;
 }
@@ -198,9 +199,10 @@ void Session::import(Module& module, const Import& import) {
 Module* Session::find_import(const Module& module, const Import& import) {
     const SourceSpan place = module.tree.at(import.file.span);
     const fs::path file = module.folder / fs::path(std::string(import.file.text));
-    std::error_code failure;
-    if (!module.built_in && !import.file.text.empty() && fs::exists(file, failure)) {
-        return open_file(file, file.lexically_normal().string(), place);
+    const auto key =
+        module.built_in || import.file.text.empty() ? std::nullopt : files_.key_of(file);
+    if (key) {
+        return open_file(*key, file, file.lexically_normal().string(), place);
     }
     if (const BuiltInCamera* built_in = find_built_in_camera(import.file.text)) {
         return open_built_in(built_in->name);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The working data of one call of the library: the files read, with resolved names, and the
-// diagnostics about them.
+// What one call of the library's functions works on: the camera files with their names resolved,
+// a graph for the values, and what there is to report.
 
 #include <filesystem>
 #include <map>
@@ -16,16 +16,21 @@
 #include "balcony/catalogue.hpp"
 #include "balcony/expr.hpp"
 #include "balcony/picture.hpp"
+#include "lang/names/files.hpp"
 #include "lang/names/scope.hpp"
 #include "lang/syntax/parser.hpp"
 
 namespace balcony::lang {
 
-/// A parsed file.
+/// A camera file with its names resolved.
 struct Module {
-    SyntaxTree tree;
-    std::filesystem::path folder;  ///< The folder searched first for its imports.
-    bool built_in = false;         ///< Whether it is the file of a built-in camera.
+    explicit Module(std::shared_ptr<const ParsedFile> parsed)
+        : file(std::move(parsed)), tree(file->tree) {}
+
+    std::shared_ptr<const ParsedFile> file;
+    const SyntaxTree& tree;
+    std::filesystem::path folder;  ///< Where its imports are looked for first.
+    bool built_in = false;         ///< One of the built-in cameras' files.
     std::vector<Module*> imports;
     std::unique_ptr<Scope> scope;  ///< Its lets and those of its imports.
 };
@@ -38,18 +43,15 @@ struct LocatedDefinition {
 
 class Session {
 public:
-    Session();
+    /// The files must outlive it.
+    explicit Session(Files& files);
 
     [[nodiscard]] Reporter& reporter() { return reporter_; }
     [[nodiscard]] const std::shared_ptr<expr::Graph>& graph() const { return graph_; }
 
-    /// The images and meshes used by stages, by file name.
-    [[nodiscard]] std::map<std::string, std::shared_ptr<const camera::GreyImage>>& images() {
-        return images_;
-    }
-    [[nodiscard]] std::map<std::string, std::shared_ptr<const camera::TexturedMesh>>& meshes() {
-        return meshes_;
-    }
+    [[nodiscard]] const Context& context() const { return context_; }
+    [[nodiscard]] const camera::Catalogue& catalogue() const { return files_.catalogue(); }
+    [[nodiscard]] Files& files() { return files_; }
 
     /// Reads a file or a built-in camera with its imports. Returns null if there is none, which is
     /// reported. Other errors are reported too, but return a module.
@@ -74,10 +76,10 @@ private:
         std::string key;  // Equal for two names of the same file.
     };
 
-    Module* open_file(const std::filesystem::path& file, const std::string& name,
-                      const SourceSpan& asked);
+    Module* open_file(const std::string& key, const std::filesystem::path& file,
+                      const std::string& name, const SourceSpan& asked);
     Module* open_built_in(std::string_view name);
-    Module* resolve(std::shared_ptr<const SourceText> source, std::filesystem::path folder,
+    Module* resolve(std::shared_ptr<const ParsedFile> file, std::filesystem::path folder,
                     bool built_in, const std::string& key);
     void import(Module& module, const Import& import);
     Module* find_import(const Module& module, const Import& import);
@@ -85,15 +87,15 @@ private:
     /// A module that has been read; reports cyclic imports.
     bool known(const std::string& key, const SourceSpan& asked, Module*& found);
 
+    Files& files_;
     Reporter reporter_;
     std::shared_ptr<expr::Graph> graph_;
+    const Context context_;
     std::unique_ptr<Scope> constants_;
     std::map<std::string, std::unique_ptr<Module>> modules_;
     std::vector<Opened> opened_;  // The current chain of imports.
     std::vector<std::unique_ptr<SyntaxTree>> overrides_;
-    std::map<std::string, std::shared_ptr<const camera::GreyImage>> images_;
-    std::map<std::string, std::shared_ptr<const camera::TexturedMesh>> meshes_;
-    // The key is the syntax and the values of the parameters: nodes with units, forms with lengths.
+    // By their syntax and their parameters' values: nodes with units, forms with lengths.
     using ParameterKey = std::vector<std::pair<std::size_t, std::variant<Dimension, Value::Form>>>;
     static void add_to_key(const Value& value, ParameterKey& key);
     std::map<std::pair<const DefinitionSyntax*, ParameterKey>, Shown> shared_;

@@ -9,11 +9,11 @@
 
 #include "balcony/base.hpp"
 #include "balcony/expr.hpp"
+#include "balcony/make_stage.hpp"
 
 namespace balcony::lang {
 
-/// The dimension of a value. The parameters of a formula can have either dimension.
-enum class Dimension : std::uint8_t { number, angle, either };
+using camera::Dimension;
 
 struct Element;
 

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "lang/syntax/keywords.hpp"
+#include "lang/syntax/statement_rows.hpp"
 
 namespace balcony::lang {
 
@@ -334,7 +334,7 @@ std::optional<ExpressionId> ExpressionParser::stage(std::string_view what) {
 // A plain name on the same line that does not start the next statement.
 bool ExpressionParser::at_word() const {
     return tokens_.peek().kind == TokenKind::name && !tokens_.at_new_line() &&
-           find_keyword(tokens_.peek(), false) == nullptr && !is_file_keyword(tokens_.peek()) &&
+           find_statement(tokens_.peek(), false) == nullptr && !is_file_keyword(tokens_.peek()) &&
            !tokens_.peek(1).is("(") && !tokens_.peek(1).is("=");
 }
 

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "lang/syntax/expression_parser.hpp"
-#include "lang/syntax/keywords.hpp"
 #include "lang/syntax/statement_parser.hpp"
+#include "lang/syntax/statement_rows.hpp"
 #include "lang/syntax/token_stream.hpp"
 
 namespace balcony::lang {
@@ -16,11 +16,11 @@ namespace {
 
 class Parser {
 public:
-    Parser(SyntaxTree& tree, Reporter& reporter)
+    Parser(SyntaxTree& tree, const camera::Catalogue& catalogue, Reporter& reporter)
         : tree_(tree),
           tokens_(tree.source, read_tokens(tree, reporter), reporter),
           expressions_(tokens_, tree.expressions),
-          statements_(tokens_, expressions_, reporter),
+          statements_(tokens_, expressions_, catalogue, reporter),
           reporter_(reporter) {}
 
     void file() {
@@ -69,7 +69,7 @@ private:
     void stray_item() {
         const Token& token = tokens_.peek();
         const bool opens_statement =
-            find_keyword(token, false) != nullptr || find_keyword(token, true) != nullptr;
+            find_statement(token, false) != nullptr || find_statement(token, true) != nullptr;
         const bool camera_follows = looks_like_camera();
         if (opens_statement) {
             tokens_.error(token.span,
@@ -100,7 +100,7 @@ private:
     [[nodiscard]] bool looks_like_camera() const {
         return tokens_.peek().kind == TokenKind::name && tokens_.peek(1).kind == TokenKind::name &&
                (tokens_.peek(2).is("{") || tokens_.peek(2).is("(")) &&
-               find_keyword(tokens_.peek(), false) == nullptr;
+               find_statement(tokens_.peek(), false) == nullptr;
     }
 
     void import() {
@@ -234,17 +234,19 @@ private:
 
 }  // namespace
 
-SyntaxTree parse(std::shared_ptr<const SourceText> source, Reporter& reporter) {
+SyntaxTree parse(std::shared_ptr<const SourceText> source, const camera::Catalogue& catalogue,
+                 Reporter& reporter) {
     SyntaxTree tree;
     tree.source = std::move(source);
-    Parser(tree, reporter).file();
+    Parser(tree, catalogue, reporter).file();
     return tree;
 }
 
-SyntaxTree parse_override(std::shared_ptr<const SourceText> source, Reporter& reporter) {
+SyntaxTree parse_override(std::shared_ptr<const SourceText> source,
+                          const camera::Catalogue& catalogue, Reporter& reporter) {
     SyntaxTree tree;
     tree.source = std::move(source);
-    if (!Parser(tree, reporter).override_value()) {
+    if (!Parser(tree, catalogue, reporter).override_value()) {
         tree.expressions.clear();
     }
     return tree;

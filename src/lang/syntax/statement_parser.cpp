@@ -17,8 +17,9 @@ namespace {
 // Globally reserved names.
 constexpr std::array<std::string_view, 2> constants = {"pi", "t"};
 
-// Suggests a fix for a word that starts no statement: a range, a stage, or a misspelled keyword.
-std::string statement_suggestion(std::string_view word, const std::vector<std::string>& known) {
+// What a word may be that opens no statement: a range of map, a stage, or a statement misspelled.
+std::string statement_suggestion(std::string_view word, const std::vector<std::string>& known,
+                                 const camera::Catalogue& catalogue) {
     const auto opens = [&known](const std::string& statement) {
         return std::find(known.begin(), known.end(), statement) != known.end();
     };
@@ -26,7 +27,7 @@ std::string statement_suggestion(std::string_view word, const std::vector<std::s
         return "write both ranges in one map, separated by ',': map u = -1 .. 1, v = -1 .. 1";
     }
     std::vector<std::string> with_statement;
-    for (const camera::StageEntry& row : camera::catalogue()) {
+    for (const camera::StageEntry& row : catalogue) {
         for (const std::string& statement : statements_for(row.kind)) {
             if (row.name == word && opens(statement)) {
                 with_statement.push_back(fmt::format("{} {}", statement, word));
@@ -85,7 +86,7 @@ std::vector<Statement> StatementParser::block(Block block) {
 
 Statement StatementParser::statement(Block block) {
     const Token& token = tokens_.peek();
-    const Keyword* row = keyword_at(token);
+    const StatementRow* row = keyword_at(token);
     Statement made;
     made.keyword = token.span;
     if (row == nullptr || !row->stands_in(block)) {
@@ -97,11 +98,10 @@ Statement StatementParser::statement(Block block) {
         tokens_.next();
     } else {
         made.kind = row->kind;
-        // The keyword of a frame is the name of its call.
-        if (made.kind != StatementKind::frame) {
+        if (row->shape != Shape::call) {
             tokens_.next();
         }
-        made.broken = !body(made);
+        made.broken = !body(*row, made);
     }
     if (made.broken) {
         skip_statement();
@@ -130,30 +130,30 @@ StatementKind StatementParser::unknown_statement(Block block) {
         return StatementKind::unknown;
     }
     tokens_.error(token.span, fmt::format("unknown statement '{}'", token.text),
-                  statement_suggestion(token.text, known));
+                  statement_suggestion(token.text, known, catalogue_));
     const auto nearest = nearest_name(token.text, known);
-    for (const Keyword& row : keywords()) {
-        if (nearest && row.text == *nearest) {
+    for (const StatementRow& row : statement_rows()) {
+        if (nearest && row.keyword == *nearest) {
             return row.kind;
         }
     }
     return StatementKind::unknown;
 }
 
-void StatementParser::misplaced_statement(const Keyword& row, Block block) {
+void StatementParser::misplaced_statement(const StatementRow& row, Block block) {
     if (block == Block::path || block == Block::layer) {
         tokens_.error(tokens_.peek().span,
-                      fmt::format("'{}' is not allowed in a block of {}", row.text,
+                      fmt::format("'{}' is not allowed in a block of {}", row.keyword,
                                   block == Block::path ? "eye or toward" : "a layer"),
                       fmt::format("move it out of the block, which may contain {}",
                                   one_of(keywords_for(block))));
     } else if (block == Block::picture) {
         tokens_.error(tokens_.peek().span,
-                      fmt::format("'{}' is allowed in the block of a layer only", row.text),
-                      fmt::format("write layer NAME {{ {} ... }}", row.text));
+                      fmt::format("'{}' is allowed in the block of a layer only", row.keyword),
+                      fmt::format("write layer NAME {{ {} ... }}", row.keyword));
     } else {
         tokens_.error(tokens_.peek().span,
-                      fmt::format("'{}' is allowed in a block of eye or toward only", row.text),
+                      fmt::format("'{}' is allowed in a block of eye or toward only", row.keyword),
                       "write eye { object sphere(1) }, or shorter: eye sphere(1)");
     }
 }
@@ -171,36 +171,24 @@ void StatementParser::skip_statement() {
     }
 }
 
-bool StatementParser::body(Statement& made) {
-    switch (made.kind) {
-        case StatementKind::let: return let(made);
-        case StatementKind::aspect: return value(made);
-        case StatementKind::axes: return word(made, "'z_up' or 'y_up' after 'axes'");
-        case StatementKind::map: return map(made);
-        case StatementKind::eye:
-        case StatementKind::toward:
+bool StatementParser::body(const StatementRow& row, Statement& made) {
+    switch (row.shape) {
+        case Shape::let: return let(made);
+        case Shape::value: return value(made);
+        case Shape::word: return word(row, made);
+        case Shape::ranges: return ranges(made);
+        case Shape::corners: return corners(made);
+        case Shape::stage:
+        case Shape::stages:
+        case Shape::rule:
+        case Shape::call: return stages(row, made);
+        case Shape::path:
             if (tokens_.peek().is("{")) {
                 made.block = this->block(Block::path);
                 return true;
             }
-            return stages(made, "an object, such as sphere(1)", false);
-        case StatementKind::object: return stages(made, "an object, such as sphere(1)", false);
-        case StatementKind::warp:
-            return stages(made, "a parameter transformer, such as rotate(10deg)", true);
-        case StatementKind::move:
-            return stages(made, "an object transformer, such as translate(0, 0, 1)", true);
-        case StatementKind::look: return look(made, "a direction rule, such as normal");
-        case StatementKind::arrange:
-            return stages(made, "a picture arranger, such as rotate(8deg)", true);
-        case StatementKind::place:
-        case StatementKind::leader: return corners(made);
-        case StatementKind::clip: return stages(made, "a clip shape, such as ellipse", false);
-        case StatementKind::soft:
-        case StatementKind::alpha: return value(made);
-        case StatementKind::blend: return word(made, "a blend mode, such as multiply");
-        case StatementKind::frame: return frame(made);
-        case StatementKind::layer: return layer(made);
-        case StatementKind::unknown: break;
+            return stages(row, made);
+        case Shape::layer: return layer(row, made);
     }
     return false;
 }
@@ -212,35 +200,41 @@ void StatementParser::missing(std::string_view what) {
                                          : fmt::format("write it after '{}'", before));
 }
 
+bool StatementParser::let(Statement& made) {
+    const auto name = new_name("a name after 'let'");
+    if (!name) {
+        made.content = LetSyntax{};
+        return false;
+    }
+    std::optional<ExpressionId> value;
+    if (tokens_.expect("=", "after the name", "for example let width = 4")) {
+        value = expressions_.expression();
+    }
+    made.content = LetSyntax{*name, value.value_or(ExpressionId())};
+    return value.has_value();
+}
+
 bool StatementParser::value(Statement& made) {
     const auto read = expressions_.expression();
     if (read) {
-        made.value = *read;
+        made.content = *read;
     }
     return read.has_value();
 }
 
-bool StatementParser::let(Statement& made) {
-    const auto name = new_name("a name after 'let'");
-    if (!name) {
-        return false;
-    }
-    made.name = *name;
-    return tokens_.expect("=", "after the name", "for example let width = 4") && value(made);
-}
-
-bool StatementParser::word(Statement& made, std::string_view what) {
+bool StatementParser::word(const StatementRow& row, Statement& made) {
     const Token& token = tokens_.peek();
     if (token.kind != TokenKind::name || keyword_at(token) != nullptr) {
-        missing(what);
+        missing(row.expected);
         return false;
     }
-    made.name = {token.text, token.span};
+    made.content = Identifier{token.text, token.span};
     tokens_.next();
     return true;
 }
 
-bool StatementParser::map(Statement& made) {
+bool StatementParser::ranges(Statement& made) {
+    std::vector<MapRange> read;
     do {
         const Token& coordinate = tokens_.peek();
         if (coordinate.kind != TokenKind::name || keyword_at(coordinate) != nullptr) {
@@ -251,21 +245,23 @@ bool StatementParser::map(Statement& made) {
         range.coordinate = {coordinate.text, coordinate.span};
         tokens_.next();
         if (!tokens_.expect("=", fmt::format("after '{}'", coordinate.text),
-                            "for example map u = -1 .. 1, v = square") ||
-            !range_value(range)) {
+                            "for example map u = -1 .. 1, v = square")) {
+            return false;
+        }
+        if (tokens_.peek().is_name("square") && !tokens_.peek(1).is("..")) {
+            tokens_.next();
+        } else if (!ends_of(range)) {
             return false;
         }
         range.span = {coordinate.span.begin, tokens_.previous().span.end};
-        made.ranges.push_back(range);
+        read.push_back(range);
     } while (tokens_.accept(","));
+    made.content = std::move(read);
     return true;
 }
 
-bool StatementParser::range_value(MapRange& range) {
-    if (tokens_.peek().is_name("square") && !tokens_.peek(1).is("..")) {
-        tokens_.next();
-        return true;
-    }
+template <class Range>
+bool StatementParser::ends_of(Range& range) {
     if (tokens_.peek().is("[")) {
         tokens_.expected("a range", "a range is written -1 .. 1");
         return false;
@@ -284,7 +280,6 @@ bool StatementParser::range_value(MapRange& range) {
     return true;
 }
 
-// (a, b) .. (c, d)
 bool StatementParser::corners(Statement& made) {
     if (!tokens_.peek().is("(")) {
         tokens_.expected("a corner, such as (0.7, 0.1)",
@@ -296,26 +291,18 @@ bool StatementParser::corners(Statement& made) {
         }
         return false;
     }
-    MapRange range;
+    Corners read;
     const std::size_t begin = tokens_.peek().span.begin;
-    if (!range_value(range)) {
+    if (!ends_of(read)) {
         return false;
     }
-    range.span = {begin, tokens_.previous().span.end};
-    made.ranges.push_back(range);
+    read.span = {begin, tokens_.previous().span.end};
+    made.content = read;
     return true;
 }
 
-bool StatementParser::frame(Statement& made) {
-    const auto call = expressions_.stage("a frame");
-    if (call) {
-        made.stages.push_back(*call);
-    }
-    return call.has_value();
-}
-
-bool StatementParser::layer(Statement& made) {
-    if (!stages(made, "the name of a camera or a picture", false)) {
+bool StatementParser::layer(const StatementRow& row, Statement& made) {
+    if (!stages(row, made)) {
         return false;
     }
     if (tokens_.peek().is("{")) {
@@ -324,31 +311,26 @@ bool StatementParser::layer(Statement& made) {
     return true;
 }
 
-bool StatementParser::stages(Statement& made, std::string_view what, bool several) {
+bool StatementParser::stages(const StatementRow& row, Statement& made) {
+    std::vector<ExpressionId> read;
     do {
-        if (opens_next_statement()) {
-            missing(what);
+        const auto one = stage(row);
+        if (!one) {
             return false;
         }
-        const auto stage = expressions_.stage(what);
-        if (!stage) {
-            return false;
-        }
-        made.stages.push_back(*stage);
-    } while (several && tokens_.accept(","));
+        read.push_back(*one);
+    } while (row.shape == Shape::stages && tokens_.accept(","));
+    made.content = std::move(read);
     return true;
 }
 
-bool StatementParser::look(Statement& made, std::string_view what) {
-    if (opens_next_statement()) {
-        missing(what);
-        return false;
+std::optional<ExpressionId> StatementParser::stage(const StatementRow& row) {
+    if (row.shape != Shape::call && opens_next_statement()) {
+        missing(row.expected);
+        return std::nullopt;
     }
-    const auto rule = expressions_.stage_with_words(what);
-    if (rule) {
-        made.stages.push_back(*rule);
-    }
-    return rule.has_value();
+    return row.shape == Shape::rule ? expressions_.stage_with_words(row.expected)
+                                    : expressions_.stage(row.expected);
 }
 
 // A stage with the name of a keyword needs parentheses.

@@ -8,7 +8,7 @@
 
 #include "lang/reporter.hpp"
 #include "lang/syntax/expression_parser.hpp"
-#include "lang/syntax/keywords.hpp"
+#include "lang/syntax/statement_rows.hpp"
 #include "lang/syntax/token_stream.hpp"
 
 namespace balcony::lang {
@@ -17,13 +17,14 @@ namespace balcony::lang {
 /// parsing continues with the next.
 class StatementParser {
 public:
-    StatementParser(TokenStream& tokens, ExpressionParser& expressions, Reporter& reporter)
-        : tokens_(tokens), expressions_(expressions), reporter_(reporter) {}
+    StatementParser(TokenStream& tokens, ExpressionParser& expressions,
+                    const camera::Catalogue& catalogue, Reporter& reporter)
+        : tokens_(tokens), expressions_(expressions), catalogue_(catalogue), reporter_(reporter) {}
 
     /// Selects the keywords of pictures or of cameras for the following statements.
     void enter(bool in_picture) { in_picture_ = in_picture; }
-    [[nodiscard]] const Keyword* keyword_at(const Token& token) const {
-        return find_keyword(token, in_picture_);
+    [[nodiscard]] const StatementRow* keyword_at(const Token& token) const {
+        return find_statement(token, in_picture_);
     }
     /// Parses a name to be defined. A reserved name is reported and returned anyway.
     [[nodiscard]] std::optional<Identifier> new_name(std::string_view what);
@@ -33,24 +34,25 @@ public:
 
 private:
     [[nodiscard]] StatementKind unknown_statement(Block block);
-    void misplaced_statement(const Keyword& row, Block block);
+    void misplaced_statement(const StatementRow& row, Block block);
     void skip_statement();
-    [[nodiscard]] bool body(Statement& made);
+    [[nodiscard]] bool body(const StatementRow& row, Statement& made);
     void missing(std::string_view what);
-    [[nodiscard]] bool value(Statement& made);
     [[nodiscard]] bool let(Statement& made);
-    [[nodiscard]] bool word(Statement& made, std::string_view what);
-    [[nodiscard]] bool map(Statement& made);
-    [[nodiscard]] bool range_value(MapRange& range);
+    [[nodiscard]] bool value(Statement& made);
+    [[nodiscard]] bool word(const StatementRow& row, Statement& made);
+    [[nodiscard]] bool ranges(Statement& made);
+    template <class Range>
+    [[nodiscard]] bool ends_of(Range& range);
     [[nodiscard]] bool corners(Statement& made);
-    [[nodiscard]] bool frame(Statement& made);
-    [[nodiscard]] bool layer(Statement& made);
-    [[nodiscard]] bool stages(Statement& made, std::string_view what, bool several);
-    [[nodiscard]] bool look(Statement& made, std::string_view what);
+    [[nodiscard]] bool stages(const StatementRow& row, Statement& made);
+    [[nodiscard]] std::optional<ExpressionId> stage(const StatementRow& row);
+    [[nodiscard]] bool layer(const StatementRow& row, Statement& made);
     [[nodiscard]] bool opens_next_statement() const;
 
     TokenStream& tokens_;
     ExpressionParser& expressions_;
+    const camera::Catalogue& catalogue_;
     Reporter& reporter_;
     bool in_picture_ = false;
 };

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -77,27 +78,54 @@ enum class StatementKind : std::uint8_t {
     unknown,
 };
 
-/// u = first .. last, or u = square; without a name the corners of place and
-/// leader.
+/// name = value, of a let.
+struct LetSyntax {
+    Identifier name;
+    ExpressionId value;  ///< Invalid if it had a syntax error.
+};
+
+/// u = first .. last, or u = square, for which both ends are invalid.
 struct MapRange {
     Identifier coordinate;
     Span span;
-    ExpressionId first, last;  ///< Both invalid for square.
+    ExpressionId first, last;
 };
 
+/// (a, b) .. (c, d), from the top left corner to the bottom right one.
+struct Corners {
+    Span span;
+    ExpressionId first, last;
+};
+
+/// What is written depends on the shape of the statement's kind (statement_rows.hpp); a broken one
+/// may have less of it.
 struct Statement {
+    using Content = std::variant<std::monostate, LetSyntax, ExpressionId, Identifier,
+                                 std::vector<MapRange>, Corners, std::vector<ExpressionId>>;
+
     StatementKind kind = StatementKind::unknown;
     Span keyword;
     Span span;
-    bool broken = false;           ///< It has a syntax error, which is reported.
-    Identifier name;               ///< The name of a let, or the word after axes and blend.
-    ExpressionId value;            ///< The value of let, aspect, soft and alpha.
-    std::vector<MapRange> ranges;  ///< The ranges of map; one for place and leader.
-    /// One stage for eye, toward, object, look, clip, layer and frame; any number for warp, move
-    /// and arrange.
-    std::vector<ExpressionId> stages;
-    std::vector<Statement>
-        block;  ///< The block of eye { ... }, toward { ... } and layer NAME { ... }.
+    bool broken = false;  ///< It had a syntax error, which is reported.
+    Content content{};
+    std::vector<Statement> block{};  ///< Of eye { ... }, toward { ... } and layer NAME { ... }.
+
+    /// Without a name where a broken statement was taken for a let.
+    [[nodiscard]] LetSyntax let() const {
+        const auto* written = std::get_if<LetSyntax>(&content);
+        return written != nullptr ? *written : LetSyntax();
+    }
+    [[nodiscard]] ExpressionId value() const { return std::get<ExpressionId>(content); }
+    [[nodiscard]] const Identifier& word() const { return std::get<Identifier>(content); }
+    [[nodiscard]] const std::vector<MapRange>& ranges() const {
+        return std::get<std::vector<MapRange>>(content);
+    }
+    [[nodiscard]] const Corners& corners() const { return std::get<Corners>(content); }
+    /// None if a block stands in their place.
+    [[nodiscard]] std::span<const ExpressionId> stages() const {
+        const auto* written = std::get_if<std::vector<ExpressionId>>(&content);
+        return written != nullptr ? std::span(*written) : std::span<const ExpressionId>();
+    }
 };
 
 struct Import {

@@ -7,7 +7,6 @@
 #include "lang/tools/explain.hpp"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <numbers>
 
@@ -15,13 +14,12 @@
 
 #include "balcony/catalogue.hpp"
 #include "lang/build/resolved_layer.hpp"
-#include "lang/syntax/keywords.hpp"
+#include "lang/syntax/statement_rows.hpp"
 
 namespace balcony::lang {
 
 namespace {
 
-using camera::ParameterType;
 using camera::StageKind;
 
 // The source text, with single spaces and without comments.
@@ -50,117 +48,97 @@ std::string one_line(const SyntaxTree& tree, Span span) {
 
 using Meanings = std::vector<std::string>;
 
+// What is explained: a file, with the stages that it may name.
+struct Place {
+    const SyntaxTree& tree;
+    const camera::Catalogue& catalogue;
+};
+
 std::string meaning(const camera::StageEntry& row) {
     return fmt::format("{}: {}", row.name, row.meaning);
 }
 
-// The parameter of a stage that takes this argument as a stage; null for other arguments, such as
-// choices and numbers with the name of a stage.
-const camera::StageParameter* stage_parameter(const camera::StageEntry& row,
-                                              const Argument& argument) {
-    const auto found = std::find_if(
-        row.parameters.begin(), row.parameters.end(), [&](const camera::StageParameter& one) {
-            const bool takes_stages = one.type == ParameterType::curve ||
-                                      one.type == ParameterType::stage ||
-                                      one.type == ParameterType::stages;
-            return takes_stages && (!argument.name || argument.name->text == one.name);
-        });
-    return found != row.parameters.end() ? &*found : nullptr;
+// The kind of stage that an argument of a stage is; none if it is something else, as a choice and a
+// number are that have the name of a stage.
+std::optional<StageKind> nested_kind(const camera::StageEntry& row, const Argument& argument) {
+    for (const camera::StageParameter& parameter : row.parameters) {
+        const auto* nested = parameter.as<camera::NestedStageParameter>();
+        if (nested != nullptr && (!argument.name || argument.name->text == parameter.name)) {
+            return nested->kind;
+        }
+    }
+    return std::nullopt;
 }
 
-// The catalogue's descriptions of a call and of the stages inside it, each once.
-void add_stages(const SyntaxTree& tree, ExpressionId call, StageKind kind, Meanings& meanings) {
-    const Expression& node = tree[call];
+// What the catalogue says of a call and of the stages inside it, each once.
+void add_stages(const Place& place, ExpressionId call, StageKind kind, Meanings& found) {
+    const Expression& node = place.tree[call];
     const bool may_be_stage = node.kind == ExpressionKind::call ||
                               node.kind == ExpressionKind::name ||
                               node.kind == ExpressionKind::formula;
     const camera::StageEntry* row =
-        may_be_stage ? camera::find_stage(kind, node.name.text) : nullptr;
+        may_be_stage ? place.catalogue.find(kind, node.name.text) : nullptr;
     if (row == nullptr) {
         return;
     }
-    if (std::find(meanings.begin(), meanings.end(), meaning(*row)) == meanings.end()) {
-        meanings.push_back(meaning(*row));
+    if (std::find(found.begin(), found.end(), meaning(*row)) == found.end()) {
+        found.push_back(meaning(*row));
     }
     if (node.kind == ExpressionKind::formula) {
         return;
     }
     for (const Argument& argument : node.arguments) {
-        if (const camera::StageParameter* parameter = stage_parameter(*row, argument)) {
-            add_stages(tree, argument.value, parameter->stage_kind, meanings);
+        if (const std::optional<StageKind> nested = nested_kind(*row, argument)) {
+            add_stages(place, argument.value, *nested, found);
         }
     }
 }
 
-template <StageKind kind>
-Meanings of_stages(const SyntaxTree& tree, const Statement& statement) {
-    Meanings meanings;
-    for (const ExpressionId call : statement.stages) {
-        add_stages(tree, call, kind, meanings);
-    }
-    return meanings;
-}
-
-Meanings of_place(const SyntaxTree&, const Statement&) {
-    return {meaning(*camera::find_stage(StageKind::picture_arranger, "place"))};
-}
-
-Meanings of_map(const SyntaxTree&, const Statement& statement) {
-    Meanings meanings;
-    for (const MapRange& range : statement.ranges) {
+Meanings of_ranges(const Statement& statement) {
+    Meanings found;
+    for (const MapRange& range : statement.ranges()) {
         const bool u = range.coordinate.text == "u";
-        meanings.push_back(
+        found.push_back(
             range.first.valid()
                 ? fmt::format("{} runs from the {} edge of the picture to the {}",
                               range.coordinate.text, u ? "left" : "bottom", u ? "right" : "top")
                 : fmt::format("{} is 0 in the centre, with square pixels", range.coordinate.text));
     }
-    return meanings;
+    return found;
 }
 
-Meanings of_blend(const SyntaxTree&, const Statement& statement) {
-    const std::string_view name = statement.name.text;
+Meanings of_blend(const Statement& statement) {
+    const std::string_view name = statement.word().text;
     const auto mode = camera::find_blend_mode(name).value_or(camera::BlendMode::normal);
     return {fmt::format("{}: {}", name, meaning_of(mode))};
 }
 
-Meanings of_keyword(const SyntaxTree&, const Statement& statement) {
-    return {std::string(meaning_of(statement.kind))};
+Meanings meanings(const Place& place, const StatementRow& row, const Statement& statement) {
+    if (!row.meaning.empty()) {
+        return {std::string(row.meaning)};
+    }
+    if (row.shape == Shape::corners) {
+        return {meaning(*place.catalogue.find(StageKind::picture_arranger, row.keyword))};
+    }
+    if (row.shape == Shape::ranges) {
+        return of_ranges(statement);
+    }
+    if (row.shape == Shape::word) {
+        return of_blend(statement);
+    }
+    Meanings found;
+    for (const ExpressionId call : statement.stages()) {
+        add_stages(place, call, *row.stage_kind, found);
+    }
+    return found;
 }
 
-// The statements that apply to a point or a layer. Statements of the same phase apply in the order
-// in which they are written.
-struct PipelineRow {
-    StatementKind statement;
-    int phase;
-    Meanings (*meanings)(const SyntaxTree&, const Statement&);
-};
-constexpr std::array pipeline = {
-    PipelineRow{StatementKind::place, 0, of_place},
-    PipelineRow{StatementKind::arrange, 0, of_stages<StageKind::picture_arranger>},
-    PipelineRow{StatementKind::map, 1, of_map},
-    PipelineRow{StatementKind::warp, 2, of_stages<StageKind::parameter_transformer>},
-    PipelineRow{StatementKind::object, 3, of_stages<StageKind::object_generator>},
-    PipelineRow{StatementKind::eye, 4, of_stages<StageKind::object_generator>},
-    PipelineRow{StatementKind::toward, 5, of_stages<StageKind::object_generator>},
-    PipelineRow{StatementKind::move, 6, of_stages<StageKind::object_transformer>},
-    PipelineRow{StatementKind::look, 7, of_stages<StageKind::direction_rule>},
-    PipelineRow{StatementKind::clip, 8, of_stages<StageKind::clip_shape>},
-    PipelineRow{StatementKind::soft, 9, of_keyword},
-    PipelineRow{StatementKind::alpha, 10, of_keyword},
-    PipelineRow{StatementKind::blend, 11, of_blend},
-    PipelineRow{StatementKind::frame, 12, of_keyword},
-    PipelineRow{StatementKind::leader, 13, of_keyword},
-};
-
-void add_steps(const SyntaxTree& tree, const std::vector<Statement>& statements, std::size_t depth,
+void add_steps(const Place& place, const std::vector<Statement>& statements, std::size_t depth,
                std::vector<Explanation::Step>& made) {
-    std::vector<std::pair<const PipelineRow*, const Statement*>> ordered;
+    std::vector<std::pair<const StatementRow*, const Statement*>> ordered;
     for (const Statement& statement : statements) {
-        const auto* row = std::find_if(
-            pipeline.begin(), pipeline.end(),
-            [&statement](const PipelineRow& one) { return one.statement == statement.kind; });
-        if (row != pipeline.end()) {
+        const StatementRow* row = row_of(statement.kind);
+        if (row != nullptr && row->phase) {
             ordered.emplace_back(row, &statement);
         }
     }
@@ -169,13 +147,13 @@ void add_steps(const SyntaxTree& tree, const std::vector<Statement>& statements,
     for (const auto& [row, statement] : ordered) {
         Explanation::Step step;
         step.depth = depth;
-        step.statement = std::string(keyword(statement->kind));
+        step.statement = std::string(row->keyword);
         if (statement->block.empty()) {
-            step.written = one_line(tree, {statement->keyword.end, statement->span.end});
+            step.written = one_line(place.tree, {statement->keyword.end, statement->span.end});
         }
-        step.meanings = row->meanings(tree, *statement);
+        step.meanings = meanings(place, *row, *statement);
         made.push_back(std::move(step));
-        add_steps(tree, statement->block, depth + 1, made);
+        add_steps(place, statement->block, depth + 1, made);
     }
 }
 
@@ -233,13 +211,14 @@ public:
                        const GivenParameters& given) {
         DefinitionScope scope(place, given, session_);
         Explanation made = heading(place, scope, summary_of(camera));
-        add_steps(place.module->tree, place.camera->statements, 0, made.steps);
+        add_steps({place.module->tree, session_.catalogue()}, place.camera->statements, 0,
+                  made.steps);
         const bool has_look =
             std::any_of(made.steps.begin(), made.steps.end(),
                         [](const Explanation::Step& step) { return step.statement == "look"; });
         if (!has_look) {
             const std::string_view rule = camera.parts().toward ? "relative" : "normal";
-            const auto* row = camera::find_stage(StageKind::direction_rule, rule);
+            const auto* row = session_.catalogue().find(StageKind::direction_rule, rule);
             made.steps.push_back({"look", std::string(rule), {meaning(*row)}, 0});
         }
         return made;
@@ -254,9 +233,9 @@ public:
             if (statement.kind != StatementKind::layer) {
                 continue;
             }
-            const Expression& call = tree[statement.stages.front()];
+            const Expression& call = tree[statement.stages().front()];
             Explanation::Layer layer{one_line(tree, call.span), {}, 0};
-            add_steps(tree, statement.block, 0, layer.steps);
+            add_steps({tree, session_.catalogue()}, statement.block, 0, layer.steps);
             if (const auto content = resolve_layer(place, call, scope.names(), session_)) {
                 layer.shows = show(*content, picture.parts().layers[made.layers.size()]);
             }

@@ -14,6 +14,7 @@
 #include "lang/syntax/lexer.hpp"
 #include "lang/syntax/parser.hpp"
 #include "lang/syntax/read_source.hpp"
+#include "lang/syntax/statement_rows.hpp"
 
 namespace balcony::lang {
 
@@ -196,8 +197,10 @@ private:
         piece.closes = is_any(token, {")", "]"});
         piece.sum = role == Role::loose && !is_any(token, {"=", ".."});
         lines_.back().pieces.push_back(piece);
-        // A frame is written like a call; other statements have a space before their arguments.
-        previous_ = {&token, role, first && !token.is_name("frame")};
+        // Some are written as a call, others have what they are given behind a space.
+        const StatementRow* row = find_statement(token, true);
+        const bool call = row != nullptr && row->shape == Shape::call;
+        previous_ = {&token, role, first && !call};
         if (token.is("{")) {
             ++depth_;
             lines_.back().opens_block = true;
@@ -360,7 +363,7 @@ private:
 
 Result<std::string> format(const std::shared_ptr<const SourceText>& source) {
     Reporter reporter;
-    const SyntaxTree tree = parse(source, reporter);
+    const SyntaxTree tree = parse(source, camera::catalogue(), reporter);
     if (reporter.error_count() > 0) {
         return reporter.take();
     }

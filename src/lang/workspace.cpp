@@ -63,9 +63,9 @@ void warn_of_unused_lets(const Module& module, Reporter& reporter) {
     }
     for (const Item& item : module.tree.items) {
         const auto* let = std::get_if<Statement>(&item);
-        if (let != nullptr && !used.contains(let->name.text)) {
-            reporter.warning(module.tree.at(let->name.span),
-                             fmt::format("the let '{}' is unused", let->name.text));
+        if (let != nullptr && !used.contains(let->let().name.text)) {
+            reporter.warning(module.tree.at(let->let().name.span),
+                             fmt::format("the let '{}' is unused", let->let().name.text));
         }
     }
 }
@@ -103,7 +103,32 @@ std::optional<LocatedDefinition> find_camera(const Module* module, std::string_v
     return place;
 }
 
-// The result for a camera or picture, with its diagnostics.
+// What `build` makes of a definition. What does not fit into a graph is an error of the whole.
+template <class Build>
+auto within_graph(const LocatedDefinition& place, Session& session, Build build)
+    -> decltype(build()) {
+    try {
+        return build();
+    } catch (const expr::GraphTooLarge&) {
+        const Identifier& name = place.camera->name;
+        session.reporter().error(
+            place.module->tree.at(name.span),
+            fmt::format("the {} '{}' is too large: its formulas have more than {} operations",
+                        word_for(*place.camera), name.text, expr::max_nodes),
+            "leave out some of its stages");
+        return std::nullopt;
+    }
+}
+
+std::optional<camera::Picture> build_whole(const LocatedDefinition& place,
+                                           const std::vector<Override>& overrides,
+                                           Session& session) {
+    return within_graph(place, session, [&] {
+        return build_picture(place, {overrides, {}}, session);
+    });
+}
+
+// What was made of a place, with what there is to say.
 template <class Made>
 Result<Made> finish(std::optional<Made> made, const Module* module, Reporter& reporter) {
     const bool failed = reporter.error_count() > 0;
@@ -115,21 +140,7 @@ Result<Made> finish(std::optional<Made> made, const Module* module, Reporter& re
                   : Result<Made>(std::move(*made), std::move(diagnostics));
 }
 
-Result<camera::Camera> make_camera(Session& session, const Module* module, std::string_view name,
-                                   const std::vector<Override>& overrides) {
-    const auto place = find_camera(module, name, session.reporter());
-    return finish(place ? build_camera(*place, {overrides, {}}, session, true) : std::nullopt,
-                  module, session.reporter());
-}
-
-Result<camera::Picture> make_picture(Session& session, const Module* module, std::string_view name,
-                                     const std::vector<Override>& overrides) {
-    const auto place = find(module, name, false, session.reporter());
-    return finish(place ? build_picture(*place, {overrides, {}}, session) : std::nullopt, module,
-                  session.reporter());
-}
-
-// The text of a comment, without its delimiters and the space after // of each line.
+// A comment as text: without its marks, and without the space behind // of each line.
 std::string comment_text(std::string_view comment) {
     if (comment.starts_with("//")) {
         comment.remove_prefix(comment.starts_with("// ") ? 3 : 2);
@@ -174,7 +185,7 @@ Description description_of(const SyntaxTree& tree, const DefinitionSyntax& camer
     made.is_picture = camera.is_picture;
     for (const Statement& statement : camera.statements) {
         if (statement.kind == StatementKind::layer && !statement.broken) {
-            made.layers.emplace_back(tree[statement.stages.front()].name.text);
+            made.layers.emplace_back(tree[statement.stages().front()].name.text);
         }
     }
     for (const DefinitionParameter& parameter : camera.parameters) {
@@ -184,11 +195,81 @@ Description description_of(const SyntaxTree& tree, const DefinitionSyntax& camer
     return made;
 }
 
+const Module* read(Session& session, const CameraSource& source) {
+    return source.text() ? session.load(source.text(), source.path()) : session.load(source.path());
+}
+
 }  // namespace
 
-Result<std::vector<Description>> describe(const std::filesystem::path& file) {
-    Session session;
-    const Module* module = session.load(file);
+class Workspace::Implementation {
+public:
+    explicit Implementation(camera::Catalogue known)
+        : catalogue(std::move(known)), files(catalogue) {}
+
+    const camera::Catalogue catalogue;
+    Files files;
+};
+
+Workspace::Workspace(camera::Catalogue catalogue)
+    : implementation_(std::make_unique<Implementation>(std::move(catalogue))) {}
+Workspace::Workspace(Workspace&&) noexcept = default;
+Workspace& Workspace::operator=(Workspace&&) noexcept = default;
+Workspace::~Workspace() = default;
+
+void Workspace::reload() { implementation_->files = Files(implementation_->catalogue); }
+
+Result<camera::Camera> Workspace::make_camera(const CameraSource& source, std::string_view name,
+                                              const std::vector<Override>& overrides) {
+    Session session(implementation_->files);
+    const Module* module = read(session, source);
+    const auto place = find_camera(module, name, session.reporter());
+    const auto build = [&] { return build_camera(*place, {overrides, {}}, session, true); };
+    return finish(place ? within_graph(*place, session, build) : std::nullopt, module,
+                  session.reporter());
+}
+
+Result<camera::Picture> Workspace::make_picture(const CameraSource& source, std::string_view name,
+                                                const std::vector<Override>& overrides) {
+    Session session(implementation_->files);
+    const Module* module = read(session, source);
+    const auto place = find(module, name, false, session.reporter());
+    return finish(place ? build_whole(*place, overrides, session) : std::nullopt, module,
+                  session.reporter());
+}
+
+Result<std::vector<camera::Picture>> Workspace::make_all(const CameraSource& source,
+                                                         const std::vector<Override>& overrides) {
+    Session session(implementation_->files);
+    const Module* module = read(session, source);
+    std::vector<camera::Picture> made;
+    if (module != nullptr && require_cameras(*module, session.reporter())) {
+        for (const LocatedDefinition& place : own_definitions(*module)) {
+            if (auto picture = build_whole(place, overrides, session)) {
+                made.push_back(std::move(*picture));
+            }
+        }
+    }
+    return finish(std::optional(std::move(made)), module, session.reporter());
+}
+
+Result<ExplainedPicture> Workspace::explain(const CameraSource& source, std::string_view name,
+                                            const std::vector<Override>& overrides) {
+    Session session(implementation_->files);
+    const Module* module = read(session, source);
+    const auto place = find(module, name, false, session.reporter());
+    std::optional<camera::Picture> made =
+        place ? build_whole(*place, overrides, session) : std::nullopt;
+    std::optional<ExplainedPicture> explained;
+    if (made && session.reporter().error_count() == 0) {
+        Explanation explanation = lang::explain(*place, *made, {overrides, {}}, session);
+        explained = ExplainedPicture{std::move(*made), std::move(explanation)};
+    }
+    return finish(std::move(explained), module, session.reporter());
+}
+
+Result<std::vector<Description>> Workspace::describe(const CameraSource& source) {
+    Session session(implementation_->files);
+    const Module* module = read(session, source);
     if (session.reporter().error_count() > 0) {
         return session.reporter().take();
     }
@@ -199,61 +280,15 @@ Result<std::vector<Description>> describe(const std::filesystem::path& file) {
     return {std::move(made), session.reporter().take()};
 }
 
-Result<camera::Camera> load_camera(const std::filesystem::path& file, std::string_view name,
+Result<camera::Camera> make_camera(const CameraSource& source, std::string_view name,
                                    const std::vector<Override>& overrides) {
-    Session session;
-    return make_camera(session, session.load(file), name, overrides);
+    return Workspace().make_camera(source, name, overrides);
 }
 
-Result<camera::Camera> make_camera(std::shared_ptr<const SourceText> source, std::string_view name,
-                                   const std::vector<Override>& overrides,
-                                   const std::filesystem::path& folder) {
-    Session session;
-    return make_camera(session, session.load(std::move(source), folder), name, overrides);
-}
-
-Result<camera::Picture> load_picture(const std::filesystem::path& file, std::string_view name,
+Result<camera::Picture> make_picture(const CameraSource& source, std::string_view name,
                                      const std::vector<Override>& overrides) {
-    Session session;
-    return make_picture(session, session.load(file), name, overrides);
+    return Workspace().make_picture(source, name, overrides);
 }
-
-Result<camera::Picture> make_picture(std::shared_ptr<const SourceText> source,
-                                     std::string_view name, const std::vector<Override>& overrides,
-                                     const std::filesystem::path& folder) {
-    Session session;
-    return make_picture(session, session.load(std::move(source), folder), name, overrides);
-}
-
-Result<Explanation> explain(const std::filesystem::path& file, std::string_view name,
-                            const std::vector<Override>& overrides) {
-    Session session;
-    const auto place = find(session.load(file), name, false, session.reporter());
-    const std::optional<camera::Picture> made =
-        place ? build_picture(*place, {overrides, {}}, session) : std::nullopt;
-    if (session.reporter().error_count() > 0) {
-        return session.reporter().take();
-    }
-    Explanation explanation = explain(*place, *made, {overrides, {}}, session);
-    return {std::move(explanation), session.reporter().take()};
-}
-
-Result<std::vector<camera::Picture>> load_all(const std::filesystem::path& file,
-                                              const std::vector<Override>& overrides) {
-    Session session;
-    const Module* module = session.load(file);
-    std::vector<camera::Picture> made;
-    if (module != nullptr && require_cameras(*module, session.reporter())) {
-        for (const LocatedDefinition& place : own_definitions(*module)) {
-            if (auto picture = build_picture(place, {overrides, {}}, session)) {
-                made.push_back(std::move(*picture));
-            }
-        }
-    }
-    return finish(std::optional(std::move(made)), module, session.reporter());
-}
-
-Diagnostics check(const std::filesystem::path& file) { return load_all(file).diagnostics; }
 
 const std::vector<std::string>& built_in_cameras() {
     static const std::vector<std::string> names = [] {

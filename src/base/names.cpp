@@ -1,0 +1,37 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "balcony/names.hpp"
+
+#include "balcony/base.hpp"
+
+namespace balcony {
+
+namespace {
+
+std::string listed(const std::vector<std::string>& names, std::string_view last_join) {
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        text += i == 0 ? "" : i + 1 == names.size() ? last_join : ", ";
+        text += "'" + names[i] + "'";
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string one_of(const std::vector<std::string>& names) { return listed(names, " or "); }
+std::string all_of(const std::vector<std::string>& names) { return listed(names, " and "); }
+
+std::string suggestion(std::string_view name, const std::vector<std::string>& known,
+                       std::string_view otherwise) {
+    if (const auto nearest = nearest_name(name, known)) {
+        return "did you mean '" + *nearest + "'?";
+    }
+    constexpr std::size_t max_listed = 40;
+    return known.empty() || known.size() > max_listed
+               ? std::string()
+               : std::string(otherwise) + " " + all_of(known);
+}
+
+}  // namespace balcony

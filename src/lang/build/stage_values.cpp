@@ -1,0 +1,249 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// The values that stages are given: numbers, tuples, words, points and nested stages.
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "lang/build/stages.hpp"
+#include "lang/names/evaluate.hpp"
+
+namespace balcony::lang {
+
+namespace {
+
+using camera::ArgumentValue;
+using camera::Failed;
+using camera::Unsuitable;
+
+bool may_be_stage(const Expression& node) {
+    return node.kind == ExpressionKind::name || node.kind == ExpressionKind::call ||
+           node.kind == ExpressionKind::formula;
+}
+
+// What stands in the place of something else.
+std::string_view described(const Expression& node) {
+    switch (node.kind) {
+        case ExpressionKind::tuple: return "a tuple";
+        case ExpressionKind::list: return "a list";
+        case ExpressionKind::text: return "a file name";
+        case ExpressionKind::formula: return "a formula";
+        default: return "a number";
+    }
+}
+
+}  // namespace
+
+StageBuilder::Located StageBuilder::value(const camera::StageParameter& parameter,
+                                          std::span<const ExpressionId> given) {
+    struct Reader {
+        StageBuilder& builder;
+        std::string_view name;
+        std::span<const ExpressionId> given;
+
+        Located operator()(const camera::NumberParameter&) const {
+            return builder.number(given.front());
+        }
+        Located operator()(const camera::CountParameter&) const {
+            return builder.number(given.front());
+        }
+        Located operator()(const camera::PairParameter& type) const {
+            return builder.numbers(given.front(), type.one_for_both, false);
+        }
+        Located operator()(const camera::TripleParameter& type) const {
+            return builder.numbers(given.front(), false, type.names_axes);
+        }
+        Located operator()(const camera::ChoiceParameter&) const {
+            return builder.word(given.front());
+        }
+        Located operator()(const camera::PointsParameter& type) const {
+            return builder.points(type, given.front());
+        }
+        Located operator()(const camera::NestedStageParameter& type) const {
+            return builder.stages(type, given);
+        }
+        Located operator()(const camera::FormulaParameter& type) const {
+            return builder.formula(name, type.shape, builder.tree_[given.front()]);
+        }
+        Located operator()(const camera::ImageParameter&) const {
+            return builder.image(given.front());
+        }
+        Located operator()(const camera::MeshParameter&) const {
+            return builder.mesh(given.front());
+        }
+    };
+    return std::visit(Reader{*this, parameter.name, given}, parameter.type);
+}
+
+StageBuilder::Located StageBuilder::unsuitable(ExpressionId given) {
+    const Expression& node = tree_[given];
+    return {Unsuitable{std::string(described(node))}, {tree_.at(node.span)}};
+}
+
+// ------------------------------------------------------------------------------------- numbers
+
+camera::Quantity StageBuilder::quantity(const Value& value) const {
+    const camera::Scalar number = value.is_constant()
+                                      ? camera::Scalar(value.constant())
+                                      : camera::Scalar(camera::Formula(graph_, {}, {value.expr}));
+    return {number, value.dimension};
+}
+
+camera::Tuple StageBuilder::tuple(const Value& value) const {
+    camera::Tuple made;
+    for (const Element& element : *value.elements) {
+        made.push_back(quantity(element.value));
+    }
+    return made;
+}
+
+StageBuilder::Place StageBuilder::place_of(const Value& value, const SourceSpan& span) {
+    Place made{span};
+    if (value.elements) {
+        for (const Element& element : *value.elements) {
+            made.parts.push_back(place_of(element.value, element.place));
+        }
+    }
+    return made;
+}
+
+StageBuilder::Located StageBuilder::located(const Value& value, const SourceSpan& span) const {
+    if (value.failed()) {
+        return {Failed{}, {span}};
+    }
+    switch (value.form) {
+        case Value::Form::number: return {quantity(value), {span}};
+        case Value::Form::tuple: return {tuple(value), place_of(value, span)};
+        case Value::Form::list: break;
+    }
+    return {Unsuitable{"a list"}, {span}};
+}
+
+StageBuilder::Located StageBuilder::number(ExpressionId given) {
+    return located(evaluate_any(tree_, given, scope_, session_.context()),
+                   tree_.at(tree_[given].span));
+}
+
+StageBuilder::Located StageBuilder::numbers(ExpressionId given, bool one_for_all, bool names_axes) {
+    const Expression& node = tree_[given];
+    const SourceSpan span = tree_.at(node.span);
+    if (const auto axis = names_axes ? named_axis(node) : std::nullopt) {
+        return {*axis, {span}};
+    }
+    if (const auto several = evaluate_compound(tree_, given, scope_, session_.context())) {
+        return located(*several, span);
+    }
+    if (one_for_all) {
+        return number(given);
+    }
+    const std::string_view what = described(node);
+    return {Unsuitable{std::string(what == "a number" ? "one number" : what)}, {span}};
+}
+
+// x or -x.
+std::optional<std::string> StageBuilder::named_axis(const Expression& node) {
+    const bool negative = node.kind == ExpressionKind::operation && node.name.text == "-" &&
+                          node.arguments.size() == 1;
+    const Expression& named = negative ? tree_[node.arguments[0].value] : node;
+    const bool is_axis =
+        named.kind == ExpressionKind::name &&
+        (named.name.text == "x" || named.name.text == "y" || named.name.text == "z");
+    return is_axis ? std::optional(fmt::format("{}{}", negative ? "-" : "", named.name.text))
+                   : std::nullopt;
+}
+
+// -------------------------------------------------------------------------------------- points
+
+StageBuilder::Located StageBuilder::points(const camera::PointsParameter& type,
+                                           ExpressionId given) {
+    const Expression& node = tree_[given];
+    const SourceSpan span = tree_.at(node.span);
+    if (node.kind == ExpressionKind::text) {
+        return table(type, given);
+    }
+    // A name that there is not is said to be missing, what is no value at all to be no list.
+    if (node.kind != ExpressionKind::list && node.kind != ExpressionKind::name) {
+        return unsuitable(given);
+    }
+    const Value list = evaluate_any(tree_, given, scope_, session_.context());
+    if (list.failed()) {
+        return {Failed{}, {span}};
+    }
+    if (list.form != Value::Form::list) {
+        return unsuitable(given);
+    }
+    camera::Points made;
+    for (const Element& element : *list.elements) {
+        made.push_back(element.value.elements ? tuple(element.value)
+                                              : camera::Tuple{quantity(element.value)});
+    }
+    return {std::move(made), place_of(list, span)};
+}
+
+// ---------------------------------------------------------------------------- words and stages
+
+StageBuilder::Located StageBuilder::word(ExpressionId given) {
+    const Expression& node = tree_[given];
+    return node.kind == ExpressionKind::name
+               ? Located{std::string(node.name.text), {tree_.at(node.span)}}
+               : unsuitable(given);
+}
+
+StageBuilder::Located StageBuilder::stages(const camera::NestedStageParameter& type,
+                                           std::span<const ExpressionId> given) {
+    Located made{Failed{}, {tree_.at(tree_[given.front()].span)}};
+    ArgumentValue::Stages stages;
+    for (const ExpressionId id : given) {
+        if (!may_be_stage(tree_[id])) {
+            return unsuitable(id);
+        }
+        if (Stage stage = make_stage(type.kind, id)) {
+            stages.push_back(std::move(stage));
+        }
+        made.place.parts.push_back({tree_.at(tree_[id].span)});
+    }
+    if (stages.size() == given.size()) {
+        made.value = std::move(stages);
+    }
+    return made;
+}
+
+// ------------------------------------------------------------------- numbers outside of stages
+
+std::optional<double> StageBuilder::known_number(ExpressionId id) {
+    const Value value = evaluate(tree_, id, scope_, session_.context());
+    return value.is_constant() ? std::optional(value.constant()) : std::nullopt;
+}
+
+std::optional<double> StageBuilder::constant(ExpressionId id, std::string_view what) {
+    const Value value = evaluate(tree_, id, scope_, session_.context());
+    if (value.failed()) {
+        return std::nullopt;
+    }
+    if (value.is_angle()) {
+        error(tree_[id].span, fmt::format("{} must be a plain number, but this is an angle", what),
+              "remove deg or rad, or divide the angle by 1rad");
+        return std::nullopt;
+    }
+    if (!value.is_constant()) {
+        error(tree_[id].span, fmt::format("{} cannot change with time", what),
+              "write it without t: it is needed before the time is known");
+        return std::nullopt;
+    }
+    return value.constant();
+}
+
+std::optional<double> StageBuilder::aspect(ExpressionId id, std::string_view owner) {
+    const std::string what = fmt::format("the aspect of {}", owner);
+    const std::optional<double> value = constant(id, what);
+    if (value && !(*value > 0.0)) {
+        error(tree_[id].span, fmt::format("{} must be above 0, but is {:.6g}", what, *value),
+              "the aspect is the width of the picture divided by its height, for example 16/9");
+        return std::nullopt;
+    }
+    return value;
+}
+
+}  // namespace balcony::lang

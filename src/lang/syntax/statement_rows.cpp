@@ -1,0 +1,202 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "lang/syntax/statement_rows.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace balcony::lang {
+
+namespace {
+
+using camera::StageKind;
+
+constexpr std::uint8_t in_camera = static_cast<std::uint8_t>(Block::camera);
+constexpr std::uint8_t in_path = static_cast<std::uint8_t>(Block::path);
+constexpr std::uint8_t in_pictures = static_cast<std::uint8_t>(Block::picture);
+constexpr std::uint8_t in_layer = static_cast<std::uint8_t>(Block::layer);
+
+constexpr std::array rows = {
+    StatementRow{.kind = StatementKind::let,
+                 .keyword = "let",
+                 .blocks = in_camera | in_pictures,
+                 .shape = Shape::let,
+                 .once = false},
+    StatementRow{.kind = StatementKind::aspect,
+                 .keyword = "aspect",
+                 .blocks = in_camera | in_pictures,
+                 .shape = Shape::value},
+    StatementRow{.kind = StatementKind::axes,
+                 .keyword = "axes",
+                 .blocks = in_camera,
+                 .shape = Shape::word,
+                 .expected = "'z_up' or 'y_up' after 'axes'"},
+    StatementRow{.kind = StatementKind::map,
+                 .keyword = "map",
+                 .blocks = in_camera | in_path,
+                 .shape = Shape::ranges,
+                 .phase = 1,
+                 .stage_kind = StageKind::picture_mapper},
+    StatementRow{.kind = StatementKind::eye,
+                 .keyword = "eye",
+                 .blocks = in_camera,
+                 .shape = Shape::path,
+                 .phase = 4,
+                 .stage_kind = StageKind::object_generator,
+                 .expected = "an object, such as sphere(1)"},
+    StatementRow{.kind = StatementKind::toward,
+                 .keyword = "toward",
+                 .blocks = in_camera,
+                 .shape = Shape::path,
+                 .phase = 5,
+                 .stage_kind = StageKind::object_generator,
+                 .expected = "an object, such as sphere(1)"},
+    StatementRow{.kind = StatementKind::object,
+                 .keyword = "object",
+                 .blocks = in_path,
+                 .shape = Shape::stage,
+                 .phase = 3,
+                 .stage_kind = StageKind::object_generator,
+                 .expected = "an object, such as sphere(1)"},
+    StatementRow{.kind = StatementKind::warp,
+                 .keyword = "warp",
+                 .blocks = in_camera | in_path,
+                 .shape = Shape::stages,
+                 .once = false,
+                 .phase = 2,
+                 .stage_kind = StageKind::parameter_transformer,
+                 .expected = "a parameter transformer, such as rotate(10deg)"},
+    StatementRow{.kind = StatementKind::move,
+                 .keyword = "move",
+                 .blocks = in_camera | in_path,
+                 .shape = Shape::stages,
+                 .once = false,
+                 .phase = 6,
+                 .stage_kind = StageKind::object_transformer,
+                 .expected = "an object transformer, such as translate(0, 0, 1)"},
+    StatementRow{.kind = StatementKind::look,
+                 .keyword = "look",
+                 .blocks = in_camera,
+                 .shape = Shape::rule,
+                 .phase = 7,
+                 .stage_kind = StageKind::direction_rule,
+                 .expected = "a direction rule, such as normal"},
+    StatementRow{.kind = StatementKind::place,
+                 .keyword = "place",
+                 .blocks = in_camera | in_layer,
+                 .shape = Shape::corners,
+                 .once = false,
+                 .phase = 0},
+    StatementRow{.kind = StatementKind::arrange,
+                 .keyword = "arrange",
+                 .blocks = in_camera | in_layer,
+                 .shape = Shape::stages,
+                 .once = false,
+                 .phase = 0,
+                 .stage_kind = StageKind::picture_arranger,
+                 .expected = "a picture arranger, such as rotate(8deg)"},
+    StatementRow{.kind = StatementKind::layer,
+                 .keyword = "layer",
+                 .blocks = in_pictures,
+                 .shape = Shape::layer,
+                 .once = false,
+                 .expected = "the name of a camera or a picture"},
+    StatementRow{.kind = StatementKind::clip,
+                 .keyword = "clip",
+                 .blocks = in_layer,
+                 .shape = Shape::stage,
+                 .phase = 8,
+                 .stage_kind = StageKind::clip_shape,
+                 .expected = "a clip shape, such as ellipse"},
+    StatementRow{.kind = StatementKind::soft,
+                 .keyword = "soft",
+                 .blocks = in_layer,
+                 .shape = Shape::value,
+                 .phase = 9,
+                 .meaning = "the width of the clip's soft edge, half of it outside the shape, as a "
+                            "fraction of the layer's height"},
+    StatementRow{.kind = StatementKind::alpha,
+                 .keyword = "alpha",
+                 .blocks = in_layer,
+                 .shape = Shape::value,
+                 .phase = 10,
+                 .meaning = "the opacity: from 0 (invisible) to 1 (opaque)"},
+    StatementRow{.kind = StatementKind::blend,
+                 .keyword = "blend",
+                 .blocks = in_layer,
+                 .shape = Shape::word,
+                 .phase = 11,
+                 .expected = "a blend mode, such as multiply"},
+    StatementRow{.kind = StatementKind::frame,
+                 .keyword = "frame",
+                 .blocks = in_layer,
+                 .shape = Shape::call,
+                 .phase = 12,
+                 .expected = "a frame",
+                 .meaning = "a line along the inside of the clip's edge; its width is a fraction "
+                            "of the picture's height"},
+    StatementRow{
+        .kind = StatementKind::leader,
+        .keyword = "leader",
+        .blocks = in_layer,
+        .shape = Shape::corners,
+        .once = false,
+        .phase = 13,
+        .meaning = "an outline of a region of the picture, and lines from there to the layer"},
+};
+
+constexpr std::array<std::string_view, 3> file_words = {"import", "camera", "picture"};
+
+}  // namespace
+
+std::span<const StatementRow> statement_rows() { return rows; }
+
+const StatementRow* row_of(StatementKind kind) {
+    const auto* row = std::find_if(rows.begin(), rows.end(),
+                                   [kind](const StatementRow& one) { return one.kind == kind; });
+    return row != rows.end() ? row : nullptr;
+}
+
+const StatementRow* find_statement(const Token& token, bool in_picture) {
+    const auto here =
+        static_cast<std::uint8_t>(in_picture ? in_pictures | in_layer : in_camera | in_path);
+    for (const StatementRow& row : rows) {
+        if ((row.blocks & here) != 0 && token.is_name(row.keyword)) {
+            return &row;
+        }
+    }
+    return nullptr;
+}
+
+bool is_file_keyword(const Token& token) {
+    return std::any_of(file_words.begin(), file_words.end(),
+                       [&token](std::string_view word) { return token.is_name(word); });
+}
+
+std::vector<std::string> keywords_for(Block block) {
+    std::vector<std::string> names;
+    for (const StatementRow& row : rows) {
+        if (row.stands_in(block)) {
+            names.emplace_back(row.keyword);
+        }
+    }
+    return names;
+}
+
+std::string_view keyword(StatementKind kind) {
+    const StatementRow* row = row_of(kind);
+    return row != nullptr ? row->keyword : std::string_view();
+}
+
+std::vector<std::string> statements_for(camera::StageKind kind) {
+    std::vector<std::string> keywords;
+    for (const StatementRow& row : rows) {
+        if (row.stage_kind == kind) {
+            keywords.emplace_back(row.keyword);
+        }
+    }
+    return keywords;
+}
+
+}  // namespace balcony::lang
