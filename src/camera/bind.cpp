@@ -32,7 +32,7 @@ std::size_t known_results(const FormulaValue& value) {
 
 std::string described(const ArgumentValue& given) {
     struct Words {
-        std::string operator()(const Quantity&) const { return "one number"; }
+        std::string operator()(const Quantity&) const { return "a number"; }
         std::string operator()(const Tuple&) const { return "a tuple"; }
         std::string operator()(const Points&) const { return "a list"; }
         std::string operator()(const std::string&) const { return "a word"; }

@@ -30,14 +30,14 @@ bool is_angle(const Quantity& given) {
 }
 
 void Binder::set(const NumberParameter& type) {
-    if (const auto* number = one_number("one number")) {
+    if (const auto* number = one_number("a number")) {
         set_numbers(std::span(number, 1),
                     {type.unit, type.range, type.constant, false, type.default_value});
     }
 }
 
 void Binder::set(const CountParameter& type) {
-    if (const auto* number = one_number("one number")) {
+    if (const auto* number = one_number("a number")) {
         set_numbers(std::span(number, 1),
                     {Unit::number, type.range, true, true, type.default_value});
     }

@@ -123,7 +123,7 @@ TEST(Bind, ChecksRangesFormsAndUnits) {
     EXPECT_EQ(found({{"radius", 1.0}, {"by", 3.0}}).diagnostic.message,
               "'by' of 'stage' takes a name");
     EXPECT_EQ(found({{"radius", "large"}}).diagnostic.message,
-              "'radius' of 'stage' takes one number, but this is a word");
+              "'radius' of 'stage' takes a number, but this is a word");
     EXPECT_EQ(found({{"radius", 1.0}, {"axis", "w"}}).diagnostic.message,
               "'axis' of 'stage' takes three numbers (a, b, c) or x, y or z, but this is a word");
     EXPECT_EQ(found({{"radius", 1.0}, {"points", Points{{0.0, 0.0}}}}).diagnostic.message,
@@ -153,7 +153,7 @@ TEST(Bind, ChecksNestedStages) {
     EXPECT_EQ(found({{"radius", 1.0}, {"curve", move("scale")}}).diagnostic.message,
               "'curve' of 'stage' takes a curve, but this is a stage of another kind");
     EXPECT_EQ(found({{"radius", 1.0}, {"curve", 1.0}}).diagnostic.message,
-              "'curve' of 'stage' takes a curve, but this is one number");
+              "'curve' of 'stage' takes a curve, but this is a number");
 }
 
 Formula sum_of(std::size_t parameters) {

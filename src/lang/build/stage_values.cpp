@@ -138,8 +138,7 @@ StageBuilder::Located StageBuilder::numbers(ExpressionId given, bool one_for_all
     if (one_for_all) {
         return number(given);
     }
-    const std::string_view what = described(node);
-    return {Unsuitable{std::string(what == "a number" ? "one number" : what)}, {span}};
+    return unsuitable(given);
 }
 
 // x or -x.
