@@ -10,6 +10,13 @@ namespace balcony::lang {
 
 namespace {
 
+Result<Explanation> explanation_of(const CameraSource& source, std::string_view name,
+                                   const std::vector<Override>& overrides = {}) {
+    Result<ExplainedPicture> made = Workspace().explain(source, name, overrides);
+    return made ? Result<Explanation>(std::move(made->explanation), std::move(made.diagnostics))
+                : Result<Explanation>(std::move(made.diagnostics));
+}
+
 // A picture in a picture, and one camera with two values of its parameter.
 const char* const nested_picture = R"(
 camera room(turn = 0deg) {

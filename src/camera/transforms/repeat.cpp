@@ -73,27 +73,23 @@ std::vector<StageEntry> repeats() {
     const StageKind parameter_kind = StageKind::parameter_transformer;
     const StageKind object_kind = StageKind::object_transformer;
     return {
-        {parameter_kind,
-         "repeat",
-         "applies parameter transformers repeatedly",
-         parameters(parameter_kind),
-         make_repeat<ParameterTransformer, ParameterPoint>,
-         {},
-         0,
-         R"(camera repeat {
+        {.kind = parameter_kind,
+         .name = "repeat",
+         .meaning = "applies parameter transformers repeatedly",
+         .parameters = parameters(parameter_kind),
+         .make = make_repeat<ParameterTransformer, ParameterPoint>,
+         .example = R"(camera repeat {
     map    u = 1.4 .. -1.4, v = square
     warp   repeat(5, zoom(at = (0.6, 0), radius = 0.6, strength = 1.4), rotate(72deg))
     eye    point
     toward plane((1, 0, 0))
 })"},
-        {object_kind,
-         "repeat",
-         "applies object transformers repeatedly",
-         parameters(object_kind),
-         make_repeat<ObjectTransformer, ObjectPoint>,
-         {},
-         0,
-         R"(camera repeat {
+        {.kind = object_kind,
+         .name = "repeat",
+         .meaning = "applies object transformers repeatedly",
+         .parameters = parameters(object_kind),
+         .make = make_repeat<ObjectTransformer, ObjectPoint>,
+         .example = R"(camera repeat {
     map    u = 1.6 .. -1.6, v = square
     eye    point
     toward {

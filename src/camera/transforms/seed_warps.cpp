@@ -244,56 +244,51 @@ std::vector<StageEntry> seed_warps() {
     const StageKind parameter_kind = StageKind::parameter_transformer;
     const StageKind object_kind = StageKind::object_transformer;
     return {
-        {parameter_kind,
-         "thin_plate",
-         "the smoothest warp that moves seed points to given positions, like a bent thin plate",
-         thin_plate_parameters(parameter_kind),
-         thin_plate<ParameterOffset>,
-         {},
-         0,
-         R"(camera thin_plate {
+        {.kind = parameter_kind,
+         .name = "thin_plate",
+         .meaning =
+             "the smoothest warp that moves seed points to given positions, like a bent thin plate",
+         .parameters = thin_plate_parameters(parameter_kind),
+         .make = thin_plate<ParameterOffset>,
+         .example = R"(camera thin_plate {
     map    u = 1.2 .. -1.2, v = square
     warp   thin_plate([(-1, -0.6, -1, -0.6), (1, -0.6, 1, -0.6), (1, 0.6, 1, 0.6),
                        (-1, 0.6, -1, 0.6), (0.4, 0, 0.1, 0.2), (-0.4, 0, -0.1, -0.2)])
     eye    point
     toward plane((1, 0, 0))
 })"},
-        {parameter_kind,
-         "inverse_distance",
-         "the mean of the offsets of seed points, weighted by inverse distance (Shepard)",
-         inverse_distance_parameters(parameter_kind),
-         inverse_distance<ParameterOffset>,
-         {},
-         0,
-         R"(camera inverse_distance {
+        {.kind = parameter_kind,
+         .name = "inverse_distance",
+         .meaning =
+             "the mean of the offsets of seed points, weighted by inverse distance (Shepard)",
+         .parameters = inverse_distance_parameters(parameter_kind),
+         .make = inverse_distance<ParameterOffset>,
+         .example = R"(camera inverse_distance {
     map    u = 1.2 .. -1.2, v = square
     warp   inverse_distance([(-1, -0.6, -1, -0.6), (1, -0.6, 1, -0.6), (1, 0.6, 1, 0.6),
                              (-1, 0.6, -1, 0.6), (0, 0, 0.3, 0.2)], smoothing = 0.2)
     eye    point
     toward plane((1, 0, 0))
 })"},
-        {object_kind,
-         "thin_plate",
-         "the smoothest deformation of space that moves seed points to given positions",
-         thin_plate_parameters(object_kind),
-         thin_plate<ObjectOffset>,
-         {},
-         0,
-         R"(camera thin_plate {
+        {.kind = object_kind,
+         .name = "thin_plate",
+         .meaning = "the smoothest deformation of space that moves seed points to given positions",
+         .parameters = thin_plate_parameters(object_kind),
+         .make = thin_plate<ObjectOffset>,
+         .example = R"(camera thin_plate {
     map    u = 180deg .. -180deg, v = -90deg .. 90deg
     eye    sphere(1)
     move   thin_plate([(1, 0, 0, 2, 0, 0), (-1, 0, 0, -1, 0, 0), (0, 1, 0, 0, 1, 0.5),
                        (0, -1, 0, 0, -1, 0.5), (0, 0, 1, 0, 0, 1), (0, 0, -1, 0, 0, -1)])
 })"},
-        {object_kind,
-         "inverse_distance",
-         "a deformation of space: the mean of the offsets of seed points, weighted by inverse "
-         "distance",
-         inverse_distance_parameters(object_kind),
-         inverse_distance<ObjectOffset>,
-         {},
-         0,
-         R"(camera inverse_distance {
+        {.kind = object_kind,
+         .name = "inverse_distance",
+         .meaning =
+             "a deformation of space: the mean of the offsets of seed points, weighted by inverse "
+             "distance",
+         .parameters = inverse_distance_parameters(object_kind),
+         .make = inverse_distance<ObjectOffset>,
+         .example = R"(camera inverse_distance {
     map    u = 180deg .. -180deg, v = -90deg .. 90deg
     eye    sphere(1)
     move   inverse_distance([(1, 0, 0, 2, 0, 0), (-1, 0, 0, -1, 0, 0), (0, 1, 0, 0, 1, 0),

@@ -192,9 +192,10 @@ bool StageBuilder::tuple_is_spread(const StageEntry& row, const Expression& call
             return false;
         }
         const auto* pair = parameter->as<camera::PairParameter>();
-        const std::size_t count = parameter->as<camera::TripleParameter>() != nullptr ? 3
-                                  : pair != nullptr && !pair->one_for_both            ? 2
-                                                                                      : 1;
+        const auto* triple = parameter->as<camera::TripleParameter>();
+        const std::size_t count = triple != nullptr && !triple->names_axes ? 3
+                                  : pair != nullptr && !pair->one_for_both ? 2
+                                                                           : 1;
         const auto first = call.arguments.begin() + static_cast<std::ptrdiff_t>(i);
         if (count == 1 || call.arguments.size() < i + count ||
             !std::all_of(first, first + static_cast<std::ptrdiff_t>(count),

@@ -203,8 +203,13 @@ StageBuilder::Located StageBuilder::stages(const camera::NestedStageParameter& t
         }
         made.place.parts.push_back({tree_.at(tree_[id].span)});
     }
-    if (stages.size() == given.size()) {
+    if (stages.size() < given.size()) {
+        return made;
+    }
+    if (type.several) {
         made.value = std::move(stages);
+    } else {
+        made.value = std::move(stages.front());
     }
     return made;
 }
