@@ -79,7 +79,7 @@ const Result<data::File>& Files::find(std::string_view name,
                                  : found_.emplace(key, data::find_file(name, folder)).first->second;
 }
 
-const Result<data::Table>& Files::table(const data::File& file) {
+const Result<data::NumberTable>& Files::table(const data::File& file) {
     return read_once(tables_, file, data::read_table);
 }
 

@@ -43,7 +43,7 @@ public:
     /// The file that a camera file in a folder names.
     [[nodiscard]] const Result<data::File>& find(
         std::string_view name, const std::optional<std::filesystem::path>& folder);
-    [[nodiscard]] const Result<data::Table>& table(const data::File& file);
+    [[nodiscard]] const Result<data::NumberTable>& table(const data::File& file);
     [[nodiscard]] const Result<std::shared_ptr<const camera::GreyImage>>& image(
         const data::File& file);
     [[nodiscard]] const Result<std::shared_ptr<const camera::TexturedMesh>>& mesh(
@@ -59,7 +59,7 @@ private:
     std::map<std::string, std::shared_ptr<const ParsedFile>> camera_files_;
     std::map<const SourceText*, std::shared_ptr<const ParsedFile>> texts_;
     std::map<std::pair<std::string, Folder>, Result<data::File>> found_;
-    std::map<std::string, Result<data::Table>> tables_;
+    std::map<std::string, Result<data::NumberTable>> tables_;
     std::map<std::string, Result<std::shared_ptr<const camera::GreyImage>>> images_;
     std::map<std::string, Result<std::shared_ptr<const camera::TexturedMesh>>> meshes_;
 };
