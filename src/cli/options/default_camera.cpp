@@ -45,6 +45,7 @@ Result<camera::Picture> pinhole(double half_width, double yaw, double pitch,
         return found;
     }
     auto made = camera::Camera::make({.name = "pinhole",
+                                      .arrangers = {},
                                       .eye = {*mapper, {}, *eye, placed},
                                       .toward = camera::Path{*mapper, {}, *plane, placed},
                                       .look = *look});
