@@ -74,10 +74,10 @@ TEST(PaperModules, HaveTheParametrisationsOfTheSphere) {
     const StageEntry* sphere = catalogue().find(object, "sphere");
     ASSERT_NE(sphere, nullptr);
     for (const StageParameter& parameter : sphere->parameters) {
-        if (parameter.name == "by") {
+        if (const auto* by = parameter.as<ChoiceParameter>()) {
             for (const char* choice : {"latitude", "stereographic", "equal_area", "cube"}) {
-                const auto choices = choices_of(parameter);
-                EXPECT_NE(std::find(choices.begin(), choices.end(), choice), choices.end())
+                EXPECT_NE(std::find(by->choices.begin(), by->choices.end(), choice),
+                          by->choices.end())
                     << choice;
             }
             return;

@@ -346,13 +346,10 @@ TEST(StageArguments, AFormulaCallsTheFunctionsThatItsStageOffers) {
     const auto digits = std::make_shared<const Digits>();
     const std::vector<StageParameter> row{
         {.name = "weight",
-         .type = ParameterType::formula,
-         .shape = {2, 1, 1, {{"digits", digits, 0}, {"first", digits, 1}}},
+         .type =
+             FormulaParameter{.shape = {2, 1, 1, {{"digits", digits, 0}, {"first", digits, 1}}}},
          .meaning = "its use"},
-        {.name = "other",
-         .type = ParameterType::formula,
-         .shape = {1, 1, 1},
-         .meaning = "its use"}};
+        {.name = "other", .type = FormulaParameter{.shape = {1, 1, 1}}, .meaning = "its use"}};
     const Read made =
         read(row, "stage(weight(p, q) = [digits(p, 2*q, a) - first(q, 1, 1)], other(u) = [u])");
     ASSERT_TRUE(made.arguments) << to_text(made.said);
