@@ -85,8 +85,8 @@ int main() {
     if (!camera) {
         return fail(camera.diagnostics);
     }
-    constexpr std::size_t width = 72;
-    constexpr std::size_t height = 18;
+    constexpr std::size_t width = 64;
+    constexpr std::size_t height = 16;
     const auto program = rays::compile(*camera, width, height, {});
     if (!program) {
         return fail(program.diagnostics);

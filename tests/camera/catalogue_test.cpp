@@ -79,9 +79,9 @@ TEST(Catalogue, EveryChoiceCanBeMade) {
     }
 }
 
-StageEntry ring() {
+StageEntry halo() {
     return {.kind = StageKind::object_generator,
-            .name = "ring",
+            .name = "halo",
             .meaning = "a row of this test",
             .parameters = {{.name = "radius",
                             .type = NumberParameter{.default_value = 1.0,
@@ -97,14 +97,14 @@ StageEntry ring() {
 TEST(Catalogue, TakesRowsOfAProgram) {
     Catalogue own;
     const std::size_t built_in = own.size();
-    EXPECT_EQ(to_text(own.add(ring())), "");
+    EXPECT_EQ(to_text(own.add(halo())), "");
     EXPECT_EQ(own.size(), built_in + 1);
     EXPECT_EQ(catalogue().size(), built_in) << "a copy must not change the original";
-    const auto* row = own.find(StageKind::object_generator, "ring");
+    const auto* row = own.find(StageKind::object_generator, "halo");
     ASSERT_NE(row, nullptr);
     EXPECT_TRUE(std::is_sorted(own.begin(), own.end(),
                                [](const auto& a, const auto& b) { return a.kind < b.kind; }));
-    EXPECT_NE(to_text(own.add(ring())).find("there is an object generator 'ring' already"),
+    EXPECT_NE(to_text(own.add(halo())).find("there is an object generator 'halo' already"),
               std::string::npos);
     EXPECT_EQ(own.size(), built_in + 1);
 }
@@ -112,7 +112,7 @@ TEST(Catalogue, TakesRowsOfAProgram) {
 // Each change makes one contradiction; the message names it.
 TEST(Catalogue, RefusesRowsThatContradictThemselves) {
     const auto refused = [](const std::function<void(StageEntry&)>& change) {
-        StageEntry row = ring();
+        StageEntry row = halo();
         change(row);
         Catalogue own;
         const Diagnostics found = own.add(row);
@@ -123,13 +123,13 @@ TEST(Catalogue, RefusesRowsThatContradictThemselves) {
               "the row of 'two words': a name is made of letters, digits and _, and begins with a "
               "letter");
     EXPECT_EQ(refused([](StageEntry& row) { row.make = nullptr; }),
-              "the row of 'ring': it has no maker");
+              "the row of 'halo': it has no maker");
     EXPECT_EQ(refused([](StageEntry& row) { row.parameters.push_back(row.parameters.front()); }),
-              "the row of 'ring', parameter 'radius': there are two parameters of this name");
+              "the row of 'halo', parameter 'radius': there are two parameters of this name");
     const auto with_type = [&refused](const ParameterType& type) {
         return refused([&type](StageEntry& row) { row.parameters.front().type = type; });
     };
-    const std::string of_radius = "the row of 'ring', parameter 'radius': ";
+    const std::string of_radius = "the row of 'halo', parameter 'radius': ";
     EXPECT_EQ(with_type(NumberParameter{.default_value = 0.0,
                                         .range = {.minimum = 0.0, .excludes_minimum = true}}),
               of_radius + "its default value is outside its range");

@@ -140,7 +140,7 @@ TEST(Deformations, ReportErrors) {
     const Given null{{"axis", numbers({0.0, 0.0, 0.0})}};
     for (const char* name : {"twist", "taper", "bend"}) {
         EXPECT_NE(message(name, flat).find("same height"), std::string::npos);
-        EXPECT_NE(message(name, null).find("no direction"), std::string::npos);
+        EXPECT_NE(message(name, null).find("is not a direction"), std::string::npos);
     }
     EXPECT_NE(message("bend", along(z_axis, {{"toward", numbers({0.0, 0.0, -2.0})}}))
                   .find("is parallel to the axis"),

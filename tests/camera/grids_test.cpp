@@ -247,10 +247,10 @@ TEST(Grids, ReportErrors) {
                   .find("7 points do not fill rows of 3"),
               std::string::npos);
     EXPECT_NE(message({{"points", random_offsets(4, 2)}, {"columns", numbers({4.0})}})
-                  .find("one of the rows alone"),
+                  .find("form only one of the rows"),
               std::string::npos);
     EXPECT_NE(message({{"points", random_offsets(4, 2)}, {"to", numbers({1.0, -1.0})}})
-                  .find("no extent across its rows"),
+                  .find("no extent along its rows"),
               std::string::npos);
     EXPECT_NE(message({{"points", random_offsets(18, 2)},
                        {"columns", numbers({9.0})},

@@ -161,7 +161,7 @@ TEST(BSpline, SaysWhatIsWrongWithItsKnots) {
     };
     using enum SplineEnds;
     EXPECT_NE(said(3, 3, clamped, {}).find("needs at least 4 points"), std::string::npos);
-    EXPECT_NE(said(3, 2, clamped, {0, 1, 2}).find("have 6 knots, not 3"), std::string::npos);
+    EXPECT_NE(said(3, 2, clamped, {0, 1, 2}).find("need 6 knots, not 3"), std::string::npos);
     EXPECT_NE(said(3, 2, clamped, {0, 0, 2, 1, 3, 3}).find("not decrease"), std::string::npos);
     EXPECT_NE(said(5, 2, clamped, {0, 0, 0, 1, 1, 1, 2, 2}).find("break"), std::string::npos);
     EXPECT_NE(said(3, 2, clamped, {0, 0, 0, 0, 1, 1}).find("break"), std::string::npos);

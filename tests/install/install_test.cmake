@@ -32,7 +32,7 @@ build("${EXAMPLE}" "${example}")
 execute_process(COMMAND "${example}/own_stage" RESULT_VARIABLE result OUTPUT_VARIABLE picture)
 string(REGEX MATCHALL "[^\n]+\n" lines "${picture}")
 list(LENGTH lines line_count)
-if(NOT result EQUAL 0 OR NOT line_count EQUAL 18 OR NOT picture MATCHES "@" OR
+if(NOT result EQUAL 0 OR NOT line_count EQUAL 16 OR NOT picture MATCHES "@" OR
    NOT picture MATCHES "   ")
     message(FATAL_ERROR "own_stage (${result}) draws:\n${picture}")
 endif()

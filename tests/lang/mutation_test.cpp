@@ -65,12 +65,12 @@ constexpr std::string_view more_cameras[] = {
 })"};
 
 constexpr std::string_view more_pictures[] = {
-    R"(camera wall { map u = -1 .. 1, v = -0.75 .. 0.75  eye plane  look vector(0, 0, 1) }
+    R"(camera wall { map u = -1 .. 1, v = -0.75 .. 0.75  eye plane  look along((0, 0, 1)) }
 camera ball { map u = -90deg .. 90deg, v = -60deg .. 60deg  eye sphere(2)  look normal(outward) }
 picture poster 400 x 300 {
     layer wall
     layer ball { place (0.55, 0.6) .. (0.95, 0.9)  clip ellipse  soft 0.1  alpha 0.9  blend screen }
-    layer wall { place (0.1, 0.1) .. (0.4, 0.4)  rotate 8deg }
+    layer wall { place (0.1, 0.1) .. (0.4, 0.4)  arrange rotate(8deg) }
 })"};
 
 std::vector<std::string> seeds() {
