@@ -6,9 +6,9 @@
 //
 // Rule: nothing here may emit code that other files share. The linker keeps one copy of an
 // inline function or template that several files emit; if it kept the one compiled for AVX-512, the
-// library would crash on machines without it. So everything is in an unnamed namespace, no container,
-// algorithm or inline function of another header is used, and Highway's functions are all forced
-// inline. A test looks for shared symbols in the object files.
+// library would crash on machines without it. So everything is in an unnamed namespace, no
+// container, algorithm or inline function of another header is used, and Highway's functions are
+// all forced inline. A test looks for shared symbols in the object files.
 
 #define HWY_COMPILE_ONLY_STATIC
 #include <hwy/highway.h>
@@ -51,8 +51,8 @@ static_assert(lanes::MaxLanes(tag) > 1 && register_alignment % lanes::MaxLanes(t
     [](Vector a, Vector b) { return Vector{BALCONY_SLEEF(function)(a.raw, b.raw)}; }
 
 // Arguments during a run of points: varying, constant, or either.
-// They are created before the loop over the points, because the compiler must assume that each store of a vector
-// may change the instruction.
+// They are created before the loop over the points, because the compiler must assume that each
+// store of a vector may change the instruction.
 struct Varying {
     const double* from;
     Vector operator()(std::size_t i) const { return lanes::Load(tag, from + i); }
