@@ -37,10 +37,10 @@ RayProgram compiled(const camera::Camera& camera, double width, double height,
 }
 
 // The ray at one point.
-Ray ray_at(const RayProgram& program, const V2d& point) {
+Ray ray_at(const RayProgram& program, const V2d& point, double time = 0.0) {
     Scratch scratch;
     RayBatch batch;
-    program.run(Points{std::span(&point.x, 1), std::span(&point.y, 1), 0.0}, scratch, batch);
+    program.run(Points{std::span(&point.x, 1), std::span(&point.y, 1), time}, scratch, batch);
     return batch[0];
 }
 
@@ -192,6 +192,24 @@ TEST(Camera, IsEmittedOnceForPicturesOfAllSizes) {
     (void)compiled(*camera, 321, 200, {.footprints = true});
     (void)compile(camera::Picture(*camera), 50, 50, {});
     EXPECT_EQ(count, when_made);
+}
+
+TEST(Camera, LooksOutwardAtAllTimes) {
+    for (const bool outward : {true, false}) {
+        const camera::Picture picture = picture_of(fmt::format(
+            "camera balloon {{ map u = 180deg .. -180deg, v = -60deg .. 60deg eye sphere(1 + t)\n"
+            "    move rotate(x, t*40deg), translate(3*t, t, 0) look normal({}) }}",
+            outward ? "outward" : "inward"));
+        const RayProgram program = compiled(*picture.only_camera(), 100, 75, {.points = true});
+        for (const double time : {0.0, 2.5, 40.0}) {
+            for (const V2d& point : {V2d(10, 10), V2d(50, 40), V2d(97, 70)}) {
+                const Ray ray = ray_at(program, point, time);
+                ASSERT_TRUE(ray.valid);
+                const V3d from_center = (ray.origin - V3d(3.0 * time, time, 0.0)) / (1.0 + time);
+                EXPECT_NEAR(ray.direction.dot(from_center), outward ? 1.0 : -1.0, 1e-12);
+            }
+        }
+    }
 }
 
 TEST(Camera, DependsOnlyOnTheAspectRatio) {
