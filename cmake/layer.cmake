@@ -7,8 +7,7 @@ function(balcony_layer name)
     set(target balcony_${name})
     add_library(${target} STATIC ${layer_SOURCES})
     add_library(balcony::${name} ALIAS ${target})
-    set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON
-        UNITY_BUILD ${BALCONY_UNITY})
+    set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
     target_include_directories(${target}
         PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>
                $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)

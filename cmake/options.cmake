@@ -3,7 +3,6 @@
 option(BALCONY_WERROR "Treat warnings as errors" OFF)
 option(BALCONY_BENCH "Build the benchmarks" ON)
 option(BALCONY_PCH "Precompile headers from outside" ON)
-option(BALCONY_UNITY "Compile several files of a layer as one" OFF)
 option(BALCONY_CCACHE "Compile by way of ccache where it is installed" ON)
 option(BALCONY_FUZZ "Build the fuzzers, by clang++ and with -fsanitize=fuzzer-no-link" OFF)
 set(BALCONY_SANITIZE "" CACHE STRING "Sanitizers, as -fsanitize takes them (address,undefined or thread)")
@@ -11,9 +10,7 @@ set(BALCONY_SANITIZE "" CACHE STRING "Sanitizers, as -fsanitize takes them (addr
 add_library(balcony_options INTERFACE)
 target_compile_features(balcony_options INTERFACE cxx_std_20)
 target_compile_options(balcony_options INTERFACE -ffp-contract=off -fno-math-errno
-    -Wall -Wextra -Wpedantic -Wconversion -Wnon-virtual-dtor
-    # Files that are compiled as one would shadow names of each other.
-    $<$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wshadow>)
+    -Wall -Wextra -Wpedantic -Wconversion -Wnon-virtual-dtor -Wshadow)
 if(BALCONY_WERROR)
     target_compile_options(balcony_options INTERFACE -Werror)
 endif()
