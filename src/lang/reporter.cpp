@@ -56,6 +56,16 @@ void Reporter::warning(SourceSpan span, std::string message, std::string remedy)
     add(balcony::warning(std::move(message), std::move(span), std::move(remedy)));
 }
 
+void Reporter::annotate(std::size_t count, const Diagnostic::Note& note) {
+    constexpr std::size_t max_notes = 3;
+    for (std::size_t i = count; i < diagnostics_.size(); ++i) {
+        std::vector<Diagnostic::Note>& notes = diagnostics_[i].notes;
+        if (notes.size() < max_notes) {
+            notes.push_back(note);
+        }
+    }
+}
+
 Diagnostics Reporter::take() {
     // Sources are sorted by their first diagnostic.
     std::vector<const SourceText*> sources;

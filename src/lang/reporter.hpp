@@ -23,6 +23,10 @@ public:
     /// The number of all errors, including repeated and omitted ones. If it has increased during a
     /// piece of work, that work has failed.
     [[nodiscard]] std::size_t error_count() const { return errors_; }
+    /// Adds a note to the diagnostics after the first `count`: where their part of a file is used.
+    void annotate(std::size_t count, const Diagnostic::Note& note);
+    /// How many diagnostics there are.
+    [[nodiscard]] std::size_t count() const { return diagnostics_.size(); }
     /// Whether the limit is reached, so that further reading is useless.
     [[nodiscard]] bool full() const { return errors_said_ >= max_errors; }
     /// All diagnostics, sorted by source, with a final note if some were omitted.

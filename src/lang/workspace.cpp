@@ -10,6 +10,7 @@
 #include "lang/build/build_camera.hpp"
 #include "lang/built_in_cameras.hpp"
 #include "lang/names/session.hpp"
+#include "lang/names/unused_names.hpp"
 #include "lang/tools/explain.hpp"
 
 namespace balcony::lang {
@@ -57,15 +58,17 @@ const LocatedDefinition* choose(const std::vector<LocatedDefinition>& cameras,
 void warn_of_unused_lets(const Module& module, Reporter& reporter) {
     std::set<std::string_view> used;
     for (const Expression& node : module.tree.expressions) {
-        if (node.kind == ExpressionKind::name) {
+        if (node.kind == ExpressionKind::name || node.kind == ExpressionKind::call) {
             used.insert(node.name.text);
         }
     }
     for (const Item& item : module.tree.items) {
-        const auto* let = std::get_if<Statement>(&item);
-        if (let != nullptr && !used.contains(let->let().name.text)) {
-            reporter.warning(module.tree.at(let->let().name.span),
-                             fmt::format("the let '{}' is unused", let->let().name.text));
+        if (const auto* statement = std::get_if<Statement>(&item)) {
+            const LetSyntax& let = statement->let();
+            if (!used.contains(let.name.text)) {
+                warn_of_unused(module.tree, let.name, word_for(let), reporter);
+            }
+            warn_of_unused_parameters(module.tree, let, reporter);
         }
     }
 }

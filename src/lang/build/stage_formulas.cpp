@@ -18,11 +18,16 @@ StageBuilder::Located StageBuilder::formula(std::string_view name,
         made.value = camera::Unsuitable{};
         return made;
     }
-    if (auto trouble =
-            camera::shape_error(name, shape, node.parameters.size(), node.arguments.size())) {
-        const bool parameters = node.parameters.size() != shape.parameters;
-        trouble->span = tree_.at(parameters ? node.name.span : node.span);
-        reporter_.add(std::move(*trouble));
+    const auto has_shape = [&](std::size_t results) {
+        auto trouble = camera::shape_error(name, shape, node.parameters.size(), results);
+        if (trouble) {
+            const bool parameters = node.parameters.size() != shape.parameters;
+            trouble->span = tree_.at(parameters ? node.name.span : node.span);
+            reporter_.add(std::move(*trouble));
+        }
+        return !trouble;
+    };
+    if (node.parameters.size() != shape.parameters && !has_shape(node.arguments.size())) {
         return made;
     }
     Scope scope(&scope_);
@@ -35,15 +40,29 @@ StageBuilder::Located StageBuilder::formula(std::string_view name,
     }
     std::vector<expr::Expr> results;
     std::vector<camera::Dimension> dimensions;
+    const auto add = [&](const Value& value, const SourceSpan& place) {
+        results.push_back(value.expr);
+        dimensions.push_back(value.dimension);
+        made.place.parts.push_back({place});
+    };
+    bool good = true;
     for (const Argument& result : node.arguments) {
-        const Value value = evaluate(tree_, result.value, scope, session_.context());
-        if (!value.failed()) {
-            results.push_back(value.expr);
-            dimensions.push_back(value.dimension);
+        const SourceSpan place = tree_.at(tree_[result.value].span);
+        const Value value = evaluate_any(tree_, result.value, scope, session_.context());
+        if (value.form == Value::Form::list) {
+            reporter_.error(place, "a result of a formula is a number, but this is a list",
+                            "write the numbers one by one, or a tuple for several of them");
         }
-        made.place.parts.push_back({tree_.at(tree_[result.value].span)});
+        good = good && !value.failed() && value.form != Value::Form::list;
+        if (value.form == Value::Form::tuple) {
+            for (const Element& element : *value.elements) {
+                add(element.value, place);
+            }
+        } else if (good) {
+            add(value, place);
+        }
     }
-    if (results.size() == node.arguments.size()) {
+    if (good && has_shape(results.size())) {
         made.value =
             camera::FormulaValue{camera::Formula(graph_, std::move(variables), std::move(results)),
                                  std::move(dimensions)};

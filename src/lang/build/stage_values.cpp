@@ -9,6 +9,7 @@
 
 #include "lang/build/stages.hpp"
 #include "lang/names/evaluate.hpp"
+#include "lang/names/function_calls.hpp"
 
 namespace balcony::lang {
 
@@ -163,7 +164,8 @@ StageBuilder::Located StageBuilder::points(const camera::PointsParameter& type,
         return table(type, given);
     }
     // A name that there is not is said to be missing, what is no value at all to be no list.
-    if (node.kind != ExpressionKind::list && node.kind != ExpressionKind::name) {
+    if (node.kind != ExpressionKind::list && node.kind != ExpressionKind::name &&
+        node.kind != ExpressionKind::element && !calls_let(node, scope_)) {
         return unsuitable(given);
     }
     const Value list = evaluate_any(tree_, given, scope_, session_.context());

@@ -90,6 +90,17 @@ const StageEntry* StageBuilder::find_row(StageKind kind, const Identifier& name)
                           all_of(statements_for(row->kind))));
         return nullptr;
     }
+    if (const Definition* definition = scope_.find(name.text)) {
+        if (definition->function || !definition->value.failed()) {
+            error(name.span,
+                  fmt::format(
+                      "'{}' is {}, but {} is needed here", name.text,
+                      definition->function ? "a function of numbers" : form_of(definition->value),
+                      camera::with_article(camera::name_of(kind))),
+                  "give it to a stage as an argument, or use it in a stage's formula");
+        }
+        return nullptr;
+    }
     auto nearest = stage_with_choice(session_.catalogue(), kind, name.text);
     if (!nearest) {
         nearest = nearest_name(name.text, names_of_kind(session_.catalogue(), kind));

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "lang/names/evaluate.hpp"
+#include "lang/names/unused_names.hpp"
 
 namespace balcony::lang {
 
@@ -178,8 +179,7 @@ void DefinitionScope::warn_of_unused() {
     const auto warn = [this](const Identifier& name, std::string_view what) {
         const Definition* definition = scope_.find_here(name.text);
         if (definition != nullptr && !definition->used) {
-            session_.reporter().warning(tree_.at(name.span),
-                                        fmt::format("the {} '{}' is unused", what, name.text));
+            lang::warn_of_unused(tree_, name, what, session_.reporter());
         }
     };
     for (const DefinitionParameter& parameter : place_.camera->parameters) {
@@ -187,7 +187,8 @@ void DefinitionScope::warn_of_unused() {
     }
     for (const Statement& statement : place_.camera->statements) {
         if (statement.kind == StatementKind::let) {
-            warn(statement.let().name, "let");
+            warn(statement.let().name, word_for(statement.let()));
+            warn_of_unused_parameters(tree_, statement.let(), session_.reporter());
         }
     }
 }

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "balcony/catalogue.hpp"
+#include "lang/names/function_calls.hpp"
 
 namespace balcony::lang {
 
@@ -18,45 +19,101 @@ namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
+constexpr std::size_t deepest_calls = 400;
+constexpr std::size_t max_nodes_in_calls = 4'000'000;
+
+// What an expression may be.
+enum class Wanted : std::uint8_t { number, any };
+
+// Evaluates parts of an expression that are expressions on their own.
+class DeeperCall {
+public:
+    explicit DeeperCall(CallWork& calls) : calls_(calls) { ++calls_.depth; }
+    DeeperCall(const DeeperCall&) = delete;
+    DeeperCall& operator=(const DeeperCall&) = delete;
+    ~DeeperCall() { --calls_.depth; }
+
+private:
+    CallWork& calls_;
+};
+
 // Visits the nodes of an expression in their order, operands first, so that deep expressions need
-// no recursion.
+// no recursion. The parts of an element and the arguments of a file's function may be tuples and
+// lists; they are expressions of their own.
 class Evaluator {
 public:
     Evaluator(const SyntaxTree& tree, Scope& scope, const Context& context)
         : tree_(tree),
           scope_(scope),
+          context_(context),
           graph_(context.graph),
-          reporter_(context.reporter),
-          catalogue_(context.catalogue) {}
+          reporter_(context.reporter) {}
 
-    Value run(ExpressionId id) {
+    // A value with its problem, if it has one.
+    Value run(ExpressionId id, Wanted wanted) {
+        root_ = id;
+        wanted_ = wanted;
         first_ = tree_[id].first.value();
-        const std::size_t last = id.value();
-        for (std::size_t i = first_; i <= last; ++i) {
-            if (!belongs_to_an_expression(tree_.expressions[i])) {
-                return {};
-            }
+        const std::vector<std::size_t> order = order_of(id.value());
+        if (!all_belong_to_an_expression(order) || is_too_much(order.size())) {
+            return {};
         }
         try {
-            for (std::size_t i = first_; i <= last; ++i) {
-                values_.push_back(value_of(tree_.expressions[i]));
+            values_.resize(id.value() - first_ + 1);
+            for (const std::size_t i : order) {
+                values_[i - first_] = value_of(tree_.expressions[i], i == id.value());
             }
         } catch (const expr::GraphTooLarge&) {
             error(tree_[id].span, "the formulas of this file are too large",
                   "leave some out, or share what they have in common by let");
             return {};
         }
-        Value result = values_.back();
-        if (result.problem) {
-            reporter_.add(*result.problem);
-            return {};
-        }
-        return result;
+        return values_.back();
     }
 
 private:
     void error(Span span, std::string message, std::string remedy = {}) {
         reporter_.error(tree_.at(span), std::move(message), std::move(remedy));
+    }
+
+    // The nodes that are evaluated here.
+    [[nodiscard]] std::vector<std::size_t> order_of(std::size_t last) const {
+        std::vector<std::size_t> order;
+        for (std::size_t next = last + 1; next > first_;) {
+            const std::size_t i = next - 1;
+            order.push_back(i);
+            next =
+                has_parts_of_its_own(tree_.expressions[i]) ? tree_.expressions[i].first.value() : i;
+        }
+        std::reverse(order.begin(), order.end());
+        return order;
+    }
+
+    [[nodiscard]] bool has_parts_of_its_own(const Expression& node) const {
+        return node.kind == ExpressionKind::element || calls_let(node, scope_);
+    }
+
+    bool all_belong_to_an_expression(const std::vector<std::size_t>& order) {
+        return std::all_of(order.begin(), order.end(), [this](std::size_t i) {
+            return belongs_to_an_expression(tree_.expressions[i]);
+        });
+    }
+
+    // Functions that call others several times could need any amount of time.
+    bool is_too_much(std::size_t count) {
+        CallWork& calls = context_.calls;
+        calls.nodes += calls.depth > 0 ? count : 0;
+        const bool too_deep = calls.depth > deepest_calls;
+        if (!calls.exceeds_limit && (too_deep || calls.nodes > max_nodes_in_calls)) {
+            calls.exceeds_limit = true;
+            error(tree_[root_].span,
+                  too_deep ? fmt::format("calls of functions are nested more than {} levels deep",
+                                         deepest_calls)
+                           : fmt::format("the calls of functions have more than {} operations",
+                                         max_nodes_in_calls),
+                  "name intermediate results by let, and call functions fewer times");
+        }
+        return calls.exceeds_limit;
     }
 
     // Reports stages, tuples and formulas in place of a number before their parts cause errors of
@@ -82,73 +139,38 @@ private:
                 error(node.span, "expected a number, but found a formula",
                       "write only its expression here");
                 return false;
-            case ExpressionKind::call: return is_function_call(node);
+            case ExpressionKind::call: return check_call(tree_, node, scope_, context_);
             default: return true;
         }
     }
 
-    bool is_function_call(const Expression& node) {
-        const camera::FormulaFunction* offered = scope_.find_function(node.name.text);
-        const Function* function = find_function(node.name.text);
-        if (offered == nullptr && function == nullptr) {
-            unknown_function(node.name);
-            return false;
-        }
-        for (const Argument& argument : node.arguments) {
-            if (argument.name) {
-                error(argument.name->span,
-                      fmt::format("the function '{}' takes no named arguments", node.name.text),
-                      fmt::format("remove '{} ='", argument.name->text));
-                return false;
-            }
-        }
-        const std::size_t arity =
-            offered != nullptr ? offered->native->argument_count() : function->arity;
-        if (node.arguments.size() != arity) {
-            error(node.span,
-                  fmt::format("'{}' takes {} argument{}, but {} are given", node.name.text, arity,
-                              arity == 1 ? "" : "s", node.arguments.size()),
-                  fmt::format("the syntax is {}", call_of(node.name.text, arity)));
-            return false;
-        }
-        return true;
-    }
-
-    void unknown_function(const Identifier& name) {
-        for (const camera::StageEntry& row : catalogue_) {
-            if (row.name == name.text) {
-                error(
-                    name.span,
-                    fmt::format("expected a number, but '{}' is a stage ({})", name.text,
-                                camera::name_of(row.kind)),
-                    fmt::format("write a number; run 'balcony list {}' to see how to use the stage",
-                                name.text));
-                return;
-            }
-        }
-        if (scope_.find(name.text) != nullptr) {
-            error(name.span, fmt::format("'{}' is a number and cannot be called", name.text),
-                  fmt::format("write {} * ( ... ) for a product", name.text));
-            return;
-        }
-        std::vector<std::string> names = scope_.offered_names();
-        const std::vector<std::string> everywhere = function_names();
-        names.insert(names.end(), everywhere.begin(), everywhere.end());
-        error(name.span, fmt::format("unknown function '{}'", name.text),
-              suggestion(name.text, names, "the functions are"));
-    }
-
-    Value value_of(const Expression& node) {
+    Value value_of(const Expression& node, bool is_root) {
         switch (node.kind) {
             case ExpressionKind::number: return number(node);
-            case ExpressionKind::name: return named(node);
+            case ExpressionKind::name: return suitable(node, named(node), is_root);
+            case ExpressionKind::element: return suitable(node, element(node), is_root);
             case ExpressionKind::operation:
                 return applied(node, *find_operator(node.name.text, node.arguments.size()));
             default: break;
         }
-        const camera::FormulaFunction* offered = scope_.find_function(node.name.text);
-        return offered != nullptr ? called(node, *offered)
-                                  : applied(node, *find_function(node.name.text));
+        const Callee callee = find_callee(node.name.text, scope_);
+        return callee.offered != nullptr ? called(node, *callee.offered)
+               : callee.let != nullptr   ? suitable(node, called(node, *callee.let), is_root)
+                                         : applied(node, *callee.built_in);
+    }
+
+    // Only the whole may be a tuple or a list, if it may be one.
+    Value suitable(const Expression& node, Value value, bool is_root) {
+        if (!value.elements || (is_root && wanted_ == Wanted::any)) {
+            return value;
+        }
+        error(
+            node.span,
+            fmt::format("expected a number, but '{}' is {}", tree_.text(node.span), form_of(value)),
+            fmt::format("write {}[0] for its first element; a tuple or a list is given whole to "
+                        "stages and functions",
+                        tree_.text(node.span)));
+        return {};
     }
 
     Value number(const Expression& node) {
@@ -160,12 +182,9 @@ private:
     Value named(const Expression& node) {
         if (Definition* definition = scope_.find(node.name.text)) {
             definition->used = true;
-            if (definition->value.elements) {
-                error(node.span,
-                      fmt::format("expected a number, but '{}' is {}", node.name.text,
-                                  form_of(definition->value)),
-                      "tuples and lists are given whole to stages; numbers of them need names of "
-                      "their own");
+            if (definition->function) {
+                error(node.span, fmt::format("'{}' is a function", node.name.text),
+                      fmt::format("add its arguments: {}", signature(*definition->function)));
                 return {};
             }
             return definition->value;
@@ -231,6 +250,80 @@ private:
         return result;
     }
 
+    // compound[index], where the index starts at 0.
+    Value element(const Expression& node) {
+        const ExpressionId at = node.arguments[1].value;
+        const Value compound = part(node.arguments[0].value, Wanted::any);
+        const Value index = part(at, Wanted::number);
+        if (compound.failed() || index.failed()) {
+            return {};
+        }
+        const std::string_view written = tree_.text(tree_[node.arguments[0].value].span);
+        if (!compound.elements) {
+            error(tree_[node.arguments[0].value].span,
+                  fmt::format("'{}' is a number, which has no elements", written),
+                  "brackets after a value select an element of a list or a tuple, from 0");
+            return {};
+        }
+        const std::size_t count = compound.elements->size();
+        const bool whole = index.is_constant() && !index.is_angle() && !index.problem &&
+                           std::floor(index.constant()) == index.constant();
+        if (!whole || index.constant() < 0.0 || index.constant() >= static_cast<double>(count)) {
+            const std::string found =
+                index.is_constant() ? fmt::format("{:.6g}", index.constant()) : "not constant";
+            error(tree_[at].span,
+                  fmt::format("the index of an element is {}, but this is {}",
+                              count == 0 ? "impossible in an empty list"
+                                         : fmt::format("a whole number from 0 to {}", count - 1),
+                              found),
+                  fmt::format("'{}' is {} of {} element{}; the first is {}[0]", written,
+                              compound.form == Value::Form::list ? "a list" : "a tuple", count,
+                              count == 1 ? "" : "s", written));
+            return {};
+        }
+        return (*compound.elements)[static_cast<std::size_t>(index.constant())].value;
+    }
+
+    // A part that is an expression of its own.
+    Value part(ExpressionId id, Wanted wanted) {
+        const DeeperCall deeper(context_.calls);
+        const ExpressionKind kind = tree_[id].kind;
+        const bool compound = kind == ExpressionKind::tuple || kind == ExpressionKind::list;
+        return compound && wanted == Wanted::any
+                   ? evaluate_any(tree_, id, scope_, context_)
+                   : Evaluator(tree_, scope_, context_).run(id, wanted);
+    }
+
+    // A function that the file defines.
+    Value called(const Expression& node, Definition& definition) {
+        const LetFunction& function = *definition.function;
+        definition.used = true;
+        Scope inner(&function.scope);
+        bool good = true;
+        for (std::size_t i = 0; i < node.arguments.size(); ++i) {
+            const ExpressionId argument = node.arguments[i].value;
+            Value value = part(argument, Wanted::any);
+            good = good && !value.failed();
+            inner.define(function.let.parameters[i].text,
+                         {std::move(value), tree_.at(tree_[argument].span), "parameter", true});
+        }
+        if (!good) {
+            return {};
+        }
+        const Diagnostic::Note note{tree_.at(node.span),
+                                    fmt::format("in this call of '{}'", node.name.text)};
+        const std::size_t before = reporter_.count();
+        Value result =
+            Evaluator(function.tree, inner, context_).part(function.let.value, Wanted::any);
+        reporter_.annotate(before, note);
+        if (result.problem) {
+            Diagnostic problem = *result.problem;
+            problem.notes.push_back(note);
+            result.problem = std::make_shared<const Diagnostic>(std::move(problem));
+        }
+        return result;
+    }
+
     // A function that the stage around the formula offers.
     Value called(const Expression& node, const camera::FormulaFunction& function) {
         std::vector<expr::Expr> arguments;
@@ -251,16 +344,6 @@ private:
         }
         result.expr = graph_.call(function.native, arguments)[function.result];
         return result;
-    }
-
-    // atan2(a, b)
-    static std::string call_of(std::string_view name, std::size_t arity) {
-        std::string letters;
-        for (std::size_t i = 0; i < arity; ++i) {
-            letters += i == 0 ? "" : ", ";
-            letters += static_cast<char>('a' + i % 26);
-        }
-        return fmt::format("{}({})", name, letters);
     }
 
     // sqrt(-1), 0 ^ -1
@@ -298,12 +381,23 @@ private:
 
     const SyntaxTree& tree_;
     Scope& scope_;
+    const Context& context_;
     expr::Graph& graph_;
     Reporter& reporter_;
-    const camera::Catalogue& catalogue_;
+    ExpressionId root_{};
+    Wanted wanted_ = Wanted::number;
     std::size_t first_ = 0;
     std::vector<Value> values_;
 };
+
+// Reports the problem of a value that is used.
+Value used(Value value, const Context& context) {
+    if (!value.problem) {
+        return value;
+    }
+    context.reporter.add(*value.problem);
+    return {};
+}
 
 // The elements of a tuple or a list: numbers and, in a list, tuples, which may be named.
 Value evaluate_elements(const SyntaxTree& tree, const Expression& compound, Scope& scope,
@@ -341,27 +435,46 @@ Value evaluate_elements(const SyntaxTree& tree, const Expression& compound, Scop
 }  // namespace
 
 Value evaluate(const SyntaxTree& tree, ExpressionId id, Scope& scope, const Context& context) {
-    return Evaluator(tree, scope, context).run(id);
+    return used(Evaluator(tree, scope, context).run(id, Wanted::number), context);
+}
+
+Value evaluate_any(const SyntaxTree& tree, ExpressionId id, Scope& scope, const Context& context) {
+    const Expression& node = tree[id];
+    if (node.kind == ExpressionKind::tuple || node.kind == ExpressionKind::list) {
+        return evaluate_elements(tree, node, scope, context);
+    }
+    return used(Evaluator(tree, scope, context).run(id, Wanted::any), context);
 }
 
 std::optional<Value> evaluate_compound(const SyntaxTree& tree, ExpressionId id, Scope& scope,
                                        const Context& context) {
     const Expression& node = tree[id];
-    if (node.kind == ExpressionKind::tuple || node.kind == ExpressionKind::list) {
-        return evaluate_elements(tree, node, scope, context);
-    }
-    Definition* definition =
-        node.kind == ExpressionKind::name ? scope.find(node.name.text) : nullptr;
-    if (definition == nullptr || definition->value.expr.valid()) {
+    const Definition* definition = scope.find(node.name.text);
+    const bool may_be_compound =
+        node.kind == ExpressionKind::tuple || node.kind == ExpressionKind::list ||
+        node.kind == ExpressionKind::element ||
+        (node.kind == ExpressionKind::name && definition != nullptr && !definition->function) ||
+        calls_let(node, scope);
+    if (!may_be_compound) {
         return std::nullopt;
     }
-    definition->used = true;
-    return definition->value;
+    Value value = evaluate_any(tree, id, scope, context);
+    return value.expr.valid() ? std::nullopt : std::optional(std::move(value));
 }
 
-Value evaluate_any(const SyntaxTree& tree, ExpressionId id, Scope& scope, const Context& context) {
-    const std::optional<Value> compound = evaluate_compound(tree, id, scope, context);
-    return compound ? *compound : evaluate(tree, id, scope, context);
+bool check_function(const LetFunction& function, const Context& context) {
+    Scope inner(&function.scope);
+    for (const Identifier& parameter : function.let.parameters) {
+        const SourceSpan place = function.tree.at(parameter.span);
+        // Without a value, so that nothing is said of what depends on it.
+        if (!inner.define(parameter.text, {{}, place, "parameter", true})) {
+            report_duplicate(parameter, place, inner.find_here(parameter.text)->place,
+                             context.reporter);
+            return false;
+        }
+    }
+    (void)evaluate_any(function.tree, function.let.value, inner, context);
+    return true;
 }
 
 }  // namespace balcony::lang

@@ -12,10 +12,14 @@ namespace balcony::lang {
 [[nodiscard]] Value evaluate(const SyntaxTree& tree, ExpressionId id, Scope& scope,
                              const Context& context);
 
-/// The value of a tuple or a list, literal or named; nothing if the expression is neither. A name
-/// whose value has failed may be either.
+/// The value of a tuple or a list: literal, named, an element of a list, or the result of a
+/// function; nothing if the expression is neither. One that has failed may be either.
 [[nodiscard]] std::optional<Value> evaluate_compound(const SyntaxTree& tree, ExpressionId id,
                                                      Scope& scope, const Context& context);
+
+/// Checks a function that is to be defined: its parameters, and what of its body does not depend on
+/// them. Returns false after an error in the parameters, which is reported as all others are.
+[[nodiscard]] bool check_function(const LetFunction& function, const Context& context);
 
 /// The value of any expression that can be named.
 [[nodiscard]] Value evaluate_any(const SyntaxTree& tree, ExpressionId id, Scope& scope,

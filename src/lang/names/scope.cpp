@@ -41,13 +41,19 @@ const camera::FormulaFunction* Scope::find_function(std::string_view name) const
     return nullptr;
 }
 
-std::vector<std::string> Scope::offered_names() const {
+std::vector<std::string> Scope::function_names() const {
     std::vector<std::string> names;
     for (const Scope* scope = this; scope != nullptr; scope = scope->outer_) {
         for (const camera::FormulaFunction* function : scope->functions_) {
             names.emplace_back(function->name);
         }
+        for (const auto& [name, definition] : scope->definitions_) {
+            if (definition.function) {
+                names.emplace_back(name);
+            }
+        }
     }
+    std::sort(names.begin(), names.end());
     return names;
 }
 
@@ -158,6 +164,13 @@ private:
         return tree_[let.let().value].first.value();
     }
 
+    // Whether a node names a value or a function other than a parameter.
+    static bool mentions(const LetSyntax& let, const Expression& node) {
+        return (node.kind == ExpressionKind::name || node.kind == ExpressionKind::call) &&
+               std::none_of(let.parameters.begin(), let.parameters.end(),
+                            [&node](const Identifier& one) { return one.text == node.name.text; });
+    }
+
     // The next let that an open let uses.
     std::optional<std::size_t> next_used(Entry& entry) {
         if (!entry.let->let().value.valid()) {
@@ -165,7 +178,7 @@ private:
         }
         while (entry.next_node <= entry.let->let().value.value()) {
             const Expression& node = tree_.expressions[entry.next_node++];
-            if (node.kind == ExpressionKind::name) {
+            if (mentions(entry.let->let(), node)) {
                 if (const auto found = numbers_.find(node.name.text); found != numbers_.end()) {
                     return found->second;
                 }
@@ -195,13 +208,16 @@ private:
     }
 
     void finish(std::size_t i) {
-        const Statement& let = *lets_[i].let;
+        const LetSyntax& let = lets_[i].let->let();
         lets_[i].state = State::done;
-        Value value;
-        if (!lets_[i].failed && let.let().value.valid() && !let.broken) {
-            value = evaluate_any(tree_, let.let().value, scope_, context_);
+        const bool good = !lets_[i].failed && let.value.valid() && !lets_[i].let->broken;
+        Definition made{{}, tree_.at(let.name.span), "let", false};
+        if (good && let.parameters.empty()) {
+            made.value = evaluate_any(tree_, let.value, scope_, context_);
+        } else if (good && check_function({tree_, let, scope_}, context_)) {
+            made.function = std::make_shared<const LetFunction>(LetFunction{tree_, let, scope_});
         }
-        scope_.define(let.let().name.text, {value, tree_.at(let.let().name.span), "let", false});
+        scope_.define(let.name.text, std::move(made));
     }
 
     void report_circle(const std::vector<std::size_t>& path, std::size_t begin) {
@@ -216,11 +232,17 @@ private:
             }
             ++shown;
         }
-        circle += lets_[begin].let->let().name.text;
-        Diagnostic diagnostic = error(fmt::format("'{}' is defined in terms of itself: {}",
-                                                  lets_[begin].let->let().name.text, circle),
-                                      tree_.at(lets_[begin].let->let().name.span),
-                                      "define one of them without the others");
+        const LetSyntax& let = lets_[begin].let->let();
+        circle += let.name.text;
+        Diagnostic diagnostic =
+            let.parameters.empty()
+                ? error(
+                      fmt::format("'{}' is defined in terms of itself: {}", let.name.text, circle),
+                      tree_.at(let.name.span), "define one of them without the others")
+                : error(fmt::format("the function '{}' is recursive: {}", let.name.text, circle),
+                        tree_.at(let.name.span),
+                        "a function cannot call itself; write its terms out, or repeat a stage "
+                        "with repeat(n, ...)");
         for (auto i = first; i != path.end(); ++i) {
             if (*i != begin && diagnostic.notes.size() + 1 < max_shown) {
                 diagnostic.notes.push_back(

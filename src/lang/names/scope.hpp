@@ -14,19 +14,37 @@
 
 namespace balcony::lang {
 
+/// The work that calls of the files' functions have caused, which is bounded.
+struct CallWork {
+    std::size_t depth = 0;       ///< How deep the evaluation is in arguments and bodies of calls.
+    std::size_t nodes = 0;       ///< How many nodes of expressions calls have evaluated.
+    bool exceeds_limit = false;  ///< It has been reported.
+};
+
 /// What values are worked out with.
 struct Context {
     expr::Graph& graph;
     Reporter& reporter;
     const camera::Catalogue& catalogue;
+    CallWork& calls;
 };
 
-/// A name that has a value.
+class Scope;
+
+/// A function that a file defines.
+struct LetFunction {
+    const SyntaxTree& tree;
+    const LetSyntax& let;
+    Scope& scope;  ///< Where it is defined; its body uses the names that are visible there.
+};
+
+/// A name that has a value or is a function.
 struct Definition {
-    Value value;
+    Value value;  ///< None of a function.
     SourceSpan place;
     std::string_view what;  ///< "parameter", "let", ...
     bool used = false;
+    std::shared_ptr<const LetFunction> function{};
 };
 
 /// The names visible at a position. Names that are not found are looked up in the enclosing scope.
@@ -44,8 +62,8 @@ public:
     void offer(const camera::FormulaFunction& function) { functions_.push_back(&function); }
     /// The function of a name that is offered here or further out; null if there is none.
     [[nodiscard]] const camera::FormulaFunction* find_function(std::string_view name) const;
-    /// The names of all such functions.
-    [[nodiscard]] std::vector<std::string> offered_names() const;
+    /// The names of all functions that are offered or defined here or further out.
+    [[nodiscard]] std::vector<std::string> function_names() const;
     /// Stores the reason why a name that is defined later cannot be used yet.
     void announce(std::string_view name, std::string_view why_not_yet);
     /// The stored reason for such a name; empty for others.

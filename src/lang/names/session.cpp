@@ -45,7 +45,7 @@ const BuiltInCamera* find_built_in_camera(std::string_view name) {
 Session::Session(Files& files)
     : files_(files),
       graph_(std::make_shared<expr::Graph>()),
-      context_{*graph_, reporter_, files.catalogue()},
+      context_{*graph_, reporter_, files.catalogue(), calls_},
       constants_(constants(*graph_)) {}
 
 const SyntaxTree& Session::keep(SyntaxTree tree) {

@@ -90,6 +90,7 @@ private:
     Files& files_;
     Reporter reporter_;
     std::shared_ptr<expr::Graph> graph_;
+    CallWork calls_;
     const Context context_;
     std::unique_ptr<Scope> constants_;
     std::map<std::string, std::unique_ptr<Module>> modules_;

@@ -130,13 +130,40 @@ std::optional<ExpressionId> ExpressionParser::unary() {
 // a^b^c is a^(b^c); the exponent may have a sign.
 std::optional<ExpressionId> ExpressionParser::power() {
     const std::size_t first = nodes_.size();
-    const std::optional<ExpressionId> base = primary();
+    const std::optional<ExpressionId> base = element();
     if (!base || !tokens_.peek().is("^")) {
         return base;
     }
     const Token symbol = tokens_.next();
     const std::optional<ExpressionId> exponent = unary();
     return exponent ? add_operation(symbol, first, {*base, *exponent}) : std::nullopt;
+}
+
+// points[2], points[2][0]
+std::optional<ExpressionId> ExpressionParser::element() {
+    const std::size_t first = nodes_.size();
+    std::optional<ExpressionId> read = primary();
+    while (read && tokens_.peek().is("[") && !tokens_.at_new_line() &&
+           nodes_[read->value()].kind != ExpressionKind::number) {
+        const Span opening = tokens_.next().span;
+        const std::optional<ExpressionId> index = expression();
+        const Expression& compound = nodes_[read->value()];
+        if (index && tokens_.peek().is(",") && compound.kind == ExpressionKind::call) {
+            tokens_.error(opening, "expected '= [' and the results of a formula, but found '['",
+                          fmt::format("for example {}(u, v) = [ ... ]", compound.name.text));
+            return std::nullopt;
+        }
+        if (!index || !tokens_.expect_closing("]", opening)) {
+            return std::nullopt;
+        }
+        Expression node;
+        node.kind = ExpressionKind::element;
+        node.name = compound.name;
+        node.span = {compound.span.begin, tokens_.previous().span.end};
+        node.arguments = {{std::nullopt, *read}, {std::nullopt, *index}};
+        read = add(std::move(node), first);
+    }
+    return read;
 }
 
 std::optional<ExpressionId> ExpressionParser::primary() {
@@ -232,11 +259,6 @@ ExpressionId ExpressionParser::add_name(const Token& name, ExpressionKind kind) 
 std::optional<ExpressionId> ExpressionParser::name_or_call() {
     const std::size_t first = nodes_.size();
     const Token name = tokens_.next();
-    if (tokens_.peek().is("[")) {
-        tokens_.expected("'('",
-                         fmt::format("write arguments in parentheses: {}( ... )", name.text));
-        return std::nullopt;
-    }
     if (!tokens_.peek().is("(")) {
         return add_name(name);
     }
@@ -253,8 +275,7 @@ std::optional<ExpressionId> ExpressionParser::name_or_call() {
     if (tokens_.peek().is("=") && tokens_.peek(1).is("[")) {
         return formula(std::move(node));
     }
-    if (tokens_.peek().is("=") || tokens_.peek().is("[")) {
-        tokens_.accept("=");
+    if (tokens_.accept("=")) {
         tokens_.expected("'= [' and the results of a formula",
                          fmt::format("for example {}(u, v) = [ ... ]", name.text));
         return std::nullopt;
@@ -328,7 +349,19 @@ std::optional<ExpressionId> ExpressionParser::stage(std::string_view what) {
                                    : "run 'balcony list' for a list of all stages");
         return std::nullopt;
     }
-    return name_or_call();
+    const std::optional<ExpressionId> read = name_or_call();
+    if (!read || !tokens_.peek().is("[") || tokens_.at_new_line()) {
+        return read;
+    }
+    const Expression& node = nodes_[read->value()];
+    if (node.kind == ExpressionKind::call) {
+        tokens_.expected("'= [' and the results of a formula",
+                         fmt::format("for example {}(u, v) = [ ... ]", node.name.text));
+    } else {
+        tokens_.expected("'('",
+                         fmt::format("write arguments in parentheses: {}( ... )", node.name.text));
+    }
+    return std::nullopt;
 }
 
 // A plain name on the same line that does not start the next statement.

@@ -29,6 +29,7 @@ private:
     [[nodiscard]] std::optional<ExpressionId> unary();
     [[nodiscard]] std::optional<ExpressionId> power();
     [[nodiscard]] std::optional<ExpressionId> primary();
+    [[nodiscard]] std::optional<ExpressionId> element();
     [[nodiscard]] std::string missing_value_remedy() const;
     [[nodiscard]] std::optional<ExpressionId> parenthesised();
     [[nodiscard]] std::optional<ExpressionId> list();

@@ -201,21 +201,62 @@ void StatementParser::missing(std::string_view what) {
 }
 
 bool StatementParser::let(Statement& made) {
-    const auto name = new_name("a name after 'let'");
-    if (!name) {
-        made.content = LetSyntax{};
+    LetSyntax read;
+    if (const auto name = new_name("a name after 'let'")) {
+        read.name = *name;
+    } else {
+        made.content = read;
         return false;
     }
     std::optional<ExpressionId> value;
-    if (tokens_.expect("=", "after the name", "for example let width = 4")) {
-        value = expressions_.expression();
+    if ((!tokens_.peek().is("(") || function_parameters(read)) &&
+        tokens_.expect("=", read.parameters.empty() ? "after the name" : "after the parameters",
+                       "for example let width = 4, or let half(x) = x/2")) {
+        value = value_on_line();
     }
-    made.content = LetSyntax{*name, value.value_or(ExpressionId())};
+    read.value = value.value_or(ExpressionId());
+    made.content = std::move(read);
     return value.has_value();
 }
 
+// (x, y) of let ratio(x, y) = x/y
+bool StatementParser::function_parameters(LetSyntax& function) {
+    const Span opening = tokens_.next().span;
+    if (tokens_.peek().is(")")) {
+        tokens_.expected(
+            fmt::format("a parameter of '{}'", function.name.text),
+            fmt::format("without parameters it is a value: let {} = ...", function.name.text));
+        return false;
+    }
+    do {
+        const auto name =
+            new_name(fmt::format("the name of a parameter of '{}'", function.name.text));
+        if (!name) {
+            return false;
+        }
+        function.parameters.push_back(*name);
+        if (tokens_.peek().is("=")) {
+            tokens_.error(tokens_.peek().span, "the parameters of a function have no defaults",
+                          fmt::format("write let {}({}) = ...", function.name.text, name->text));
+            return false;
+        }
+    } while (tokens_.accept(","));
+    return tokens_.expect_closing(")", opening);
+}
+
+// A value that does not start with the next statement.
+std::optional<ExpressionId> StatementParser::value_on_line() {
+    const bool next_statement = tokens_.at_new_line() && (keyword_at(tokens_.peek()) != nullptr ||
+                                                          is_file_keyword(tokens_.peek()));
+    if (next_statement) {
+        missing("a value");
+        return std::nullopt;
+    }
+    return expressions_.expression();
+}
+
 bool StatementParser::value(Statement& made) {
-    const auto read = expressions_.expression();
+    const auto read = value_on_line();
     if (read) {
         made.content = *read;
     }

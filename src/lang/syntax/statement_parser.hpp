@@ -39,6 +39,8 @@ private:
     [[nodiscard]] bool body(const StatementRow& row, Statement& made);
     void missing(std::string_view what);
     [[nodiscard]] bool let(Statement& made);
+    [[nodiscard]] bool function_parameters(LetSyntax& function);
+    [[nodiscard]] std::optional<ExpressionId> value_on_line();
     [[nodiscard]] bool value(Statement& made);
     [[nodiscard]] bool word(const StatementRow& row, Statement& made);
     [[nodiscard]] bool ranges(Statement& made);

@@ -30,6 +30,7 @@ enum class ExpressionKind : std::uint8_t {
     name,
     operation,  ///< Unary or binary; `text` is the operator.
     call,       ///< name(arguments): a function or a stage.
+    element,    ///< compound[index]
     tuple,      ///< (a, b) or (a, b, c).
     list,       ///< [a, b, ...], with expressions or tuples; may be empty.
     text,       ///< "seeds.csv"; `name` is the text in the quotes and their position.
@@ -78,10 +79,11 @@ enum class StatementKind : std::uint8_t {
     unknown,
 };
 
-/// name = value, of a let.
+/// name = value or name(parameters) = value, of a let.
 struct LetSyntax {
     Identifier name;
-    ExpressionId value;  ///< Invalid if it had a syntax error.
+    ExpressionId value;                    ///< Invalid if it had a syntax error.
+    std::vector<Identifier> parameters{};  ///< Of a function; none for a value.
 };
 
 /// u = first .. last, or u = square, for which both ends are invalid.
@@ -111,9 +113,10 @@ struct Statement {
     std::vector<Statement> block{};  ///< Of eye { ... }, toward { ... } and layer NAME { ... }.
 
     /// Without a name where a broken statement was taken for a let.
-    [[nodiscard]] LetSyntax let() const {
+    [[nodiscard]] const LetSyntax& let() const {
+        static const LetSyntax nameless;
         const auto* written = std::get_if<LetSyntax>(&content);
-        return written != nullptr ? *written : LetSyntax();
+        return written != nullptr ? *written : nameless;
     }
     [[nodiscard]] ExpressionId value() const { return std::get<ExpressionId>(content); }
     [[nodiscard]] const Identifier& word() const { return std::get<Identifier>(content); }

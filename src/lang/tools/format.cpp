@@ -98,7 +98,9 @@ bool space_before(const Token& token, Role role, const Previous& previous) {
         return false;
     }
     const bool call = token.is("(") && previous.token->kind == TokenKind::name && !previous.keyword;
-    return !call;
+    const bool element = token.is("[") && ends_operand(*previous.token) && !previous.keyword &&
+                         !previous.token->is_name("in");
+    return !call && !element;
 }
 
 // ------------------------------------------------------------------------------- cutting into

@@ -1,0 +1,25 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+#include "lang/reporter.hpp"
+#include "lang/syntax/syntax.hpp"
+
+namespace balcony::lang {
+
+/// Whether an expression in a part of a file has a name or calls a function of that name.
+[[nodiscard]] bool mentions(const SyntaxTree& tree, Span part, std::string_view name);
+
+/// "function" or "let".
+[[nodiscard]] std::string_view word_for(const LetSyntax& let);
+
+/// Warns about a name that has been defined in vain; `what` it is.
+void warn_of_unused(const SyntaxTree& tree, const Identifier& name, std::string_view what,
+                    Reporter& reporter);
+
+/// Warns about parameters that the body of a function does not use.
+void warn_of_unused_parameters(const SyntaxTree& tree, const LetSyntax& let, Reporter& reporter);
+
+}  // namespace balcony::lang
