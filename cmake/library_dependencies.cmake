@@ -9,7 +9,6 @@ set(BALCONY_LIBRARY_DEPENDENCIES
     "OpenImageIO 2.4"     # OpenImageIO::OpenImageIO
     "TBB"                 # TBB::tbb
     "embree 3.13"         # embree
-    "assimp 5.2"          # assimp::assimp
     "hwy 1.0"             # hwy::hwy
     "SLEEF 3.5"           # SLEEF::sleef
     "nlohmann_json 3.11"  # nlohmann_json::nlohmann_json

@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <Imath/ImathBox.h>
@@ -43,13 +44,14 @@ inline constexpr double max_scale = 1e9;
 /// The maximum of colours, emission and intensities, which are not negative.
 inline constexpr double max_quantity = 1e30;
 
-/// Triangles with one material. Normals and texture coordinates are empty or one per vertex; load()
-/// adds missing normals. All positions are within max_coordinate.
+/// Triangles with one material. Normals, texture coordinates and colours are empty or one per
+/// vertex; load() adds missing normals. All positions are within max_coordinate.
 struct Mesh {
     std::string name;
     std::vector<V3f> positions;
     std::vector<V3f> normals;              ///< Unit length.
     std::vector<V2f> texture_coordinates;  ///< (0, 0) is top left, as in glTF.
+    std::vector<Color3f> colors;           ///< 0 to 1, multiplied with the base colour.
     std::vector<std::array<std::uint32_t, 3>> triangles;
     MaterialIndex material;  ///< Always valid.
 };
@@ -125,6 +127,7 @@ struct Scene {
     std::vector<Material> materials;
     std::vector<Texture> textures;
     std::vector<Light> lights;
+    std::vector<std::filesystem::path> files;  ///< That load() read or looked for.
     bool default_light = false;  ///< The file has no light: use a light at the ray origin.
 
     [[nodiscard]] std::size_t triangle_count() const;  ///< Counts each instance.
@@ -133,9 +136,12 @@ struct Scene {
     [[nodiscard]] Box3f bounds() const;
 };
 
-/// Reads a scene file (.glb, .gltf, .obj). A part that cannot be used (a missing texture, a vertex
-/// that is not finite) is skipped or replaced with a warning that names it; an error means that
-/// there is nothing to render.
+/// The extensions of the files that load() reads: ".glb", ...
+[[nodiscard]] std::span<const std::string_view> file_extensions();
+
+/// Reads a scene file (.glb, .gltf, .obj, .ply, .stl). A part that cannot be used (a missing
+/// texture, a vertex that is not finite) is skipped or replaced with a warning that names it; an
+/// error means that there is nothing to render.
 [[nodiscard]] Result<Scene> load(const std::filesystem::path& file);
 /// The same from the bytes of a file; its name determines the format, and the folder of other files
 /// that it names.
@@ -147,8 +153,8 @@ struct Scene {
 /// Meshes are shared by their instances. A z_up scene is rotated to glTF's y up: (x, y, z) becomes
 /// (x, z, -y), in positions, normals, placements and lights alike.
 ///
-/// The scene must be consistent: indices in range, normals and texture coordinates empty or one per
-/// vertex, textures embedded as PNG. The same scene always gives the same bytes.
+/// The scene must be consistent: indices in range, normals, texture coordinates and colours empty
+/// or one per vertex, textures embedded as PNG. The same scene always gives the same bytes.
 [[nodiscard]] std::vector<std::uint8_t> to_glb(const Scene& scene);
 
 }  // namespace balcony::scene

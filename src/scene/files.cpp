@@ -93,10 +93,10 @@ std::vector<std::uint8_t> read_bytes(const fs::path& file) {
     return bytes;
 }
 
-fs::path beside(const fs::path& file, std::string_view written) {
+fs::path Import::beside(const fs::path& other, std::string_view written) {
     std::string portable(written);
     std::replace(portable.begin(), portable.end(), '\\', '/');
-    return (file.parent_path() / fs::path(portable)).lexically_normal();
+    return scene.files.emplace_back((other.parent_path() / fs::path(portable)).lexically_normal());
 }
 
 }  // namespace balcony::scene

@@ -71,6 +71,9 @@ void keep_used_vertices(Mesh& mesh) {
                 if (!mesh.texture_coordinates.empty()) {
                     kept.texture_coordinates.push_back(mesh.texture_coordinates[index]);
                 }
+                if (!mesh.colors.empty()) {
+                    kept.colors.push_back(mesh.colors[index]);
+                }
             }
             index = place[index];
         }
@@ -78,6 +81,7 @@ void keep_used_vertices(Mesh& mesh) {
     mesh.positions = std::move(kept.positions);
     mesh.normals = std::move(kept.normals);
     mesh.texture_coordinates = std::move(kept.texture_coordinates);
+    mesh.colors = std::move(kept.colors);
 }
 
 void clean_texture_coordinates(Mesh& mesh, Import& import) {
@@ -91,6 +95,14 @@ void clean_texture_coordinates(Mesh& mesh, Import& import) {
     if (bad > 0) {
         import.warn(fmt::format("mesh {}: {} replaced by (0, 0) because not finite",
                                 in_quotes(mesh.name), counted(bad, "texture coordinate")));
+    }
+}
+
+void clean_colors(Mesh& mesh) {
+    for (Color3f& color : mesh.colors) {
+        for (int i = 0; i < 3; ++i) {
+            color[i] = std::isfinite(color[i]) ? std::clamp(color[i], 0.0F, 1.0F) : 1.0F;
+        }
     }
 }
 
@@ -108,12 +120,16 @@ void make_flat(Mesh& mesh) {
             if (!mesh.texture_coordinates.empty()) {
                 flat.texture_coordinates.push_back(mesh.texture_coordinates[index]);
             }
+            if (!mesh.colors.empty()) {
+                flat.colors.push_back(mesh.colors[index]);
+            }
             index = static_cast<std::uint32_t>(flat.positions.size() - 1);
         }
     }
     mesh.positions = std::move(flat.positions);
     mesh.normals = std::move(flat.normals);
     mesh.texture_coordinates = std::move(flat.texture_coordinates);
+    mesh.colors = std::move(flat.colors);
 }
 
 void normalize_normals(Mesh& mesh, Import& import) {
@@ -144,6 +160,15 @@ void normalize_normals(Mesh& mesh, Import& import) {
 
 }  // namespace
 
+Color3f linear_of_srgb(const Color3f& color) {
+    // IEC 61966-2-1.
+    const auto linear = [](float encoded) {
+        const float value = std::clamp(encoded, 0.0F, 1.0F);
+        return value <= 0.04045F ? value / 12.92F : std::pow((value + 0.055F) / 1.055F, 2.4F);
+    };
+    return {linear(color.x), linear(color.y), linear(color.z)};
+}
+
 bool usable(const V3f& position) {
     const auto fits = [](float value) { return std::abs(double{value}) <= max_coordinate; };
     return fits(position.x) && fits(position.y) && fits(position.z);
@@ -153,12 +178,14 @@ std::optional<Mesh> finish_mesh(Mesh mesh, Import& import) {
     assert(mesh.normals.empty() || mesh.normals.size() == mesh.positions.size());
     assert(mesh.texture_coordinates.empty() ||
            mesh.texture_coordinates.size() == mesh.positions.size());
+    assert(mesh.colors.empty() || mesh.colors.size() == mesh.positions.size());
     drop_bad_triangles(mesh, import);
     if (mesh.triangles.empty()) {
         return std::nullopt;
     }
     keep_used_vertices(mesh);
     clean_texture_coordinates(mesh, import);
+    clean_colors(mesh);
     if (mesh.normals.empty()) {
         make_flat(mesh);
     } else {

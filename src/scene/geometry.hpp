@@ -2,11 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "scene/import.hpp"
 
@@ -16,8 +12,11 @@ namespace balcony::scene {
 /// Mesh: skips triangles with an index out of range or a vertex that is not finite or too large,
 /// and unused vertices; adds flat normals to a mesh without normals; normalises normals, replacing
 /// those of length 0 by that of the faces. Warns with counts and the mesh's name. Normals and
-/// texture coordinates must be empty or one per vertex. Nothing if no triangle remains.
+/// texture coordinates and colours must be empty or one per vertex. Nothing if no triangle remains.
 [[nodiscard]] std::optional<Mesh> finish_mesh(Mesh mesh, Import& import);
+
+/// A colour as formats of vertex colours store it, clamped to 0 .. 1, as linear light.
+[[nodiscard]] Color3f linear_of_srgb(const Color3f& color);
 
 /// Whether coordinates are finite and within max_coordinate.
 [[nodiscard]] bool usable(const V3f& position);

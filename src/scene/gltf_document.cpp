@@ -135,8 +135,8 @@ std::string decode_percent(std::string_view uri) {
     return path;
 }
 
-GltfDocument::GltfDocument(const Import& import) : file_(import.file) {
-    const std::string name = in_quotes(file_.string());
+GltfDocument::GltfDocument(Import& import) : import_(import) {
+    const std::string name = in_quotes(import_.file.string());
     bytes_ = import.bytes();
     const Bytes all(bytes_);
     is_binary_ = begins_with(all, "glTF");
@@ -146,7 +146,7 @@ GltfDocument::GltfDocument(const Import& import) : file_(import.file) {
         read_buffers(chunks.binary);
         return;
     }
-    if (file_.extension() != ".gltf") {
+    if (import_.file.extension() != ".gltf") {
         throw ReadError{error(fmt::format("{} is not a GLB: it does not start with 'glTF'", name),
                               {},
                               begins_with(all, "{") ? "it looks like JSON: name it .gltf"
@@ -157,7 +157,7 @@ GltfDocument::GltfDocument(const Import& import) : file_(import.file) {
 }
 
 void GltfDocument::parse(std::string text) {
-    const std::string name = in_quotes(file_.string());
+    const std::string name = in_quotes(import_.file.string());
     try {
         root_ = Json::parse(text);
     } catch (const Json::exception& failure) {
@@ -166,7 +166,8 @@ void GltfDocument::parse(std::string text) {
         const std::size_t end = syntax != nullptr ? std::min(syntax->byte, text.size()) : 0;
         const std::string reason = failure.what();
         const std::size_t expected = reason.rfind("; expected ");
-        const auto source = std::make_shared<const SourceText>(file_.string(), std::move(text));
+        const auto source =
+            std::make_shared<const SourceText>(import_.file.string(), std::move(text));
         throw ReadError{
             error(fmt::format("the JSON of {} is broken", name),
                   syntax != nullptr ? SourceSpan{source, end > 0 ? end - 1 : 0, end} : SourceSpan{},
@@ -188,7 +189,7 @@ GltfDocument::Bytes GltfDocument::buffer_bytes(const std::string& uri) {
     if (uri.starts_with("data:")) {
         return embedded_.emplace_back(decode_data_uri(uri));
     }
-    const std::filesystem::path path = beside(file_, decode_percent(uri));
+    const std::filesystem::path path = import_.beside(import_.file, decode_percent(uri));
     auto known = files_.find(path);
     if (known == files_.end()) {
         known = files_.emplace(path, read_bytes(path)).first;
@@ -197,7 +198,7 @@ GltfDocument::Bytes GltfDocument::buffer_bytes(const std::string& uri) {
 }
 
 void GltfDocument::read_buffers(Bytes binary) {
-    const std::string name = in_quotes(file_.string());
+    const std::string name = in_quotes(import_.file.string());
     const std::size_t count = array_size(root_, "buffers");
     for (std::size_t i = 0; i < count; ++i) {
         const Json& buffer = root_["buffers"][i];

@@ -23,7 +23,7 @@ namespace balcony::scene {
 class GltfDocument {
 public:
     /// Reads a .glb or .gltf file and its external buffers. Throws ReadError.
-    explicit GltfDocument(const Import& import);
+    explicit GltfDocument(Import& import);
 
     [[nodiscard]] const Json& root() const { return root_; }
     [[nodiscard]] bool is_binary() const { return is_binary_; }
@@ -46,7 +46,7 @@ private:
     [[nodiscard]] Bytes buffer_bytes(const std::string& uri);
     [[nodiscard]] GltfAccessor read_accessor(const Json& json);
 
-    std::filesystem::path file_;
+    Import& import_;
     std::vector<std::uint8_t> bytes_;
     Json root_;
     bool is_binary_ = false;

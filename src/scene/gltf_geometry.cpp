@@ -346,6 +346,11 @@ Mesh GltfReader::read_mesh(const Json& primitive, std::size_t mode, const GltfMa
     const GltfAccessor* const coordinates =
         attribute(fmt::format("TEXCOORD_{}", shaded.texture_coordinate_set), 2);
 
+    // COLOR_0 may have alpha, which is not used.
+    const auto color = index_in(attributes, "COLOR_0");
+    const bool has_alpha = color && text_in(element(root_, "accessors", *color), "type") == "VEC4";
+    const GltfAccessor* const colors = attribute("COLOR_0", has_alpha ? 4 : 3);
+
     Mesh mesh;
     mesh.triangles = read_triangles(primitive, mode, positions.count());
     for (const std::uint32_t vertex : number_vertices(mesh.triangles, positions.count())) {
@@ -355,6 +360,10 @@ Mesh GltfReader::read_mesh(const Json& primitive, std::size_t mode, const GltfMa
         mesh.positions.push_back(vector(positions));
         if (normals != nullptr) {
             mesh.normals.push_back(vector(*normals));
+        }
+        if (colors != nullptr) {
+            const V3f color_factor = vector(*colors);
+            mesh.colors.emplace_back(color_factor);
         }
         if (coordinates != nullptr) {
             mesh.texture_coordinates.push_back(

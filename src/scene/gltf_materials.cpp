@@ -199,7 +199,7 @@ void GltfReader::read_image(const Json& image, Texture& texture) {
         image_bytes_.take(uri.size());
         texture.bytes = decode_data_uri(uri);
     } else if (!uri.empty()) {
-        texture.file = beside(import_.file, decode_percent(uri));
+        texture.file = import_.beside(import_.file, decode_percent(uri));
         return;
     }
     if (texture.bytes.empty()) {

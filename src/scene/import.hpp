@@ -40,11 +40,19 @@ struct Import {
     [[nodiscard]] bool adds_warnings() const { return diagnostics.size() < max_warnings; }
     /// The bytes of the file. Throws ReadError if it cannot be read.
     [[nodiscard]] std::vector<std::uint8_t> bytes() const;
+    /// The path of a file of this scene that `other` names, relative to the folder of that file.
+    [[nodiscard]] std::filesystem::path beside(const std::filesystem::path& other,
+                                               std::string_view written);
 };
 
-/// The two families of formats. Both throw ReadError.
+/// The readers of the formats. They throw ReadError.
 void read_gltf(Import& import);
 void read_obj(Import& import);
+void read_ply(Import& import);
+void read_stl(Import& import);
+
+/// How to make a scene file that is read of one with another extension, in lower case.
+[[nodiscard]] std::string advice_on_format(std::string_view extension);
 
 /// A name in quotes for a message: without control characters, shortened if very long.
 [[nodiscard]] std::string in_quotes(std::string_view name);
@@ -58,9 +66,4 @@ void read_obj(Import& import);
 /// "did you mean 'x.glb'?" if the directory of a missing file has a similar name, otherwise general
 /// advice.
 [[nodiscard]] std::string similar_file(const std::filesystem::path& file);
-
-/// A path in a scene file, resolved relative to the directory of that file.
-[[nodiscard]] std::filesystem::path beside(const std::filesystem::path& file,
-                                           std::string_view written);
-
 }  // namespace balcony::scene

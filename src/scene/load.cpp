@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <exception>
 #include <new>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "scene/import.hpp"
 
@@ -18,22 +20,31 @@ namespace {
 
 // The readers by extension, in lower case.
 struct Format {
-    const char* extension;
+    std::string_view extension;
     void (*read)(Import&);
 };
 
-constexpr Format scene_formats[] = {{".glb", read_gltf}, {".gltf", read_gltf}, {".obj", read_obj}};
+constexpr std::array scene_formats{Format{".glb", read_gltf}, Format{".gltf", read_gltf},
+                                   Format{".obj", read_obj}, Format{".ply", read_ply},
+                                   Format{".stl", read_stl}};
 
-const Format* format_of(const fs::path& file) {
+std::string extension_of(const fs::path& file) {
     std::string extension = file.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char byte) { return static_cast<char>(std::tolower(byte)); });
+    return extension;
+}
+
+const Format& format_of(const fs::path& file) {
+    const std::string extension = extension_of(file);
     for (const Format& format : scene_formats) {
         if (extension == format.extension) {
-            return &format;
+            return format;
         }
     }
-    return nullptr;
+    throw ReadError{
+        error(fmt::format("the format of {} is not supported", in_quotes(file.string())), {},
+              advice_on_format(extension))};
 }
 
 void refuse_missing_or_directory(const fs::path& file) {
@@ -46,7 +57,7 @@ void refuse_missing_or_directory(const fs::path& file) {
     if (fs::is_directory(status)) {
         throw ReadError{
             error(fmt::format("{} is a directory, not a scene file", in_quotes(file.string())), {},
-                  "name a file in it: .glb, .gltf or .obj")};
+                  fmt::format("name a file in it: {}", fmt::join(file_extensions(), ", ")))};
     }
 }
 
@@ -63,13 +74,11 @@ void read(Import& import) {
     if (!import.given) {
         refuse_missing_or_directory(file);
     }
-    const Format* format = format_of(file);
-    if (format == nullptr) {
-        throw ReadError{
-            error(fmt::format("the format of {} is not supported", in_quotes(file.string())), {},
-                  "use a .glb, .gltf or .obj file")};
-    }
-    format->read(import);
+    import.scene.files.push_back(file);
+    format_of(file).read(import);
+    std::vector<fs::path>& files = import.scene.files;
+    std::sort(files.begin(), files.end());
+    files.erase(std::unique(files.begin(), files.end()), files.end());
     if (import.further_warnings > 0) {
         import.diagnostics.push_back(warning(
             fmt::format("{} more like these", counted(import.further_warnings, "warning"))));
@@ -105,6 +114,17 @@ Result<Scene> load(Import import) {
 }
 
 }  // namespace
+
+std::span<const std::string_view> file_extensions() {
+    static constexpr auto extensions = [] {
+        std::array<std::string_view, scene_formats.size()> all;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            all[i] = scene_formats[i].extension;
+        }
+        return all;
+    }();
+    return extensions;
+}
 
 Result<Scene> load(const fs::path& file) {
     Import import;

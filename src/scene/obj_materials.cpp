@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "scene/obj_text.hpp"
+#include "scene/words.hpp"
 
 namespace balcony::scene {
 
@@ -86,7 +86,7 @@ ObjMaterials::ObjMaterials(const std::vector<std::string>& libraries, Import& im
     : import_(import) {
     std::set<std::filesystem::path> read;
     for (const std::string& library : libraries) {
-        const std::filesystem::path file = beside(import.file, library);
+        const std::filesystem::path file = import.beside(import.file, library);
         if (read.insert(file).second) {
             read_library(file);
         }
@@ -191,7 +191,7 @@ TextureIndex ObjMaterials::add_texture(const Source& source, const std::string& 
     if (map.file.empty()) {
         return {};
     }
-    const std::filesystem::path file = beside(source.library, map.file);
+    const std::filesystem::path file = import_.beside(source.library, map.file);
     const auto [known, is_new] = textures_.try_emplace({file, map.wrap});
     if (!is_new && known->second.valid()) {
         return known->second;

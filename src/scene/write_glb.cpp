@@ -179,6 +179,10 @@ private:
             attributes["TEXCOORD_0"] =
                 append("accessors", accessor(mesh.texture_coordinates, "VEC2"));
         }
+        if (!mesh.colors.empty()) {
+            assert(mesh.colors.size() == mesh.positions.size());
+            attributes["COLOR_0"] = append("accessors", accessor(mesh.colors, "VEC3"));
+        }
         const std::size_t bytes = mesh.triangles.size() * sizeof(mesh.triangles[0]);
         const std::size_t view =
             add_view(mesh.triangles.data(), bytes, target_element_array_buffer);

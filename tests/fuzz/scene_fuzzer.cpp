@@ -4,8 +4,9 @@
 // Any bytes → a scene or errors; its images, or the bytes as an image → pixels or errors. A scene
 // that load() returns must keep its promises.
 //
-// What the bytes are is told by how they begin: a GLB, the JSON of a glTF file, the signature of an
-// image, or else an OBJ file. A line "#mtl" of an OBJ file begins what stands in m.mtl.
+// What the bytes are is told by how they begin: a GLB, the JSON of a glTF file, a PLY file, "stl:"
+// before an STL file, the signature of an image, or else an OBJ file. A line "#mtl" of an OBJ file
+// begins what stands in m.mtl.
 
 #include <algorithm>
 #include <cstdint>
@@ -114,6 +115,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t coun
         load("fuzz.glb", bytes);
     } else if (begins_with("{")) {
         load("/nonexistent/fuzz.gltf", bytes);
+    } else if (begins_with("ply")) {
+        load("fuzz.ply", bytes);
+    } else if (begins_with("stl:")) {
+        load("fuzz.stl", bytes.subspan(4));
     } else if (begins_with("tga:")) {
         read_image("fuzz.tga", bytes.subspan(4));
     } else if (std::any_of(std::begin(image_starts), std::end(image_starts), begins_with)) {

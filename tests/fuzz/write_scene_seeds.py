@@ -142,7 +142,11 @@ usemtl red
 f 1/1/1 2/2/1 3/3/1 4/3/1
 g two
 usemtl blue
+s 1
 f -4//1 -3//1 -2//1
+s off
+v 2 2 0 1 0.5 0
+f 1 2 3 5 4
 f 1 2 \\
 4
 #mtl
@@ -157,6 +161,52 @@ Pr 0.2
 """
 
 
+PLY_HEADER = """element vertex 4
+property float x
+property float y
+property float z
+property float nx
+property float ny
+property float nz
+property uchar red
+property uchar green
+property uchar blue
+element face 2
+property list uchar int vertex_indices
+element tristrips 1
+property list int int vertex_indices
+end_header
+"""
+
+
+def ply(order):
+    """A PLY file; the order of its bytes is that of struct, or None for text."""
+    vertices = [(x, y, 0, 0, 0, 1, 9, 99, 255) for x in (0, 1) for y in (0, 1)]
+    rows = [("6f3B", vertex) for vertex in vertices]
+    rows += [("B3i", (3, 0, 1, 2)), ("B4i", (4, 0, 1, 3, 2)), ("6i", (5, 0, 1, 2, -1, 3))]
+    name = {None: "ascii", "<": "binary_little_endian", ">": "binary_big_endian"}[order]
+    body = b"".join(struct.pack(order + kind, *row) if order else
+                    " ".join(map(str, row)).encode() + b"\n" for kind, row in rows)
+    return f"ply\nformat {name} 1.0\n{PLY_HEADER}".encode() + body
+
+
+def stl():
+    triangle = floats(*3 * (0,), 0, 0, 0, 1, 0, 0, 0, 1, 0) + shorts(0)
+    return bytes(80) + struct.pack("<I", 2) + 2 * triangle
+
+
+STL = b"""solid one
+facet normal 0 0 1
+outer loop
+vertex 0 0 0
+vertex 1 0 0
+vertex 0 1 0
+endloop
+endfacet
+endsolid one
+"""
+
+
 def main():
     folder = pathlib.Path(sys.argv[1])
     scene = Scene()
@@ -166,6 +216,10 @@ def main():
                                      base64.b64encode(scene.buffer).decode())
     (folder / "scene.gltf").write_text(json.dumps(document))
     (folder / "scene.obj").write_bytes(OBJ)
+    for name, order in (("text", None), ("little", "<"), ("big", ">")):
+        (folder / f"{name}.ply").write_bytes(ply(order))
+    (folder / "text.stl").write_bytes(b"stl:" + STL)
+    (folder / "binary.stl").write_bytes(b"stl:" + stl())
     for name, image in (("png", png()), ("bmp", bmp()), ("tga", b"tga:" + tga()), ("hdr", hdr()),
                         ("tiff", tiff())):
         (folder / f"image.{name}").write_bytes(image)

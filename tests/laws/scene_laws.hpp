@@ -55,6 +55,14 @@ inline std::string broken_law(const scene::Mesh& mesh, const scene::Scene& scene
             return "a texture coordinate is not finite";
         }
     }
+    if (!mesh.colors.empty() && mesh.colors.size() != count) {
+        return "a mesh has colours for some vertices only";
+    }
+    for (const scene::Color3f& color : mesh.colors) {
+        if (!is_light(color) || !is_within(scene::V3d(color), 1.0)) {
+            return "a colour is out of range";
+        }
+    }
     return {};
 }
 

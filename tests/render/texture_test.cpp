@@ -67,6 +67,26 @@ View unaligned_view() { return view_down_z(0.0013, 0.0009, 1.0); }
 
 // 512 x 512 texels in few pixels: each pixel sees half white, half black, also at the border, also
 // where its footprint is long in one direction only.
+// The colours of the corners blend linearly over the triangles.
+TEST(Texture, VertexColorsAreAFactor) {
+    scene::Scene scene;
+    add(scene, wall(-2.0F, 1.0F), white());
+    scene.materials[0].base_color = Color3f(0.5F);
+    scene.meshes[0].colors = {
+        Color3f(0.0F), {1.0F, 0.0F, 0.0F}, {1.0F, 1.0F, 0.0F}, {0.0F, 1.0F, 0.0F}};
+    const Rendered picture =
+        render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)), request(16, 16, "preview"));
+    for (const std::size_t y : {2U, 12U}) {
+        for (const std::size_t x : {3U, 9U}) {
+            const Color3f albedo = picture.film.layers->albedo[picture.film.index(x, y)];
+            // Single rounding of the position.
+            EXPECT_NEAR(albedo.x, 0.5F * (static_cast<float>(x) + 0.5F) / 16.0F, 1e-5F);
+            EXPECT_NEAR(albedo.y, 0.5F * (15.5F - static_cast<float>(y)) / 16.0F, 1e-5F);
+            EXPECT_EQ(albedo.z, 0.0F);
+        }
+    }
+}
+
 TEST(Texture, AFineCheckerFromAfarIsGrey) {
     const scene::Scene scene = textured_wall(encode_png(512, 512, 3, checker));
     for (const auto& [width, height] :

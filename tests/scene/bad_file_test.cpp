@@ -37,9 +37,24 @@ TEST_F(BadFiles, DirectoryAndUnknownExtension) {
     EXPECT_TRUE(fails(load(directory), "is a directory, not a scene file"));
     std::filesystem::create_directory(directory / "folder.glb");
     EXPECT_TRUE(fails(load(directory / "folder.glb"), "is a directory"));
-    const auto unknown = load(write("scene.blend", "BLENDER"));
-    EXPECT_TRUE(fails(unknown, "scene.blend' is not supported"));
-    EXPECT_TRUE(says(unknown, ".glb, .gltf or .obj"));
+    const auto unknown = load(write("scene.txt", "words"));
+    EXPECT_TRUE(fails(unknown, "scene.txt' is not supported"));
+    EXPECT_TRUE(says(unknown, "formats .glb, .gltf, .obj, .ply, .stl"));
+}
+
+TEST_F(BadFiles, OtherFormatsNameTheExportThatHelps) {
+    const auto advice_for = [&](const std::string& name) {
+        const auto result = load(write(name, "bytes"));
+        EXPECT_TRUE(fails(result, name + "' is not supported"));
+        return said(result);
+    };
+    EXPECT_NE(advice_for("a.blend").find("File > Export > glTF 2.0"), std::string::npos);
+    for (const char* name : {"a.fbx", "a.dae", "a.usd", "a.usdc", "a.FBX", "a.3ds"}) {
+        EXPECT_NE(advice_for(name).find("import it into Blender"), std::string::npos) << name;
+    }
+    EXPECT_NE(advice_for("part.step").find("FreeCAD"), std::string::npos);
+    EXPECT_NE(advice_for("scan.las").find("points are not rendered"), std::string::npos);
+    EXPECT_NE(advice_for("room.glb.zip").find("extract"), std::string::npos);
 }
 
 TEST_F(BadFiles, TruncatedGlbReportsBothSizes) {

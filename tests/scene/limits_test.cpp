@@ -260,7 +260,7 @@ TEST_F(Limits, BoundsOfTooManyVerticesAreThoseOfBoxes) {
     scene.instances = {{MeshIndex(0), turned, 0}};
     const V3d end = V3d(1.0, 1.0, 1.0) * turned;
     EXPECT_EQ(scene.bounds().max, V3f(end));
-    scene.meshes[0].positions.resize(std::size_t{1} << 16U);
+    scene.meshes[0].positions.resize(std::size_t{1} << 16U, V3f(0.0F));
     scene.instances.resize(4097, scene.instances[0]);
     const V3d right = V3d(1.0, 0.0, 1.0) * turned;
     ASSERT_GT(right.x, end.x);

@@ -107,21 +107,67 @@ TEST_F(Mutations, OfNumbersNeverCrash) {
     EXPECT_GT(loaded, files_tried / 20) << "the changes leave too little to try";
 }
 
-TEST_F(Mutations, OfObjNeverCrash) {
+// Loads mutations of a file; enough of them must remain scenes. Half of them spare its header.
+class MeshMutations : public SceneFiles {
+protected:
+    void try_mutations(const std::string& name, const std::string& whole,
+                       std::size_t header = 0) const {
+        ASSERT_TRUE(load(write(name, whole)));
+        std::mt19937 random(7);
+        int loaded = 0;
+        for (int i = 0; i < files_tried; ++i) {
+            const std::size_t spared = i % 2 == 0 ? header : 0;
+            const auto result = load_bytes(
+                directory / name, whole.substr(0, spared) + mutate(whole.substr(spared), random));
+            ASSERT_EQ(laws::broken_law(result), "") << i;
+            loaded += result ? 1 : 0;
+        }
+        EXPECT_GT(loaded, files_tried / 20) << "the changes leave too little to try";
+    }
+};
+
+TEST_F(MeshMutations, OfStlNeverCrash) {
+    std::string binary(84, ' ');
+    binary[80] = 2;
+    binary[81] = binary[82] = binary[83] = 0;
+    for (const float number : {0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F}) {
+        binary.append(reinterpret_cast<const char*>(&number), sizeof(number));
+    }
+    binary.insert(84, 12, '\0').append(2, '\0').append(binary.substr(84, 50));
+    try_mutations("scene.stl", binary);
+    try_mutations("scene.stl",
+                  "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                  "vertex 0 1 0\nendloop\nendfacet\nendsolid\n");
+}
+
+TEST_F(MeshMutations, OfPlyNeverCrash) {
+    const std::string header =
+        "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+        "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+        "element face 2\nproperty list uchar uchar vertex_indices\nend_header\n";
+    const std::string text = "ply\nformat ascii 1.0\n" + header;
+    try_mutations("scene.ply",
+                  text +
+                      "0 0 0 1 2 3\n1 0 0 4 5 6\n0 1 0 7 8 9\n1 1 0 9 9 9\n"
+                      "3 0 1 2\n4 0 1 3 2\n",
+                  text.size());
+    std::string binary = "ply\nformat binary_little_endian 1.0\n" + header;
+    const std::size_t body = binary.size();
+    for (int i = 0; i < 4; ++i) {
+        const float xyz[] = {static_cast<float>(i % 2), static_cast<float>(i / 2), 0.0F};
+        binary.append(reinterpret_cast<const char*>(xyz), sizeof(xyz)).append("abc");
+    }
+    binary.append({3, 0, 1, 2, 4, 0, 1, 3, 2});
+    try_mutations("scene.ply", binary, body);
+}
+
+TEST_F(MeshMutations, OfObjNeverCrash) {
     write("a.mtl", "newmtl red\nKd 1 0 0\nmap_Kd -clamp on t.png\n");
     const std::string whole =
         "mtllib a.mtl\no one\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
         "vn 0 0 1\nusemtl red\nf 1/1/1 2/2/1 3/3/1\nf -3//1 -1//1 -2//1\ng two\nusemtl b\n"
-        "f 1 2 3 4\nl 1 2\n";
-    ASSERT_TRUE(load(write("scene.obj", whole)));
-    std::mt19937 random(7);
-    int loaded = 0;
-    for (int i = 0; i < files_tried; ++i) {
-        const auto result = load_bytes(directory / "scene.obj", mutate(whole, random));
-        ASSERT_EQ(laws::broken_law(result), "") << i;
-        loaded += result ? 1 : 0;
-    }
-    EXPECT_GT(loaded, files_tried / 20) << "the changes leave too little to try";
+        "s 1\nf 1 2 3 4\ns off\nf 2 4 3 1\nl 1 2\nv 2 0 0 1 0.5 0\n";
+    try_mutations("scene.obj", whole);
 }
 
 }  // namespace balcony::scene::testing

@@ -1,6 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
 #include <cmath>
 
 #include "scene_files.hpp"
@@ -93,6 +94,107 @@ TEST_F(Obj, MissingNormalsAreSmoothUpToAnAngle) {
     }
 }
 
+// Two faces with a fold of 90 degrees along y.
+const char* const fold = "v 0 0 0\nv 0 1 0\nv -1 0 0\nv 0 0 -1\n";
+
+TEST_F(Obj, SmoothingGroupsDecideWhichEdgesAreSmooth) {
+    const auto vertices = [&](const std::string& faces) {
+        const auto scene = load_obj(fold + faces);
+        EXPECT_TRUE(scene) << said(scene);
+        std::size_t count = 0;
+        for (std::size_t i = 0; scene && i < scene->meshes.size(); ++i) {
+            count += scene->meshes[i].positions.size();
+        }
+        return count;
+    };
+    EXPECT_EQ(vertices("s 3\nf 1 2 3\nf 1 4 2\n"), 4U) << "one group is smooth at any angle";
+    EXPECT_EQ(vertices("s 1\nf 1 2 3\ns 2\nf 1 4 2\n"), 6U) << "two groups";
+    EXPECT_EQ(vertices("s off\nf 1 2 3\nf 1 3 2\n"), 6U) << "off is flat";
+    EXPECT_EQ(vertices("s 0\nf 1 2 3\nf 1 3 2\n"), 6U) << "0 is flat";
+}
+
+// The normal at the common edge of two faces is halfway between them, whatever their materials are.
+TEST_F(Obj, SmoothEdgesReachAcrossMaterialsButNotObjects) {
+    write("a.mtl", "newmtl red\nnewmtl blue\n");
+    const auto edge_normal = [&](const std::string& between) {
+        const auto scene = load_obj("mtllib a.mtl\no a\nusemtl red\n" + std::string(fold) +
+                                    "s 1\nf 1 2 3\n" + between + "f 1 4 2\n");
+        EXPECT_TRUE(scene) << said(scene);
+        EXPECT_EQ(scene->meshes.size(), 2U);
+        const Mesh& mesh = scene->meshes[0];
+        for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+            if (mesh.positions[i] == V3f(0, 1, 0)) {
+                return mesh.normals[i];
+            }
+        }
+        return V3f(0.0F);
+    };
+    // The faces have the normals (0, 0, 1) and (1, 0, 0).
+    EXPECT_NEAR(edge_normal("usemtl blue\n").dot(V3f(1, 0, 1).normalized()), 1.0F, 1e-6F);
+    EXPECT_NEAR(edge_normal("o b\n").z, 1.0F, 1e-6F);
+}
+
+// A cone's tip, where many faces meet: its normal is the axis for any number of faces, also where
+// one of them is cut in two.
+TEST_F(Obj, NormalsDoNotDependOnTheTriangulation) {
+    const char* const corners = "v 0 0 3\nv 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\nv 0.5 0.5 0\ns 1\n";
+    const auto tip = [&](const std::string& faces) {
+        const auto scene = load_obj(corners + faces);
+        EXPECT_TRUE(scene) << said(scene);
+        const Mesh& mesh = scene->meshes[0];
+        const auto at = std::find(mesh.positions.begin(), mesh.positions.end(), V3f(0, 0, 3));
+        return mesh.normals[static_cast<std::size_t>(at - mesh.positions.begin())];
+    };
+    const std::string others = "f 1 3 4\nf 1 4 5\nf 1 5 2\n";
+    for (const V3f& normal : {tip("f 1 2 3\n" + others), tip("f 1 2 6\nf 1 6 3\n" + others)}) {
+        EXPECT_NEAR((normal - V3f(0, 0, 1)).length(), 0.0F, 1e-6F) << normal;
+    }
+}
+
+TEST_F(Obj, SharedCornersAreOneVertex) {
+    const auto scene = load_obj(std::string(square) +
+                                "vn 0 0 1\nvt 0 0\nvt 1 1\n"
+                                "f 1/1/1 2/1/1 3/1/1\nf 1/1/1 3/1/1 4/2/1\n");
+    ASSERT_TRUE(scene) << said(scene);
+    EXPECT_EQ(scene->meshes[0].positions.size(), 4U);
+}
+
+TEST_F(Obj, ConcavePolygonsKeepTheirShape) {
+    // An arrowhead: a fan about its first corner would cover the notch.
+    const auto scene = load_obj("v 0 2 0\nv -2 -2 0\nv 0 -1 0\nv 2 -2 0\nf 2 3 4 1\nf 1 2 3 4\n");
+    ASSERT_TRUE(scene) << said(scene);
+    const Mesh& mesh = scene->meshes[0];
+    ASSERT_EQ(mesh.triangles.size(), 4U);
+    for (const auto& [a, b, c] : mesh.triangles) {
+        const V3f area =
+            (mesh.positions[b] - mesh.positions[a]).cross(mesh.positions[c] - mesh.positions[a]);
+        EXPECT_FLOAT_EQ(area.z, 6.0F) << "each half of the arrowhead";
+    }
+}
+
+TEST_F(Obj, VertexColorsBecomeLinear) {
+    const auto scene = load_obj("v 0 0 0\nv 1 0 0 1 0.5 0\nv 0 1 0 2 0 0\nf 1 2 3\n");
+    ASSERT_TRUE(scene) << said(scene);
+    const Mesh& mesh = scene->meshes[0];
+    ASSERT_EQ(mesh.colors.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const V3f& at = mesh.positions[i];
+        const Color3f expected = at.x > 0.0F   ? Color3f(1.0F, 0.21404114F, 0.0F)
+                                 : at.y > 0.0F ? Color3f(1.0F, 0.0F, 0.0F)
+                                               : Color3f(1.0F);
+        EXPECT_NEAR((mesh.colors[i] - expected).length(), 0.0F, 1e-6F) << i;
+    }
+}
+
+TEST_F(Obj, FilesOfTheSceneAreNamed) {
+    write("a.mtl", "newmtl m\nmap_Kd lost.png\n");
+    const auto scene = load_obj("mtllib a.mtl\n" + std::string(square) + "usemtl m\nf 1 2 3\n");
+    ASSERT_TRUE(scene) << said(scene);
+    EXPECT_EQ(scene->files,
+              (std::vector<std::filesystem::path>{directory / "a.mtl", directory / "lost.png",
+                                                  directory / "scene.obj"}));
+}
+
 TEST_F(Obj, NegativeIndicesCountBackwards) {
     const auto scene = load_obj("v 9 9 9\n" + std::string(square) + "f -4 -3 -2\n");
     ASSERT_TRUE(scene) << said(scene);
@@ -128,10 +230,10 @@ TEST_F(Obj, MissingLibraryAndMaterialAreNamed) {
 TEST_F(Obj, BadFacesAreCounted) {
     const auto scene = load_obj(std::string(square) +
                                 "v nan 0 0\nv 1e99 0 0\nf 1 2 3\nf 1 2 7\nf 0 1 2\nf 1/1 2/1 3/1\n"
-                                "f 1 2 5\nf 1 2 6\nf 1 2\nl 1 2\np 1\n");
+                                "f 1 2 5\nf 1 2 6\nf 1 2 3x\nf 1/1/1/1 2 3\nf 1 2\nl 1 2\np 1\n");
     ASSERT_TRUE(scene) << said(scene);
     EXPECT_EQ(scene->triangle_count(), 1U);
-    EXPECT_TRUE(says(scene, "3 faces skipped because of a vertex index out of range"));
+    EXPECT_TRUE(says(scene, "5 faces skipped because of a vertex index out of range"));
     EXPECT_TRUE(says(scene, "2 faces skipped because of a vertex that is not finite or too large"));
     EXPECT_TRUE(says(scene, "1 face skipped with fewer than 3"));
     EXPECT_TRUE(says(scene, "2 point, line or curve statements skipped"));

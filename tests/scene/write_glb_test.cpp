@@ -120,6 +120,16 @@ TEST(WriteGlb, KeepsALightsColorAndCandela) {
     EXPECT_EQ(file.document["extensionsUsed"], nlohmann::json({"KHR_lights_punctual"}));
 }
 
+TEST(WriteGlb, KeepsColorsForOurOwnReader) {
+    scene::Scene scene = small_scene();
+    const std::vector<Color3f> colors{
+        {1.0F, 0.5F, 0.0F}, {0.25F, 1.0F, 0.0F}, {0.0F, 0.0F, 0.125F}};
+    scene.meshes[0].colors = colors;
+    const auto read = load("colors.glb", to_glb(scene));
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->meshes[0].colors, colors);
+}
+
 }  // namespace
 
 }  // namespace balcony::scene::testing

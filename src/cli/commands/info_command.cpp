@@ -97,7 +97,7 @@ void add_info_command(CLI::App& app, ExitCode& code) {
     const auto options = std::make_shared<InfoOptions>();
     command
         ->add_option("SCENE", options->scene,
-                     "scene file (.glb, .gltf, .obj); for cameras, see 'list' and 'explain'")
+                     scene_files_text() + "; for cameras, see 'list' and 'explain'")
         ->required();
     command->add_flag("--objects", options->objects,
                       "list the objects with their ids in the object layer");

@@ -314,7 +314,7 @@ void add_render_command(CLI::App& app, ExitCode& code) {
     auto* command = app.add_subcommand("render", "renders a scene through a camera");
     command->group("Commands");
     const auto options = std::make_shared<RenderOptions>();
-    command->add_option("SCENE", options->scene, "scene file (.glb, .gltf, .obj)")->required();
+    command->add_option("SCENE", options->scene, scene_files_text())->required();
     command
         ->add_option(
             "-c,--camera", options->camera,

@@ -7,10 +7,21 @@
 #include <filesystem>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "balcony/lang.hpp"
 
 namespace balcony::cli {
+
+std::string scene_files_text() {
+    return fmt::format("scene file ({})", fmt::join(scene::file_extensions(), ", "));
+}
+
+bool is_scene_file(std::string_view name) {
+    const auto extensions = scene::file_extensions();
+    return std::any_of(extensions.begin(), extensions.end(),
+                       [name](std::string_view extension) { return name.ends_with(extension); });
+}
 
 Result<scene::Scene> load_scene(const std::string& name) {
     const auto& built_in = lang::built_in_cameras();

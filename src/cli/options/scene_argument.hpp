@@ -3,10 +3,17 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "balcony/scene.hpp"
 
 namespace balcony::cli {
+
+/// "scene file (.glb, ...)"
+[[nodiscard]] std::string scene_files_text();
+
+/// Whether a file name has the extension of a scene.
+[[nodiscard]] bool is_scene_file(std::string_view name);
 
 /// Loads the scene of a command. A camera in its place gives a specific error.
 [[nodiscard]] Result<scene::Scene> load_scene(const std::string& name);

@@ -13,6 +13,8 @@
 
 #include <fmt/format.h>
 
+#include "cli/options/scene_argument.hpp"
+
 namespace balcony::cli {
 
 namespace {
@@ -148,7 +150,7 @@ std::string option_for(const CLI::App& command, const std::string& word) {
                           word.find_first_not_of("0123456789.,-+e") == std::string::npos;
     const char* option = ends_in(word, {".cam"})                                 ? "--camera"
                          : ends_in(word, {".png", ".exr", ".svg"})               ? "--output"
-                         : ends_in(word, {".glb", ".gltf", ".obj"})              ? "--scene"
+                         : is_scene_file(word)                                   ? "--scene"
                          : is_point                                              ? "--point"
                          : word.find('=') != std::string::npos && word[0] != '=' ? "--set"
                                                                                  : nullptr;
@@ -159,8 +161,7 @@ std::string option_for(const CLI::App& command, const std::string& word) {
 
 // The command for a file that was given in place of a command.
 std::string command_for(const std::string& word) {
-    return ends_in(word, {".glb", ".gltf", ".obj"})
-               ? fmt::format("did you mean balcony render {}?", word)
+    return is_scene_file(word)       ? fmt::format("did you mean balcony render {}?", word)
            : ends_in(word, {".cam"}) ? fmt::format("did you mean balcony check {}?", word)
                                      : "";
 }

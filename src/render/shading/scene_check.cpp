@@ -16,7 +16,7 @@ bool holds_together(const scene::Mesh& mesh) {
     const auto fits = [vertices](const auto& values) {
         return values.empty() || values.size() == vertices;
     };
-    return fits(mesh.normals) && fits(mesh.texture_coordinates) &&
+    return fits(mesh.normals) && fits(mesh.texture_coordinates) && fits(mesh.colors) &&
            std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& triangle) {
                return std::all_of(triangle.begin(), triangle.end(),
                                   [&](std::uint32_t vertex) { return vertex < vertices; });

@@ -13,6 +13,7 @@ Interaction SceneTracer::interaction(const Ray& ray, const embree::Hit& hit) con
         footprint = found.surface.texture_footprint(found.moved);
     }
     found.appearance = look_up(*found.surface.material, *traced_->textures, footprint, cache_);
+    found.appearance.base_color *= found.surface.color;
     return found;
 }
 

@@ -136,6 +136,10 @@ Surface SurfaceFinder::find(const embree::Hit& hit, const V3f& direction) const 
     } else {
         surface.texture_point = surface.texture_edge_1 = surface.texture_edge_2 = V2f(0.0F);
     }
+    if (!m.colors.empty()) {
+        surface.color = (1.0F - hit.u - hit.v) * m.colors[triangle[0]] +
+                        hit.u * m.colors[triangle[1]] + hit.v * m.colors[triangle[2]];
+    }
     surface.material = &scene_->materials[m.material.value()];
     surface.object = scene_->instances[hit.instance].object;
     return surface;

@@ -52,6 +52,7 @@ struct Surface {
     V3f edge_1, edge_2;    ///< Of the triangle, from its first vertex.
     V2f texture_point;
     V2f texture_edge_1, texture_edge_2;
+    scene::Color3f color{1.0F, 1.0F, 1.0F};  ///< Of the mesh, a factor of the base colour.
     float offset = 0.0F;  ///< A distance from the surface larger than any rounding error.
     const scene::Material* material = nullptr;
     std::uint32_t object = 0;
