@@ -128,6 +128,11 @@ public:
     }
     [[nodiscard]] Expr valid() const { return valid_; }
 
+    /// A problem that shows only while the formula is written. Camera::make reports it; an error
+    /// means that there is no camera.
+    void report(Diagnostic problem) { problems_.push_back(std::move(problem)); }
+    [[nodiscard]] const Diagnostics& problems() const { return problems_; }
+
     /// The values of expressions at a point of the picture, in pixels, at time 0: for a stage that
     /// chooses its formula by trying it out. A camera is emitted for pictures of any size; here its
     /// picture has the aspect that the camera is made for.
@@ -139,6 +144,7 @@ public:
 private:
     Graph* graph_;
     Expr valid_;
+    Diagnostics problems_;
     std::vector<double> variables_;
 };
 
@@ -199,10 +205,27 @@ public:
     }
 };
 
+/// A point of an object on its way through the object transformers.
+struct ObjectElement {
+    ObjectPoint point;  ///< A function of the parameters, with respect to which it has tangents.
+    /// Of any length except 0; without a value it is the cross product of the tangents.
+    std::optional<ObjectVector> own_normal;
+    ParameterPoint parameters;  ///< Two variables.
+};
+
+/// The own normal, or the cross product of the tangents along u and v.
+[[nodiscard]] ObjectVector normal_of(const ObjectElement& e);
+
 /// OCS → OCS.
 class ObjectTransformer : public Stage {
 public:
+    /// The minimum dimension of the object.
+    [[nodiscard]] virtual int min_dimension() const { return 0; }
     [[nodiscard]] virtual ObjectPoint transform(const ObjectPoint& p, Emitter& emit) const = 0;
+    /// The same for a point and the normal there. Most transformers depend on the point alone and
+    /// inherit this function, which transforms normals by the cofactors of the Jacobian.
+    [[nodiscard]] virtual ObjectElement transform_element(const ObjectElement& e,
+                                                          Emitter& emit) const;
 };
 
 /// A point of an object, computed by a path.
@@ -210,6 +233,8 @@ struct PathPoint {
     ObjectPoint point;
     ObjectVector along_u;  ///< Partial derivative with respect to the object's own parameter u.
     ObjectVector along_v;  ///< The same with respect to v.
+    /// The second partial derivative with respect to u, if it was requested.
+    std::optional<ObjectVector> along_u_by_u;
     ObjectVector normal;  ///< The generator's own normal, transformed; otherwise along_u x along_v.
     ObjectVector one_sided_normal;  ///< The normal, reversed where the orientation changes.
     ObjectPoint center;  ///< The image of the origin under the path's object transformers.
@@ -223,6 +248,10 @@ public:
     /// The minimum dimension of the eye object.
     [[nodiscard]] virtual int min_eye_dimension() const { return 0; }
     [[nodiscard]] virtual bool needs_direction_object() const { return false; }
+    /// The minimum dimension of the direction object.
+    [[nodiscard]] virtual int min_direction_dimension() const { return 0; }
+    /// Whether it uses the eye object's second derivative.
+    [[nodiscard]] virtual bool needs_second_derivative() const { return false; }
     /// `toward` is null if the camera has no direction object.
     [[nodiscard]] virtual ObjectVector direction(const PathPoint& eye, const PathPoint* toward,
                                                  Emitter& emit) const = 0;
@@ -259,7 +288,8 @@ struct Path {
     ObjectGeneratorPointer generator;
     std::vector<ObjectTransformerPointer> object_transformers;
 
-    [[nodiscard]] PathPoint emit(const PicturePoint& picture, Emitter& emit) const;
+    [[nodiscard]] PathPoint emit(const PicturePoint& picture, Emitter& emit,
+                                 bool with_second_derivative = false) const;
 };
 
 /// The ray of a picture point, as expressions of picture x, picture y and time.
@@ -293,9 +323,9 @@ public:
         Axes axes = Axes::z_up;
     };
 
-    /// Checks that the parts fit together: all are there, the rule gets what it needs, and the
-    /// formulas have at most max_operations_of_camera operations. A direction object that the rule
-    /// has no use for is left out with a warning.
+    /// Checks that the parts fit together: all are there, the rule and the object transformers get
+    /// what they need, and the formulas have at most max_operations_of_camera operations. A
+    /// direction object that the rule has no use for is left out with a warning.
     [[nodiscard]] static Result<Camera> make(Parts parts);
 
     [[nodiscard]] const std::string& name() const { return emitted_->parts.name; }
@@ -317,6 +347,7 @@ private:
         Graph graph;
         PicturePoint picture;  ///< Picture x and y; the size is two variables.
         RayExpressions ray;    ///< Of this point of the camera's own picture.
+        Diagnostics problems;  ///< What the stages reported.
     };
     explicit Camera(std::shared_ptr<const Emitted> emitted) : emitted_(std::move(emitted)) {}
     std::shared_ptr<const Emitted> emitted_;

@@ -235,11 +235,13 @@ struct StageEntry {
     StageKind kind = StageKind::object_generator;
     std::string_view name{};
     std::string_view meaning{};
+    /// What the stage does as mathematics, in lines of plain text without a margin.
+    std::string_view formula{};
     std::vector<StageParameter> parameters{};
     std::function<Result<std::shared_ptr<const Stage>>(const Arguments& arguments)> make{};
     /// Of a stage that is itself a formula, such as surface(u, v) = [x, y, z]; it has no
     /// parameters.
-    std::optional<FormulaShape> formula{};
+    std::optional<FormulaShape> shape{};
     int dimension = 0;  ///< Of an object generator.
     /// The heading in docs/stages; empty is that of the stage's kind.
     std::string_view section{};

@@ -56,7 +56,7 @@ bool Binder::has_failed(std::span<const NamedValue> values) {
 }
 
 Binding Binder::run() {
-    if (row_.formula) {
+    if (row_.shape) {
         bind_formula();
     } else {
         bind_parameters();
@@ -160,7 +160,7 @@ void Binder::bind_formula() {
         }
         return;
     }
-    if (!has_shape(row_.name, *row_.formula, *value)) {
+    if (!has_shape(row_.name, *row_.shape, *value)) {
         return;
     }
     for (std::size_t i = 0; i < known_results(*value); ++i) {

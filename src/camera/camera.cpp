@@ -40,6 +40,10 @@ ObjectVector cross(const ObjectVector& a, const ObjectVector& b) {
 
 namespace {
 
+std::string_view name_of_dimension(int dimension) {
+    return dimension == 2 ? "surface" : dimension == 1 ? "curve" : "point";
+}
+
 void check_path(const Path& path, std::string_view object, const std::string& camera,
                 Diagnostics& diagnostics) {
     if (!path.mapper) {
@@ -49,6 +53,16 @@ void check_path(const Path& path, std::string_view object, const std::string& ca
     }
     if (!path.generator) {
         diagnostics.push_back(error(fmt::format("camera '{}' has no {} object", camera, object)));
+        return;
+    }
+    for (const ObjectTransformerPointer& transformer : path.object_transformers) {
+        if (transformer && path.generator->dimension() < transformer->min_dimension()) {
+            diagnostics.push_back(error(
+                fmt::format("an object transformer of camera '{}' needs a surface, but the {} "
+                            "object is a {}",
+                            camera, object, name_of_dimension(path.generator->dimension())),
+                {}, "move only the path whose object is a surface"));
+        }
     }
 }
 
@@ -89,13 +103,22 @@ Result<Camera> Camera::make(Parts parts) {
                 fmt::format("the direction rule of camera '{}' needs a {} as eye object, but has "
                             "a {}",
                             parts.name, minimum == 2 ? "surface" : "curve or surface",
-                            parts.eye.generator->dimension() == 1 ? "curve" : "point"),
+                            name_of_dimension(parts.eye.generator->dimension())),
                 {}, "use another eye object, or add a direction object with: toward ..."));
         }
         if (parts.look->needs_direction_object() && !parts.toward) {
             diagnostics.push_back(
                 error(fmt::format("camera '{}' has no direction object", parts.name), {},
                       "add: toward ..."));
+        }
+        const int minimum_toward = parts.look->min_direction_dimension();
+        if (parts.toward && parts.toward->generator &&
+            parts.toward->generator->dimension() < minimum_toward) {
+            diagnostics.push_back(error(
+                fmt::format("the direction rule of camera '{}' needs a surface as direction "
+                            "object, but has a {}",
+                            parts.name, name_of_dimension(parts.toward->generator->dimension())),
+                {}, "use another direction object"));
         }
         if (parts.toward && !parts.look->needs_direction_object()) {
             diagnostics.push_back(warning(
@@ -125,6 +148,10 @@ Result<Camera> Camera::make(Parts parts) {
         diagnostics.push_back(too_large("camera", name, max_operations_of_camera));
         return diagnostics;
     }
+    diagnostics.insert(diagnostics.end(), emitted->problems.begin(), emitted->problems.end());
+    if (has_errors(diagnostics)) {
+        return diagnostics;
+    }
     return {Camera(std::move(emitted)), std::move(diagnostics)};
 }
 
@@ -135,7 +162,7 @@ namespace {
 // digits cannot be brought to unit length.
 RayExpressions ray_in_own_picture(const Camera::Parts& parts, const PicturePoint& picture,
                                   Emitter& emit) {
-    const PathPoint eye = parts.eye.emit(picture, emit);
+    const PathPoint eye = parts.eye.emit(picture, emit, parts.look->needs_second_derivative());
     std::optional<PathPoint> toward;
     if (parts.toward) {
         toward = parts.toward->emit(picture, emit);
@@ -162,6 +189,7 @@ Camera::Emitted::Emitted(Parts made_of)
         arranged_size(parts.arrangers, height * parts.aspect, height, 0.0);
     Emitter emit(graph, {own[0], own[1]});
     ray = ray_in_own_picture(parts, picture, emit);
+    problems = emit.problems();
 }
 
 RayExpressions Camera::emit(Graph& graph, double width, double height) const {

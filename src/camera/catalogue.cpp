@@ -47,8 +47,8 @@ std::string signature(std::string_view name, const FormulaShape& shape) {
 }
 
 std::string signature(const StageEntry& row) {
-    if (row.formula) {
-        return signature(row.name, *row.formula);
+    if (row.shape) {
+        return signature(row.name, *row.shape);
     }
     std::vector<std::string> parts;
     for (const StageParameter& parameter : row.parameters) {
@@ -173,11 +173,11 @@ Diagnostics check(const StageEntry& row) {
     if (!row.make) {
         report("", "it has no maker");
     }
-    if (row.formula && !row.parameters.empty()) {
+    if (row.shape && !row.parameters.empty()) {
         report("", "a stage that is a formula has no parameters");
     }
-    if (row.formula && !Contradiction::of(*row.formula).empty()) {
-        report("", Contradiction::of(*row.formula));
+    if (row.shape && !Contradiction::of(*row.shape).empty()) {
+        report("", Contradiction::of(*row.shape));
     }
     const StageParameter* takes_the_rest = nullptr;
     for (const StageParameter& parameter : row.parameters) {

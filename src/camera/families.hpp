@@ -57,8 +57,11 @@ Result<std::shared_ptr<const Stage>> as_stage(Result<std::shared_ptr<const Port>
 [[nodiscard]] std::vector<StageEntry> formula_objects();
 [[nodiscard]] std::vector<StageEntry> mesh_surface();
 [[nodiscard]] std::vector<StageEntry> object_affine();
+[[nodiscard]] std::vector<StageEntry> parallel_surface();
 [[nodiscard]] std::vector<StageEntry> normal_rule();
 [[nodiscard]] std::vector<StageEntry> direction_rules();
+[[nodiscard]] std::vector<StageEntry> curve_rules();
+[[nodiscard]] std::vector<StageEntry> optical_rules();
 [[nodiscard]] std::vector<StageEntry> blended_rule();
 
 inline constexpr auto families = {
@@ -85,8 +88,11 @@ inline constexpr auto families = {
     formula_objects,
     mesh_surface,
     object_affine,
+    parallel_surface,
     normal_rule,
     direction_rules,
+    curve_rules,
+    optical_rules,
     blended_rule,
     complex_maps,
     coins,

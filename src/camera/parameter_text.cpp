@@ -106,7 +106,7 @@ std::string stage_remedy(const NestedStageParameter& type) {
     }
     const auto row =
         std::find_if(catalogue().begin(), catalogue().end(), [&type](const StageEntry& one) {
-            return one.kind == type.kind && !one.formula &&
+            return one.kind == type.kind && !one.shape &&
                    (!type.dimension || one.dimension == *type.dimension);
         });
     assert(row != catalogue().end() && "there is a built-in stage of every kind");

@@ -31,52 +31,72 @@ ObjectVector differentiate(const ObjectPoint& p, Expr leaf) {
     return {slopes[0], slopes[1], slopes[2]};
 }
 
-// Normals are transformed by the cofactors of the object transformers' Jacobian, like cross
-// products of tangents are: n' = (Jy x Jz, Jz x Jx, Jx x Jy) n, with Jx the derivative by x.
-ObjectVector moved_normal(const Path& path, const ObjectPoint& at, const ObjectVector& normal,
-                          Emitter& emit) {
+}  // namespace
+
+ObjectVector normal_of(const ObjectElement& e) {
+    return e.own_normal ? *e.own_normal
+                        : cross(differentiate(e.point, e.parameters.u),
+                                differentiate(e.point, e.parameters.v));
+}
+
+// Cross products of tangents are transformed by the cofactors of the Jacobian:
+// n' = (Jy x Jz, Jz x Jx, Jx x Jy) n, with Jx the derivative by x.
+ObjectElement ObjectTransformer::transform_element(const ObjectElement& e, Emitter& emit) const {
+    const ObjectPoint point = transform(e.point, emit);
+    if (!e.own_normal) {
+        return {point, std::nullopt, e.parameters};
+    }
     Graph& graph = emit.graph();
     const std::array free{graph.fresh_variable(), graph.fresh_variable(), graph.fresh_variable()};
     Emitter unused(graph);
-    const ObjectPoint p = moved(path, {free[0], free[1], free[2]}, unused);
+    const ObjectPoint p = transform({free[0], free[1], free[2]}, unused);
     const ObjectVector by_x = differentiate(p, free[0]);
     const ObjectVector by_y = differentiate(p, free[1]);
     const ObjectVector by_z = differentiate(p, free[2]);
+    const ObjectVector& n = *e.own_normal;
     const ObjectVector turned =
-        normal.x * cross(by_y, by_z) + normal.y * cross(by_z, by_x) + normal.z * cross(by_x, by_y);
+        n.x * cross(by_y, by_z) + n.y * cross(by_z, by_x) + n.z * cross(by_x, by_y);
     const std::array made{turned.x, turned.y, turned.z};
-    const std::array put{expr::Substitution{free[0], at.x}, expr::Substitution{free[1], at.y},
-                         expr::Substitution{free[2], at.z}};
+    const std::array put{expr::Substitution{free[0], e.point.x},
+                         expr::Substitution{free[1], e.point.y},
+                         expr::Substitution{free[2], e.point.z}};
     const std::vector<Expr> there = expr::substitute(graph, made, put);
-    return {there[0], there[1], there[2]};
+    return {point, ObjectVector{there[0], there[1], there[2]}, e.parameters};
 }
-
-}  // namespace
 
 // The object is first emitted with free parameters (u, v), so that its tangents are derivatives
 // with respect to its own parameters, independent of the mapper and the parameter transformers;
 // then these are substituted.
-PathPoint Path::emit(const PicturePoint& picture, Emitter& emit) const {
+PathPoint Path::emit(const PicturePoint& picture, Emitter& emit,
+                     bool with_second_derivative) const {
     Graph& graph = emit.graph();
     const Expr u = graph.fresh_variable();
     const Expr v = graph.fresh_variable();
     Emitter object_emit(graph);
-    const ObjectPoint p = moved(*this, generator->generate({u, v}, object_emit), object_emit);
+    ObjectElement element{
+        generator->generate({u, v}, object_emit), generator->normal({u, v}, object_emit), {u, v}};
+    const bool has_own_normal = element.own_normal.has_value();
+    for (const ObjectTransformerPointer& transformer : object_transformers) {
+        element = transformer->transform_element(element, object_emit);
+    }
+    const ObjectPoint& p = element.point;
     const ObjectVector along_u = differentiate(p, u);
     const ObjectVector along_v = differentiate(p, v);
-    const std::optional<ObjectVector> own = generator->normal({u, v}, object_emit);
-    const ObjectVector normal =
-        own ? moved_normal(*this, generator->generate({u, v}, object_emit), *own, object_emit)
-            : cross(along_u, along_v);
-    const Expr orientation = own ? object_emit(1.0) : generator->orientation({u, v}, object_emit);
+    const ObjectVector normal = normal_of(element);
+    const Expr orientation =
+        has_own_normal ? object_emit(1.0) : generator->orientation({u, v}, object_emit);
 
     const ParameterPoint parameters = parameters_of(*this, picture, emit);
     const std::array free{expr::Substitution{u, parameters.u}, expr::Substitution{v, parameters.v}};
-    const std::array made{p.x,       p.y,       p.z,         along_u.x,          along_u.y,
-                          along_u.z, along_v.x, along_v.y,   along_v.z,          normal.x,
-                          normal.y,  normal.z,  orientation, object_emit.valid()};
+    std::vector<Expr> made{p.x,       p.y,       p.z,         along_u.x,          along_u.y,
+                           along_u.z, along_v.x, along_v.y,   along_v.z,          normal.x,
+                           normal.y,  normal.z,  orientation, object_emit.valid()};
+    if (with_second_derivative) {
+        const ObjectVector second = differentiate({along_u.x, along_u.y, along_u.z}, u);
+        made.insert(made.end(), {second.x, second.y, second.z});
+    }
     const std::vector<Expr> put = expr::substitute(graph, made, free);
-    emit.require(put.back());
+    emit.require(put[13]);
 
     const Expr zero = graph.constant(0.0);
     const Expr turned_over = put[12] < zero;
@@ -84,6 +104,8 @@ PathPoint Path::emit(const PicturePoint& picture, Emitter& emit) const {
     return {{put[0], put[1], put[2]},
             {put[3], put[4], put[5]},
             {put[6], put[7], put[8]},
+            with_second_derivative ? std::optional(ObjectVector{put[14], put[15], put[16]})
+                                   : std::nullopt,
             {put[9], put[10], put[11]},
             {one_sided(put[9]), one_sided(put[10]), one_sided(put[11])},
             moved(*this, {zero, zero, zero}, emit),

@@ -73,6 +73,11 @@ std::vector<StageEntry> picture_mappers() {
         {.kind = kind,
          .name = "range",
          .meaning = "maps the picture to a rectangle of parameter space: u = a .. b, v = c .. d",
+         .formula = R"(
+u = u_first + (u_last − u_first) x/W
+v = v_last + (v_first − v_last) y/H
+(x, y)   the point in pixels from the top left of a picture of W × H pixels
+)",
          .parameters = {edge("u_first", "u at the left edge"),
                         edge("u_last", "u at the right edge"),
                         edge("v_first", "v at the bottom edge"),
@@ -95,6 +100,11 @@ camera temperate {
          .meaning = "u = a .. b, v = square: v is 0 in the middle and increases upwards, with u's "
                     "units per "
                     "pixel",
+         .formula = R"(
+u = u_first + (u_last − u_first) x/W
+v = |u_last − u_first|/W · (H/2 − y)
+(x, y)   the point in pixels from the top left of a picture of W × H pixels
+)",
          .parameters = {edge("u_first", "u at the left edge"),
                         edge("u_last", "u at the right edge")},
          .make =
@@ -116,6 +126,11 @@ camera wide {
                     "v's units "
                     "per "
                     "pixel",
+         .formula = R"(
+u = |v_last − v_first|/H · (x − W/2)
+v = v_last + (v_first − v_last) y/H
+(x, y)   the point in pixels from the top left of a picture of W × H pixels
+)",
          .parameters = {edge("v_first", "v at the bottom edge"),
                         edge("v_last", "v at the top edge")},
          .make =

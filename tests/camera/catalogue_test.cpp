@@ -1,8 +1,10 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
 #include <functional>
 #include <set>
+#include <sstream>
 
 #include "balcony/make_stage.hpp"
 #include "support.hpp"
@@ -26,6 +28,23 @@ TEST_P(EveryStage, SaysWhatItAndItsParametersMean) {
     for (const StageParameter& parameter : GetParam().parameters) {
         EXPECT_FALSE(parameter.meaning.empty()) << parameter.name;
     }
+}
+
+// In lines that a terminal and a page show whole: 80 characters, which continuation bytes of UTF-8
+// do not add to.
+TEST_P(EveryStage, HasItsFormula) {
+    std::istringstream formula{std::string(GetParam().formula)};
+    std::string line;
+    std::size_t lines = 0;
+    while (std::getline(formula, line)) {
+        const auto length = std::count_if(line.begin(), line.end(), [](char c) {
+            return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+        });
+        EXPECT_LE(length, 80) << line;
+        EXPECT_FALSE(line.ends_with(' ')) << line;
+        lines += line.empty() ? 0 : 1;
+    }
+    EXPECT_GT(lines, 0U);
 }
 
 TEST_P(EveryStage, DoesNotContradictItself) { EXPECT_EQ(to_text(check(GetParam())), ""); }

@@ -22,9 +22,11 @@ public:
             std::dynamic_pointer_cast<const DirectionRule>(stage(StageKind::direction_rule));
         parts.eye = path(parts.look->min_eye_dimension());
         if (parts.look->needs_direction_object()) {
-            parts.toward = path(0);
+            parts.toward = path(parts.look->min_direction_dimension());
         }
-        return camera::camera(std::move(parts));
+        // The parts fit, but a straight line has no outside.
+        const Result<Camera> made = Camera::make(std::move(parts));
+        return made ? *made : camera();
     }
 
 private:
@@ -80,8 +82,11 @@ private:
                     stage(StageKind::parameter_transformer)));
         }
         for (std::size_t i = below(4); i > 0; --i) {
-            path.object_transformers.push_back(std::dynamic_pointer_cast<const ObjectTransformer>(
-                stage(StageKind::object_transformer)));
+            auto move = std::dynamic_pointer_cast<const ObjectTransformer>(
+                stage(StageKind::object_transformer));
+            if (move->min_dimension() <= path.generator->dimension()) {
+                path.object_transformers.push_back(std::move(move));
+            }
         }
         return path;
     }

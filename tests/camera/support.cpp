@@ -130,8 +130,8 @@ Arguments arguments_for(const StageEntry& row, const Given& given) {
             arguments.set(parameter.name, std::visit(SomeValue{}, parameter.type));
         }
     }
-    if (row.formula) {
-        arguments.set_formula(some_formula(*row.formula));
+    if (row.shape) {
+        arguments.set_formula(some_formula(*row.shape));
     }
     return arguments;
 }

@@ -311,16 +311,28 @@ std::vector<StageEntry> round_shapes() {
         {.kind = StageKind::clip_shape,
          .name = "rectangle",
          .meaning = "the whole image of the layer",
+         .formula = R"(
+|X| ≤ W/2 and |Y| ≤ H/2
+X = x − W/2,   Y = H/2 − y for the point (x, y) of an image of W × H pixels
+)",
          .make = [](const Arguments&) { return made<Rectangle>(); },
          .example = rectangle_example},
         {.kind = StageKind::clip_shape,
          .name = "ellipse",
          .meaning = "the largest ellipse in the layer's image",
+         .formula = R"(
+(2X/W)² + (2Y/H)² ≤ 1
+X = x − W/2,   Y = H/2 − y for the point (x, y) of an image of W × H pixels
+)",
          .make = [](const Arguments&) { return made<Ellipse>(); },
          .example = ellipse_example},
         {.kind = StageKind::clip_shape,
          .name = "ring",
          .meaning = "the largest ellipse in the layer's image, with a hole",
+         .formula = R"(
+inner² ≤ (2X/W)² + (2Y/H)² ≤ 1
+X = x − W/2,   Y = H/2 − y for the point (x, y) of an image of W × H pixels
+)",
          .parameters = {{.name = "inner",
                          .type = NumberParameter{.default_value = 0.5,
                                                  .range = {.minimum = 0.0,
@@ -332,6 +344,11 @@ std::vector<StageEntry> round_shapes() {
         {.kind = StageKind::clip_shape,
          .name = "rounded",
          .meaning = "a rectangle with rounded corners",
+         .formula = R"(
+|X| ≤ W/2, |Y| ≤ H/2 and, in the corners, |(|X| − W/2 + R, |Y| − H/2 + R)| ≤ R
+R = radius min(W, H)
+X = x − W/2,   Y = H/2 − y for the point (x, y) of an image of W × H pixels
+)",
          .parameters = {{.name = "radius",
                          .type = NumberParameter{.default_value = 0.1,
                                                  .range = {.minimum = 0.0, .maximum = 0.5}},
@@ -354,6 +371,10 @@ std::vector<StageEntry> clip_shapes() {
         {.kind = StageKind::clip_shape,
          .name = "polygon",
          .meaning = "the inside of a polygon, by the even-odd rule",
+         .formula = R"(
+The ray from the point to the right crosses an odd number of sides.
+corners (a W, b H) from the top left, the last connected to the first
+)",
          .parameters = {{.name = "points",
                          .type = PointsParameter{.coordinates = {2}, .min_points = 3},
                          .meaning =
@@ -364,6 +385,12 @@ std::vector<StageEntry> clip_shapes() {
         {.kind = StageKind::clip_shape,
          .name = "star",
          .meaning = "a star, with one tip at the top",
+         .formula = R"(
+The polygon with the corners k = 0 … 2 points − 1 at (X, Y) =
+(W/2 · r sin φ, H/2 · r cos φ),   φ = k 180°/points
+r = 1 for even k, otherwise inner
+X = x − W/2,   Y = H/2 − y for the point (x, y) of an image of W × H pixels
+)",
          .parameters = {{.name = "points",
                          .type = CountParameter{.default_value = 5.0,
                                                 .range = {.minimum = 2.0, .maximum = 100.0}},
@@ -386,12 +413,20 @@ std::vector<StageEntry> clip_shapes() {
          .name = "formula",
          .meaning = "where a formula is above 0: formula(x, y) = [f], x and y from -1 to 1, to the "
                     "right and up",
+         .formula = R"(
+f(2X/W, 2Y/H) > 0
+X = x − W/2,   Y = H/2 − y for the point (x, y) of an image of W × H pixels
+)",
          .make = [](const Arguments& a) { return made<ClipFormula>(a.formula()); },
-         .formula = FormulaShape{2, 1, 1},
+         .shape = FormulaShape{2, 1, 1},
          .example = formula_example});
     rows.push_back({.kind = StageKind::clip_shape,
                     .name = "image",
                     .meaning = "a grey image as a mask: white is visible, black is not",
+                    .formula = R"(
+coverage = g, or 1 − g if inverted
+g   the grey value of the image, bilinear between the centres of its pixels
+)",
                     .parameters = {{.name = "file",
                                     .type = ImageParameter{},
                                     .meaning = "image file, stretched over the layer's image"},

@@ -108,6 +108,12 @@ StageEntry place_row() {
     return {.kind = StageKind::picture_arranger,
             .name = "place",
             .meaning = "places the camera's image in a part of the picture",
+            .formula = R"(
+(x′, y′) = (x − from₁ W, y − from₂ H)
+(W′, H′) = ((to₁ − from₁) W, (to₂ − from₂) H)
+(x, y), (x′, y′)   the point in the picture and in the image that it shows,
+                   in pixels from the top left, of W × H and W′ × H′ pixels
+)",
             .parameters = {{.name = "from",
                             .type = PairParameter{.default_value = std::array{0.0, 0.0}},
                             .meaning = "top left corner, as a fraction of the picture"},
@@ -142,6 +148,10 @@ std::vector<StageEntry> picture_affine() {
         {.kind = StageKind::picture_arranger,
          .name = "shift",
          .meaning = "shifts the image",
+         .formula = R"(
+(x′, y′) = (x − by₁ W, y − by₂ H)
+(x, y)   the point in pixels from the top left of a picture of W × H pixels
+)",
          .parameters = {{.name = "by",
                          .type = PairParameter{},
                          .meaning = "offset to the right and down, as a fraction of the picture"}},
@@ -154,6 +164,11 @@ std::vector<StageEntry> picture_affine() {
         {.kind = StageKind::picture_arranger,
          .name = "scale",
          .meaning = "scales the image",
+         .formula = R"(
+(x′, y′) = (x − at₁ (W − W′), y − at₂ (H − H′))
+(W′, H′) = (by₁ W, by₂ H)
+(x, y), (x′, y′)   as for place
+)",
          .parameters = {{.name = "by",
                          .type = PairParameter{.range = {.minimum = 0.0, .excludes_minimum = true},
                                                .one_for_both = true},
@@ -168,6 +183,12 @@ std::vector<StageEntry> picture_affine() {
         {.kind = StageKind::picture_arranger,
          .name = "rotate",
          .meaning = "rotates the image",
+         .formula = R"(
+x′ = c₁ + (x − c₁) cos angle − (y − c₂) sin angle
+y′ = c₂ + (x − c₁) sin angle + (y − c₂) cos angle      c = (at₁ W, at₂ H)
+(x, y)   the point in pixels from the top left of a picture of W × H pixels
+y points down, so the image turns counter-clockwise.
+)",
          .parameters = {{.name = "angle",
                          .type = NumberParameter{.unit = Unit::angle},
                          .meaning = "angle, counter-clockwise"},
@@ -184,6 +205,10 @@ std::vector<StageEntry> picture_affine() {
         {.kind = StageKind::picture_arranger,
          .name = "mirror",
          .meaning = "mirrors the image",
+         .formula = R"(
+x:  (x′, y′) = (W − x, y)        y:  (x′, y′) = (x, H − y)
+(x, y)   the point in pixels from the top left of a picture of W × H pixels
+)",
          .parameters = {{.name = "axis",
                          .type = ChoiceParameter{.choices = {"x", "y"}},
                          .meaning = "x exchanges left and right, y exchanges top and bottom"}},

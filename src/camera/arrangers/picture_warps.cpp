@@ -94,6 +94,12 @@ StageEntry zoom_row() {
         .kind = StageKind::picture_arranger,
         .name = "zoom",
         .meaning = "local zoom: magnifies around a point of the picture and keeps the rest visible",
+        .formula = R"(
+(x′, y′) = c + s d      c = (at₁ W, at₂ H),   d = (x, y) − c
+s = 1 − (1 − 1/strength) (1 − q)³ where q < 1, otherwise 1
+q = |d|²/(radius H)²
+(x, y)   the point in pixels from the top left of a picture of W × H pixels
+)",
         .parameters = {{.name = "at",
                         .type = PairParameter{.default_value = std::array{0.5, 0.5}},
                         .meaning = "the point, as a fraction of the picture"},
@@ -117,6 +123,12 @@ StageEntry ripple_row() {
         .kind = StageKind::picture_arranger,
         .name = "ripple",
         .meaning = "circular waves, like those of a drop on water",
+        .formula = R"(
+(x′, y′) = c + (r′/r) d      c = (at₁ W, at₂ H),   d = (x, y) − c,   r = |d|
+r′ = r + amplitude H sin(2π r/(wavelength H) − phase)
+(x, y)   the point in pixels from the top left of a picture of W × H pixels
+It folds over where 2π amplitude > wavelength.
+)",
         .parameters =
             {number_parameter("amplitude", 0.01,
                               "amplitude of the waves, as a fraction of the height"),
@@ -149,8 +161,12 @@ std::vector<StageEntry> picture_warps() {
          .name = "formula",
          .meaning =
              "a map of the picture: formula(x, y) = [x', y'], from -1 to 1, to the right and up",
+         .formula = R"(
+(X′, Y′) = [a, b]      X = 2x/W − 1,   Y = 1 − 2y/H,   X′ and Y′ likewise
+(x, y)   the point in pixels from the top left of a picture of W × H pixels
+)",
          .make = [](const Arguments& a) { return made<PictureFormula>(a.formula()); },
-         .formula = FormulaShape{2, 2, 2},
+         .shape = FormulaShape{2, 2, 2},
          .example = R"(camera barrel {
     arrange formula(x, y) = [x*(0.8 + 0.1*(x^2 + y^2)), y*(0.8 + 0.1*(x^2 + y^2))]
     map     u = 60deg .. -60deg, v = square

@@ -100,6 +100,10 @@ std::vector<StageEntry> arc_length_curve() {
          .name = "arc_length",
          .meaning =
              "any curve by arc length, for u from 0 to 1: equal steps of u have equal lengths",
+         .formula = R"(
+p = c(w)      c = curve,   0 ≤ u ≤ 1
+∫ |c′| from `from` to w  =  u ∫ |c′| from `from` to `to`
+)",
          .parameters =
              {curve_parameter("curve", "the curve; it cannot change with time"),
               {.name = "from",

@@ -169,6 +169,14 @@ std::vector<StageEntry> conics() {
         {.kind = kind,
          .name = "ellipse",
          .meaning = "x^2/a^2 + y^2/b^2 = 1, as a curve in u",
+         .formula = R"(
+trigonometric   p = (a cos u, b sin u)
+arc_length      the same point at the length of the curve u/360° of the whole
+polar           p = r (cos u, sin u),   r = a b/√(b² cos² u + a² sin² u)
+focal           p = (c + r cos u, r sin u)
+                r = b²/(a + c cos u),   c = √(a² − b²)
+                u counter-clockwise from the near vertex (a, 0)
+)",
          .parameters = half_axes(parametrisation(
              {"trigonometric", "arc_length", "polar", "focal"},
              "the parametrisation: u is the classical parameter, the eccentric anomaly; "
@@ -190,6 +198,16 @@ camera oval_table(a = 3, b = 1) {
         {.kind = kind,
          .name = "hyperbola",
          .meaning = "the branch x > 0 of x^2/a^2 - y^2/b^2 = 1, as a curve in u",
+         .formula = R"(
+hyperbolic      p = (a cosh u, b sinh u)
+cartesian       p = (a √(1 + u²), b u)
+trigonometric   p = (a/cos u, b tan u),   |u| < 90°
+polar           p = r (cos u, sin u),   r = a b/√(b² cos² u − a² sin² u)
+focal           p = (c − r cos u, r sin u)
+                r = b²/(a + c cos u) > 0,   c = √(a² + b²)
+                u clockwise from the direction of the vertex (a, 0), so that y
+                has the sign of u
+)",
          .parameters = half_axes(parametrisation(
              {"hyperbolic", "cartesian", "trigonometric", "polar", "focal"},
              "the parametrisation: u is the hyperbolic parameter; y/b; the classical angle (below "
@@ -210,6 +228,13 @@ camera both_walls {
         {.kind = kind,
          .name = "parabola",
          .meaning = "y^2 = 4 focus x, as a curve in u",
+         .formula = R"(
+cartesian   p = (u²/(4 focus), u)
+focal       p = (focus − r cos u, r sin u),   r = 2 focus/(1 + cos u)
+              = (focus tan²(u/2), 2 focus tan(u/2)),   |u| < 180°
+            u clockwise from the direction of the vertex (0, 0), so that y has
+            the sign of u
+)",
          .parameters = {positive_parameter(
                             "focus", 1.0,
                             "distance from the vertex, at the origin, to the focus at x > 0"),
@@ -235,6 +260,10 @@ camera comet(focus = 2) {
         {.kind = kind,
          .name = "superparabola",
          .meaning = "x/a = |y/b|^e with e = 2/gamma, as a curve in u",
+         .formula = R"(
+cartesian   p = (a |u|^e, b u)      e = 2/gamma
+root        p = (a u², b sign(u) |u|^gamma)
+)",
          .parameters =
              {positive_parameter("a", 1.0, "x where y is b"),
               positive_parameter("b", 1.0, "y where x is a"),

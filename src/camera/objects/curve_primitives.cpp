@@ -76,6 +76,9 @@ std::vector<StageEntry> curve_primitives() {
         {.kind = kind,
          .name = "segment",
          .meaning = "the line segment between two points, u from 0 to 1",
+         .formula = R"(
+p = from + u (to − from)      0 ≤ u ≤ 1
+)",
          .parameters = {triple_parameter("from", {0.0, 0.0, 0.0}, "the point at u = 0"),
                         triple_parameter("to", {1.0, 0.0, 0.0}, "the point at u = 1")},
          .make = [](const Arguments& a) { return made<Segment>(a.triple("from"), a.triple("to")); },
@@ -91,6 +94,9 @@ camera street(length = 12) {
         {.kind = kind,
          .name = "arc",
          .meaning = "a circular arc around the z axis, u from 0 to 1",
+         .formula = R"(
+p = (radius cos φ, radius sin φ, 0)      φ = from + u (to − from),   0 ≤ u ≤ 1
+)",
          .parameters = {positive_parameter("radius", 1.0, "the radius"),
                         end_angle("from", 0.0, "the angle where u is 0"),
                         end_angle("to", 0.5 * std::numbers::pi, "the angle where u is 1")},
@@ -110,6 +116,9 @@ camera walk(radius = 4) {
         {.kind = kind,
          .name = "helix",
          .meaning = "a helix around the z axis, by angle",
+         .formula = R"(
+p = (radius cos u, radius sin u, pitch u/2π)
+)",
          .parameters = {positive_parameter("radius", 1.0, "distance from the axis"),
                         number_parameter("pitch", 1.0, "rise per turn")},
          .make =

@@ -45,8 +45,11 @@ std::vector<StageEntry> formula_objects() {
         {.kind = kind,
          .name = "curve",
          .meaning = "a curve from a formula: curve(u) = [x, y] or [x, y, z]",
+         .formula = R"(
+p = (x, y, z)      z = 0 if there are two results
+)",
          .make = [](const Arguments& a) { return made<FormulaCurve>(a.formula()); },
-         .formula = FormulaShape{1, 2, 3},
+         .shape = FormulaShape{1, 2, 3},
          .dimension = 1,
          .section = "Objects from formulas",
          .example = R"(
@@ -60,8 +63,11 @@ camera valley_walk {
         {.kind = kind,
          .name = "surface",
          .meaning = "a surface from a formula: surface(u, v) = [x, y, z]",
+         .formula = R"(
+p = (x, y, z)
+)",
          .make = [](const Arguments& a) { return made<FormulaSurface>(a.formula()); },
-         .formula = FormulaShape{2, 3, 3},
+         .shape = FormulaShape{2, 3, 3},
          .dimension = 2,
          .section = "Objects from formulas",
          .example = R"(

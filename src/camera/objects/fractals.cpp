@@ -99,6 +99,13 @@ std::vector<StageEntry> fractals() {
          .name = "fractal_plane",
          .meaning =
              "a fractal landscape, z = height over (x, y) = (u, v), by fractional Brownian motion",
+         .formula = R"(
+p = (u, v, H(u, v, 0))
+H(q) = height Σᵢ gⁱ N(lⁱ Rᵢ q/scale + oᵢ) / √(Σᵢ g²ⁱ)      i = 0 … octaves − 1
+l = lacunarity,   g = l^(−hurst)
+N   a cubic B-spline over random values of mean 0 and variance 1, one unit
+    apart, with period 8;   Rᵢ, oᵢ   a random rotation and offset of each octave
+)",
          .parameters = height_field_parameters(),
          .make = [](const Arguments& a) { return made<FractalPlane>(HeightField(a)); },
          .dimension = 2,
@@ -116,6 +123,13 @@ camera frosted_glass {
          .name = "fractal_sphere",
          .meaning = "a fractal planet by longitude u and latitude v, heights by fractional "
                     "Brownian motion",
+         .formula = R"(
+p = (radius + H(radius e)) e      e = (cos u cos v, sin u cos v, sin v)
+H(q) = height Σᵢ gⁱ N(lⁱ Rᵢ q/scale + oᵢ) / √(Σᵢ g²ⁱ)      i = 0 … octaves − 1
+l = lacunarity,   g = l^(−hurst)
+N   a cubic B-spline over random values of mean 0 and variance 1, one unit
+    apart, with period 8;   Rᵢ, oᵢ   a random rotation and offset of each octave
+)",
          .parameters = std::move(sphere_parameters),
          .make =
              [](const Arguments& a) {

@@ -353,6 +353,13 @@ std::vector<StageEntry> mesh_surface() {
         {.kind = StageKind::object_generator,
          .name = "mesh",
          .meaning = "the surface of a triangle mesh from a file, by its texture coordinates",
+         .formula = R"(
+p = b₁P₁ + b₂P₂ + b₃P₃
+in the triangle with (u, v) = b₁t₁ + b₂t₂ + b₃t₃,   bᵢ ≥ 0,   b₁ + b₂ + b₃ = 1
+n = b₁n₁ + b₂n₂ + b₃n₃ for smooth, (P₂ − P₁) × (P₃ − P₁) for flat
+Pᵢ, tᵢ, nᵢ   positions, texture coordinates and normals of the corners
+no ray outside all triangles
+)",
          .parameters = {{.name = "file",
                          .type = MeshParameter{},
                          .meaning =

@@ -111,6 +111,9 @@ std::vector<StageEntry> primitives() {
         {.kind = kind,
          .name = "point",
          .meaning = "a single point",
+         .formula = R"(
+p = (x, y, z)
+)",
          .parameters = {coordinate("x"), coordinate("y"), coordinate("z")},
          .make = [](const Arguments& a) { return made<Point>(xyz_of(a)); },
          .example = R"(
@@ -125,6 +128,9 @@ camera all_round {
         {.kind = kind,
          .name = "line",
          .meaning = "at + u along",
+         .formula = R"(
+p = at + u along
+)",
          .parameters = {triple_parameter("at", {0.0, 0.0, 0.0}, "the point at u = 0"),
                         triple_parameter("along", {1.0, 0.0, 0.0}, "the vector for one unit of u")},
          .make = [](const Arguments& a) { return made<Line>(a.triple("at"), a.triple("along")); },
@@ -140,6 +146,9 @@ camera train_window {
         {.kind = kind,
          .name = "circle",
          .meaning = "a circle around the z axis in the plane z = 0, by angle",
+         .formula = R"(
+p = (radius cos u, radius sin u, 0)
+)",
          .parameters = {radius()},
          .make = [](const Arguments& a) { return made<Circle>(a.number("radius")); },
          .dimension = 1,
@@ -154,6 +163,9 @@ camera flight(R = 10, r = 2) {
         {.kind = kind,
          .name = "plane",
          .meaning = "at + u along_u + v along_v",
+         .formula = R"(
+p = at + u along_u + v along_v
+)",
          .parameters = {triple_parameter("at", {0.0, 0.0, 0.0}, "the point at u = v = 0"),
                         triple_parameter("along_u", {0.0, 1.0, 0.0},
                                          "the vector for one unit of u"),
@@ -175,6 +187,9 @@ camera flat {
         {.kind = kind,
          .name = "cylinder",
          .meaning = "a cylinder around the z axis, by angle u and height v",
+         .formula = R"(
+p = (radius cos u, radius sin u, v)
+)",
          .parameters = {radius()},
          .make = [](const Arguments& a) { return made<Cylinder>(a.number("radius")); },
          .dimension = 2,
@@ -190,6 +205,9 @@ camera unrolled_vase {
          .name = "torus",
          .meaning =
              "a torus around the z axis, by the angles u around the axis and v around the tube",
+         .formula = R"(
+p = (r cos u, r sin u, minor sin v)      r = major + minor cos v
+)",
          .parameters = {positive_parameter("major", 1.0,
                                            "distance from the axis to the centre of the tube"),
                         positive_parameter("minor", 1.0, "radius of the tube")},

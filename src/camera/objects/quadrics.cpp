@@ -158,6 +158,11 @@ std::vector<StageEntry> quadrics() {
          .name = "ellipsoid",
          .meaning =
              "x^2/a^2 + y^2/b^2 + z^2/c^2 = 1, u around the z axis and v upwards from the equator",
+         .formula = R"(
+p = (g₁(u) h₁(v), g₂(u) h₁(v), h₂(v))
+g = ellipse(1, b/a, by),   h = ellipse(a, c, by)
+trigonometric   p = (a cos u cos v, b sin u cos v, c sin v)
+)",
          .parameters = half_axes() + by_ellipses_of_quadrics(),
          .make = make_ellipsoid,
          .dimension = 2,
@@ -175,6 +180,10 @@ camera dome {
          .meaning = "product of two superellipses, (|x/a|^e + |y/b|^e)^(f/e) + |z/c|^f = 1 with e "
                     "= 2/gamma_u "
                     "and f = 2/gamma_v",
+         .formula = R"(
+p = (g₁(u) h₁(v), g₂(u) h₁(v), h₂(v))
+g = superellipse(1, b/a, gamma_u, by),   h = superellipse(a, c, gamma_v, by)
+)",
          .parameters = half_axes() + gammas() + by_ellipses(),
          .make = make_ellipsoid,
          .dimension = 2,
@@ -193,6 +202,11 @@ camera long_room {
          .meaning = "the hyperboloid of one sheet, x^2/a^2 + y^2/b^2 - z^2/c^2 = 1, u around the z "
                     "axis and v "
                     "along it",
+         .formula = R"(
+p = (g₁(u) h₁(v), g₂(u) h₁(v), h₂(v))
+g = ellipse(1, b/a, trigonometric),   h = superhyperbola(a, c, 1, by)
+cartesian   p = (a √(1 + v²) cos u, b √(1 + v²) sin u, c v)
+)",
          .parameters = half_axes() + by_hyperbolas("by"),
          .make =
              [](const Arguments& arguments) {
@@ -215,6 +229,11 @@ camera cooling_tower {
          .meaning = "product of a superellipse and a superhyperbola, (|x/a|^e + |y/b|^e)^(f/e) - "
                     "|z/c|^f = 1 "
                     "with e = 2/gamma_u and f = 2/gamma_v",
+         .formula = R"(
+p = (g₁(u) h₁(v), g₂(u) h₁(v), h₂(v))
+g = superellipse(1, b/a, gamma_u, by_u)
+h = superhyperbola(a, c, gamma_v, by_v)
+)",
          .parameters = half_axes() + gammas() + by_ellipse_and_hyperbola(),
          .make = make_hyperboloid_one,
          .dimension = 2,
@@ -231,6 +250,11 @@ camera square_tower {
          .name = "hyperboloid_two",
          .meaning =
              "the sheet x > 0 of the hyperboloid of two sheets, x^2/a^2 - y^2/b^2 - z^2/c^2 = 1",
+         .formula = R"(
+p = (g₁(u) h₁(v), g₂(u) h₁(v), h₂(v))
+g = superhyperbola(1, b/a, 1, by),   h = superhyperbola(a, c, 1, by)
+hyperbolic   p = (a cosh u cosh v, b sinh u cosh v, c sinh v)
+)",
          .parameters = half_axes() + by_hyperbolas("by"),
          .make = make_hyperboloid_two,
          .dimension = 2,
@@ -250,6 +274,11 @@ camera wide_view {
                     "|z/c|^f = 1 with "
                     "e "
                     "= 2/gamma_u and f = 2/gamma_v",
+         .formula = R"(
+p = (g₁(u) h₁(v), g₂(u) h₁(v), h₂(v))
+g = superhyperbola(1, b/a, gamma_u, by)
+h = superhyperbola(a, c, gamma_v, by)
+)",
          .parameters = half_axes() + gammas() + by_hyperbolas("by"),
          .make = make_hyperboloid_two,
          .dimension = 2,
@@ -268,6 +297,11 @@ camera wall_of_pictures {
          .meaning = "a torus whose centre line and tube are ellipses, u around the z axis and v "
                     "around the "
                     "tube",
+         .formula = R"(
+p = (g₁(u) h₁(v), g₂(u) h₁(v), h₂(v))
+g = ellipse(1, b/a, by),   h = (a, 0) + ellipse(tube, c, by)
+trigonometric   p = (r cos u, (b/a) r sin u, c sin v),   r = a + tube cos v
+)",
          .parameters = torus_measures() + by_ellipses_of_quadrics(),
          .make = make_toroid,
          .dimension = 2,
@@ -283,6 +317,11 @@ camera oval_ring {
         {.kind = kind,
          .name = "supertoroid",
          .meaning = "a torus whose centre line and tube are superellipses",
+         .formula = R"(
+p = (g₁(u) h₁(v), g₂(u) h₁(v), h₂(v))
+g = superellipse(1, b/a, gamma_u, by)
+h = (a, 0) + superellipse(tube, c, gamma_v, by)
+)",
          .parameters = torus_measures() + gammas() + by_ellipses(),
          .make = make_toroid,
          .dimension = 2,

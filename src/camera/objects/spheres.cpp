@@ -167,6 +167,20 @@ std::vector<StageEntry> spheres() {
          .meaning = "a sphere, by longitude u and latitude v or by a map projection; u = v = 0 is "
                     "on the x "
                     "axis",
+         .formula = R"(
+p = radius e with the unit vector e, and q = u² + v²:
+latitude         e = (cos u cos v, sin u cos v, sin v)
+stereographic    e = (4 − q, 4u, 4v)/(4 + q)
+equal_area       e = (1 − q/2, u √(1 − q/4), v √(1 − q/4)),   q < 4
+cylindrical_equal_area   e = (√(1 − v²) cos u, √(1 − v²) sin u, v),   |v| < 1
+mollweide        at longitude π u/(2√2 cos θ) and latitude φ,
+                 sin θ = v/√2,   π sin φ = 2θ + sin 2θ
+cube             on face (i, j) = (⌊(u + 1)/2⌋, ⌊(v + 1)/2⌋) of the cross, with
+                 s = u − 2i, t = v − 2j:  e = f/|f|,
+                 f = (1, s, t), turned by 90° i about z, if j = 0
+                 f = (−j t, s, j) otherwise
+equiangular_cube   the same with tan(π s/4) and tan(π t/4) for s and t
+)",
          .parameters =
              {positive_parameter("radius", 1.0, "the radius"),
               {.name = "by",

@@ -52,6 +52,9 @@ std::vector<StageEntry> spherical_product() {
         {.kind = StageKind::object_generator,
          .name = "product",
          .meaning = "spherical product (g1 h1, g2 h1, h2) of two plane curves g(u) and h(v)",
+         .formula = R"(
+p = (g₁(u) h₁(v), g₂(u) h₁(v), h₂(v))
+)",
          .parameters = {curve_parameter("g", "the horizontal cross-section, a curve in u"),
                         curve_parameter("h", "the vertical cross-section, a curve in v")},
          .make = [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {

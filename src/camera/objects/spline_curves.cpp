@@ -274,6 +274,11 @@ std::vector<StageEntry> spline_curves() {
         {.kind = kind,
          .name = "polyline",
          .meaning = "straight lines from point to point, for u from 0 to 1",
+         .formula = R"(
+p = Pᵢ + s (Pᵢ₊₁ − Pᵢ)      s = (u − uᵢ)/(uᵢ₊₁ − uᵢ) between uᵢ and uᵢ₊₁
+uᵢ   grows from 0 to 1 in steps in proportion to |Pᵢ₊₁ − Pᵢ|^α:
+     α = 0 for uniform, 1/2 for centripetal, 1 for chordal
+)",
          .parameters = {points_parameter({2, 3}, 2, "the corners, in sequence"),
                         spacing_parameter({"chordal", "uniform", "centripetal"}),
                         closed_parameter("closed", "whether the curve returns to the first point")},
@@ -291,6 +296,17 @@ camera angular_room {
          .name = "catmull_rom",
          .meaning = "a smooth curve through points, with tangents from neighbouring points, for u "
                     "from 0 to 1",
+         .formula = R"(
+p = (1 + 2s) (1 − s)² Pᵢ + s² (3 − 2s) Pᵢ₊₁
+    + hᵢ s (1 − s) ((1 − s) mᵢ − s mᵢ₊₁)
+s = (u − uᵢ)/hᵢ between uᵢ and uᵢ₊₁,   hᵢ = uᵢ₊₁ − uᵢ,   dᵢ = (Pᵢ₊₁ − Pᵢ)/hᵢ
+mᵢ = (hᵢ dᵢ₋₁ + hᵢ₋₁ dᵢ)/(hᵢ₋₁ + hᵢ),
+     the slope at Pᵢ of the parabola through it and its neighbours
+Ends of an open curve: m₀ = 2d₀ − m₁, so that the first piece is a parabola, or
+start_tangent/h₀; the last one likewise. Two points alone give a straight line.
+uᵢ   grows from 0 to 1 in steps in proportion to |Pᵢ₊₁ − Pᵢ|^α:
+     α = 0 for uniform, 1/2 for centripetal, 1 for chordal
+)",
          .parameters = interpolating_parameters(),
          .make = make_interpolating<Interpolation::catmull_rom>,
          .dimension = 1,
@@ -305,6 +321,17 @@ camera vase {
         {.kind = kind,
          .name = "natural_spline",
          .meaning = "the cubic spline through points, with continuous curvature, for u from 0 to 1",
+         .formula = R"(
+p = (1 + 2s) (1 − s)² Pᵢ + s² (3 − 2s) Pᵢ₊₁
+    + hᵢ s (1 − s) ((1 − s) mᵢ − s mᵢ₊₁)
+s = (u − uᵢ)/hᵢ between uᵢ and uᵢ₊₁,   hᵢ = uᵢ₊₁ − uᵢ,   dᵢ = (Pᵢ₊₁ − Pᵢ)/hᵢ
+mᵢ   solve  mᵢ₋₁/hᵢ₋₁ + 2 (1/hᵢ₋₁ + 1/hᵢ) mᵢ + mᵢ₊₁/hᵢ = 3 (dᵢ₋₁/hᵢ₋₁ + dᵢ/hᵢ),
+     which makes p″ continuous
+Ends of an open curve: p″ = 0, which leaves out the terms of the missing
+piece, or m₀ = start_tangent/h₀; the last one likewise.
+uᵢ   grows from 0 to 1 in steps in proportion to |Pᵢ₊₁ − Pᵢ|^α:
+     α = 0 for uniform, 1/2 for centripetal, 1 for chordal
+)",
          .parameters = interpolating_parameters(),
          .make = make_interpolating<Interpolation::natural>,
          .dimension = 1,
@@ -321,6 +348,11 @@ camera soft_tower {
         {.kind = kind,
          .name = "hermite",
          .meaning = "cubic segments between points with given tangents, for u from 0 to 1",
+         .formula = R"(
+p = (1 + 2s) (1 − s)² Pᵢ + s² (3 − 2s) Pᵢ₊₁
+    + s (1 − s) ((1 − s) Tᵢ − s Tᵢ₊₁)
+s = n u − i on segment i of n;   Tᵢ   the tangents
+)",
          .parameters =
              {points_parameter({2, 3}, 2, "the points on the curve, in sequence"),
               {.name = "tangents",
@@ -342,6 +374,10 @@ camera swerving_wall {
          .name = "bezier",
          .meaning = "a Bézier curve, which starts at its first point and ends at its last, for u "
                     "from 0 to 1",
+         .formula = R"(
+p = Σⱼ C(n, j) sʲ (1 − s)ⁿ⁻ʲ P_(kn + j)      j = 0 … n = degree
+s = m u − k on piece k of m
+)",
          .parameters =
              {points_parameter({2, 3}, 2, "the control points, at most 8 for each piece"),
               optional_degree_parameter("degree of each piece; by default there is one piece"),
@@ -358,6 +394,16 @@ camera vault {
         {.kind = kind,
          .name = "bspline",
          .meaning = "a B-spline curve, which approximates its points, for u from 0 to 1",
+         .formula = R"(
+p = Σᵢ Nᵢ(t) Pᵢ      Nᵢ   the B-splines of degree n on the knots t₀ ≤ t₁ ≤ …
+t grows from t_n to t_m with u, for m points
+clamped   n + 1 equal knots at each end, and steps of 1 between
+open      steps of 1
+closed    steps of 1, points repeated periodically; the curve starts where
+          the weight of P₀ is largest for odd n, (P_last + 4P₀ + P₁)/6 for
+          n = 3, and where those of P₀ and P₁ are equal for even n,
+          (P₀ + P₁)/2 for n = 2
+)",
          .parameters =
              {points_parameter({2, 3}, 2, "the control points"),
               optional_degree_parameter(
@@ -382,6 +428,11 @@ camera clover {
          .name = "nurbs",
          .meaning =
              "a rational B-spline curve, which can represent conics exactly, for u from 0 to 1",
+         .formula = R"(
+p = Σᵢ Nᵢ(t) wᵢ Pᵢ / Σᵢ Nᵢ(t) wᵢ      wᵢ   the weights
+Nᵢ   the B-splines of degree n on the knots, as for bspline
+t grows from t_n to t_m with u, for m points
+)",
          .parameters =
              {points_parameter({2, 3, 4}, 2,
                                "the control points; a fourth coordinate is the weight"),

@@ -214,6 +214,10 @@ std::vector<StageEntry> spline_surfaces() {
          .name = "bezier_patch",
          .meaning =
              "a Bézier surface, which interpolates the corners of its net, for u and v from 0 to 1",
+         .formula = R"(
+p = Σᵢⱼ Bᵢ(u) Bⱼ(v) Pᵢⱼ      Pᵢⱼ   the point in column i of row j
+B   the Bernstein polynomials of the piece, as for bezier
+)",
          .parameters =
              net_parameters({3}, "the control points, row by row; at most 8 per side of a piece") +
              std::vector{
@@ -238,6 +242,10 @@ camera sail {
         {.kind = kind,
          .name = "bspline_patch",
          .meaning = "a B-spline surface, which approximates its net, for u and v from 0 to 1",
+         .formula = R"(
+p = Σᵢⱼ Nᵢ(u) Nⱼ(v) Pᵢⱼ      Pᵢⱼ   the point in column i of row j
+N   the B-splines of each side, as for bspline
+)",
          .parameters = net_parameters({3}, "the control points, row by row") +
                        std::vector{optional_degree_parameter(bspline_degree, "degree_u"),
                                    optional_degree_parameter(bspline_degree, "degree_v"),
@@ -262,6 +270,11 @@ camera leaning_tube {
          .meaning = "a rational B-spline surface, which can represent quadrics exactly, for u and "
                     "v from 0 to "
                     "1",
+         .formula = R"(
+p = Σᵢⱼ Nᵢ(u) Nⱼ(v) wᵢⱼ Pᵢⱼ / Σᵢⱼ Nᵢ(u) Nⱼ(v) wᵢⱼ
+Pᵢⱼ, wᵢⱼ   the point in column i of row j and its weight
+N   the B-splines of each side, as for nurbs
+)",
          .parameters =
              net_parameters({3, 4},
                             "the control points, row by row; a fourth coordinate is the "
@@ -287,6 +300,12 @@ camera apse {
         {.kind = kind,
          .name = "interpolating_patch",
          .meaning = "a smooth surface through the points of a net, for u and v from 0 to 1",
+         .formula = R"(
+p = Σᵢⱼ Lᵢ(u) Lⱼ(v) Pᵢⱼ      Pᵢⱼ   the point in column i of row j
+Lᵢ   the curve of `by`, catmull_rom or natural_spline, with spacing = uniform,
+     through 1 at uᵢ and 0 at all other uₖ
+uᵢ = i/(columns − 1), or i/columns if closed; vⱼ likewise
+)",
          .parameters =
              net_parameters({3},
                             "the points on the surface, row by row, evenly spaced "

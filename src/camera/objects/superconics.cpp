@@ -245,6 +245,12 @@ std::vector<StageEntry> superconics() {
         {.kind = kind,
          .name = "superellipse",
          .meaning = "|x/a|^e + |y/b|^e = 1 with e = 2/gamma, as a curve in u",
+         .formula = R"(
+angle_centre    p = r (a cos u, b sin u),   r = (|cos u|^e + |sin u|^e)^(−1/e)
+trigonometric   p = (a cos^[gamma] u, b sin^[gamma] u)
+arc_length      the same curve at the length u/360° of the whole
+e = 2/gamma,   x^[g] = sign(x) |x|^g
+)",
          .parameters =
              {positive_parameter("a", 1.0, "half axis along x"),
               positive_parameter("b", 1.0, "half axis along y"),
@@ -277,6 +283,14 @@ camera round_the_block {
         {.kind = kind,
          .name = "superhyperbola",
          .meaning = "one branch, x > 0, of |x/a|^e - |y/b|^e = 1 with e = 2/gamma, as a curve in u",
+         .formula = R"(
+cartesian       p = (a (1 + |u|^e)^(1/e), b u)
+hyperbolic      p = (a cosh^[gamma] u, b sinh^[gamma] u)
+trigonometric   p = (a (1/cos u)^[gamma], b tan^[gamma] u),   |u| < 90°
+angle_centre    p = r (a cos u, b sin u),   r = (|cos u|^e − |sin u|^e)^(−1/e),
+                |u| < 45°
+e = 2/gamma,   x^[g] = sign(x) |x|^g
+)",
          .parameters =
              {positive_parameter("a", 1.0, "half axis along x"),
               positive_parameter("b", 1.0, "half axis along y"),

@@ -145,6 +145,12 @@ std::vector<StageEntry> surface_primitives() {
         {.kind = kind,
          .name = "disc",
          .meaning = "a disc around the z axis in the plane z = 0, whose front faces up",
+         .formula = R"(
+polar        p = radius v (cos u, sin u, 0)      0 ≤ v ≤ 1
+concentric   p = radius u (cos φ, sin φ, 0),  φ = (π/4) v/u   where |v| < |u|
+             p = radius v (sin φ, cos φ, 0),  φ = (π/4) u/v   elsewhere
+             |u| ≤ 1, |v| ≤ 1      (P. Shirley and K. Chiu, 1997)
+)",
          .parameters =
              {positive_parameter("radius", 1.0, "the radius"),
               {.name = "by",
@@ -172,6 +178,9 @@ camera round_window(radius = 2) {
          .meaning = "the part of the plane z = 0 between two circles around the z axis, whose "
                     "front faces up; "
                     "u is the angle, v runs from 0 at the inner to 1 at the outer circle",
+         .formula = R"(
+p = r (cos u, sin u, 0)      r = inner + v (outer − inner),   0 ≤ v ≤ 1
+)",
          .parameters = {{.name = "inner",
                          .type = NumberParameter{.default_value = 0.5, .range = {.minimum = 0.0}},
                          .meaning = "radius of the inner circle"},
@@ -193,6 +202,9 @@ camera arena {
          .name = "cone",
          .meaning =
              "a cone or a frustum around the z axis, by angle u and height v; ends at its apex",
+         .formula = R"(
+p = (r cos u, r sin u, v)      r = radius + v (top − radius)/height ≥ 0
+)",
          .parameters = {{.name = "radius",
                          .type = NumberParameter{.default_value = 1.0, .range = {.minimum = 0.0}},
                          .meaning = "radius at height 0"},
@@ -217,6 +229,10 @@ camera roof {
         {.kind = kind,
          .name = "paraboloid",
          .meaning = "the elliptic paraboloid z = x^2/a^2 + y^2/b^2",
+         .formula = R"(
+polar       p = (a v cos u, b v sin u, v²)
+cartesian   p = (a u, b v, u² + v²)
+)",
          .parameters = std::move(paraboloid_parameters),
          .make =
              [](const Arguments& a) {
@@ -236,6 +252,9 @@ camera headlight {
         {.kind = kind,
          .name = "hyperbolic_paraboloid",
          .meaning = "the saddle z = x^2/a^2 - y^2/b^2 by u = x/a and v = y/b, whose front faces up",
+         .formula = R"(
+p = (a u, b v, u² − v²)
+)",
          .parameters = half_widths(),
          .make = [](const Arguments& a) { return made<CartesianParaboloid>(axes_of(a), -1.0); },
          .dimension = 2,
@@ -252,6 +271,9 @@ camera saddle {
          .name = "mobius_band",
          .meaning = "a twisted band around the z axis, by the angle u and the distance v "
                     "from its centre circle",
+         .formula = R"(
+p = (r cos u, r sin u, v sin φ)      r = radius + v cos φ,   φ = half_turns u/2
+)",
          .parameters = {positive_parameter("radius", 1.0, "radius of its centre circle"),
                         {.name = "half_turns",
                          .type = CountParameter{.default_value = 1.0,

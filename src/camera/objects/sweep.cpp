@@ -141,6 +141,18 @@ std::vector<StageEntry> sweeps() {
          .meaning = "a curve, the profile, swept along another, the path: u is the path's own "
                     "parameter, v "
                     "that of the profile",
+         .formula = R"(
+p = c(w) + X right + Y up + z T      (x, y, z) = profile(v),   c = path
+(X, Y) = (k x, l y), rotated by s twist,   (k, l) = scale(s)
+s = (u − from)/(to − from), modulo 1 if the path is closed
+w = from + s (to − from)
+T = c′/|c′|,   right = T × up
+up   upright: the part of `up` perpendicular to T, at unit length
+     rotation_minimising: that at the start, then up′ = −(up·T′) T; along a
+     closed path it turns by a further s β about T, with the β that closes it
+β and twist are even in s, the path's own parameter; for a path
+arc_length(curve) they are even in length.
+)",
          .parameters =
              {curve_parameter(
                   "profile",

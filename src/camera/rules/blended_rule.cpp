@@ -24,6 +24,12 @@ public:
     bool needs_direction_object() const final {
         return first_->needs_direction_object() || second_->needs_direction_object();
     }
+    int min_direction_dimension() const final {
+        return std::max(first_->min_direction_dimension(), second_->min_direction_dimension());
+    }
+    bool needs_second_derivative() const final {
+        return first_->needs_second_derivative() || second_->needs_second_derivative();
+    }
     ObjectVector direction(const PathPoint& eye, const PathPoint* toward,
                            Emitter& emit) const final {
         const std::array uv{eye.parameters.u, eye.parameters.v};
@@ -80,6 +86,12 @@ std::vector<StageEntry> blended_rule() {
         {.kind = StageKind::direction_rule,
          .name = "blend",
          .meaning = "interpolates two rules by a formula of the eye object's parameters",
+         .formula = R"(
+mixing   d = (1 − w) a + w b
+angle    d = a cos(w θ) + c sin(w θ),   θ = ∠(a, b)
+         c   the unit vector perpendicular to a on the side of b
+a, b   the unit directions of first and second;   w = weight(u, v)
+)",
          .parameters =
              {rule("first", "the rule where the weight is 0"),
               rule("second", "the rule where the weight is 1"),

@@ -75,6 +75,10 @@ std::vector<StageEntry> direction_rules() {
         {.kind = kind,
          .name = "absolute",
          .meaning = "from the direction object's own origin to its point",
+         .formula = R"(
+d = q − q₀      q   the point of the direction object
+q₀   the origin (0, 0, 0), moved like the direction object
+)",
          .make = [](const Arguments&) { return made<AbsoluteRule>(); },
          .example = R"(
 // The directions of a panorama from points along a street: each column from one step further.
@@ -88,6 +92,9 @@ camera walking_panorama {
         {.kind = kind,
          .name = "relative",
          .meaning = "from the eye point to the point of the direction object",
+         .formula = R"(
+d = q − p      q   the point of the direction object,   p   the eye point
+)",
          .make = [](const Arguments&) { return made<RelativeRule>(); },
          .example = R"(
 // Perspective projection: all rays start at one point and pass through a plane.
@@ -101,6 +108,9 @@ camera perspective {
         {.kind = kind,
          .name = "tangent",
          .meaning = "along a tangent of the eye object",
+         .formula = R"(
+d = ±∂p/∂u or ±∂p/∂v      + forward, − backward
+)",
          .parameters = {{.name = "along",
                          .type = ChoiceParameter{.choices = {"u", "v"}},
                          .meaning = "the increasing parameter: u or, for a surface, v"},
@@ -124,6 +134,9 @@ camera round_the_pillar {
         {.kind = kind,
          .name = "along",
          .meaning = "along a fixed vector in the camera's axes, which moves do not rotate",
+         .formula = R"(
+d = direction
+)",
          .parameters = {{.name = "direction",
                          .type = TripleParameter{.names_axes = true},
                          .meaning = "x, y, z, -z or a vector"}},

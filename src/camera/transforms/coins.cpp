@@ -127,6 +127,12 @@ std::vector<StageEntry> coins() {
         {.kind = kind,
          .name = "coin",
          .meaning = "centre of interest: points near it move towards it, so that it appears larger",
+         .formula = R"(
+p′ = p + s (at − p)
+s = strength f(q),   q = |p − at|²/radius²
+f = exp(−q) for gaussian, 1/(1 + q) for inverse, max(1 − √q, 0) for linear,
+    max(1 − q, 0)³ for smooth
+)",
          .parameters = {{.name = "at", .type = TripleParameter{}, .meaning = "the centre"},
                         strength,
                         radius,
@@ -148,6 +154,13 @@ std::vector<StageEntry> coins() {
         {.kind = kind,
          .name = "coins",
          .meaning = "several centres of interest at once, which share the points between them",
+         .formula = R"(
+p′ = p + Σᵢ wᵢ (cᵢ − p)/(1 + Σᵢ wᵢ)      cᵢ   the centres
+wᵢ = sᵢ/(1 − sᵢ),   sᵢ = strengthᵢ f(qᵢ),   qᵢ = |p − cᵢ|²/radiusᵢ²
+f = exp(−q) for gaussian, 1/(1 + q) for inverse, max(1 − √q, 0) for linear,
+    max(1 − q, 0)³ for smooth
+One centre alone acts as coin; where many overlap, none moves points past it.
+)",
          .parameters =
              {{.name = "points",
                .type = PointsParameter{.coordinates = {3, 5}},

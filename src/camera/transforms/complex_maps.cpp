@@ -198,6 +198,11 @@ std::vector<StageEntry> complex_maps() {
         {.kind = kind,
          .name = "power",
          .meaning = "z^w of z = u + i v; a whole w from 1 to 16 has no branch cut",
+         .formula = R"(
+u′ + i v′ = at + z^w = at + exp(w log z)
+z = (u − at₁) + i (v − at₂),   w = exponent + i imaginary
+log z = log |z| + i arg z with cut − 360° < arg z ≤ cut
+)",
          .parameters = {number_parameter("exponent", 2.0, "the real part of w"),
                         number_parameter("imaginary", 0.0, "the imaginary part of w"),
                         cut_parameter(), center},
@@ -215,6 +220,9 @@ std::vector<StageEntry> complex_maps() {
         {.kind = kind,
          .name = "exponential",
          .meaning = "e^z of z = u + i v: columns become circles, rows become rays from (0, 0)",
+         .formula = R"(
+u′ + i v′ = exp(u + i v) = exp(u) (cos v + i sin v)
+)",
          .make = [](const Arguments&) { return made<Exponential>(); },
          .example = R"(camera exponential {
     map    u = 180deg .. -180deg, v = square
@@ -227,6 +235,10 @@ std::vector<StageEntry> complex_maps() {
          .meaning = "log z of z = u + i v: unrolls the surroundings of (0, 0): u becomes the "
                     "logarithm of the "
                     "distance and v the angle",
+         .formula = R"(
+u′ + i v′ = log z = log |z| + i arg z      z = u + i v ≠ 0
+cut − 360° < arg z ≤ cut
+)",
          .parameters = {cut_parameter()},
          .make = [](const Arguments& a) { return made<Logarithm>(a.number("cut")); },
          .example = R"(camera logarithm {
@@ -238,6 +250,10 @@ std::vector<StageEntry> complex_maps() {
          .name = "moebius",
          .meaning =
              "(a z + b) / (c z + d) of z = u + i v: circles and lines become circles and lines",
+         .formula = R"(
+u′ + i v′ = (a z + b)/(c z + d)      z = u + i v
+no ray where c z + d = 0
+)",
          .parameters = {complex_parameter("a", 1.0, "(real part, imaginary part)"),
                         complex_parameter("b", 0.0, "(real part, imaginary part)"),
                         complex_parameter("c", 0.0, "(real part, imaginary part)"),
@@ -262,6 +278,16 @@ std::vector<StageEntry> complex_maps() {
                     "`scale` times "
                     "and "
                     "joins itself",
+         .formula = R"(
+u′ + i v′ = at + scale^k z^α      z = (u − at₁) + i (v − at₂)
+α = 1 − i turns log(scale)/2π for grows = clockwise, 1 + i … for the other
+z^α = exp(α log z) with −180° < arg z ≤ 180°
+k   the whole number with 1/scale < scale^k m ≤ 1, where for z^α = a + i b
+    m = max(|a|/frame₁, |b|/frame₂) for rectangle,
+    m = √((a/frame₁)² + (b/frame₂)²) for ellipse
+(B. de Smit and H. W. Lenstra, "The Mathematical Structure of Escher's Print
+Gallery", 2003: theirs is turns = 1, scale = 256.)
+)",
          .parameters =
              {{.name = "scale",
                .type = NumberParameter{.default_value = 256.0,

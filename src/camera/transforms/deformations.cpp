@@ -171,6 +171,11 @@ std::vector<StageEntry> deformations() {
         {.kind = kind,
          .name = "twist",
          .meaning = "rotates about an axis, by an angle that increases along it",
+         .formula = R"(
+p′ = p, rotated about the line at + λ n by τ angle
+h = n·d,   d = p − at,   n = axis/|axis|
+τ = (h − from)/(to − from), held within 0 and 1
+)",
          .parameters = deformation_parameters({{.name = "angle",
                                                 .type = NumberParameter{.unit = Unit::angle},
                                                 .meaning = "rotation between from and to"}}),
@@ -183,6 +188,11 @@ std::vector<StageEntry> deformations() {
         {.kind = kind,
          .name = "taper",
          .meaning = "scales perpendicular to an axis, by a factor that changes along it",
+         .formula = R"(
+p′ = at + h n + (1 + (factor − 1) τ) (d − h n)
+h = n·d,   d = p − at,   n = axis/|axis|
+τ = (h − from)/(to − from), held within 0 and 1
+)",
          .parameters = deformation_parameters(
              {positive_parameter("factor", 0.5, "scale at `to`; at `from` it is 1")}),
          .make = [](const Arguments& a) { return deformation<Taper>(a, "factor"); },
@@ -194,6 +204,14 @@ std::vector<StageEntry> deformations() {
         {.kind = kind,
          .name = "bend",
          .meaning = "bends an axis and its surroundings into an arc",
+         .formula = R"(
+p′ = p + (h′ − h) n + (m′ − m) e
+h′ = from + sin θ/k − m sin θ + (h − s) cos θ
+m′ = (1 − cos θ)/k + m cos θ + (h − s) sin θ
+h = n·d,   m = e·d,   d = p − at,   n = axis/|axis|
+e   the unit vector perpendicular to n on the side of toward
+s = h, held within from and to;   k = angle/(to − from);   θ = k (s − from)
+)",
          .parameters = deformation_parameters(
              {{.name = "angle",
                .type = NumberParameter{.unit = Unit::angle},

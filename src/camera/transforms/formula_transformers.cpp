@@ -43,8 +43,11 @@ std::vector<StageEntry> formula_transformers() {
         {.kind = StageKind::parameter_transformer,
          .name = "formula",
          .meaning = "a map of parameter space: formula(u, v) = [u', v']",
+         .formula = R"(
+(u′, v′) = [a, b]
+)",
          .make = [](const Arguments& a) { return made<ParameterFormula>(a.formula()); },
-         .formula = FormulaShape{2, 2, 2},
+         .shape = FormulaShape{2, 2, 2},
          .example = R"(
 // Looks through rippled glass.
 camera rippled {
@@ -57,8 +60,11 @@ camera rippled {
         {.kind = StageKind::object_transformer,
          .name = "formula",
          .meaning = "a map of object space: formula(x, y, z) = [x', y', z']",
+         .formula = R"(
+(x′, y′, z′) = [a, b, c]
+)",
          .make = [](const Arguments& a) { return made<ObjectFormula>(a.formula()); },
-         .formula = FormulaShape{3, 3, 3},
+         .shape = FormulaShape{3, 3, 3},
          .example = R"(
 // A plane bent by a wave: its normals diverge on crests and converge over troughs.
 camera bent {

@@ -209,6 +209,16 @@ std::vector<StageEntry> grids() {
          .meaning = "distorts parameter space by a lattice of control points; outside its box, the "
                     "offset of "
                     "the nearest border point applies",
+         .formula = R"(
+(u′, v′) = (u, v) + amount Σᵢⱼ Bᵢ(s) Bⱼ(t) Δᵢⱼ      i = column, j = row
+s = (columns − 1) (u − from₁)/(to₁ − from₁), t likewise from v and the rows
+Δ   the points, as offsets from a regular lattice on the box from … to
+B   b_spline: uniform cubic B-splines; the point beyond a border is
+    Δ₋₁ = 2Δ₀ − Δ₁, so that border points are interpolated
+    interpolating: natural cubic splines through the Δ, as products
+    bernstein: Bernstein polynomials of the degree of the points − 1
+Outside its box, a point takes the offset of the nearest point of the box.
+)",
          .parameters = parameter_grid_parameters(),
          .make = [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
              auto offsets = offsets_of(a, a.pair("from"), a.pair("to"), {"columns", "rows"});
@@ -231,6 +241,16 @@ std::vector<StageEntry> grids() {
          .meaning =
              "free-form deformation: distorts object space by a lattice of control points; outside "
              "its box, the offset of the nearest border point applies",
+         .formula = R"(
+p′ = p + amount Σᵢⱼₖ Bᵢ(r) Bⱼ(s) Bₖ(t) Δᵢⱼₖ      i = column, j = row, k = layer
+r = (columns − 1) (x − from₁)/(to₁ − from₁), s and t likewise from y and z
+Δ   the points, as offsets from a regular lattice on the box from … to
+B   b_spline: uniform cubic B-splines; the point beyond a border is
+    Δ₋₁ = 2Δ₀ − Δ₁, so that border points are interpolated
+    interpolating: natural cubic splines through the Δ, as products
+    bernstein: Bernstein polynomials of the degree of the points − 1
+Outside its box, a point takes the offset of the nearest point of the box.
+)",
          .parameters = object_grid_parameters(),
          .make = [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
              auto offsets =

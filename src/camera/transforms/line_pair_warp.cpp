@@ -102,6 +102,13 @@ std::vector<StageEntry> line_pair_warp() {
         {.kind = StageKind::parameter_transformer,
          .name = "line_pairs",
          .meaning = "field warping: lines in the picture move their surroundings (Beier and Neely)",
+         .formula = R"(
+X′ = X + amount Σ w (Y − X) / Σ w      sums over the line pairs
+Y = P′ + s (Q′ − P′) + h n′,   n′ = (Q′ − P′)⊥/|Q′ − P′|
+s = (X − P)·(Q − P)/|Q − P|²,   h = (X − P)·(Q − P)⊥/|Q − P|
+w = (|Q − P|^p/(a + d))^b,   d = the distance of X from the segment P Q
+(x, y)⊥ = (−y, x)      (T. Beier and S. Neely, SIGGRAPH 1992)
+)",
          .parameters =
              {{.name = "lines",
                .type = PointsParameter{.unit = Unit::parameter, .coordinates = {8}},

@@ -43,6 +43,13 @@ std::vector<StageEntry> local_zoom() {
          .name = "zoom",
          .meaning =
              "local zoom: magnifies around a point of parameter space and keeps the rest visible",
+         .formula = R"(
+(u′, v′) = at + s (u − at₁, v − at₂)
+s = 1 − (1 − 1/strength) (1 − q)³ where q < 1, otherwise 1
+q = ((u − at₁)/radius₁)² + ((v − at₂)/radius₂)²
+It folds over for strength < 32/81, where the slope along a radius,
+1 − (1 − 1/strength) (1 − q)² (1 − 7q), is negative around q = 3/7.
+)",
          .parameters = {{.name = "at",
                          .type = PairParameter{.unit = Unit::parameter},
                          .meaning = "the point (u, v)"},

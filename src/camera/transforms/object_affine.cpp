@@ -110,6 +110,9 @@ std::vector<StageEntry> object_affine() {
         {.kind = kind,
          .name = "translate",
          .meaning = "translates by a vector",
+         .formula = R"(
+p′ = p + (X, Y, Z)      X, Y, Z   the parameters x, y and z
+)",
          .parameters = {number_parameter("x", 0.0, "along x"),
                         number_parameter("y", 0.0, "along y"),
                         number_parameter("z", 0.0, "along z")},
@@ -126,6 +129,10 @@ camera moved {
         {.kind = kind,
          .name = "rotate",
          .meaning = "rotates about an axis, counter-clockwise as seen from its tip",
+         .formula = R"(
+p′ = at + d cos θ + (n × d) sin θ + (n·d) (1 − cos θ) n
+d = p − at,   n = axis/|axis|,   θ = angle
+)",
          .parameters = {axis("x, y, z or a vector"),
                         {.name = "angle",
                          .type = NumberParameter{.unit = Unit::angle},
@@ -149,6 +156,9 @@ camera from_above {
         {.kind = kind,
          .name = "scale",
          .meaning = "scales about a point",
+         .formula = R"(
+p′ = at + factor (p − at)
+)",
          .parameters = {{.name = "factor",
                          .type = NumberParameter{},
                          .meaning = "factor for all three axes"},
@@ -170,6 +180,10 @@ camera smaller {
         {.kind = kind,
          .name = "stretch",
          .meaning = "scales along each axis about a point",
+         .formula = R"(
+p′ = at + (X d₁, Y d₂, Z d₃)      d = p − at
+X, Y, Z   the parameters x, y and z
+)",
          .parameters = {number_parameter("x", 1.0, "factor along x"),
                         number_parameter("y", 1.0, "factor along y"),
                         number_parameter("z", 1.0, "factor along z"), center()},
@@ -189,6 +203,9 @@ camera egg {
                     "surface's front "
                     "becomes its "
                     "back",
+         .formula = R"(
+p′ = p − 2 (n·(p − at)) n      n = axis/|axis|
+)",
          .parameters = {axis("the plane's normal: x, y, z or a vector"), center()},
          .make = [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
              if (is_null(a.triple("axis"))) {
@@ -208,6 +225,10 @@ camera mirrored {
         {.kind = kind,
          .name = "affine",
          .meaning = "at + x (image of x) + y (image of y) + z (image of z)",
+         .formula = R"(
+p′ = at + x X + y Y + z Z      p = (x, y, z)
+X, Y, Z   the parameters x, y and z
+)",
          .parameters =
              {triple_parameter("x", {1.0, 0.0, 0.0}, "the image of (1, 0, 0), before adding `at`"),
               triple_parameter("y", {0.0, 1.0, 0.0}, "the image of (0, 1, 0), before adding `at`"),

@@ -94,6 +94,9 @@ std::vector<StageEntry> parameter_affine() {
         {.kind = kind,
          .name = "translate",
          .meaning = "(u + a, v + b)",
+         .formula = R"(
+(u′, v′) = (u + a, v + b)      a, b   the parameters u and v
+)",
          .parameters = {addend("u", "added to u"), addend("v", "added to v")},
          .make =
              [](const Arguments& a) {
@@ -111,6 +114,12 @@ camera aside {
         {.kind = kind,
          .name = "scale",
          .meaning = "scales about a point; a factor above 1 shows more of the object",
+         .formula = R"(
+u′ = at₁ + factor₁ (u − at₁)
+v′ = at₂ + factor₂ (v − at₂)
+The range that the picture shows grows by the factors, also the one that
+`square` chose before: its pixels stay square if factor₁ = ±factor₂.
+)",
          .parameters = {{.name = "factor",
                          .type = PairParameter{.one_for_both = true},
                          .meaning = "factors for u and v"},
@@ -128,6 +137,10 @@ camera wider {
         {.kind = kind,
          .name = "rotate",
          .meaning = "rotates (u, v) about a point, from u towards v",
+         .formula = R"(
+u′ = at₁ + (u − at₁) cos angle − (v − at₂) sin angle
+v′ = at₂ + (u − at₁) sin angle + (v − at₂) cos angle
+)",
          .parameters = {{.name = "angle",
                          .type = NumberParameter{.unit = Unit::angle},
                          .meaning = "angle of rotation"},
@@ -145,6 +158,9 @@ camera askew {
         {.kind = kind,
          .name = "shear",
          .meaning = "(u + a v, v + b u)",
+         .formula = R"(
+(u′, v′) = (u + a v, v + b u)      a, b   the parameters u and v
+)",
          .parameters = {number_parameter("u", 0.0, "the multiple of v added to u"),
                         number_parameter("v", 0.0, "the multiple of u added to v")},
          .make =
@@ -163,6 +179,9 @@ camera leaning {
         {.kind = kind,
          .name = "affine",
          .meaning = "at + u (image of u) + v (image of v)",
+         .formula = R"(
+(u′, v′) = at + u U + v V      U, V   the parameters u and v
+)",
          .parameters = {pair_parameter("u", {1.0, 0.0}, "the image of (1, 0), before adding `at`"),
                         pair_parameter("v", {0.0, 1.0}, "the image of (0, 1), before adding `at`"),
                         pair_parameter("at", {0.0, 0.0}, "the image of (0, 0)")},

@@ -3,6 +3,8 @@
 
 // Parameter and object transformers that apply a sequence of others a number of times.
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "camera/families.hpp"
@@ -17,7 +19,7 @@ constexpr double max_times = 64.0;
 constexpr std::size_t max_applied = 4096;
 
 template <class Port, class Point>
-class Repeat final : public Port {
+class Repeat : public Port {
 public:
     Repeat(std::size_t times, std::vector<std::shared_ptr<const Port>> stages)
         : times_(times), stages_(std::move(stages)) {}
@@ -42,15 +44,38 @@ public:
         return times_ * once;
     }
 
-private:
+protected:
     std::size_t times_;
     std::vector<std::shared_ptr<const Port>> stages_;
 };
 
-template <class Port, class Point>
+using ParameterRepeat = Repeat<ParameterTransformer, ParameterPoint>;
+
+/// Its stages may need the normals of the object.
+class ObjectRepeat final : public Repeat<ObjectTransformer, ObjectPoint> {
+public:
+    using Repeat::Repeat;
+    int min_dimension() const override {
+        int minimum = 0;
+        for (const ObjectTransformerPointer& stage : stages_) {
+            minimum = std::max(minimum, stage->min_dimension());
+        }
+        return minimum;
+    }
+    ObjectElement transform_element(const ObjectElement& e, Emitter& emit) const override {
+        ObjectElement moved = e;
+        for (std::size_t i = 0; i < times_; ++i) {
+            for (const ObjectTransformerPointer& stage : stages_) {
+                moved = stage->transform_element(moved, emit);
+            }
+        }
+        return moved;
+    }
+};
+
+template <class Concrete, class Port>
 Result<std::shared_ptr<const Stage>> make_repeat(const Arguments& a) {
-    auto repeat =
-        std::make_shared<const Repeat<Port, Point>>(a.count("times"), a.stages<Port>("stages"));
+    auto repeat = std::make_shared<const Concrete>(a.count("times"), a.stages<Port>("stages"));
     if (const std::size_t applied = repeat->applied(); applied > max_applied) {
         return error(fmt::format("nested repeats apply {} stages", applied), {},
                      fmt::format("reduce the repetitions to at most {} stages", max_applied));
@@ -76,8 +101,11 @@ std::vector<StageEntry> repeats() {
         {.kind = parameter_kind,
          .name = "repeat",
          .meaning = "applies parameter transformers repeatedly",
+         .formula = R"(
+(u′, v′) = (fₙ ∘ … ∘ f₂ ∘ f₁)^times (u, v)      f₁, …, fₙ   the stages
+)",
          .parameters = parameters(parameter_kind),
-         .make = make_repeat<ParameterTransformer, ParameterPoint>,
+         .make = make_repeat<ParameterRepeat, ParameterTransformer>,
          .example = R"(camera repeat {
     map    u = 1.4 .. -1.4, v = square
     warp   repeat(5, zoom(at = (0.6, 0), radius = 0.6, strength = 1.4), rotate(72deg))
@@ -87,8 +115,11 @@ std::vector<StageEntry> repeats() {
         {.kind = object_kind,
          .name = "repeat",
          .meaning = "applies object transformers repeatedly",
+         .formula = R"(
+p′ = (fₙ ∘ … ∘ f₂ ∘ f₁)^times (p)      f₁, …, fₙ   the stages
+)",
          .parameters = parameters(object_kind),
-         .make = make_repeat<ObjectTransformer, ObjectPoint>,
+         .make = make_repeat<ObjectRepeat, ObjectTransformer>,
          .example = R"(camera repeat {
     map    u = 1.6 .. -1.6, v = square
     eye    point

@@ -248,6 +248,16 @@ std::vector<StageEntry> seed_warps() {
          .name = "thin_plate",
          .meaning =
              "the smoothest warp that moves seed points to given positions, like a bent thin plate",
+         .formula = R"(
+(u′, v′) = (u, v) + amount (a₀ + A p + Σᵢ wᵢ φ(|p − pᵢ|))
+φ(r) = r² log r²
+p, pᵢ   the point and the n seeds minus the seeds' mean, divided by their spread
+        σ = √(mean squared distance of the seeds from their mean)
+a₀, A, w   solve, with the seeds' offsets Δᵢ,  Σ wᵢ = 0,  Σ wᵢ pᵢ = 0  and
+           a₀ + A pᵢ + Σₖ wₖ φ(|pᵢ − pₖ|) + n smoothing wᵢ = Δᵢ  for all i
+As scipy's RBFInterpolator(seeds, offsets, kernel="thin_plate_spline",
+smoothing=λ) with λ = smoothing n σ²/2.
+)",
          .parameters = thin_plate_parameters(parameter_kind),
          .make = thin_plate<ParameterOffset>,
          .example = R"(camera thin_plate {
@@ -261,6 +271,11 @@ std::vector<StageEntry> seed_warps() {
          .name = "inverse_distance",
          .meaning =
              "the mean of the offsets of seed points, weighted by inverse distance (Shepard)",
+         .formula = R"(
+(u′, v′) = (u, v) + amount Σᵢ wᵢ Δᵢ / Σᵢ wᵢ
+wᵢ = (d² + smoothing²)^(−power/2),   d = |(u, v) − pᵢ|/σ
+σ   √(mean squared distance of the seeds pᵢ from their mean); Δᵢ their offsets
+)",
          .parameters = inverse_distance_parameters(parameter_kind),
          .make = inverse_distance<ParameterOffset>,
          .example = R"(camera inverse_distance {
@@ -273,6 +288,16 @@ std::vector<StageEntry> seed_warps() {
         {.kind = object_kind,
          .name = "thin_plate",
          .meaning = "the smoothest deformation of space that moves seed points to given positions",
+         .formula = R"(
+p′ = p + amount (a₀ + A q + Σᵢ wᵢ φ(|q − qᵢ|))
+φ(r) = −r
+q, qᵢ   the point and the n seeds minus the seeds' mean, divided by their spread
+        σ = √(mean squared distance of the seeds from their mean)
+a₀, A, w   solve, with the seeds' offsets Δᵢ,  Σ wᵢ = 0,  Σ wᵢ qᵢ = 0  and
+           a₀ + A qᵢ + Σₖ wₖ φ(|qᵢ − qₖ|) + n smoothing wᵢ = Δᵢ  for all i
+As scipy's RBFInterpolator(seeds, offsets, kernel="linear", degree=1,
+smoothing=λ) with λ = smoothing n σ.
+)",
          .parameters = thin_plate_parameters(object_kind),
          .make = thin_plate<ObjectOffset>,
          .example = R"(camera thin_plate {
@@ -286,6 +311,11 @@ std::vector<StageEntry> seed_warps() {
          .meaning =
              "a deformation of space: the mean of the offsets of seed points, weighted by inverse "
              "distance",
+         .formula = R"(
+p′ = p + amount Σᵢ wᵢ Δᵢ / Σᵢ wᵢ
+wᵢ = (d² + smoothing²)^(−power/2),   d = |p − pᵢ|/σ
+σ   √(mean squared distance of the seeds pᵢ from their mean); Δᵢ their offsets
+)",
          .parameters = inverse_distance_parameters(object_kind),
          .make = inverse_distance<ObjectOffset>,
          .example = R"(camera inverse_distance {

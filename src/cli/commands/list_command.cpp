@@ -39,7 +39,13 @@ std::string stage_text(const StageEntry& row) {
                             type_text(parameter), built_in.empty() ? "" : ", default " + built_in,
                             parameter.meaning);
     }
-    return text;
+    std::istringstream formula{std::string(stage_formula(row))};
+    std::string line;
+    text += "\n";
+    while (std::getline(formula, line)) {
+        text += fmt::format("      {}\n", line);
+    }
+    return text + "\n";
 }
 
 nlohmann::json stage_json(const StageEntry& row) {
@@ -53,6 +59,7 @@ nlohmann::json stage_json(const StageEntry& row) {
     return {{"kind", name_of(row.kind)},
             {"name", row.name},
             {"meaning", row.meaning},
+            {"formula", stage_formula(row)},
             {"parameters", parameters}};
 }
 
@@ -277,7 +284,7 @@ void add_list_command(CLI::App& app, ExitCode& code) {
         "Examples:\n"
         "  balcony list                   all stages, one per line\n"
         "  balcony list direction_rules   the stages of one kind\n"
-        "  balcony list superellipse      one stage with its parameters\n"
+        "  balcony list superellipse      one stage with its parameters and its formula\n"
         "  balcony list cameras           the built-in cameras\n"
         "  balcony list gallery.cam       the cameras of a file");
     command->callback([options, &code] { code = list(*options); });

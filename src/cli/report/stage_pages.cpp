@@ -89,8 +89,8 @@ std::string code(const std::string& text) {
 
 std::string section(const StageEntry& row) {
     std::string text = fmt::format("## {}\n\n", row.name);
-    text += row.formula ? fmt::format("A formula: `{}`.\n", call_text(row))
-                        : fmt::format("`{}`: {}.\n", call_text(row), row.meaning);
+    text += row.shape ? fmt::format("A formula: `{}`.\n", call_text(row))
+                      : fmt::format("`{}`: {}.\n", call_text(row), row.meaning);
     if (!row.parameters.empty()) {
         text += "\n| parameter | type | default | range | meaning |\n|---|---|---|---|---|\n";
         for (const camera::StageParameter& parameter : row.parameters) {
@@ -101,6 +101,7 @@ std::string section(const StageEntry& row) {
                                 range_text(parameter), in_cell(parameter.meaning));
         }
     }
+    text += fmt::format("\n```text\n{}\n```\n", stage_formula(row));
     if (const std::string example = example_text(row); !example.empty()) {
         text += fmt::format("\n![{}](pictures/{}.png)\n\n```cam\n{}```\n", row.name,
                             example_name(row), example);
@@ -126,7 +127,12 @@ std::string index_text() {
         "# Stages\n\n"
         "All stages of cameras, grouped as in the founding paper. `scripts/pictures` generates\n"
         "these pages and their pictures from the catalogue of stages; `balcony list` prints the\n"
-        "same text in the terminal. [Drawing a camera](../drawing.md) explains the pictures.\n";
+        "same text in the terminal. [Drawing a camera](../drawing.md) explains the pictures.\n\n"
+        "Each stage has its formula. A prime marks the result of a transformer: it maps (u, v) to\n"
+        "(u′, v′), and p = (x, y, z) to p′. An object gives the point p at the parameters (u,\n"
+        "v), a direction rule the direction d, of any length. Indices count the coordinates of a\n"
+        "pair or triple, at = (at₁, at₂), or the points of a list. · and × are the products of\n"
+        "vectors. Where a formula has no finite value, there is no ray.\n";
     for (const Heading& heading : headings) {
         std::string rows;
         for (const StageEntry& row : camera::catalogue()) {

@@ -154,8 +154,15 @@ std::string range_text(const StageParameter& parameter) {
     return std::visit(RangeText{}, parameter.type);
 }
 
+std::string_view stage_formula(const camera::StageEntry& row) {
+    const std::size_t begin = row.formula.find_first_not_of('\n');
+    return begin == std::string_view::npos
+               ? std::string_view()
+               : row.formula.substr(begin, row.formula.find_last_not_of('\n') + 1 - begin);
+}
+
 std::string call_text(const camera::StageEntry& row) {
-    if (row.formula) {
+    if (row.shape) {
         return std::string(row.meaning.substr(row.meaning.find(fmt::format("{}(", row.name))));
     }
     std::vector<std::string> names;

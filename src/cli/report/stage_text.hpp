@@ -5,6 +5,7 @@
 // Describes rows of the catalogue as text.
 
 #include <string>
+#include <string_view>
 
 #include "balcony/catalogue.hpp"
 
@@ -18,6 +19,9 @@ namespace balcony::cli {
 
 /// "above 0", "-1 to 1", ...; empty if all values are valid.
 [[nodiscard]] std::string range_text(const camera::StageParameter& parameter);
+
+/// The lines of its formula, without empty ones at the begin and end.
+[[nodiscard]] std::string_view stage_formula(const camera::StageEntry& row);
 
 /// "torus(major, minor)", "curve(u) = [x, y, z]".
 [[nodiscard]] std::string call_text(const camera::StageEntry& row);

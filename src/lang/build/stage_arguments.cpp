@@ -45,7 +45,7 @@ const StageParameter* parameter_of_formula(const StageEntry& row, const Expressi
 
 bool is_stage_formula(const camera::Catalogue& catalogue, std::string_view name) {
     return std::any_of(catalogue.begin(), catalogue.end(),
-                       [name](const StageEntry& row) { return row.formula && row.name == name; });
+                       [name](const StageEntry& row) { return row.shape && row.name == name; });
 }
 
 // The parameters in the order of positional arguments: formulas are named by themselves,
@@ -97,11 +97,11 @@ std::string angle_remedy(const SourceSpan& place) {
 }  // namespace
 
 std::optional<Arguments> StageBuilder::arguments(const StageEntry& row, const Expression& call) {
-    if (row.formula && call.kind == ExpressionKind::formula) {
-        Located made = formula(row.name, *row.formula, call);
+    if (row.shape && call.kind == ExpressionKind::formula) {
+        Located made = formula(row.name, *row.shape, call);
         return bind(row, {{{row.name, std::move(made.value)}, std::move(made.place)}}, call.span);
     }
-    if (!row.formula && call.kind == ExpressionKind::formula) {
+    if (!row.shape && call.kind == ExpressionKind::formula) {
         error(call.span, fmt::format("'{}' does not take a formula", row.name),
               fmt::format("the syntax is {}", signature(row)));
         return std::nullopt;
@@ -110,12 +110,12 @@ std::optional<Arguments> StageBuilder::arguments(const StageEntry& row, const Ex
         return std::nullopt;
     }
     std::vector<Given> values;
-    if (!row.formula) {
+    if (!row.shape) {
         for (const Assigned& assigned : assign(row, call)) {
             values.push_back(given(assigned));
         }
     }
-    return bind(row, values, row.formula ? call.span : call.name.span);
+    return bind(row, values, row.shape ? call.span : call.name.span);
 }
 
 std::optional<Arguments> StageBuilder::arguments(const StageEntry& row,

@@ -67,7 +67,7 @@ StageBuilder::Stage StageBuilder::make_stage(StageKind kind, ExpressionId call) 
         return nullptr;
     }
     const std::optional<Arguments> given = arguments(*row, node);
-    return given ? make_from_row(*row, *given, row->formula ? node.name.span : node.span) : nullptr;
+    return given ? make_from_row(*row, *given, row->shape ? node.name.span : node.span) : nullptr;
 }
 
 StageBuilder::Stage StageBuilder::make_from_row(const StageEntry& row, const Arguments& arguments,
