@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <Imath/ImathColor.h>
@@ -82,8 +83,20 @@ struct Film {
     Region window;  ///< The pixels of the film, row by row from the window's top left.
 
     std::vector<Color4d> sum;             ///< Linear radiance, alpha; colour is premultiplied.
-    std::vector<Color4d> sum_of_squares;  ///< By channel; empty unless requested.
-    std::optional<DataLayers> layers;     ///< Filled by pass 0; absent unless requested.
+    std::vector<Color4d> sum_of_squares;  ///< Of `sum`, by channel; empty unless requested.
+    /// Display colours: frames and leader lines. They are linear and premultiplied like `sum`, but
+    /// exposure does not apply to them: 1 is the white of the display. Empty if there are none.
+    std::vector<Color4d> display;
+    /// The factors of the background that mirrors reflect, by colour; alpha is 0. Empty if no
+    /// material is a mirror.
+    std::vector<Color4d> mirrored;
+
+    /// The display colour behind the picture, from the settings of the job; transparent if empty.
+    /// It is not in the sums.
+    std::optional<Color3f> background{};
+    Color3f ambient{0.0F};  ///< The ambient radiance: what mirrors reflect without a background.
+
+    std::optional<DataLayers> layers;  ///< Filled by pass 0; absent unless requested.
 
     /// The first pass in the sums. A film that starts at a pass other than 0 contains a later part
     /// of the same render, and its data layers remain empty.
@@ -110,13 +123,20 @@ struct Film {
     }
 
     /// The mean of the samples of a pixel of the window, premultiplied by alpha; transparent if
-    /// there are none.
+    /// there are none. The background is seen in mirrors only.
     [[nodiscard]] Color4f pixel(std::size_t x, std::size_t y) const;
-    /// The unbiased estimate of the variance of one sample, by channel; the variance of pixel() is
-    /// this divided by the number of samples. Needs sum_of_squares; 0 below two samples.
+    [[nodiscard]] Color4f light(std::size_t x, std::size_t y) const;  ///< Without display colours.
+    [[nodiscard]] Color4f display_color(std::size_t x, std::size_t y) const;  ///< Only these.
+    /// The light of surfaces, without what mirrors reflect of the background.
+    [[nodiscard]] Color4f surface_light(std::size_t x, std::size_t y) const;
+    /// The unbiased estimate of the variance of one sample, by channel; the variance of
+    /// surface_light() is this divided by the number of samples. Needs sum_of_squares; 0 below two
+    /// samples.
     [[nodiscard]] Color4d variance(std::size_t x, std::size_t y) const;
 
 private:
+    [[nodiscard]] Color4f mean(const std::vector<Color4d>& sums, std::size_t x,
+                               std::size_t y) const;
     [[nodiscard]] std::size_t tile_columns() const;
     [[nodiscard]] std::size_t tile_rows() const;
 };
@@ -130,24 +150,43 @@ private:
 /// All of these write to a temporary file and then rename it, so the file is complete or unchanged;
 /// a failure is an error. NaN is written as 0.
 
-struct PngOptions {
-    double exposure = 0.0;  ///< In stops: colour is multiplied by 2^exposure.
-    int bits = 8;           ///< Bits per channel: 8 or 16.
+/// How exposed light becomes a display colour. The names are those of other programs.
+enum class ViewTransform : std::uint8_t {
+    /// Unchanged up to 0.8; above, the highlights are compressed below 1 and lose saturation: the
+    /// compression of the Khronos PBR Neutral Tone Mapper (2024).
+    neutral,
+    standard,  ///< Unchanged up to 1, and clipped above.
 };
 
-/// The exposure, in half stops, for a film whose light is far from the range of a screen, as
-/// in scenes with physical units: 0 if the median luminance of the non-transparent part is
-/// between nearly black (0.004) and a stop above white (2), otherwise the exposure that makes it
-/// middle grey (0.18).
+[[nodiscard]] std::string_view name_of(ViewTransform view);
+/// One line for documentation.
+[[nodiscard]] std::string_view meaning_of(ViewTransform view);
+[[nodiscard]] std::optional<ViewTransform> find_view_transform(std::string_view name);
+[[nodiscard]] std::vector<std::string> view_transform_names();
+
+/// The display colour of exposed light, linear, from 0 to 1 in each channel.
+[[nodiscard]] Color3f displayed(ViewTransform view, const Color3f& light);
+
+struct PngOptions {
+    double exposure = 0.0;  ///< In stops: light is multiplied by 2^exposure.
+    int bits = 8;           ///< Bits per channel: 8 or 16.
+    ViewTransform view = ViewTransform::neutral;
+};
+
+/// The exposure, in half stops, for a film whose light is far from the range of a screen, as in
+/// scenes with physical units. Of the luminance of the light, without black parts, it is 0 if the
+/// median is between nearly black (0.004) and a stop above white (2), and the 95th percentile at
+/// most two stops above white (4). Otherwise, it makes the median middle grey (0.18), or less if
+/// the 95th percentile would exceed white. Display colours and the background do not count.
 [[nodiscard]] double automatic_exposure(const Film& film);
 
-/// sRGB with straight alpha; values above white are clipped. For a region, the file contains
-/// only the window.
+/// sRGB with straight alpha: light after exposure and view transform, display colours as they are,
+/// over the film's background. For a region, the file contains only the window.
 [[nodiscard]] Diagnostics write_png(const Film& film, const std::filesystem::path& file,
                                     const PngOptions& options = {});
 
-/// Linear floats, every layer in one part, names as in docs/rendering.md. The display window is the
-/// picture, the data window that of the film.
+/// Linear floats, every layer in one part, names as in docs/rendering.md, over the film's
+/// background. The display window is the picture, the data window that of the film.
 [[nodiscard]] Diagnostics write_exr(const Film& film, const std::filesystem::path& file);
 
 /// By the file extension, .png or .exr; the options apply to PNG.

@@ -45,11 +45,17 @@ struct IntegratorInfo {
 struct Settings {
     std::size_t samples = 16;  ///< Rays per pixel: the number of passes.
     std::string integrator = "direct";
-    std::size_t threads = 0;              ///< 0 for all of the machine.
-    double time = 0.0;                    ///< The value of t in the camera's formulas.
-    Color3f ambient{0.1F, 0.1F, 0.1F};    ///< Radiance from all directions, without shadows.
-    std::optional<Color3f> background{};  ///< Radiance behind the scene; transparent if empty.
-    std::size_t mirror_depth = 8;         ///< The maximum number of reflections.
+    std::size_t threads = 0;  ///< 0 for all of the machine.
+    double time = 0.0;        ///< The value of t in the camera's formulas.
+    /// Radiance from all directions, without shadows. If empty, it follows the light of the scene:
+    /// of the places that a coarse grid of the picture's rays meets, a tenth of the median radiance
+    /// that a white surface turned to the lights would have, or that the place emits; dark places
+    /// do not count. Where nothing is lit, it is 0.1.
+    std::optional<Color3f> ambient{};
+    /// The colour behind the picture, as the display shows it: neither exposed nor part of the
+    /// film's light. Linear, from 0 to 1; transparent if empty.
+    std::optional<Color3f> background{};
+    std::size_t mirror_depth = 8;  ///< The maximum number of reflections.
 };
 
 // ---------------------------------------------------------------------------------- renderer
@@ -105,6 +111,7 @@ struct Summary {
     std::vector<Layer> layers;         ///< The same per layer, from back to front.
     std::uint64_t invalid_pixels = 0;  ///< Pixel centres where nothing is drawn, counted in pass 0.
     std::uint64_t repaired = 0;        ///< Samples whose radiance was not finite, replaced by 0.
+    Color3f ambient{0.0F};             ///< The ambient radiance, from the settings or chosen.
     std::size_t passes = 0;            ///< The number of passes that all tiles of the film have.
     bool interrupted = false;          ///< Stopped before all tiles had all passes.
     double seconds = 0.0;              ///< Elapsed time of tracing.
@@ -120,8 +127,9 @@ struct Summary {
 /// missing passes, tile by tile.
 class Job {
 public:
-    /// Compiles the picture for the film's size and writes the names of objects and layers into the
-    /// film. Settings out of range, an unknown integrator, or a film whose vectors do not have its
+    /// Compiles the picture for the film's size and writes the names of objects and layers, the
+    /// background and the ambient light into the film, to which it adds the sums that the picture
+    /// needs. Settings out of range, an unknown integrator, or a film whose vectors do not have its
     /// size are errors.
     [[nodiscard]] static Result<Job> make(const Renderer& renderer, const camera::Picture& picture,
                                           const Settings& settings, Film& film);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,7 @@ namespace balcony::render {
 namespace {
 
 // A film of grey pixels with two samples each, from dark to bright about a median, and a
-// transparent one.
+// transparent one. The brightest is above the 95th percentile of so few.
 Film grey_film(float median) {
     Film film = *make_film({.width = 6, .height = 1, .data_layers = false});
     std::size_t pixel = 0;
@@ -39,12 +40,86 @@ TEST(Exposure, MakesTheMedianMiddleGrey) {
     }
 }
 
+// A row of pixels of which a tenth is bright.
+Film film_with_highlights(double middle, double highlight) {
+    Film film = *make_film({.width = 100, .height = 1, .data_layers = false});
+    for (std::size_t i = 0; i < 100; ++i) {
+        const double value = i < 90 ? middle : highlight;
+        film.sum[i] = Color4d(value, value, value, 1.0);
+    }
+    film.passes.assign(film.passes.size(), 1);
+    return film;
+}
+
+TEST(Exposure, KeepsHighlightsInRange) {
+    EXPECT_EQ(automatic_exposure(film_with_highlights(0.1, 3.9)), 0.0);
+    // Two thirds white: the highlight becomes white, within a quarter stop.
+    const double exposure = automatic_exposure(film_with_highlights(0.1, 400.0));
+    EXPECT_NEAR(std::log2(400.0) + exposure, 0.0, 0.25);
+    // Where nothing is bright, the median counts, whatever is black.
+    Film dark = film_with_highlights(0.0, 700.0);
+    EXPECT_NEAR(std::log2(700.0 / 0.18) + automatic_exposure(dark), 0.0, 0.25);
+}
+
 TEST(Exposure, IsZeroForFilmsWithoutLight) {
     EXPECT_EQ(automatic_exposure(grey_film(0.0F)), 0.0);
     Film transparent = grey_film(1.0F);
     transparent.sum.assign(6, Color4d(0.0));
     EXPECT_EQ(automatic_exposure(transparent), 0.0);
     EXPECT_EQ(automatic_exposure(Film{}), 0.0);
+}
+
+Color3f grey(float level) { return Color3f(level); }
+
+TEST(ViewTransform, NeutralKeepsDarkAndMiddleTones) {
+    for (const Color3f& color : {grey(0.0F), grey(1e-6F), grey(0.18F), grey(0.8F),
+                                 Color3f(0.8F, 0.1F, 0.0F), Color3f(0.02F, 0.5F, 0.79F)}) {
+        EXPECT_EQ(displayed(ViewTransform::neutral, color), color);
+    }
+}
+
+// Brighter light is never shown darker, and white is reached by nothing but the brightest.
+TEST(ViewTransform, NeutralIsMonotonicAndSmooth) {
+    for (const Color3f& tint : {grey(1.0F), Color3f(1.0F, 0.5F, 0.1F), Color3f(0.0F, 0.0F, 1.0F)}) {
+        Color3f before(0.0F);
+        constexpr float step = 1e-3F;
+        constexpr float rounding = 4.0F * 6e-8F;  // Four operations on numbers below 1.
+        for (float level = 0.0F; level < 20.0F; level += step) {
+            const Color3f shown = displayed(ViewTransform::neutral, level * tint);
+            for (int c = 0; c < 3; ++c) {
+                ASSERT_GE(shown[c], before[c] - rounding) << level << ' ' << c;
+                // The slope never exceeds 1, so it does not jump where the compression begins.
+                ASSERT_LE(shown[c] - before[c], 1.01F * step) << level << ' ' << c;
+                ASSERT_LT(shown[c], 1.0F);
+            }
+            before = shown;
+        }
+    }
+    EXPECT_NEAR(displayed(ViewTransform::neutral, grey(1.0F)).x, 0.9F, 1e-6F);
+}
+
+TEST(ViewTransform, HasARowForEachName) {
+    for (const std::string& name : view_transform_names()) {
+        EXPECT_EQ(name_of(*find_view_transform(name)), name);
+        EXPECT_FALSE(meaning_of(*find_view_transform(name)).empty());
+    }
+    EXPECT_FALSE(find_view_transform("filmic"));
+    EXPECT_EQ(displayed(ViewTransform::standard, Color3f(0.9F, 7.0F, -1.0F)),
+              Color3f(0.9F, 1.0F, 0.0F));
+}
+
+TEST(ViewTransform, TakesAnyNumber) {
+    const float infinite = std::numeric_limits<float>::infinity();
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    for (const ViewTransform view : {ViewTransform::neutral, ViewTransform::standard}) {
+        for (const Color3f& color : {grey(infinite), grey(nan), Color3f(infinite, 0.0F, nan),
+                                     grey(std::numeric_limits<float>::max())}) {
+            const Color3f shown = displayed(view, color);
+            for (int c = 0; c < 3; ++c) {
+                EXPECT_TRUE(shown[c] >= 0.0F && shown[c] <= 1.0F) << shown[c];
+            }
+        }
+    }
 }
 
 }  // namespace

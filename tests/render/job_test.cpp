@@ -275,14 +275,14 @@ TEST(Job, AFilmOfAnotherSizeThanItSaysIsAnError) {
 TEST(FilmPrecision, ManySamplesKeepTheirMeanAndVariance) {
     constexpr std::uint32_t samples = 300000;
     Film film = *make_film({.width = 2, .height = 1, .data_layers = false, .second_moment = true});
-    TileImage image{{0, 0, 2, 1}, std::vector<Color4f>(2), {}};
+    TileImage image{{0, 0, 2, 1}, std::vector<Color4f>(2)};
     std::mt19937 random(5);
     std::exponential_distribution<float> noise(1.0F);
     long double mean = 0.0L;
     long double square = 0.0L;
     for (std::uint32_t i = 0; i < samples; ++i) {
         const float value = noise(random);
-        image.colors = {Color4f(0.1F, 1e-4F, 1e4F, 1.0F), Color4f(value)};
+        image.light = {Color4f(0.1F, 1e-4F, 1e4F, 1.0F), Color4f(value)};
         add_pass(film, 0, image);
         mean += static_cast<long double>(value) / samples;
         square += static_cast<long double>(value) * static_cast<long double>(value) / samples;

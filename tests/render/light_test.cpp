@@ -229,6 +229,60 @@ TEST(Light, AMirrorShowsTheHitOfTheReflectedRay) {
     }
 }
 
+// A mirror that reflects nothing but what is behind the scene: its background, or the ambient
+// light.
+TEST(Light, AMirrorReflectsTheBackgroundOrTheSky) {
+    scene::Scene scene;
+    scene::Material mirror = white();
+    mirror.base_color = Color3f(0.8F, 0.6F, 0.4F);
+    mirror.metallic = 1.0F;
+    mirror.roughness = 0.0F;
+    add(scene, wall(0.0F, 10.0F), mirror);
+    Request asked = request(1, 1, "direct");
+    asked.ambient = Color3f(30.0F);
+    const camera::Camera camera = orthographic(view_down_z(0.0, 0.0, 1.0));
+    Film film = render(scene, camera, asked).film;
+    EXPECT_NEAR(film.light(0, 0).g, 0.6F * 30.0F, 18.0F * rounding);
+    EXPECT_EQ(film.display_color(0, 0), Color4f(0.0F));
+    EXPECT_EQ(film.surface_light(0, 0), Color4f(0.0F, 0.0F, 0.0F, 1.0F));
+    asked.background = Color3f(0.5F);
+    film = render(scene, camera, asked).film;
+    EXPECT_NEAR(film.display_color(0, 0).g, 0.6F * 0.5F, rounding);
+    EXPECT_EQ(film.light(0, 0), Color4f(0.0F, 0.0F, 0.0F, 1.0F));
+}
+
+// A tenth of what a white surface turned to the lamp shows, wherever the camera sees it lit.
+TEST(Light, AmbientLightFollowsTheLamps) {
+    scene::Scene scene;
+    add(scene, wall(0.0F, 10.0F), matt());
+    scene::Light sun;
+    sun.kind = scene::LightKind::directional;
+    sun.direction = V3d(-0.6, 0.0, -0.8);
+    sun.intensity = Color3f(1000.0F);
+    scene.lights = {sun};
+    Request asked = request(40, 30, "direct");
+    asked.ambient.reset();
+    const camera::Camera camera = orthographic(view_down_z(0.0, 0.0, 5.0));
+    const auto ambient = [&] { return render(scene, camera, asked).summary.ambient.x; };
+    const float whole = 0.1F * 1000.0F / pi;
+    EXPECT_NEAR(ambient(), whole, whole * rounding);
+    // Shadow over less than half of the picture does not count, nor does darkness.
+    add(scene, parallelogram({-1.0F, -1.0F, 0.5F}, {0.6F, 0.0F, 0.0F}, {0.0F, 2.0F, 0.0F}), matt());
+    EXPECT_NEAR(ambient(), whole, whole * rounding);
+    scene.lights[0].direction.z = 0.8;
+    EXPECT_EQ(ambient(), 0.1F);
+    // It depends on the picture, not on its window.
+    scene.lights[0].direction.z = -0.8;
+    asked.layout.window = Region{3, 4, 5, 6};
+    EXPECT_NEAR(ambient(), whole, whole * rounding);
+    scene.lights.clear();
+    scene.default_light = true;
+    EXPECT_NEAR(ambient(), 0.1F, rounding);
+    scene.default_light = false;
+    scene.materials[0].emission = Color3f(50.0F);
+    EXPECT_NEAR(ambient(), 5.0F, 5.0F * rounding);
+}
+
 TEST(Light, MirrorsFacingEachOtherEnd) {
     scene::Scene scene;
     scene::Material mirror = white();

@@ -84,12 +84,88 @@ TEST_F(Output, PngHoldsSrgbAndStraightAlpha) {
             const Color4f mean = film.pixel(i % 37, i / 37);
             partial = partial || (mean.a > 0.0F && mean.a < 1.0F);
             ASSERT_NEAR(values[4 * i + 3], mean.a, half_step);
+            // Below the highlights that are compressed.
             ASSERT_NEAR(values[4 * i], mean.a > 0.0F ? srgb(0.5F * mean.r / mean.a) : 0.0F,
                         half_step);
         }
         EXPECT_TRUE(partial);
     }
     EXPECT_EQ(files(), 1U);
+}
+
+// One row of pixels: bright light, a frame, half of each, half light over nothing, nothing, and a
+// mirror that reflects what is behind the scene.
+Film light_and_display() {
+    Film film = *make_film({.width = 6, .height = 1, .data_layers = false});
+    film.passes = {1};
+    film.sum = {Color4d(300.0, 300.0, 300.0, 1.0), Color4d(0.0), Color4d(150.0, 150.0, 150.0, 0.5),
+                Color4d(150.0, 150.0, 150.0, 0.5), Color4d(0.0), Color4d(0.0, 0.0, 0.0, 1.0)};
+    film.display.assign(6, Color4d(0.0));
+    film.display[1] = Color4d(0.7, 0.2, 0.1, 1.0);
+    film.display[2] = 0.5 * film.display[1];
+    film.mirrored.assign(6, Color4d(0.0));
+    film.mirrored[5] = Color4d(0.9, 0.5, 0.25, 0.0);
+    film.ambient = Color3f(80.0F);
+    return film;
+}
+
+TEST_F(Output, ExposureIsForLightNotForDisplayColours) {
+    const Film film = light_and_display();
+    const fs::path file = folder_ / "a.png";
+    ASSERT_TRUE(write_png(film, file, {.exposure = -9.0}).empty());
+    const std::vector<float> shown = read(file);
+    const float light = 300.0F / 512.0F;
+    constexpr float half_step = 0.5F / 255.0F + 1e-6F;
+    const auto expect = [&](std::size_t pixel, float red, float alpha) {
+        EXPECT_NEAR(shown[4 * pixel], srgb(red), half_step) << pixel;
+        EXPECT_NEAR(shown[4 * pixel + 3], alpha, half_step) << pixel;
+    };
+    expect(0, light, 1.0F);
+    expect(1, 0.7F, 1.0F);
+    expect(2, 0.5F * light + 0.5F * 0.7F, 1.0F);
+    expect(3, light, 0.5F);
+    expect(4, 0.0F, 0.0F);
+    expect(5, 0.9F * 80.0F / 512.0F, 1.0F);
+}
+
+TEST_F(Output, TheBackgroundFillsWhatIsLeft) {
+    Film film = light_and_display();
+    film.background = Color3f(0.4F);
+    const fs::path file = folder_ / "a.png";
+    ASSERT_TRUE(write_png(film, file, {.exposure = -9.0}).empty());
+    const std::vector<float> shown = read(file);
+    const float light = 300.0F / 512.0F;
+    constexpr float half_step = 0.5F / 255.0F + 1e-6F;
+    const float reds[] = {light, 0.7F,       0.5F * light + 0.5F * 0.7F, 0.5F * light + 0.5F * 0.4F,
+                          0.4F,  0.9F * 0.4F};
+    for (std::size_t i = 0; i < 6; ++i) {
+        EXPECT_NEAR(shown[4 * i], srgb(reds[i]), half_step) << i;
+        EXPECT_EQ(shown[4 * i + 3], 1.0F) << i;
+    }
+}
+
+// A program that exposes an EXR file takes the light, and adds the display colours afterwards.
+TEST_F(Output, ExrKeepsDisplayColoursApart) {
+    Film film = light_and_display();
+    for (const bool filled : {false, true}) {
+        film.background = filled ? std::optional(Color3f(0.4F)) : std::nullopt;
+        ASSERT_TRUE(write_exr(film, folder_ / "a.exr").empty());
+        std::vector<std::string> channels;
+        const std::vector<float> values = read(folder_ / "a.exr", &channels);
+        ASSERT_EQ(channels.size(), 8U);
+        const auto at = [&](std::size_t pixel, const char* name) {
+            const auto found = std::find(channels.begin(), channels.end(), name);
+            return values[8 * pixel + static_cast<std::size_t>(found - channels.begin())];
+        };
+        for (std::size_t i = 0; i < 6; ++i) {
+            const Color4f light = film.light(i, 0);
+            const float rest = filled ? 1.0F - film.pixel(i, 0).a : 0.0F;
+            EXPECT_NEAR(at(i, "display.R"), film.display_color(i, 0).r + 0.4F * rest, 1e-5F);
+            EXPECT_NEAR(at(i, "display.A"), film.display_color(i, 0).a + rest, 1e-5F);
+            EXPECT_NEAR(at(i, "R"), light.r + at(i, "display.R"), 1e-4F) << i;
+            EXPECT_NEAR(at(i, "A"), light.a + at(i, "display.A"), 1e-6F) << i;
+        }
+    }
 }
 
 TEST_F(Output, ExrHoldsEveryLayerUnderItsName) {

@@ -196,6 +196,42 @@ TEST(PictureComposition, AFrameIsPaintedInsideTheEdge) {
     EXPECT_TRUE(red(width / 2 + 3));
     EXPECT_FALSE(red(width / 2 + 4));
     EXPECT_EQ(made.film.pixel(width / 2 + 1, height / 2).r, 2.0F);
+    // Exposure is for light, not for the frame.
+    EXPECT_EQ(made.film.display_color(width / 2 + 1, height / 2), Color4f(2.0F, 0.0F, 0.0F, 1.0F));
+    EXPECT_EQ(made.film.light(width / 2 + 1, height / 2), Color4f(0.0F));
+    EXPECT_EQ(made.film.display_color(3, 3), Color4f(0.0F));
+}
+
+TEST(PictureComposition, ModesLeaveDisplayColoursAlone) {
+    Layer framed = layer("below", wall_camera());
+    framed.frame = camera::Stroke{0.08, {0.5, 0.25, 0.0}};
+    const Rendered alone = rendered({framed});
+    for (const BlendMode mode : {BlendMode::multiply, BlendMode::difference, BlendMode::screen}) {
+        Layer above = layer("above", wall_camera());
+        above.blend = mode;
+        const Rendered made = rendered({framed, above});
+        EXPECT_EQ(made.film.display_color(1, height / 2), alone.film.display_color(1, height / 2));
+        EXPECT_EQ(made.film.light(1, height / 2), Color4f(0.0F)) << camera::name_of(mode);
+        EXPECT_EQ(made.film.pixel(width / 2, height / 2).a, 1.0F);
+    }
+}
+
+// The exposure that suits the light does not depend on what is drawn over it or lies behind it.
+TEST(PictureComposition, ExposureSeesOnlyLight) {
+    scene::Scene scene;
+    scene::Material glow = test::white();
+    glow.emission = Color3f(1000.0F);
+    test::add(scene, test::wall(0.0F, 0.5F), glow);
+    Layer plain = layer("a", wall_camera());
+    Request asked = preview();
+    const double exposure = automatic_exposure(test::render(scene, picture({plain}), asked).film);
+    EXPECT_LT(exposure, -8.0);
+    plain.frame = camera::Stroke{0.2, {1.0, 1.0, 1.0}};
+    asked.background = Color3f(0.7F);
+    const Film film = test::render(scene, picture({plain}), asked).film;
+    EXPECT_EQ(automatic_exposure(film), exposure);
+    EXPECT_EQ(film.pixel(width / 2, 11).a, 0.0F) << "the background is not in the film";
+    EXPECT_EQ(film.background, Color3f(0.7F));
 }
 
 TEST(PictureComposition, OneLayerIsTheCameraBitForBit) {
@@ -315,11 +351,21 @@ TEST(Blend, MixesByTheAlphasOfBoth) {
     EXPECT_NEAR(blended(BlendMode::multiply, light, source).r, 0.2 + 0.6 * 0.5, 1e-6);
 }
 
+// Light without display colours.
+Drawn drawn(const Color4f& light, float presence) {
+    Drawn made;
+    made.light = light;
+    made.presence = presence;
+    return made;
+}
+
 TEST(Blend, TwoHalvesPresentAreThreeQuarters) {
     const Color4f color(0.2F, 0.2F, 0.2F, 1.0F);
     for (const BlendMode mode : {BlendMode::normal, BlendMode::multiply}) {
-        EXPECT_NEAR(composed({color, 0.5F}, {color, 0.5F}, 1.0F, mode).presence, 0.75, 1e-6);
-        EXPECT_NEAR(composed({color, 0.5F}, {color, 1.0F}, 0.5F, mode).presence, 0.75, 1e-6);
+        EXPECT_NEAR(composed(drawn(color, 0.5F), drawn(color, 0.5F), 1.0F, mode).presence, 0.75,
+                    1e-6);
+        EXPECT_NEAR(composed(drawn(color, 0.5F), drawn(color, 1.0F), 0.5F, mode).presence, 0.75,
+                    1e-6);
     }
 }
 
@@ -332,7 +378,8 @@ TEST(Blend, TransparentSourcesChangeNothing) {
             EXPECT_EQ(blended(mode, below, nothing), below) << name;
         }
         EXPECT_EQ(blended(mode, nothing, below), below) << name;
-        EXPECT_EQ(composed({below, 1.0F}, {below, 1.0F}, 0.0F, mode).color, below) << name;
+        EXPECT_EQ(composed(drawn(below, 1.0F), drawn(below, 1.0F), 0.0F, mode).light, below)
+            << name;
     }
 }
 

@@ -90,6 +90,7 @@ Diagnostics check_inputs_kept(const RenderOptions& options, const scene::Scene& 
 /// Reports where a layer has no ray.
 void describe_gaps(Outcome& outcome, const render::Film& film, const render::Summary& summary) {
     const bool single = summary.layers.size() == 1;
+    const std::string_view shown = film.background ? "show the background" : "are transparent";
     for (const render::Summary::Layer& layer : summary.layers) {
         const std::string what =
             fmt::format("{} '{}'", single ? "camera" : "layer", printable(layer.name));
@@ -106,8 +107,8 @@ void describe_gaps(Outcome& outcome, const render::Film& film, const render::Sum
                                                         summary.invalid_pixels, film.window.size())
                                           : "";
         outcome.diagnostics.push_back(
-            warning(fmt::format("{} has no ray at {} of {} picture points{}; they are transparent",
-                                what, layer.invalid_rays, layer.camera_rays, pixels)));
+            warning(fmt::format("{} has no ray at {} of {} picture points{}; they {}", what,
+                                layer.invalid_rays, layer.camera_rays, pixels, shown)));
     }
 }
 
@@ -151,6 +152,7 @@ void describe(Outcome& outcome, const fs::path& output, const camera::Picture& p
                      {"seconds", summary.seconds},
                      {"compile_seconds", summary.compile_seconds},
                      {"camera_share", summary.camera_share},
+                     {"ambient", summary.ambient.x},
                      {"interrupted", summary.interrupted}};
     outcome.sentence = fmt::format(
         "{}{}: {} x {} pixels through '{}', {}, {} rays in {}\n",
@@ -166,11 +168,17 @@ bool has_samples(const render::Film& film) {
                        [](std::uint32_t count) { return count > 0; });
 }
 
+/// How light becomes display colours.
+struct Tones {
+    std::optional<double> exposure;  ///< Chosen automatically if empty.
+    render::ViewTransform view;
+};
+
 /// Renders and writes. The first signal stops the rendering, but not the writing.
 Outcome make_picture(Outcome outcome, const RenderOptions& options,
                      const render::Renderer& renderer, const camera::Picture& picture,
                      const render::Settings& settings, render::Film film, const fs::path& output,
-                     std::optional<double> asked_exposure) {
+                     const Tones& tones) {
     const Job job;
     Result<render::Summary> summary;
     {
@@ -188,15 +196,17 @@ Outcome make_picture(Outcome outcome, const RenderOptions& options,
         outcome.sentence = "interrupted before there was anything to save\n";
         return fail(std::move(outcome), ExitCode::interrupted);
     }
-    const double exposure = asked_exposure                ? *asked_exposure
+    const double exposure = tones.exposure                ? *tones.exposure
                             : ending_of(output) == ".png" ? render::automatic_exposure(film)
                                                           : 0.0;
     outcome.facts["exposure"] = exposure;
-    if (!asked_exposure && exposure != 0.0) {
+    if (!tones.exposure && exposure != 0.0) {
         outcome.sentence += fmt::format(
-            "  exposure {:+} stops, chosen automatically; --exposure sets it\n", exposure);
+            "  exposure {:+} stops, ambient light {:.3g}; --exposure and --ambient set them\n",
+            exposure, summary->ambient.x);
     }
-    const Diagnostics written = render::write(film, output, {.exposure = exposure});
+    const Diagnostics written =
+        render::write(film, output, {.exposure = exposure, .view = tones.view});
     if (has_errors(written)) {
         return fail(std::move(outcome), ExitCode::environment, written);
     }
@@ -208,7 +218,8 @@ Outcome make_picture(Outcome outcome, const RenderOptions& options,
 Outcome render_picture(const RenderOptions& options) {
     Outcome outcome;
     const render::Settings settings = read_settings(options, outcome.diagnostics);
-    const std::optional<double> exposure = read_exposure(options, outcome.diagnostics);
+    const Tones tones{read_exposure(options, outcome.diagnostics),
+                      read_view(options, outcome.diagnostics)};
     const PictureSize size = read_size(options.size, outcome.diagnostics);
     if (options.camera.empty() && !options.set.empty()) {
         outcome.diagnostics.push_back(
@@ -257,7 +268,7 @@ Outcome render_picture(const RenderOptions& options) {
         return fail(std::move(outcome), ExitCode::bad_input, film.diagnostics);
     }
     return make_picture(std::move(outcome), options, *renderer, *picture, settings,
-                        std::move(*film), output, exposure);
+                        std::move(*film), output, tones);
 }
 
 ExitCode render_command(const RenderOptions& options) {
@@ -298,12 +309,26 @@ void add_picture_options(CLI::App& command, RenderOptions& options) {
             "exposure in stops (PNG); auto changes pictures that would be nearly black or white")
         ->type_name("STOPS")
         ->capture_default_str();
-    command.add_option("--ambient", options.ambient, "light from all directions, without shadows")
+    std::vector<std::string> views;
+    for (const std::string& name : render::view_transform_names()) {
+        views.push_back(
+            fmt::format("{} ({})", name, meaning_of(*render::find_view_transform(name))));
+    }
+    command
+        .add_option(
+            "--view-transform", options.view,
+            fmt::format("from light to display colours (PNG): {}", fmt::join(views, " or ")))
+        ->type_name("NAME")
+        ->capture_default_str();
+    command
+        .add_option("--ambient", options.ambient,
+                    "light from all directions, without shadows; auto follows the scene's lights")
         ->type_name("RADIANCE")
         ->capture_default_str();
     command
         .add_option("--background", options.background,
-                    "transparent, black, white, a grey level, or red,green,blue (linear)")
+                    "transparent, black, white, a grey level, or red,green,blue (linear, from 0 to "
+                    "1), as the display shows it")
         ->type_name("COLOUR")
         ->capture_default_str();
 }

@@ -52,16 +52,21 @@ std::optional<render::Color3f> read_background(const std::string& text, Diagnost
     return color;
 }
 
+void refuse_name(std::string_view option, const std::string& text,
+                 const std::vector<std::string>& names, Diagnostics& diagnostics) {
+    const auto nearest = nearest_name(text, names);
+    refuse(diagnostics, option, text,
+           nearest ? fmt::format("did you mean '{}'?", *nearest)
+                   : fmt::format("write {}", fmt::join(names, " or ")));
+}
+
 void check_integrator(const std::string& text, Diagnostics& diagnostics) {
     std::vector<std::string> names;
     for (const render::IntegratorInfo& integrator : render::integrators()) {
         names.emplace_back(integrator.name);
     }
     if (std::find(names.begin(), names.end(), text) == names.end()) {
-        const auto nearest = nearest_name(text, names);
-        refuse(diagnostics, "--integrator", text,
-               nearest ? fmt::format("did you mean '{}'?", *nearest)
-                       : fmt::format("write {}", fmt::join(names, " or ")));
+        refuse_name("--integrator", text, names, diagnostics);
     }
 }
 
@@ -74,12 +79,23 @@ render::Settings read_settings(const RenderOptions& options, Diagnostics& diagno
     settings.samples = read_count("--samples", options.samples, 1, 1'000'000, diagnostics);
     settings.threads = read_count("--threads", options.threads, 0, 1024, diagnostics);
     settings.time = read_number("--time", options.time, -any, any, "give a number", diagnostics);
-    settings.ambient = render::Color3f(read_number("--ambient", options.ambient, 0.0F, brightest,
-                                                   "give a number of at least 0", diagnostics));
+    if (options.ambient != "auto") {
+        settings.ambient =
+            render::Color3f(read_number("--ambient", options.ambient, 0.0F, brightest,
+                                        "give auto, or a number of at least 0", diagnostics));
+    }
     check_integrator(options.integrator, diagnostics);
     settings.integrator = options.integrator;
     settings.background = read_background(options.background, diagnostics);
     return settings;
+}
+
+render::ViewTransform read_view(const RenderOptions& options, Diagnostics& diagnostics) {
+    const auto view = render::find_view_transform(options.view);
+    if (!view) {
+        refuse_name("--view-transform", options.view, render::view_transform_names(), diagnostics);
+    }
+    return view.value_or(render::ViewTransform::neutral);
 }
 
 // More stops than between the smallest and the largest float would give 0 or infinity.

@@ -25,7 +25,8 @@ struct RenderOptions {
     std::string threads = "0";
     std::string time = "0";
     std::string exposure = "auto";
-    std::string ambient = "0.1";
+    std::string ambient = "auto";
+    std::string view = std::string(render::name_of(render::ViewTransform::neutral));
     bool quiet = false;
     bool json = false;
 };
@@ -38,6 +39,10 @@ struct RenderOptions {
 /// The requested exposure in stops; nothing if it depends on the picture.
 [[nodiscard]] std::optional<double> read_exposure(const RenderOptions& options,
                                                   Diagnostics& diagnostics);
+
+/// The requested view transform.
+[[nodiscard]] render::ViewTransform read_view(const RenderOptions& options,
+                                              Diagnostics& diagnostics);
 
 /// A requested picture size: width and height in pixels, only the width, or neither.
 struct PictureSize {

@@ -66,29 +66,40 @@ float blended_channel(BlendMode mode, float below, float source) {
 
 }  // namespace
 
-Color4f blended(BlendMode mode, const Color4f& below, const Color4f& source) {
-    if (mode == BlendMode::normal || below.a <= 0.0F) {
-        return source + (mode == BlendMode::normal ? 0.0F : 1.0F - source.a) * below;
+Color4f blended(BlendMode mode, const Color4f& below, const Color4f& source, float below_other,
+                float source_other) {
+    if (mode == BlendMode::normal) {
+        return source;
     }
-    if (source.a <= 0.0F) {
-        return below;
+    const float source_alone = 1.0F - below.a - below_other;
+    const float below_alone = 1.0F - source.a - source_other;
+    if (below.a <= 0.0F || source.a <= 0.0F) {
+        return source_alone * source + below_alone * below;
     }
     const auto channel = [&](float b, float s) {
-        return s * (1.0F - below.a) + b * (1.0F - source.a) +
+        return s * source_alone + b * below_alone +
                below.a * source.a * blended_channel(mode, b / below.a, s / source.a);
     };
     return {channel(below.r, source.r), channel(below.g, source.g), channel(below.b, source.b),
-            source.a + below.a - source.a * below.a};
+            source.a * source_alone + below.a * below_alone + source.a * below.a};
 }
 
 Drawn composed(const Drawn& below, const Drawn& source, float coverage, BlendMode mode) {
     const float share = coverage * source.presence;
     const float presence = below.presence + share - below.presence * share;
     if (mode == BlendMode::normal) {
-        return {(1.0F - share) * below.color + coverage * source.color, presence};
+        return {(1.0F - share) * below.light + coverage * source.light,
+                (1.0F - share) * below.display + coverage * source.display,
+                (1.0F - share) * below.mirrored + coverage * source.mirrored, presence};
     }
-    return {(1.0F - coverage) * below.color + coverage * blended(mode, below.color, source.color),
-            presence};
+    const Color4f light =
+        blended(mode, below.light, source.light, below.display.a, source.display.a);
+    const Color4f display = blended(mode, below.display, source.display);
+    const Color4f mirrored =
+        source.mirrored + (1.0F - source.light.a - source.display.a) * below.mirrored;
+    return {(1.0F - coverage) * below.light + coverage * light,
+            (1.0F - coverage) * below.display + coverage * display,
+            (1.0F - coverage) * below.mirrored + coverage * mirrored, presence};
 }
 
 }  // namespace balcony::render

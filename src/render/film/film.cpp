@@ -76,6 +76,8 @@ DataLayers empty_layers(std::size_t pixels) {
     return layers;
 }
 
+Color4f without_alpha(const Color3f& color) { return {color.x, color.y, color.z, 0.0F}; }
+
 // The number of tiles of a grid from 0 that a range of pixels touches.
 std::size_t tiles_touched(std::size_t begin, std::size_t length, std::size_t side) {
     return length == 0 ? 0 : (begin + length - 1) / side - begin / side + 1;
@@ -98,12 +100,28 @@ std::size_t Film::tile_of(std::size_t x, std::size_t y) const {
            window.x / tile_width;
 }
 
+Color4f Film::surface_light(std::size_t x, std::size_t y) const { return mean(sum, x, y); }
+
+Color4f Film::light(std::size_t x, std::size_t y) const {
+    const Color4f own = surface_light(x, y);
+    return background ? own : own + mean(mirrored, x, y) * without_alpha(ambient);
+}
+
+Color4f Film::display_color(std::size_t x, std::size_t y) const {
+    const Color4f own = mean(display, x, y);
+    return background ? own + mean(mirrored, x, y) * without_alpha(*background) : own;
+}
+
 Color4f Film::pixel(std::size_t x, std::size_t y) const {
+    return light(x, y) + display_color(x, y);
+}
+
+Color4f Film::mean(const std::vector<Color4d>& sums, std::size_t x, std::size_t y) const {
     const std::uint32_t count = samples(x, y);
-    if (count == 0) {
+    if (count == 0 || sums.empty()) {
         return Color4f(0.0F);
     }
-    const Color4d mean = sum[index(x, y)] / static_cast<double>(count);
+    const Color4d mean = sums[index(x, y)] / static_cast<double>(count);
     return {static_cast<float>(mean.r), static_cast<float>(mean.g), static_cast<float>(mean.b),
             static_cast<float>(mean.a)};
 }

@@ -34,10 +34,16 @@ void add_pass(Film& film, std::size_t tile, const TileImage& image) {
             return;
         }
         const std::size_t at = film.index(x, y);
-        const Color4d sample(image.colors[i]);
+        const Color4d sample(image.light[i]);
         film.sum[at] += sample;
         if (!film.sum_of_squares.empty()) {
             film.sum_of_squares[at] += sample * sample;
+        }
+        if (!image.display.empty()) {
+            film.display[at] += Color4d(image.display[i]);
+        }
+        if (!image.mirrored.empty()) {
+            film.mirrored[at] += Color4d(image.mirrored[i]);
         }
         if (film.layers && !image.data.empty() && image.data[i].valid) {
             write_data(*film.layers, at, image.data[i]);

@@ -36,8 +36,10 @@ struct PointData {
 /// A sample of each pixel of a region, row by row.
 struct TileImage {
     Region region;
-    std::vector<Color4f> colors;
-    std::vector<PointData> data;  ///< Empty if not requested.
+    std::vector<Color4f> light;
+    std::vector<PointData> data{};    ///< Empty if not requested.
+    std::vector<Color4f> display{};   ///< Empty if not requested.
+    std::vector<Color4f> mirrored{};  ///< Empty if not requested.
 };
 
 /// Calls visit(i, x, y) for each pixel (x, y) of a region, which is number i row by row.

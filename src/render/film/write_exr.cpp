@@ -18,6 +18,7 @@
 
 #include "balcony/film.hpp"
 #include "balcony/output_file.hpp"
+#include "render/film/displayed_pixel.hpp"
 
 namespace balcony::render {
 
@@ -29,16 +30,29 @@ struct Channel {
     float (*value)(const Film& film, std::size_t pixel);
 };
 
-Color4f mean(const Film& film, std::size_t pixel) {
-    return film.pixel(film.window.x + pixel % film.window.width,
-                      film.window.y + pixel / film.window.width);
+Color4f picture(const Film& film, std::size_t pixel) {
+    return over_background(film, film.pixel(film.window.x + pixel % film.window.width,
+                                            film.window.y + pixel / film.window.width));
+}
+
+// The part of the picture that is not light.
+Color4f display(const Film& film, std::size_t pixel) {
+    return picture(film, pixel) - film.light(film.window.x + pixel % film.window.width,
+                                             film.window.y + pixel / film.window.width);
 }
 
 constexpr Channel picture_channels[] = {
-    {"R", [](const Film& f, std::size_t i) { return mean(f, i).r; }},
-    {"G", [](const Film& f, std::size_t i) { return mean(f, i).g; }},
-    {"B", [](const Film& f, std::size_t i) { return mean(f, i).b; }},
-    {"A", [](const Film& f, std::size_t i) { return mean(f, i).a; }},
+    {"R", [](const Film& f, std::size_t i) { return picture(f, i).r; }},
+    {"G", [](const Film& f, std::size_t i) { return picture(f, i).g; }},
+    {"B", [](const Film& f, std::size_t i) { return picture(f, i).b; }},
+    {"A", [](const Film& f, std::size_t i) { return picture(f, i).a; }},
+};
+
+constexpr Channel display_channels[] = {
+    {"display.R", [](const Film& f, std::size_t i) { return display(f, i).r; }},
+    {"display.G", [](const Film& f, std::size_t i) { return display(f, i).g; }},
+    {"display.B", [](const Film& f, std::size_t i) { return display(f, i).b; }},
+    {"display.A", [](const Film& f, std::size_t i) { return display(f, i).a; }},
 };
 
 constexpr Channel layer_channels[] = {
@@ -94,6 +108,9 @@ private:
 
 std::vector<Channel> channels_of(const Film& film) {
     std::vector<Channel> channels(std::begin(picture_channels), std::end(picture_channels));
+    if (!film.display.empty() || film.background) {
+        channels.insert(channels.end(), std::begin(display_channels), std::end(display_channels));
+    }
     if (film.layers) {
         channels.insert(channels.end(), std::begin(layer_channels), std::end(layer_channels));
     }

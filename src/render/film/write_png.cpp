@@ -10,6 +10,7 @@
 
 #include "balcony/film.hpp"
 #include "balcony/png_file.hpp"
+#include "render/film/displayed_pixel.hpp"
 
 namespace balcony::render {
 
@@ -33,18 +34,20 @@ Sample quantised(float value) {
 }
 
 template <class Sample>
-std::vector<Sample> to_samples(const Film& film, float gain) {
+std::vector<Sample> to_samples(const Film& film, const PngOptions& options) {
+    const auto gain = static_cast<float>(std::exp2(options.exposure));
     std::vector<Sample> samples;
     samples.reserve(film.window.size() * channels);
     for (std::size_t y = 0; y < film.window.height; ++y) {
         for (std::size_t x = 0; x < film.window.width; ++x) {
-            const Color4f mean = film.pixel(film.window.x + x, film.window.y + y);
-            const bool visible = mean.a > 0.0F;
-            const float scale = visible ? gain / mean.a : 0.0F;
-            for (const float c : {mean.r, mean.g, mean.b}) {
+            const Color4f shown =
+                displayed_pixel(film, film.window.x + x, film.window.y + y, gain, options.view);
+            const bool visible = shown.a > 0.0F;
+            const float scale = visible ? 1.0F / shown.a : 0.0F;
+            for (const float c : {shown.r, shown.g, shown.b}) {
                 samples.push_back(quantised<Sample>(srgb_from_linear(c * scale)));
             }
-            samples.push_back(quantised<Sample>(visible ? mean.a : 0.0F));
+            samples.push_back(quantised<Sample>(visible ? shown.a : 0.0F));
         }
     }
     return samples;
@@ -60,10 +63,9 @@ Diagnostics write_png(const Film& film, const std::filesystem::path& file,
                               options.bits, options.exposure),
                   {}, "use 8 or 16 bits and a finite exposure")};
     }
-    const auto gain = static_cast<float>(std::exp2(options.exposure));
     const PngSize size{film.window.width, film.window.height, channels};
-    return options.bits == 8 ? write_png(to_samples<std::uint8_t>(film, gain), size, file)
-                             : write_png(to_samples<std::uint16_t>(film, gain), size, file);
+    return options.bits == 8 ? write_png(to_samples<std::uint8_t>(film, options), size, file)
+                             : write_png(to_samples<std::uint16_t>(film, options), size, file);
 }
 
 }  // namespace balcony::render

@@ -30,7 +30,7 @@ public:
 private:
     [[nodiscard]] Color3f shade(const Ray& ray, const Interaction& at) const override {
         const Bsdf bsdf = bsdf_at(at);
-        return at.appearance.emission + settings().ambient * bsdf.ambient_reflectance() +
+        return at.appearance.emission + *settings().ambient * bsdf.ambient_reflectance() +
                reflected_light(-ray.direction, at.surface, bsdf);
     }
 

@@ -18,6 +18,7 @@ namespace balcony::render {
 /// The result of tracing a ray.
 struct Seen {
     Color4f radiance{0.0F};  ///< Premultiplied.
+    Color4f mirrored{0.0F};  ///< The factors of the background in mirrors, by colour.
     VisibleSurface visible;
 };
 

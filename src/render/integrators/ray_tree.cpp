@@ -25,14 +25,14 @@ Seen RayTree::trace(const Ray& ray, const embree::Hit& first, Sampler) {
 }
 
 void RayTree::follow(const Branch& branch, const embree::Hit& hit, Seen& seen) {
-    const auto add = [&](const Color3f& radiance) {
-        const Color3f part = branch.weight * radiance;
-        seen.radiance += Color4f(part.x, part.y, part.z, 0.0F);
+    const auto add = [&branch](Color4f& total, const Color3f& color) {
+        const Color3f part = branch.weight * color;
+        total += Color4f(part.x, part.y, part.z, 0.0F);
     };
     const bool seen_directly = branch.reflections == 0;
     if (!hit.any()) {
-        if (!seen_directly || settings_->background) {
-            add(settings_->background.value_or(settings_->ambient));
+        if (!seen_directly) {
+            add(seen.mirrored, Color3f(1.0F));
         }
         return;
     }
@@ -57,7 +57,7 @@ void RayTree::follow(const Branch& branch, const embree::Hit& hit, Seen& seen) {
                             at.surface.object + 1};
         }
     }
-    add(opacity * shade(branch.ray, at));
+    add(seen.radiance, opacity * shade(branch.ray, at));
     if (const std::optional<Branch> reflected = reflect(branch, opacity * branch.weight, at)) {
         open_.push_back(*reflected);
     }

@@ -40,7 +40,7 @@ private:
             return (*this)(element.group, i);
         }
         if (element.paint) {
-            return {coverages_.paint(*element.paint, i), 1.0F};
+            return {Color4f(0.0F), coverages_.paint(*element.paint, i), Color4f(0.0F), 1.0F};
         }
         const std::vector<Drawn>& layer = layers_[*element.layer];
         return layer.empty() ? Drawn{} : layer[i];
@@ -75,19 +75,28 @@ Compositor::Compositor(const rays::CompiledPicture& picture, PictureRays rays, T
 
 // Traces rays from front to back, because hidden layers need none; then composites the colours from
 // back to front.
-TileImage Compositor::sample(const TilePoints& points, const Region& counted, bool with_data) {
+TileImage Compositor::sample(const TilePoints& points, const Region& counted,
+                             const Wanted& wanted) {
     const std::size_t size = points.size();
     Work work{points, counted, rays_.coverages(points.grid),
               std::vector<std::vector<Drawn>>(picture_->layers().size()),
-              std::vector<PointData>(with_data ? size : 0)};
+              std::vector<PointData>(wanted.data ? size : 0)};
     Veil veil{Mask(size, 0), std::vector<float>(size, 1.0F)};
     trace(picture_->elements(), veil, work);
     const Blender blend(work.coverages, work.layers);
     TileImage image{points.region, {}, std::move(work.data)};
-    image.colors.reserve(size);
+    image.light.reserve(size);
+    image.display.reserve(wanted.display ? size : 0);
+    image.mirrored.reserve(wanted.mirrored ? size : 0);
     for_each_pixel(points.region, [&](std::size_t i, std::size_t x, std::size_t y) {
         const Drawn all = blend(picture_->elements(), i);
-        image.colors.push_back(all.color);
+        image.light.push_back(all.light);
+        if (wanted.display) {
+            image.display.push_back(all.display);
+        }
+        if (wanted.mirrored) {
+            image.mirrored.push_back(all.mirrored);
+        }
         invalid_pixels_ +=
             points.pass == 0 && all.presence <= 0.0F && counted.contains(x, y) ? 1 : 0;
     });
@@ -157,7 +166,7 @@ void Compositor::trace_layer(const Element& element, const Veil& veil, Work& wor
     std::vector<Drawn>& drawn = work.layers[layer];
     drawn.resize(points.size());
     tracer_.trace(points, rays, wanted, [&](std::size_t i, const Seen& seen) {
-        drawn[i] = {seen.radiance, 1.0F};
+        drawn[i] = {seen.radiance, Color4f(0.0F), seen.mirrored, 1.0F};
         if (!work.data.empty() && !work.data[i].valid &&
             veil.share[i] * work.coverages.coverage(element, i) >= 0.5F) {
             work.data[i] = {true,

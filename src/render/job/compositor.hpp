@@ -23,9 +23,16 @@ class Compositor {
 public:
     Compositor(const rays::CompiledPicture& picture, PictureRays rays, TileTracer tracer);
 
-    /// One sample at each point, with its data if requested. Only points in the region `counted`
-    /// are counted.
-    [[nodiscard]] TileImage sample(const TilePoints& points, const Region& counted, bool with_data);
+    /// The optional parts of a sample.
+    struct Wanted {
+        bool data = false;
+        bool display = false;
+        bool mirrored = false;
+    };
+
+    /// One sample at each point. Only points in the region `counted` are counted.
+    [[nodiscard]] TileImage sample(const TilePoints& points, const Region& counted,
+                                   const Wanted& wanted);
 
     [[nodiscard]] const std::vector<RayCounts>& ray_counts() const { return counts_; }
     /// Points of pass 0 where nothing is drawn.

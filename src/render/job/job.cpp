@@ -13,10 +13,12 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "render/job/ambient.hpp"
 #include "render/job/fork_and_join.hpp"
 #include "render/job/renderer_state.hpp"
 #include "render/job/stopwatch.hpp"
 #include "render/job/tile_worker.hpp"
+#include "render/shading/bsdf.hpp"
 
 namespace balcony::render {
 
@@ -53,7 +55,7 @@ Diagnostics check(const Settings& settings) {
     };
     within(settings.samples, 1, max_samples, "the number of samples");
     within(settings.threads, 0, max_threads, "the number of threads");
-    if (!std::isfinite(settings.time) || !is_finite(settings.ambient) ||
+    if (!std::isfinite(settings.time) || !is_finite(settings.ambient.value_or(Color3f(0.0F))) ||
         !is_finite(settings.background.value_or(Color3f(0.0F)))) {
         found.push_back(error("time, ambient light and background must be finite numbers"));
     }
@@ -67,8 +69,11 @@ Diagnostics check(const Settings& settings) {
 bool holds_together(const Film& film) {
     const std::size_t pixels = film.window.size();
     const bool layers = !film.layers || film.layers->valid.size() == pixels;
-    const bool squares = film.sum_of_squares.empty() || film.sum_of_squares.size() == pixels;
-    return pixels > 0 && film.sum.size() == pixels && layers && squares &&
+    const auto fits = [pixels](const std::vector<Color4d>& sums) {
+        return sums.empty() || sums.size() == pixels;
+    };
+    const bool further = fits(film.sum_of_squares) && fits(film.display) && fits(film.mirrored);
+    return pixels > 0 && film.sum.size() == pixels && layers && further &&
            film.window.x + film.window.width <= film.width &&
            film.window.y + film.window.height <= film.height &&
            film.passes.size() == film.tile_count();
@@ -165,6 +170,7 @@ private:
         }
         summary.invalid_pixels = counts.invalid_pixels;
         summary.repaired = counts.repaired;
+        summary.ambient = *parts_.settings.ambient;
         summary.passes = fewest_passes();
         summary.interrupted = !complete;
         summary.seconds = watch_.seconds();
@@ -185,6 +191,12 @@ private:
     std::mutex progress_mutex_;
     std::size_t tiles_done_ = 0;
 };
+
+// Whether frames or lines are drawn.
+bool paints(const std::vector<rays::CompiledPicture::Element>& elements) {
+    return std::any_of(elements.begin(), elements.end(),
+                       [](const auto& element) { return element.paint || paints(element.group); });
+}
 
 Diagnostic out_of_memory() {
     return error("out of memory while rendering", {},
@@ -226,9 +238,23 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
         for (const rays::CompiledPicture::CameraLayer& layer : compiled->layers()) {
             film.picture_layers.push_back(layer.name);
         }
+        Settings complete = settings;
+        if (!complete.ambient) {
+            complete.ambient = ambient_of(traced, *compiled, film, settings.time);
+        }
+        film.background = complete.background;
+        film.ambient = *complete.ambient;
+        if (film.display.empty() && paints(compiled->elements())) {
+            film.display.assign(film.window.size(), Color4d(0.0));
+        }
+        const auto& materials = traced.scene->materials;
+        if (film.mirrored.empty() &&
+            std::any_of(materials.begin(), materials.end(), may_be_mirror)) {
+            film.mirrored.assign(film.window.size(), Color4d(0.0));
+        }
         return Job(std::make_shared<const State>(
             State{renderer.state_,
-                  {traced, std::move(*compiled), settings, find_integrator(settings.integrator),
+                  {traced, std::move(*compiled), complete, find_integrator(settings.integrator),
                    watch.seconds()},
                   &film}));
     } catch (const std::bad_alloc&) {

@@ -18,7 +18,6 @@ bool is_finite(const Color4f& c) {
 
 TileTracer::TileTracer(const TracedScene& traced, const Settings& settings, IntegratorMaker make)
     : traced_(&traced),
-      opaque_background_(settings.background.has_value()),
       // Many samples share the filtering; pbrt limits the reduction in the same way.
       footprint_scale_(std::max(0.125, 1.0 / std::sqrt(static_cast<double>(settings.samples)))),
       integrator_(make(traced, settings)) {}
@@ -30,9 +29,6 @@ Seen TileTracer::seen(const TileRays& rays, std::size_t i, const embree::Hit& fi
         ray.differentials = differentials(rays.all, i, footprint_scale_);
     }
     Seen seen = integrator_->trace(ray, first, sampler);
-    if (opaque_background_) {
-        seen.radiance.a = 1.0F;
-    }
     if (!is_finite(seen.radiance)) {
         ++repaired_;
         seen.radiance = Color4f(0.0F);

@@ -49,7 +49,6 @@ private:
                             const Sampler& sampler);
 
     const TracedScene* traced_;
-    bool opaque_background_;
     double footprint_scale_;
     std::unique_ptr<Integrator> integrator_;
     std::vector<embree::Hit> hits_;  // Of the rays at work; kept for its memory.

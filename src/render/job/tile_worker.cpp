@@ -67,10 +67,12 @@ void TileWorker::render(std::size_t tile) {
     const Stopwatch watch;
     const std::size_t pass = film_->first_pass + film_->passes[tile];
     const Region region = traced_part(film_->tile(tile), film_->window);
-    const bool with_data = pass == 0 && film_->layers;
+    const Compositor::Wanted wanted{.data = pass == 0 && film_->layers.has_value(),
+                                    .display = !film_->display.empty(),
+                                    .mirrored = !film_->mirrored.empty()};
     add_pass(*film_, tile,
              compositor_.sample(points_of(region, pass, *film_, settings_->time), film_->window,
-                                with_data));
+                                wanted));
     seconds_ += watch.seconds();
 }
 

@@ -76,6 +76,10 @@ V3f sample_facet(const V3f& to_viewer, float alpha, float u, float v) {
 
 }  // namespace
 
+bool may_be_mirror(const scene::Material& material) {
+    return material.roughness < smooth_roughness || material.metallic_roughness_texture.valid();
+}
+
 // Reflectance at normal incidence: 4 %, for an index of refraction of 1.5, or the metal's colour.
 Bsdf::Bsdf(const Appearance& appearance, const V3f& normal, const V3f& geometric_normal)
     : diffuse_((1.0F - appearance.metallic) * appearance.base_color),

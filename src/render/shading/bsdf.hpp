@@ -16,6 +16,10 @@ namespace balcony::render {
 using Imath::Color3f;
 using Imath::V3f;
 
+/// Whether a point with this material can be a perfect mirror; a texture only reduces the
+/// roughness.
+[[nodiscard]] bool may_be_mirror(const scene::Material& material);
+
 /// A sampled direction of incident light.
 struct BsdfSample {
     V3f to_light;
