@@ -25,18 +25,19 @@ constexpr int passes = 9;
 // disturbs the machine for a while disturbs all of them.
 std::vector<double> min_seconds(const Case& row) {
     const std::vector<program::Tile> tiles = tiles_of_picture(picture_width, picture_height);
-    const TileResults results(ray_roots);
+    program::ResultArrays memory;
+    const auto results = memory.reserve(ray_roots, tile_points);
     program::Scratch scratch;
     const std::size_t sets = program::instruction_sets().size();
     std::vector<Stopwatch> stopwatches(1 + sets, Stopwatch(tiles.size()));
     for (int pass = 0; pass < passes; ++pass) {
         for (std::size_t t = 0; t < tiles.size(); ++t) {
-            stopwatches[0].time(t, [&] { row.plain_loop(tiles[t], results.pointers()); });
+            stopwatches[0].time(t, [&] { row.plain_loop(tiles[t], results); });
         }
         for (std::size_t set = 0; set < sets; ++set) {
             for (std::size_t t = 0; t < tiles.size(); ++t) {
                 stopwatches[1 + set].time(
-                    t, [&] { run_on(set, row.program, tiles[t], scratch, results.pointers()); });
+                    t, [&] { run_on(set, row.program, tiles[t], scratch, results); });
             }
         }
     }
@@ -50,17 +51,17 @@ std::vector<double> min_seconds(const Case& row) {
 // The largest difference between a camera and its plain loop, relative to the size of the value
 // where that is above 1: a figure for another formula would mean nothing.
 double max_difference(const Case& row) {
-    const TileResults loop(ray_roots);
-    const TileResults program(ray_roots);
+    program::ResultArrays loop;
+    program::ResultArrays program;
     program::Scratch scratch;
     double largest = 0.0;
     for (const program::Tile& tile : tiles_of_picture(picture_width, picture_height)) {
-        row.plain_loop(tile, loop.pointers());
-        run(row.program, tile, scratch, program.pointers());
+        row.plain_loop(tile, loop.reserve(ray_roots, tile_points));
+        run(row.program, tile, scratch, program.reserve(ray_roots, tile_points));
         for (std::size_t root = 0; root < ray_roots; ++root) {
             for (std::size_t i = 0; i < tile.width * tile.height; ++i) {
-                const double expected = loop.pointers()[root][i];
-                const double difference = std::fabs(program.pointers()[root][i] - expected);
+                const double expected = loop[root][i];
+                const double difference = std::fabs(program[root][i] - expected);
                 largest = std::max(largest, difference / std::max(1.0, std::fabs(expected)));
             }
         }

@@ -31,13 +31,13 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 double nanoseconds_a_ray(const program::Program& program) {
     const std::vector<program::Tile> tiles = tiles_of_picture(width, height);
-    const TileResults results(program.root_count());
+    program::ResultArrays memory;
+    const auto results = memory.reserve(program.root_count(), tile_points);
     program::Scratch scratch;
     Stopwatch stopwatch(tiles.size());
     for (int pass = 0; pass < passes; ++pass) {
         for (std::size_t t = 0; t < tiles.size(); ++t) {
-            stopwatch.time(t,
-                           [&] { program::run(program, tiles[t], scratch, results.pointers()); });
+            stopwatch.time(t, [&] { program::run(program, tiles[t], scratch, results); });
         }
     }
     return 1e9 * stopwatch.seconds() / static_cast<double>(width * height);
@@ -105,12 +105,9 @@ void print_stages() {
     print_camera("thin-plate warp of 32 points (reach: 2)", thin_plate_text());
     print_camera("COIN (reach: 10)", coin_text);
     for (const camera::StageEntry& row : camera::catalogue()) {
-        if (row.example.empty()) {
-            continue;
-        }
         // An example that is a picture of several cameras is no measure of a ray.
         const std::string example(row.example);
-        if (example.find("\npicture ") == std::string::npos) {
+        if (!example.empty() && ("\n" + example).find("\npicture ") == std::string::npos) {
             print_camera(fmt::format("{} {}", camera::name_of(row.kind), row.name), example);
         }
     }

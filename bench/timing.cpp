@@ -12,12 +12,6 @@ namespace balcony::bench {
 using program::max_tile_height;
 using program::max_tile_width;
 
-TileResults::TileResults(std::size_t roots) : memory_(roots * max_tile_width * max_tile_height) {
-    for (std::size_t root = 0; root < roots; ++root) {
-        pointers_.push_back(memory_.data() + root * max_tile_width * max_tile_height);
-    }
-}
-
 std::vector<program::Tile> tiles_of_picture(std::size_t width, std::size_t height) {
     std::vector<program::Tile> tiles;
     for (std::size_t y = 0; y < height; y += max_tile_height) {

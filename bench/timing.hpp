@@ -6,23 +6,14 @@
 // picture, as anything else that runs on the machine only ever makes it slower.
 
 #include <chrono>
-#include <span>
 #include <vector>
 
 #include "balcony/program.hpp"
 
 namespace balcony::bench {
 
-/// Where the values of one tile go.
-class TileResults {
-public:
-    explicit TileResults(std::size_t roots);
-    [[nodiscard]] std::span<double* const> pointers() const { return pointers_; }
-
-private:
-    std::vector<double> memory_;
-    std::vector<double*> pointers_;
-};
+/// The points of the largest tile.
+inline constexpr std::size_t tile_points = program::max_tile_width * program::max_tile_height;
 
 [[nodiscard]] std::vector<program::Tile> tiles_of_picture(std::size_t width, std::size_t height);
 

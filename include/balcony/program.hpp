@@ -134,6 +134,20 @@ private:
     std::size_t size_ = 0;
 };
 
+/// Memory for the results of runs, one array for each root, grown when needed. The arrays start at
+/// multiples of 64 bytes, and at different places of a page, so that they do not compete for the
+/// same lines of a cache.
+class ResultArrays {
+public:
+    /// Arrays for `roots` roots of `size` doubles each; their values are undefined.
+    std::span<double* const> reserve(std::size_t roots, std::size_t size);
+    [[nodiscard]] const double* operator[](std::size_t root) const { return arrays_[root]; }
+
+private:
+    Scratch memory_;
+    std::vector<double*> arrays_;
+};
+
 /// Runs a program over a tile on the widest instruction set of this machine. results[r] receives
 /// root r, row by row, width*height doubles without padding.
 void run(const Program& program, const Tile& tile, Scratch& scratch,

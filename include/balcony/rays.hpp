@@ -98,8 +98,7 @@ private:
 
     std::size_t size_ = 0;
     bool footprints_ = false;
-    std::array<std::vector<double>, values_count_> values_;
-    std::array<double*, values_count_> results_{};
+    program::ResultArrays values_;
 };
 
 /// The rays of one camera.

@@ -140,4 +140,16 @@ double* Scratch::reserve(std::size_t doubles) {
     return memory_.get();
 }
 
+std::span<double* const> ResultArrays::reserve(std::size_t roots, std::size_t size) {
+    constexpr std::size_t page = 4096 / sizeof(double);
+    constexpr std::size_t offset = 2 * register_alignment;
+    const std::size_t stride = (size + page - 1) / page * page + offset;
+    double* const memory = memory_.reserve(roots * stride);
+    arrays_.resize(roots);
+    for (std::size_t root = 0; root < roots; ++root) {
+        arrays_[root] = memory + root * stride;
+    }
+    return arrays_;
+}
+
 }  // namespace balcony::program

@@ -56,16 +56,43 @@ std::size_t padded(std::size_t count) {
     return (count + register_alignment - 1) / register_alignment * register_alignment;
 }
 
+// The arguments and results of the native called last, kept for the next call.
+struct CallPointers {
+    std::vector<const double*> arguments;
+    std::vector<double*> results;
+};
+
+// Arguments that do not vary along the run are repeated for it.
+void call(const NativeCall& native, double* registers, double* repeated, std::size_t count,
+          CallPointers& pointers) {
+    pointers.arguments.clear();
+    for (const Operand& operand : native.arguments) {
+        const double* values = registers + operand.offset;
+        if (operand.mask == 0) {
+            std::fill_n(repeated, count, *values);
+            values = std::exchange(repeated, repeated + max_tile_width);
+        }
+        pointers.arguments.push_back(values);
+    }
+    pointers.results.clear();
+    for (const std::uint32_t result : native.results) {
+        pointers.results.push_back(registers + result);
+    }
+    native.function->evaluate(count, pointers.arguments.data(), pointers.results.data());
+}
+
 // One tile or list of points on one instruction set. Registers are padded to whole vectors, so
 // kernels never handle a remainder; the caller's arrays receive only the requested points.
 class TapeRun {
 public:
-    TapeRun(const Tape& tape, const Kernels& kernels, Scratch& scratch,
-            std::span<double* const> results)
+    TapeRun(const Tape& tape, const Kernels& kernels, Scratch& scratch, InputValues inputs,
+            std::span<double* const> results, CallPointers& pointers)
         : tape_(tape),
           kernels_(kernels),
           registers_(scratch.reserve(tape.register_doubles)),
-          results_(results) {
+          inputs_(inputs),
+          results_(results),
+          pointers_(pointers) {
         assert(results.size() == tape.roots.size());
     }
 
@@ -84,7 +111,7 @@ public:
                     }
                     break;
                 case Tape::Input::time: replicate(input.offset, tile.time); break;
-                default: fill_declared(input, tile.inputs);
+                default: fill_declared(input);
             }
         }
         run_rows(tile.width, tile.height);
@@ -96,19 +123,13 @@ public:
                 case Tape::Input::x: fill_padded(input.offset, points.x); break;
                 case Tape::Input::y: fill_padded(input.offset, points.y); break;
                 case Tape::Input::time: replicate(input.offset, points.time); break;
-                default: fill_declared(input, points.inputs);
+                default: fill_declared(input);
             }
         }
         run_rows(points.x.size(), 1);
     }
 
 private:
-    // Registers that are updated for each row of points.
-    struct PixelInput {
-        std::uint32_t offset;
-        std::span<const double> values;
-    };
-
     void replicate(std::uint32_t offset, double value) {
         std::fill_n(registers_ + offset, register_alignment, value);
     }
@@ -119,13 +140,13 @@ private:
         std::fill_n(end, padded(values.size()) - values.size(), values.back());
     }
 
-    void fill_declared(const Tape::Input& input, InputValues all) {
-        const std::span<const double> values = all[input.source - Tape::Input::first_declared];
+    void fill_declared(const Tape::Input& input) {
+        const std::span<const double> values = inputs_[input.source - Tape::Input::first_declared];
         switch (input.rate) {
             case Rate::uniform: replicate(input.offset, values.front()); break;
             case Rate::column:
             case Rate::row: fill_padded(input.offset, values); break;
-            case Rate::pixel: pixel_inputs_.push_back({input.offset, values}); break;
+            case Rate::pixel: break;  // Filled in for each row.
         }
     }
 
@@ -145,29 +166,10 @@ private:
 
     void run(const Instruction& instruction, double* to, std::size_t count) {
         if (instruction.native != nullptr) {
-            call(*instruction.native, count);
+            call(*instruction.native, registers_, registers_ + tape_.repeated, count, pointers_);
             return;
         }
         kernels_[static_cast<std::size_t>(instruction.op)](instruction, registers_, to, count);
-    }
-
-    // Arguments that do not vary along the run are repeated for it.
-    void call(const NativeCall& native, std::size_t count) {
-        arguments_.clear();
-        double* repeated = registers_ + tape_.repeated;
-        for (const Operand& operand : native.arguments) {
-            const double* values = registers_ + operand.offset;
-            if (operand.mask == 0) {
-                std::fill_n(repeated, count, *values);
-                values = std::exchange(repeated, repeated + max_tile_width);
-            }
-            arguments_.push_back(values);
-        }
-        call_results_.clear();
-        for (const std::uint32_t result : native.results) {
-            call_results_.push_back(registers_ + result);
-        }
-        native.function->evaluate(count, arguments_.data(), call_results_.data());
     }
 
     void run_section(Rate rate, std::size_t count) {
@@ -177,8 +179,12 @@ private:
     }
 
     void run_row(std::size_t j) {
-        for (const PixelInput& input : pixel_inputs_) {
-            fill_padded(input.offset, input.values.subspan(j * width_, width_));
+        for (const Tape::Input& input : tape_.inputs) {
+            if (input.rate == Rate::pixel && input.source >= Tape::Input::first_declared) {
+                const std::span<const double> values =
+                    inputs_[input.source - Tape::Input::first_declared];
+                fill_padded(input.offset, values.subspan(j * width_, width_));
+            }
         }
         for (const Tape::Replication& replication : tape_.replications) {
             replicate(replication.replicated, registers_[replication.row_value + j]);
@@ -211,10 +217,9 @@ private:
     const Tape& tape_;
     const Kernels& kernels_;
     double* registers_;
-    std::vector<PixelInput> pixel_inputs_;
-    std::vector<const double*> arguments_;  ///< Of the native called last.
-    std::vector<double*> call_results_;
+    InputValues inputs_;
     std::span<double* const> results_;
+    CallPointers& pointers_;
     std::size_t width_ = 0;
     bool in_place_ = false;  ///< Rows are whole vectors, so that pixel roots need no copy.
 };
@@ -228,7 +233,9 @@ void run_on(std::size_t set, const Program& program, const Tile& tile, Scratch& 
     assert(set < runners().kernels.size());
     assert(fits(program, tile));
     if (!results.empty() && tile.width > 0 && tile.height > 0) {
-        TapeRun(program.tape(), runners().kernels[set], scratch, results)(tile);
+        CallPointers pointers;
+        TapeRun(program.tape(), runners().kernels[set], scratch, tile.inputs, results,
+                pointers)(tile);
     }
 }
 
@@ -237,7 +244,9 @@ void run_on(std::size_t set, const Program& program, const Points& points, Scrat
     assert(set < runners().kernels.size());
     assert(fits(program, points));
     if (!results.empty() && !points.x.empty()) {
-        TapeRun(program.tape(), runners().kernels[set], scratch, results)(points);
+        CallPointers pointers;
+        TapeRun(program.tape(), runners().kernels[set], scratch, points.inputs, results,
+                pointers)(points);
     }
 }
 

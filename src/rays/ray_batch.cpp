@@ -20,13 +20,7 @@ std::span<double* const> RayBatch::reserve(std::size_t size, bool footprints) {
     size_ = size;
     footprints_ = footprints;
     const std::size_t count = footprints ? values_count_ : origin_by_x_;
-    for (std::size_t root = 0; root < count; ++root) {
-        if (values_[root].size() < size) {
-            values_[root].resize(size);
-        }
-        results_[root] = values_[root].data();
-    }
-    return std::span(results_).first(count);
+    return values_.reserve(count, size);
 }
 
 }  // namespace balcony::rays

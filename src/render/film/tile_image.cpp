@@ -29,6 +29,8 @@ void write_data(DataLayers& layers, std::size_t at, const PointData& data) {
 }  // namespace
 
 void add_pass(Film& film, std::size_t tile, const TileImage& image) {
+    const bool with_squares = !film.sum_of_squares.empty();
+    const bool with_data = film.layers && !image.data.empty();
     for_each_pixel(image.region, [&](std::size_t i, std::size_t x, std::size_t y) {
         if (!film.window.contains(x, y)) {
             return;
@@ -36,7 +38,7 @@ void add_pass(Film& film, std::size_t tile, const TileImage& image) {
         const std::size_t at = film.index(x, y);
         const Color4d sample(image.light[i]);
         film.sum[at] += sample;
-        if (!film.sum_of_squares.empty()) {
+        if (with_squares) {
             film.sum_of_squares[at] += sample * sample;
         }
         if (!image.display.empty()) {
@@ -45,7 +47,7 @@ void add_pass(Film& film, std::size_t tile, const TileImage& image) {
         if (!image.mirrored.empty()) {
             film.mirrored[at] += Color4d(image.mirrored[i]);
         }
-        if (film.layers && !image.data.empty() && image.data[i].valid) {
+        if (with_data && image.data[i].valid) {
             write_data(*film.layers, at, image.data[i]);
         }
     });

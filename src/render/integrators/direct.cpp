@@ -36,10 +36,11 @@ private:
 
     [[nodiscard]] Color3f reflected_light(const V3f& to_viewer, const Surface& surface,
                                           const Bsdf& bsdf) const {
+        const LightSet& lights = tracer().lights();
+        const LitPoint point{surface.position, to_viewer};
         Color3f total(0.0F);
-        for (std::size_t light = 0; light < tracer().lights().size(); ++light) {
-            const Illumination arriving =
-                tracer().lights().arriving(light, {surface.position, to_viewer});
+        for (std::size_t light = 0; light < lights.size(); ++light) {
+            const Illumination arriving = lights.arriving(light, point);
             if (largest(arriving.irradiance) <= 0.0F) {
                 continue;
             }
@@ -55,8 +56,11 @@ private:
 
     [[nodiscard]] std::optional<Branch> reflect(const Branch& arriving, const Color3f& weight,
                                                 const Interaction& at) const override {
+        if (!is_mirror(at.appearance) || arriving.reflections >= settings().mirror_depth) {
+            return std::nullopt;
+        }
         const auto sample = bsdf_at(at).sample_mirror(-arriving.ray.direction);
-        if (!sample || arriving.reflections >= settings().mirror_depth) {
+        if (!sample) {
             return std::nullopt;
         }
         const Color3f reflected = weight * sample->weight;

@@ -25,11 +25,16 @@ public:
     [[nodiscard]] Drawn operator()(const std::vector<rays::CompiledPicture::Element>& elements,
                                    std::size_t i) const {
         Drawn all;
+        bool over_nothing = true;
         for (const rays::CompiledPicture::Element& element : elements) {
             const float part = coverages_.coverage(element, i);
-            if (part > 0.0F) {
-                all = composed(all, source(element, i), part, element.blend);
+            if (part <= 0.0F) {
+                continue;
             }
+            const bool hides = part >= 1.0F && element.blend == camera::BlendMode::normal;
+            all = over_nothing && hides ? source(element, i)
+                                        : composed(all, source(element, i), part, element.blend);
+            over_nothing = false;
         }
         return all;
     }

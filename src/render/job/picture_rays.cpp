@@ -3,19 +3,9 @@
 
 #include "render/job/picture_rays.hpp"
 
-#include <algorithm>
-
 #include "render/job/stopwatch.hpp"
 
 namespace balcony::render {
-
-float TileCoverages::coverage(const rays::CompiledPicture::Element& element, std::size_t i) const {
-    if (!element.coverage) {
-        return 1.0F;
-    }
-    const double value = values_[*element.coverage][i];
-    return value > 0.0 ? static_cast<float>(std::min(value, 1.0)) : 0.0F;
-}
 
 Color4f TileCoverages::paint(std::size_t root, std::size_t i) const {
     const auto channel = [&](std::size_t c) { return static_cast<float>(values_[root + c][i]); };
@@ -28,13 +18,9 @@ TileCoverages PictureRays::coverages(const rays::Tile& points) {
         return made;
     }
     const Stopwatch watch;
-    std::vector<double*> roots;
-    made.values_.resize(picture_->coverage_count());
-    for (std::vector<double>& values : made.values_) {
-        values.resize(points.width * points.height);
-        roots.push_back(values.data());
-    }
-    picture_->run_coverages(points, scratch_, roots);
+    picture_->run_coverages(
+        points, scratch_,
+        made.values_.reserve(picture_->coverage_count(), points.width * points.height));
     seconds_ += watch.seconds();
     return made;
 }

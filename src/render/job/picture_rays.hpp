@@ -4,6 +4,7 @@
 
 // Evaluates a picture's formulas over a tile: the rays of its camera layers, and the coverages.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -30,12 +31,17 @@ class TileCoverages {
 public:
     /// From 0 to 1; NaN counts as 0.
     [[nodiscard]] float coverage(const rays::CompiledPicture::Element& element,
-                                 std::size_t i) const;
+                                 std::size_t i) const {
+        return element.coverage ? clamped(values_[*element.coverage][i]) : 1.0F;
+    }
     [[nodiscard]] Color4f paint(std::size_t root, std::size_t i) const;
 
 private:
     friend class PictureRays;
-    std::vector<std::vector<double>> values_;  // By root.
+    [[nodiscard]] static float clamped(double value) {
+        return value > 0.0 ? static_cast<float>(std::min(value, 1.0)) : 0.0F;
+    }
+    program::ResultArrays values_;
 };
 
 /// Runs the programs of a picture; belongs to one thread.

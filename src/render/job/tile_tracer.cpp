@@ -24,10 +24,9 @@ TileTracer::TileTracer(const TracedScene& traced, const Settings& settings, Inte
 
 Seen TileTracer::seen(const TileRays& rays, std::size_t i, const embree::Hit& first,
                       const Sampler& sampler) {
-    Ray ray{rays.rays[i].origin, rays.rays[i].direction};
-    if (rays.all.has_footprints()) {
-        ray.differentials = differentials(rays.all, i, footprint_scale_);
-    }
+    const Ray ray{rays.rays[i].origin, rays.rays[i].direction,
+                  rays.all.has_footprints() ? differentials(rays.all, i, footprint_scale_)
+                                            : RayDifferentials{}};
     Seen seen = integrator_->trace(ray, first, sampler);
     if (!is_finite(seen.radiance)) {
         ++repaired_;

@@ -14,9 +14,6 @@ namespace {
 constexpr Color3f white(1.0F, 1.0F, 1.0F);
 constexpr float pi = std::numbers::pi_v<float>;
 
-// Surfaces with a roughness below this are mirrors.
-constexpr float smooth_roughness = 0.1F;
-
 float square(float x) { return x * x; }
 
 float largest(const Color3f& color) { return std::max({color.x, color.y, color.z}); }
@@ -87,7 +84,7 @@ Bsdf::Bsdf(const Appearance& appearance, const V3f& normal, const V3f& geometric
                 appearance.metallic * appearance.base_color),
       metal_(appearance.metallic * appearance.base_color),
       alpha_(square(appearance.roughness)),
-      mirror_(appearance.roughness < smooth_roughness),
+      mirror_(is_mirror(appearance)),
       normal_(normal),
       geometric_normal_(geometric_normal) {}
 

@@ -29,10 +29,15 @@ struct BsdfSample {
     V3f facet_normal;    ///< Unit: that of the facet that reflects, or of the surface if diffuse.
 };
 
+/// Whether a surface is smooth enough for a perfect mirror.
+[[nodiscard]] inline bool is_mirror(const Appearance& appearance) {
+    return appearance.roughness < 0.1F;
+}
+
 /// glTF 2.0's metallic-roughness material (appendix B): Lambert's law under a GGX microfacet layer
 /// (Walter et al. 2007) with Smith's height-correlated masking and Schlick's approximation of
-/// Fresnel's reflectance. Where the roughness is below 0.1 the layer is a perfect mirror, a delta
-/// lobe: eval() and pdf() exclude it; sample() and sample_mirror() include it.
+/// Fresnel's reflectance. Where is_mirror() holds the layer is a perfect mirror, a delta lobe:
+/// eval() and pdf() exclude it; sample() and sample_mirror() include it.
 ///
 /// Directions are in world coordinates, unit, and point away from the surface; the viewer is above
 /// the surface, in front of both normals. Light from below is not reflected.

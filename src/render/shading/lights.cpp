@@ -52,10 +52,6 @@ Illumination from_lamp(const scene::Light& light, const Imath::V3f& position,
 
 }  // namespace
 
-std::size_t LightSet::size() const {
-    return scene_->lights.size() + (scene_->default_light ? 1 : 0);
-}
-
 Illumination LightSet::arriving(std::size_t light, const LitPoint& point) const {
     if (!scene_->default_light) {
         return from_lamp(scene_->lights[light], point.position, scene_->meters_per_unit);

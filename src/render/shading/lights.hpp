@@ -40,7 +40,9 @@ class LightSet {
 public:
     explicit LightSet(const scene::Scene& scene) : scene_(&scene) {}
 
-    [[nodiscard]] std::size_t size() const;
+    [[nodiscard]] std::size_t size() const {
+        return scene_->lights.size() + (scene_->default_light ? 1 : 0);
+    }
 
     /// The light from one source, by index. Nothing from a source at the point itself.
     [[nodiscard]] Illumination arriving(std::size_t light, const LitPoint& point) const;
