@@ -29,9 +29,11 @@ struct BsdfSample {
     V3f facet_normal;    ///< Unit: that of the facet that reflects, or of the surface if diffuse.
 };
 
-/// Whether a surface is smooth enough for a perfect mirror.
+/// Surfaces with a roughness below this are perfect mirrors.
+inline constexpr float mirror_roughness = 0.1F;
+
 [[nodiscard]] inline bool is_mirror(const Appearance& appearance) {
-    return appearance.roughness < 0.1F;
+    return appearance.roughness < mirror_roughness;
 }
 
 /// glTF 2.0's metallic-roughness material (appendix B): Lambert's law under a GGX microfacet layer
