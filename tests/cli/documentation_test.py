@@ -49,6 +49,16 @@ class Documentation(support.CommandTest):
         self.assertGreaterEqual(len(lines), 5, "the README shows the command no more")
         self.run_all(lines)
 
+    def test_the_superelliptic_camera_is_the_built_in_one(self):
+        """A reader who types the listing gets the camera that has its name."""
+        cameras = support.REPOSITORY / "cameras"
+        code = "".join(line for line in (cameras / "superelliptic.cam").open()
+                       if not line.startswith("//"))
+        for name in ("README.md", "docs/language.md"):
+            page = (support.REPOSITORY / name).read_text()
+            listings = re.findall(r"^camera superelliptic\(.*?^}\n", page, re.MULTILINE | re.DOTALL)
+            self.assertEqual(listings, [code], name)
+
     def test_json_fields(self):
         page = (support.REPOSITORY / "docs" / "command.md").read_text()
         runs = {"render": ("room.glb", "--size", "8"), "check": ("my.cam",), "list": ("zoom",),

@@ -199,6 +199,7 @@ private:
             made.generator = generator(statement.stages().front());
             shared_map_used = true;
             require_map(statement);
+            check_moves(made, statements_, 0, statement);
             return made;
         }
         const Statements own(tree_, statement.block, reporter_);
@@ -221,7 +222,26 @@ private:
         const auto moves = list<camera::ObjectTransformer>(own, StatementKind::move);
         made.object_transformers.insert(made.object_transformers.begin(), moves.begin(),
                                         moves.end());
+        check_moves(made, own, 0, statement);
+        check_moves(made, statements_, moves.size(), statement);
         return made;
+    }
+
+    // Reports moves that need a surface where the path has none. `first` is the position among the
+    // path's moves of the first one in the statements.
+    void check_moves(const camera::Path& path, const Statements& statements, std::size_t first,
+                     const Statement& object) {
+        for (const ExpressionId call : statements.stages(StatementKind::move)) {
+            const auto& move = path.object_transformers[first++];
+            if (move && path.generator && path.generator->dimension() < move->min_dimension()) {
+                error(tree_[call].span,
+                      fmt::format("this stage needs a surface, but the '{}' object is a {}",
+                                  keyword(object.kind),
+                                  path.generator->dimension() == 0 ? "point" : "curve"),
+                      "write it in the block of an object that is a surface, for example eye { "
+                      "object sphere(1)  move offset(1) }");
+            }
+        }
     }
 
     void require_map(const Statement& path) {
@@ -259,6 +279,14 @@ private:
         if (parts.look->needs_direction_object() && statements_.lacks(StatementKind::toward)) {
             error(span, "this direction rule needs a direction object",
                   "add one with toward, for example toward sphere(10)");
+        }
+        if (parts.toward && parts.toward->generator &&
+            parts.toward->generator->dimension() < parts.look->min_direction_dimension()) {
+            error(span,
+                  fmt::format("this direction rule needs a surface, but the direction object is a "
+                              "{}",
+                              parts.toward->generator->dimension() == 0 ? "point" : "curve"),
+                  "write a surface after toward");
         }
         const int minimum = parts.look->min_eye_dimension();
         if (parts.eye.generator && parts.eye.generator->dimension() < minimum) {
