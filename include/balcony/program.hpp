@@ -38,8 +38,8 @@ struct Tile {
     double x = 0.5;
     double y = 0.5;
     double step = 1.0;
-    std::size_t width = 0;   ///< At most max_tile_width.
-    std::size_t height = 0;  ///< At most max_tile_height.
+    std::size_t width = 0;
+    std::size_t height = 0;
     double time = 0.0;
 
     struct Limits {
@@ -60,11 +60,11 @@ private:
     }
 };
 
+/// The largest tile that runs in one go; run() cuts larger ones into such parts.
 inline constexpr std::size_t max_tile_width = 64;
 inline constexpr std::size_t max_tile_height = 64;
 
-/// Arbitrary picture points: point i is (x[i], y[i]). At most max_points, with the same number of x
-/// and y.
+/// Arbitrary picture points: point i is (x[i], y[i]). There are as many x as y.
 struct Points {
     std::span<const double> x;
     std::span<const double> y;
@@ -72,6 +72,7 @@ struct Points {
     InputValues inputs{};
 };
 
+/// The longest list of points that runs in one go.
 inline constexpr std::size_t max_points = 64;
 
 /// The domain for which a program is compiled: a Tile or Points.
@@ -148,7 +149,7 @@ private:
     std::vector<double*> arrays_;
 };
 
-/// Runs a program over a tile on the widest instruction set of this machine. results[r] receives
+/// Runs a program over a tile of any size on the widest instruction set of this machine. results[r] receives
 /// root r, row by row, width*height doubles without padding.
 void run(const Program& program, const Tile& tile, Scratch& scratch,
          std::span<double* const> results);
@@ -172,7 +173,7 @@ struct InstructionSet {
 /// The compiled instruction sets that this machine supports, widest first. Never empty.
 [[nodiscard]] std::span<const InstructionSet> instruction_sets();
 
-/// run() on instruction_sets()[set].
+/// Runs on instruction_sets()[set]: a tile or list of points that runs in one go.
 void run_on(std::size_t set, const Program& program, const Tile& tile, Scratch& scratch,
             std::span<double* const> results);
 void run_on(std::size_t set, const Program& program, const Points& points, Scratch& scratch,

@@ -114,7 +114,7 @@ public:
     /// What a ray costs by itself, in instructions.
     [[nodiscard]] std::size_t instruction_count() const;
 
-    /// Computes rays over a tile or at points, according to the request.
+    /// Computes rays over a tile of any size or at any number of points, according to the request.
     void run(const Tile& tile, Scratch& scratch, RayBatch& rays) const;
     void run(const Points& points, Scratch& scratch, RayBatch& rays) const;
 

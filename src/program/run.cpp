@@ -250,14 +250,4 @@ void run_on(std::size_t set, const Program& program, const Points& points, Scrat
     }
 }
 
-void run(const Program& program, const Tile& tile, Scratch& scratch,
-         std::span<double* const> results) {
-    run_on(0, program, tile, scratch, results);
-}
-
-void run(const Program& program, const Points& points, Scratch& scratch,
-         std::span<double* const> results) {
-    run_on(0, program, points, scratch, results);
-}
-
 }  // namespace balcony::program

@@ -4,6 +4,8 @@
 // Further inputs of a program: what is declared, how often it is read, and what is refused.
 
 #include <array>
+#include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -81,6 +83,87 @@ TEST(Inputs, AreReadInDeclaredOrder) {
         }
         EXPECT_TRUE(results.rim_intact());
     }
+}
+
+namespace {
+
+// A program that reads x, y and inputs of all rates, and the values of these over a picture that is
+// larger than two tiles each way.
+struct LargePicture {
+    static constexpr std::size_t width = 2 * max_tile_width + 5;
+    static constexpr std::size_t height = 2 * max_tile_height + 3;
+
+    LargePicture() {
+        for (std::size_t i = 0; i < width * height; ++i) {
+            points.push_back(std::sin(static_cast<double>(i)));
+            x.push_back(0.5 + static_cast<double>(i % width));
+            y.push_back(0.5 + static_cast<double>(i / width));
+        }
+    }
+
+    [[nodiscard]] Program program(Sampling sampling) {
+        Graph graph;
+        const std::array roots{
+            graph.picture_x() + 1e3 * graph.picture_y() + graph.time() * graph.input("point"),
+            graph.input("column") - 7.0 * graph.input("row"), graph.input("uniform")};
+        return *Program::make(roots, {sampling,
+                                      {{"column", Rate::column},
+                                       {"uniform", Rate::uniform},
+                                       {"point", Rate::pixel},
+                                       {"row", Rate::row}}});
+    }
+
+    [[nodiscard]] double expected(std::size_t root, std::size_t i) const {
+        switch (root) {
+            case 0: return x[i] + 1e3 * y[i] + 2.0 * points[i];
+            case 1: return points[i % width] - 7.0 * points[i / width];
+            default: return points[0];
+        }
+    }
+
+    std::vector<double> x, y, points;
+};
+
+}  // namespace
+
+TEST(Inputs, ReachAllPartsOfALargeTile) {
+    LargePicture picture;
+    const Program program = picture.program(Sampling::grid);
+    const std::span<const double> all(picture.points);
+    const std::array<std::span<const double>, 4> values{all.first(picture.width), all.first(1), all,
+                                                        all.first(picture.height)};
+    const Tile tile{
+        .width = picture.width, .height = picture.height, .time = 2.0, .inputs = values};
+    const Results results(program, tile);
+    Scratch scratch;
+    run(program, tile, scratch, results.pointers());
+    for (std::size_t root = 0; root < program.root_count(); ++root) {
+        for (std::size_t i = 0; i < picture.x.size(); ++i) {
+            ASSERT_EQ(results[root][i], picture.expected(root, i)) << root << ' ' << i;
+        }
+    }
+    EXPECT_TRUE(results.rim_intact());
+}
+
+TEST(Inputs, ReachAllPartsOfALongList) {
+    LargePicture picture;
+    const Program program = picture.program(Sampling::points);
+    std::vector<double> columns, rows;
+    for (std::size_t i = 0; i < picture.x.size(); ++i) {
+        columns.push_back(picture.points[i % picture.width]);
+        rows.push_back(picture.points[i / picture.width]);
+    }
+    const std::array<std::span<const double>, 4> values{
+        columns, std::span<const double>(picture.points).first(1), picture.points, rows};
+    const Results results(program, picture.x.size());
+    Scratch scratch;
+    run(program, {picture.x, picture.y, 2.0, values}, scratch, results.pointers());
+    for (std::size_t root = 0; root < program.root_count(); ++root) {
+        for (std::size_t i = 0; i < picture.x.size(); ++i) {
+            ASSERT_EQ(results[root][i], picture.expected(root, i)) << root << ' ' << i;
+        }
+    }
+    EXPECT_TRUE(results.rim_intact());
 }
 
 TEST(Inputs, ThatAreNotDeclaredAreRefused) {
