@@ -40,7 +40,7 @@ private:
 // derivatives.
 bool suspicious(const Ray& a, const Ray& b, bool along_x, double step,
                 const Difference& difference) {
-    constexpr double most_surprise = 0.25;
+    constexpr double max_surprise = 0.25;
     if (!a.valid || !b.valid) {
         return false;
     }
@@ -51,7 +51,7 @@ bool suspicious(const Ray& a, const Ray& b, bool along_x, double step,
         b.direction - a.direction - 0.5 * step * (a.*direction_by + b.*direction_by));
     const double slope = std::max(difference.size(a.*origin_by, a.*direction_by),
                                   difference.size(b.*origin_by, b.*direction_by));
-    const bool expected = surprise <= most_surprise * step * slope + difference.noise(a);
+    const bool expected = surprise <= max_surprise * step * slope + difference.noise(a);
     return !expected && difference.jump(a, b) > difference.noise(a);
 }
 

@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t max_seeds = 1000;
 /// The minimum squared distance from a seed, in units of the seeds' spread; smaller distances are
 /// replaced by it, so that no logarithm, root or quotient has the argument 0.
-constexpr double least_squared_distance = 1e-30;
+constexpr double min_squared_distance = 1e-30;
 
 /// Seeds and their offsets, in coordinates relative to their mean and in units of their spread
 /// (the root of the mean squared distance from the mean).
@@ -97,7 +97,7 @@ struct ThinPlateField {
         }
         for (std::size_t i = 0; i < seeds.size(); ++i) {
             const Expr r2 = seeds.squared_distance(i, q, emit);
-            const Expr apart = max(r2, emit(least_squared_distance));
+            const Expr apart = max(r2, emit(min_squared_distance));
             const Expr kernel = dimension == 2 ? r2 * log(apart) : -sqrt(apart);
             for (std::size_t k = 0; k < dimension; ++k) {
                 offset[k] = offset[k] + spline.weights[i * dimension + k] * kernel;
@@ -119,7 +119,7 @@ struct InverseDistanceField {
         std::vector<Expr> offset(seeds.dimension, emit(0.0));
         for (std::size_t i = 0; i < seeds.size(); ++i) {
             const Expr r2 = seeds.squared_distance(i, q, emit);
-            const Expr apart = max(r2, emit(least_squared_distance)) + smoothing * smoothing;
+            const Expr apart = max(r2, emit(min_squared_distance)) + smoothing * smoothing;
             const Expr weight = pow(apart, -0.5 * power);
             weights = weights + weight;
             for (std::size_t k = 0; k < seeds.dimension; ++k) {
