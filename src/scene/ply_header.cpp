@@ -3,6 +3,7 @@
 
 #include "scene/ply_header.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 
@@ -80,6 +81,11 @@ std::optional<PlyElement> element_of(std::string_view arguments) {
                : std::nullopt;
 }
 
+bool has_element(const PlyHeader& header, std::string_view name) {
+    return std::any_of(header.elements.begin(), header.elements.end(),
+                       [name](const PlyElement& element) { return element.name == name; });
+}
+
 // Whether the line is understood.
 bool read_line(const Statement& line, PlyHeader& header) {
     if (line.keyword == "format") {
@@ -90,10 +96,12 @@ bool read_line(const Statement& line, PlyHeader& header) {
     }
     if (line.keyword == "element") {
         auto element = element_of(line.arguments);
-        if (element) {
-            header.elements.push_back(std::move(*element));
+        // Of two lists of vertices, one may have properties that the other lacks.
+        if (!element || has_element(header, element->name)) {
+            return false;
         }
-        return element.has_value();
+        header.elements.push_back(std::move(*element));
+        return true;
     }
     if (line.keyword == "property") {
         auto property = property_of(line.arguments);

@@ -33,6 +33,17 @@ std::string bytes_of(Number number, bool big_endian) {
 
 }  // namespace
 
+TEST_F(Ply, AnElementIsStatedOnce) {
+    const std::string with_normals =
+        "element vertex 1\nproperty float x\nproperty float y\n"
+        "property float z\nproperty float nx\nproperty float ny\n"
+        "property float nz\n";
+    const auto scene = load(write("twice.ply", text_file(vertex_header + with_normals + face_header,
+                                                         corners + "0 0 0 0 0 1\n4 0 1 2 3\n")));
+    EXPECT_FALSE(scene);
+    EXPECT_NE(said(scene).find("element vertex 1"), std::string::npos) << said(scene);
+}
+
 TEST_F(Ply, TextIsRead) {
     const auto scene =
         load(write("square.ply", text_file(vertex_header + face_header, corners + "4 0 1 2 3\n")));
