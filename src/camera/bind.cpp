@@ -130,7 +130,7 @@ void Binder::set_default() {
         }
         return known;
     };
-    // What is wrong with other values may be why this one seems to be missing.
+    // An error in another value may be the reason why this one seems to be missing.
     if (!std::visit(number, parameter_->type) && !parameter_->optional && findings_.empty() &&
         !any_failed_) {
         report(Kind::missing,

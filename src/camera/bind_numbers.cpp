@@ -16,7 +16,7 @@ namespace balcony::camera {
 namespace {
 
 constexpr std::size_t max_points = 65536;
-// What is made of points takes powers of their distances, which must not overflow.
+// Stages made of points compute powers of their distances, which must not overflow.
 constexpr double max_coordinate = 1e30;
 
 bool is_plain_number(const Quantity& given) {

@@ -23,7 +23,7 @@ struct NumberRules {
     std::optional<double> default_value{};  // Of a parameter that is one number.
 };
 
-/// Checks the values for one stage against its row and collects what is wrong.
+/// Checks the values for one stage against its row and collects the findings.
 class Binder {
 public:
     Binder(const StageEntry& row, std::span<const NamedValue> values)
@@ -50,7 +50,7 @@ private:
     void bind_parameters();
     void set_default();
     void report(Kind kind, std::string message, std::string remedy);
-    /// Of a stage that is itself a formula: it takes one value, of its own name.
+    /// For a stage that is itself a formula: it takes one value, named like the stage.
     void bind_formula();
 
     // ------------------------------------------------------------------------------- numbers
@@ -88,7 +88,7 @@ private:
     const bool any_failed_;
     Arguments arguments_;
     std::vector<Finding> findings_;
-    // What is being judged.
+    // The value that is being checked.
     const StageParameter* parameter_ = nullptr;
     std::optional<std::size_t> at_;
     std::vector<std::size_t> element_;
@@ -96,7 +96,7 @@ private:
 
 /// 0 has every unit.
 [[nodiscard]] bool is_angle(const Quantity& given);
-/// What a value is, in words.
+/// A value in the words of a message.
 [[nodiscard]] std::string described(const ArgumentValue& given);
 
 }  // namespace balcony::camera

@@ -22,12 +22,12 @@ namespace balcony::camera {
 [[nodiscard]] std::string counts_text(const std::vector<std::size_t>& counts);
 /// [0, 1, 2] or [(0, 0), (1, 1), (2, 2)], as long as the parameter needs but no longer than 3.
 [[nodiscard]] std::string example_of(const PointsParameter& type);
-/// What the parameter is for, and what it is if it is left out.
+/// The purpose of the parameter, and its default.
 [[nodiscard]] std::string purpose(const StageParameter& parameter,
                                   std::optional<double> default_value, Unit unit);
 /// How the numbers of a parameter are written that are given in another form.
 [[nodiscard]] std::string form_remedy(const StageParameter& parameter);
-/// What a stage for the parameter is called: "curve", "direction rule".
+/// The word for a stage that the parameter takes: "curve", "direction rule".
 [[nodiscard]] std::string_view noun_of(const NestedStageParameter& type);
 /// "point", "curve" or "surface".
 [[nodiscard]] std::string_view object_noun(int dimension);

@@ -106,7 +106,7 @@ std::optional<LocatedDefinition> find_camera(const Module* module, std::string_v
     return place;
 }
 
-// What `build` makes of a definition. What does not fit into a graph is an error of the whole.
+// The result of `build`. A graph that grows too large is an error of the whole definition.
 template <class Build>
 auto within_graph(const LocatedDefinition& place, Session& session, Build build)
     -> decltype(build()) {
@@ -131,7 +131,7 @@ std::optional<camera::Picture> build_whole(const LocatedDefinition& place,
     });
 }
 
-// What was made of a place, with what there is to say.
+// The result for a place, with its diagnostics.
 template <class Made>
 Result<Made> finish(std::optional<Made> made, const Module* module, Reporter& reporter) {
     const bool failed = reporter.error_count() > 0;

@@ -35,8 +35,8 @@ const StageParameter* find_parameter(const StageEntry& row, std::string_view nam
     return found != row.parameters.end() ? &*found : nullptr;
 }
 
-// The formula parameter that a formula in the place of an argument is for; null if there is none,
-// and the formula is a stage.
+// The formula parameter that receives a formula given as an argument; null if the row has none, in
+// which case the formula is a stage.
 const StageParameter* parameter_of_formula(const StageEntry& row, const Expression& value) {
     const StageParameter* found =
         value.kind == ExpressionKind::formula ? find_parameter(row, value.name.text) : nullptr;
@@ -85,7 +85,7 @@ bool is_literal(const SyntaxTree& tree, const Expression& node) {
            (sign && is_literal(tree, tree[node.arguments.front().value]));
 }
 
-// What a user writes instead of a plain number that should be an angle.
+// The remedy for a plain number where an angle is needed.
 std::string angle_remedy(const SourceSpan& place) {
     const std::string_view written =
         place.source->text().substr(place.begin, place.end - place.begin);
@@ -215,7 +215,7 @@ bool StageBuilder::tuple_is_spread(const StageEntry& row, const Expression& call
     return false;
 }
 
-// An argument with an error of its own is assigned to no name.
+// An argument that has an error is not assigned to a parameter.
 std::vector<StageBuilder::Assigned> StageBuilder::assign(const StageEntry& row,
                                                          const Expression& call) {
     std::vector<Assigned> made;
@@ -281,8 +281,7 @@ std::vector<StageBuilder::Assigned> StageBuilder::assign(const StageEntry& row,
     return made;
 }
 
-// A tuple in the place of as many numbers is for all of them: translate(corner) is
-// translate(x, y, z).
+// A tuple can replace as many numbers: translate(corner) is translate(x, y, z).
 std::optional<Value> StageBuilder::tuple_for(ExpressionId value,
                                              std::span<const StageParameter* const> positions) {
     const auto is_number = [](const StageParameter* parameter) {

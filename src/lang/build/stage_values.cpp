@@ -24,7 +24,7 @@ bool may_be_stage(const Expression& node) {
            node.kind == ExpressionKind::formula;
 }
 
-// What stands in the place of something else.
+// An expression in the words of a message.
 std::string_view described(const Expression& node) {
     switch (node.kind) {
         case ExpressionKind::tuple: return "a tuple";
@@ -163,7 +163,7 @@ StageBuilder::Located StageBuilder::points(const camera::PointsParameter& type,
     if (node.kind == ExpressionKind::text) {
         return table(type, given);
     }
-    // A name that there is not is said to be missing, what is no value at all to be no list.
+    // An unknown name is reported as missing; anything that cannot be a value, as not being a list.
     if (node.kind != ExpressionKind::list && node.kind != ExpressionKind::name &&
         node.kind != ExpressionKind::element && !calls_let(node, scope_)) {
         return unsuitable(given);

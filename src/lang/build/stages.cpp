@@ -45,7 +45,7 @@ std::vector<std::string> names_of_kind(const camera::Catalogue& catalogue, Stage
     return names;
 }
 
-// Where a name is of several kinds, a picture arranger is what is meant least.
+// If several kinds have the name, a picture arranger is the least likely.
 const StageEntry* find_of_any_kind(const camera::Catalogue& catalogue, std::string_view name) {
     const StageEntry* found = nullptr;
     for (const StageEntry& row : catalogue) {

@@ -15,8 +15,8 @@
 
 namespace balcony::lang {
 
-/// Makes stages from calls: finds out which argument is for which parameter and what its value is.
-/// camera::bind judges the values; what it finds is reported where they are written.
+/// Makes stages from calls: assigns arguments to parameters and evaluates them. camera::bind checks
+/// the values; its findings are reported where the values are written.
 class StageBuilder {
 public:
     StageBuilder(const Module& module, Scope& scope, Session& session)
@@ -33,8 +33,8 @@ public:
         return std::static_pointer_cast<const Port>(make_stage(camera::kind_of<Port>(), call));
     }
 
-    /// The built-in stage of a name from values for its first parameters, in their order; `span` is
-    /// what is written. Null if there is an error.
+    /// A built-in stage from values for its first parameters, in order; `span` is the text that
+    /// stands for it. Null after an error.
     template <class Port>
     [[nodiscard]] std::shared_ptr<const Port> make(std::string_view name,
                                                    std::span<const ExpressionId> values,
@@ -74,8 +74,8 @@ private:
     const camera::StageEntry* find_row(camera::StageKind kind, const Identifier& name);
 
     // ------------------------------------------------------ which parameter an argument is for
-    // The name that an argument is given for, and what is written: an expression, several for a
-    // parameter that takes all the rest, or a number out of a tuple that is for several parameters.
+    // A parameter's name and the text assigned to it: an expression, several for a parameter that
+    // takes all remaining ones, or one number of a tuple that is for several parameters.
     struct Assigned {
         std::string_view name{};
         const camera::StageParameter* parameter = nullptr;  // Null: none has the name.
@@ -142,8 +142,8 @@ private:
     void error(Span span, std::string message, std::string remedy = {}) {
         reporter_.error(tree_.at(span), std::move(message), std::move(remedy));
     }
-    /// What has no place of its own is reported of what the camera file names; what is elsewhere
-    /// gets a note that says where it is used.
+    /// Reports findings without a place at the name in the camera file; those in other files get a
+    /// note with the place of use.
     void report(Diagnostics found, Span named);
 
     const Module& module_;

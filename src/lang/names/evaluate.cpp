@@ -466,7 +466,7 @@ bool check_function(const LetFunction& function, const Context& context) {
     Scope inner(&function.scope);
     for (const Identifier& parameter : function.let.parameters) {
         const SourceSpan place = function.tree.at(parameter.span);
-        // Without a value, so that nothing is said of what depends on it.
+        // Without a value, so that nothing that depends on it is reported.
         if (!inner.define(parameter.text, {{}, place, "parameter", true})) {
             report_duplicate(parameter, place, inner.find_here(parameter.text)->place,
                              context.reporter);

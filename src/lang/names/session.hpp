@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What one call of the library's functions works on: the camera files with their names resolved,
-// a graph for the values, and what there is to report.
+// The state of one call of a library function: the camera files with their names resolved, a graph
+// for the values, and the diagnostics.
 
 #include <filesystem>
 #include <map>

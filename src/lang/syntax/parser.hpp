@@ -12,13 +12,13 @@
 
 namespace balcony::lang {
 
-/// Reads a camera file. The catalogue is for remedies that name a stage. What has errors is
-/// reported and left out or marked; the rest is there.
+/// Parses a camera file. The catalogue is for remedies that name a stage. Errors are reported, and
+/// the parts that have them are omitted or marked; the tree contains the rest.
 [[nodiscard]] SyntaxTree parse(std::shared_ptr<const SourceText> source,
                                const camera::Catalogue& catalogue, Reporter& reporter);
 
-/// Parses `name = expression`, the value of --set. The expression is the tree's last; there is none
-/// if there were errors.
+/// Parses `name = expression`, the value of --set. The expression is the last of the tree, which
+/// is empty after an error.
 [[nodiscard]] SyntaxTree parse_override(std::shared_ptr<const SourceText> source,
                                         const camera::Catalogue& catalogue, Reporter& reporter);
 

@@ -17,7 +17,8 @@ namespace {
 // Globally reserved names.
 constexpr std::array<std::string_view, 2> constants = {"pi", "t"};
 
-// What a word may be that opens no statement: a range of map, a stage, or a statement misspelled.
+// The suggestion for a word that starts no statement. It may be a range of map, a stage or a
+// misspelled statement.
 std::string statement_suggestion(std::string_view word, const std::vector<std::string>& known,
                                  const camera::Catalogue& catalogue) {
     const auto opens = [&known](const std::string& statement) {

@@ -25,7 +25,7 @@ enum class Block : std::uint8_t {
     layer = 8,
 };
 
-/// What stands behind the keyword, and so what a statement holds.
+/// The syntax after the keyword, which determines the content of a statement.
 enum class Shape : std::uint8_t {
     let,      ///< name = expression
     value,    ///< An expression.

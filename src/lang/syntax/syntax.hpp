@@ -99,8 +99,8 @@ struct Corners {
     ExpressionId first, last;
 };
 
-/// What is written depends on the shape of the statement's kind (statement_rows.hpp); a broken one
-/// may have less of it.
+/// The content depends on the shape of the statement's kind (statement_rows.hpp). After a syntax
+/// error part of it may be missing.
 struct Statement {
     using Content = std::variant<std::monostate, LetSyntax, ExpressionId, Identifier,
                                  std::vector<MapRange>, Corners, std::vector<ExpressionId>>;

@@ -48,7 +48,7 @@ std::string one_line(const SyntaxTree& tree, Span span) {
 
 using Meanings = std::vector<std::string>;
 
-// What is explained: a file, with the stages that it may name.
+// The file to explain, and the stages that it may name.
 struct Place {
     const SyntaxTree& tree;
     const camera::Catalogue& catalogue;
@@ -70,7 +70,7 @@ std::optional<StageKind> nested_kind(const camera::StageEntry& row, const Argume
     return std::nullopt;
 }
 
-// What the catalogue says of a call and of the stages inside it, each once.
+// The catalogue's meanings of a call and of the stages inside it, each once.
 void add_stages(const Place& place, ExpressionId call, StageKind kind, Meanings& found) {
     const Expression& node = place.tree[call];
     const bool may_be_stage = node.kind == ExpressionKind::call ||

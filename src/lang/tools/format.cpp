@@ -199,7 +199,7 @@ private:
         piece.closes = is_any(token, {")", "]"});
         piece.sum = role == Role::loose && !is_any(token, {"=", ".."});
         lines_.back().pieces.push_back(piece);
-        // Some are written as a call, others have what they are given behind a space.
+        // Some statements are written as a call; others have their content after a space.
         const StatementRow* row = find_statement(token, true);
         const bool call = row != nullptr && row->shape == Shape::call;
         previous_ = {&token, role, first && !call};
