@@ -255,8 +255,8 @@ private:
     Contents contents_;
 };
 
-// The number of operations of a picture: those of its layers, counted once, and those of the cameras
-// that they show.
+// The number of operations of a picture: those of its layers, counted once, and those of the
+// cameras that they show.
 std::size_t count_operations(const Picture& picture) {
     Graph graph;
     (void)PictureEmitter(graph, PictureEmitter::Contents::left_out)
