@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Probe: which objects of a scene a camera sees, whether rays start inside an object, and what
-// hides a point from a camera.
+// Probe: which objects of a scene a camera sees, whether rays start inside an object, what hides a
+// point from a camera, and where a camera stands well.
 
 #include <cstddef>
 #include <cstdint>
@@ -46,6 +46,12 @@ struct Probe {
 /// Transparent surfaces count as visible, and so do those behind them.
 [[nodiscard]] Result<Probe> probe(const scene::Scene& scene, const camera::Camera& camera,
                                   const ProbeSettings& settings);
+
+/// A perspective camera for a scene that has none. It stands in front of the scene and slightly
+/// above it, as near as shows all but its surroundings: a ground or a sky much larger than all
+/// other objects together. If the scene is a closed room, it stands inside where it sees many
+/// objects, each of them large. A scene without a finite size is an error.
+[[nodiscard]] Result<scene::Camera> default_camera(const scene::Scene& scene);
 
 /// From the origin of a ray to a point that it may show.
 struct SightLine {

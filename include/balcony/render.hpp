@@ -50,7 +50,7 @@ struct Settings {
     /// Radiance from all directions, without shadows. If empty, it follows the light of the scene:
     /// of the places that a coarse grid of the picture's rays meets, a tenth of the median radiance
     /// that a white surface turned to the lights would have, or that the place emits; dark places
-    /// do not count. Where nothing is lit, it is 0.1.
+    /// do not count. Where nothing is lit, it is 0.3.
     std::optional<Color3f> ambient{};
     /// The colour behind the picture, as the display shows it: neither exposed nor part of the
     /// film's light. Linear, from 0 to 1; transparent if empty.

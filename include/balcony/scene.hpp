@@ -116,6 +116,23 @@ struct Light {
     float outer_cone = 0.7853982F;  ///< Radians from the axis, dark outside.
 };
 
+enum class Projection : std::uint8_t { perspective, orthographic };
+
+/// A camera of the file. `right`, `up` and `forward` are orthogonal unit vectors.
+struct Camera {
+    std::string name;
+    Projection projection = Projection::perspective;
+    V3d position{0.0, 0.0, 0.0};
+    V3d right{1.0, 0.0, 0.0};
+    V3d up{0.0, 1.0, 0.0};
+    V3d forward{0.0, 0.0, -1.0};
+    /// Half of the picture's height: at distance 1 in a perspective picture, otherwise in scene
+    /// units.
+    double half_height = 0.5;
+    double aspect = 16.0 / 9.0;  ///< Width divided by height.
+    double near = 0.0;           ///< Scene units along `forward`: what is nearer is not visible.
+};
+
 struct Scene {
     std::string name;    ///< The file it came from, for messages.
     std::string format;  ///< "glTF 2.0 binary", "Wavefront OBJ", ...
@@ -127,6 +144,7 @@ struct Scene {
     std::vector<Material> materials;
     std::vector<Texture> textures;
     std::vector<Light> lights;
+    std::vector<Camera> cameras;
     std::vector<std::filesystem::path> files;  ///< That load() read or looked for.
     bool default_light = false;  ///< The file has no light: use a light at the ray origin.
 

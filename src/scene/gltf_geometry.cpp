@@ -246,6 +246,7 @@ void GltfReader::read_node(const Node& visit, std::vector<Node>& pending) {
             pending.push_back({*child, world_from_node});
         }
         place_light(node, world_from_node);
+        place_camera(node, world_from_node);
         place_mesh(node, visit.index, world_from_node);
     } catch (const PartError& fault) {
         import_.warn(fmt::format("node {} is skipped: {}", in_quotes(name), fault.reason));

@@ -67,6 +67,9 @@ private:
     // gltf_lights.cpp
     void place_light(const Json& node, const M44d& world_from_node);
 
+    // gltf_cameras.cpp
+    void place_camera(const Json& node, const M44d& world_from_node);
+
     struct Image {
         std::size_t image = 0;
         Wrap wrap_u = Wrap::repeat;

@@ -33,6 +33,7 @@ class Documentation(support.CommandTest):
         poster = "picture poster { layer above layer closeup { place (0, 0) .. (1/2, 1/2) } }\n"
         for name in ("gallery", "room", "my"):
             (self.folder / f"{name}.cam").write_text(poster + support.CAMERAS)
+        (self.folder / "filmed.gltf").write_text(support.gltf_text_with_cameras())
         (self.folder / "corners.csv").write_text("1,2,3\n-1,0,0.5\n")
 
     def run_all(self, lines):

@@ -100,6 +100,18 @@ class Info(support.CommandTest):
         self.assertRegex(out, r"triangles +1 in 1 object, 1 mesh\n")
         self.assertEqual(self.json_of("info", "lit.gltf")["scene"]["lights"], 1)
 
+    def test_cameras(self):
+        (self.folder / "filmed.gltf").write_text(support.gltf_text_with_cameras())
+        out, err = self.run_command("info", "filmed.gltf")
+        self.assertEqual(err, "")
+        self.assertRegex(out, r"cameras +2\n")
+        self.assertRegex(out, r"camera +Front, perspective, 90 x 90 degrees\n")
+        self.assertRegex(out, r"camera +Plan, orthographic, 8 x 4 units\n")
+        cameras = self.json_of("info", "filmed.gltf")["scene"]["cameras"]
+        self.assertEqual([camera["name"] for camera in cameras], ["Front", "Plan"])
+        self.assertEqual(cameras[1]["half_height"], 2)
+        self.assertEqual(self.json_of("info", "scene.obj")["scene"]["cameras"], [])
+
     def test_json(self):
         scene = self.json_of("info", "scene.obj")["scene"]
         self.assertEqual(scene["objects"], ["wall", "tip"])

@@ -84,6 +84,35 @@ class Options(support.CommandTest):
         refuses("none.cam:closeup", "'none.cam'")
         refuses(".", "'.' is a folder")
 
+    def test_cameras_of_the_scene(self):
+        (self.folder / "filmed.gltf").write_text(support.gltf_text_with_cameras())
+
+        def is_seen(x, y, *options):
+            self.run_command("render", "filmed.gltf", "--size", "80", "-o", "p.png", *options)
+            width, height, rows = support.png_pixels(self.folder / "p.png")
+            return (width, height), rows[y][x][3] == 255
+
+        self.assertEqual(is_seen(40, 40, "-c", "scene:Front"), ((80, 80), True))
+        self.assertEqual(is_seen(40, 40, "-c", "scene:"), ((80, 80), True))
+        self.assertEqual(is_seen(40, 40), ((80, 80), True), "the first is the default camera")
+        # (0, -0.5, 0) is 4 to the left and 2.5 below the camera, (0.4, 0, 0) just in the corner.
+        self.assertEqual(is_seen(3, 39, "-c", "scene:Plan"), ((80, 40), True))
+        self.assertEqual(is_seen(40, 20, "-c", "scene:Plan"), ((80, 40), False))
+        out, _ = self.run_command("locate", "scene:Plan", "--scene", "filmed.gltf", "--size", "80",
+                                  "--point", "4,2,0")
+        self.assertRegex(out, r"x +40\.0+ +y +20\.0+")
+
+        def refuses(camera, says, helps, *words):
+            self.refused("render", "filmed.gltf", "--camera", camera, *words, code=1, says=says,
+                         helps=helps)
+
+        refuses("scene:Frnt", "no camera 'Frnt'", "did you mean 'scene:Front'?")
+        refuses("scene:Somewhere", "'Somewhere'", "Front, Plan")
+        refuses("scene:Front", "no parameters", "camera files", "--set", "a=1")
+        self.refused("render", "scene.obj", "-c", "scene:", code=1, says="has no cameras")
+        self.refused("explain", "scene:Front", code=1, says="no scene is given",
+                     helps="balcony render")
+
     def test_scenes_that_are_not_there(self):
         self.refused("render", "none.obj", code=1, says="'none.obj'")
         self.refused("render", ".", code=1, says="'.' is a directory")

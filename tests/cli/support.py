@@ -108,6 +108,22 @@ def gltf_text_with_light(name="triangle"):
     return json.dumps(document)
 
 
+def gltf_text_with_cameras():
+    """The triangle before two cameras at a distance of 3: the second sees the lower left part."""
+    document = triangle()
+    document["buffers"][0]["uri"] = ("data:application/octet-stream;base64,"
+                                     + base64.b64encode(CORNERS).decode())
+    document["cameras"] = [
+        {"type": "perspective",
+         "perspective": {"yfov": 1.5707963267948966, "aspectRatio": 1, "znear": 0.1}},
+        {"type": "orthographic",
+         "orthographic": {"xmag": 4, "ymag": 2, "znear": 0.1, "zfar": 100}}]
+    document["nodes"] += [{"name": "Front", "translation": [0, 0, 3], "camera": 0},
+                          {"name": "Plan", "translation": [4, 2, 3], "camera": 1}]
+    document["scenes"][0]["nodes"] += [1, 2]
+    return json.dumps(document)
+
+
 def png_pixels(path):
     """Width, height and rows of pixels of an RGBA file of 8 bits a channel, each chunk checked."""
     data = Path(path).read_bytes()

@@ -1,6 +1,9 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+#include <cmath>
+#include <numbers>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -22,6 +25,35 @@ struct InfoOptions {
 
 std::string_view axes_text(Axes axes) { return axes == Axes::y_up ? "y up" : "z up"; }
 
+// "Door, perspective, 60 x 36 degrees"
+std::string camera_text(const scene::Camera& camera) {
+    const double half_width = camera.half_height * camera.aspect;
+    if (camera.projection == scene::Projection::orthographic) {
+        return fmt::format("{}, orthographic, {:.4g} x {:.4g} units", printable(camera.name),
+                           2.0 * half_width, 2.0 * camera.half_height);
+    }
+    const auto field = [](double half) { return 2.0 * std::atan(half) * 180.0 / std::numbers::pi; };
+    return fmt::format("{}, perspective, {:.4g} x {:.4g} degrees", printable(camera.name),
+                       field(half_width), field(camera.half_height));
+}
+
+nlohmann::json cameras_json(const scene::Scene& scene) {
+    nlohmann::json cameras = nlohmann::json::array();
+    const auto numbers = [](const scene::V3d& v) { return nlohmann::json{v.x, v.y, v.z}; };
+    for (const scene::Camera& camera : scene.cameras) {
+        const bool perspective = camera.projection == scene::Projection::perspective;
+        cameras.push_back({{"name", camera.name},
+                           {"projection", perspective ? "perspective" : "orthographic"},
+                           {"position", numbers(camera.position)},
+                           {"forward", numbers(camera.forward)},
+                           {"up", numbers(camera.up)},
+                           {"half_height", camera.half_height},
+                           {"aspect", camera.aspect},
+                           {"near", camera.near}});
+    }
+    return cameras;
+}
+
 nlohmann::json scene_json(const scene::Scene& scene) {
     const auto bounds = scene.bounds();
     nlohmann::json objects = nlohmann::json::array();
@@ -38,6 +70,7 @@ nlohmann::json scene_json(const scene::Scene& scene) {
         {"materials", scene.materials.size()},
         {"textures", scene.textures.size()},
         {"lights", scene.lights.size()},
+        {"cameras", cameras_json(scene)},
         {"bounds",
          {{bounds.min.x, bounds.min.y, bounds.min.z}, {bounds.max.x, bounds.max.y, bounds.max.z}}},
         {"objects", objects}};
@@ -64,6 +97,10 @@ std::string scene_text(const scene::Scene& scene, bool objects) {
                                   counted(scene.textures.size(), "texture", "textures")));
     line("lights", fmt::format("{}{}", scene.lights.size(),
                                scene.default_light ? "; lit from the ray origins" : ""));
+    line("cameras", std::to_string(scene.cameras.size()));
+    for (const scene::Camera& camera : scene.cameras) {
+        text += fmt::format("  camera     {}\n", camera_text(camera));
+    }
     if (objects) {
         for (std::size_t i = 0; i < scene.objects.size(); ++i) {
             text += fmt::format("  object {:<4} {}\n", i + 1, printable(scene.objects[i].name));

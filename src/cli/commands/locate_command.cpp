@@ -168,14 +168,17 @@ void look_for_obstacles(const scene::Scene& scene, Axes axes, Located& located,
 // By default, points are in the axes of the scene, if there is one.
 Result<Located> find_all(const LocateOptions& options, const PictureSize& size, double time,
                          std::optional<Axes> axes, std::vector<V3d> points) {
-    const Result<camera::Picture> picture = load_picture(options.camera, options.set);
-    Diagnostics diagnostics = picture.diagnostics;
+    Diagnostics diagnostics;
     std::optional<scene::Scene> scene;
     if (!options.scene.empty()) {
         Result<scene::Scene> loaded = load_scene(options.scene);
         add_to(diagnostics, loaded.diagnostics);
         scene = std::move(loaded.value);
     }
+    const Result<camera::Picture> picture = scene
+                                                ? load_picture(options.camera, options.set, *scene)
+                                                : load_picture(options.camera, options.set);
+    add_to(diagnostics, picture.diagnostics);
     if (has_errors(diagnostics)) {
         return diagnostics;
     }

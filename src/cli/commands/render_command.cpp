@@ -235,7 +235,8 @@ Outcome render_picture(const RenderOptions& options) {
 
     // A camera loads fast, so its mistakes are reported before a large scene is read.
     Result<camera::Picture> picture;
-    if (!options.camera.empty()) {
+    const bool of_file = !options.camera.empty() && !is_of_scene(options.camera);
+    if (of_file) {
         picture = load_picture(options.camera, options.set);
         add(outcome, picture.diagnostics);
     }
@@ -252,8 +253,9 @@ Outcome render_picture(const RenderOptions& options) {
         return fail(std::move(outcome), ExitCode::wrong_usage, diagnostics);
     }
     const auto shared = std::make_shared<const scene::Scene>(std::move(*scene));
-    if (options.camera.empty()) {
-        picture = default_picture(*shared);
+    if (!of_file) {
+        picture = options.camera.empty() ? default_picture(*shared)
+                                         : load_picture(options.camera, options.set, *shared);
         add(outcome, picture.diagnostics);
     }
     const auto renderer = render::Renderer::make(shared);
@@ -344,7 +346,8 @@ void add_render_command(CLI::App& app, ExitCode& code) {
         ->add_option(
             "-c,--camera", options->camera,
             "camera file and the NAME of a camera or picture in it (default: the last), or a "
-            "built-in camera (default: a pinhole that sees the whole scene)")
+            "built-in camera; scene:NAME is a camera of the scene (default: its first, or one "
+            "that shows the scene well)")
         ->type_name("FILE[:NAME]");
     add_set_option(*command, options->set);
     command->add_option("--time", options->time, "value of t in the camera's formulas")
@@ -367,6 +370,7 @@ void add_render_command(CLI::App& app, ExitCode& code) {
         "  balcony render room.glb -o room.png\n"
         "  balcony render room.glb --camera superelliptic --set gamma=1/2 -o walls.png\n"
         "  balcony render room.glb --camera my.cam:closeup --size 1920x1080 -s 64\n"
+        "  balcony render filmed.gltf --camera scene:Front\n"
         "\n"
         "Ctrl-C saves the partial picture; a second Ctrl-C ends at once.");
     command->callback([options, &code] { code = render_command(*options); });

@@ -6,12 +6,17 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "balcony/scene_camera.hpp"
 
 namespace balcony::cli {
 
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::string_view scene_prefix = "scene:";
 
 CameraArgument split_camera(const std::string& text) {
     const auto colon = text.rfind(':');
@@ -22,11 +27,37 @@ CameraArgument split_camera(const std::string& text) {
     return {text.substr(0, colon), text.substr(colon + 1), {}};
 }
 
+Diagnostic unknown_camera(const std::string& name, const scene::Scene& scene) {
+    if (scene.cameras.empty()) {
+        return error(fmt::format("'{}' has no cameras", scene.name), {},
+                     "export the scene with its cameras, or name a camera file");
+    }
+    std::vector<std::string> names;
+    for (const scene::Camera& camera : scene.cameras) {
+        names.push_back(camera.name);
+    }
+    const auto nearest = nearest_name(name, names);
+    return error(fmt::format("'{}' has no camera '{}'", scene.name, name), {},
+                 nearest ? fmt::format("did you mean '{}{}'?", scene_prefix, *nearest)
+                         : fmt::format("its cameras are {}", fmt::join(names, ", ")));
+}
+
 }  // namespace
 
-fs::path camera_file(const std::string& camera) { return split_camera(camera).file; }
+bool is_of_scene(const std::string& camera) {
+    std::error_code ignored;
+    return camera.starts_with(scene_prefix) && !fs::exists(camera, ignored);
+}
+
+fs::path camera_file(const std::string& camera) {
+    return is_of_scene(camera) ? fs::path() : split_camera(camera).file;
+}
 
 Result<CameraArgument> read_camera(const std::string& camera, const std::vector<std::string>& set) {
+    if (is_of_scene(camera)) {
+        return error(fmt::format("'{}' is a camera of a scene, but no scene is given", camera), {},
+                     "such cameras are for balcony render, and for balcony locate with --scene");
+    }
     CameraArgument wanted = split_camera(camera);
     for (const std::string& text : set) {
         const auto equals = text.find('=');
@@ -55,6 +86,28 @@ Result<camera::Picture> load_picture(const std::string& picture,
     const Result<CameraArgument> wanted = read_camera(picture, set);
     return wanted ? lang::make_picture(wanted->file, wanted->name, wanted->overrides)
                   : Result<camera::Picture>(wanted.diagnostics);
+}
+
+Result<camera::Picture> load_picture(const std::string& picture,
+                                     const std::vector<std::string>& set,
+                                     const scene::Scene& scene) {
+    if (!is_of_scene(picture)) {
+        return load_picture(picture, set);
+    }
+    if (!set.empty()) {
+        return error(fmt::format("'{}' has no parameters that --set could set", picture), {},
+                     "--set is for cameras of camera files");
+    }
+    const std::string name = picture.substr(scene_prefix.size());
+    const auto found = std::find_if(
+        scene.cameras.begin(), scene.cameras.end(),
+        [&name](const scene::Camera& camera) { return name.empty() || camera.name == name; });
+    if (found == scene.cameras.end()) {
+        return unknown_camera(name, scene);
+    }
+    auto made = data::make_camera(*found, scene.axes);
+    return made ? Result<camera::Picture>(std::move(*made), std::move(made.diagnostics))
+                : Result<camera::Picture>(std::move(made.diagnostics));
 }
 
 void add_camera_option(CLI::App& command, std::string& camera) {

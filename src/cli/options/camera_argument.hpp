@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "balcony/lang.hpp"
+#include "balcony/scene.hpp"
 #include "cli/commands/command.hpp"
 
 namespace balcony::cli {
@@ -32,6 +33,14 @@ struct CameraArgument {
 /// Makes the selected picture; a camera becomes a picture with one layer.
 [[nodiscard]] Result<camera::Picture> load_picture(const std::string& picture,
                                                    const std::vector<std::string>& set);
+
+/// Whether a camera is given as scene:NAME, or scene: for the first camera of the scene.
+[[nodiscard]] bool is_of_scene(const std::string& camera);
+
+/// The same with a scene, whose cameras can be selected.
+[[nodiscard]] Result<camera::Picture> load_picture(const std::string& picture,
+                                                   const std::vector<std::string>& set,
+                                                   const scene::Scene& scene);
 
 /// Adds the required positional argument CAMERA.
 void add_camera_option(CLI::App& command, std::string& camera);

@@ -7,8 +7,7 @@
 
 namespace balcony::cli {
 
-/// The default camera: a pinhole in front of the scene and slightly above it that sees the whole
-/// scene.
+/// The default camera: the first of the scene, or else render::default_camera().
 [[nodiscard]] Result<camera::Picture> default_picture(const scene::Scene& scene);
 
 }  // namespace balcony::cli

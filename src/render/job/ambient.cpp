@@ -76,7 +76,7 @@ private:
 Color3f ambient_of(const TracedScene& traced, const rays::CompiledPicture& picture,
                    const Film& film, double time) {
     constexpr double share = 0.1;
-    constexpr double in_the_dark = 0.1;
+    constexpr double in_the_dark = 0.3;
     const auto width = static_cast<double>(film.width);
     const auto height = static_cast<double>(film.height);
     const double step = std::max(1.0, std::sqrt(width * height / rays_per_layer));

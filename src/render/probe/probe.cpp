@@ -10,6 +10,7 @@
 #include "render/embree/accelerator.hpp"
 #include "render/job/camera_rays.hpp"
 #include "render/probe/closed_surface.hpp"
+#include "render/probe/hit_geometry.hpp"
 
 namespace balcony::render {
 
@@ -37,7 +38,11 @@ class Prober {
 public:
     Prober(const scene::Scene& scene, const embree::Accelerator& accelerator,
            const rays::RayProgram& program, const ProbeSettings& settings)
-        : scene_(scene), accelerator_(accelerator), program_(program), settings_(settings) {
+        : scene_(scene),
+          geometry_(scene),
+          accelerator_(accelerator),
+          program_(program),
+          settings_(settings) {
         probe_.objects.resize(scene.objects.size());
         for (const scene::Instance& instance : scene.instances) {
             if (!scene.meshes[instance.mesh.value()].triangles.empty()) {
@@ -110,7 +115,7 @@ private:
                 continue;
             }
             if (measure) {
-                distances_.push_back((place_of(hits[i]) - rays[i].origin).length());
+                distances_.push_back((geometry_.place(hits[i]) - rays[i].origin).length());
             }
             follow(rays[i], hits[i]);
         }
@@ -119,9 +124,8 @@ private:
     void follow(embree::Ray ray, Hit hit) {
         constexpr int max_layers = 64;
         for (int layer = 0; layer < max_layers && hit.any(); ++layer) {
-            const scene::Instance& instance = scene_.instances[hit.instance];
-            probe_.objects[instance.object].seen = true;
-            if (material_of(instance).alpha_mode == scene::AlphaMode::opaque) {
+            probe_.objects[geometry_.object(hit)].seen = true;
+            if (geometry_.material(hit).alpha_mode == scene::AlphaMode::opaque) {
                 return;
             }
             ray.origin = beyond(ray, hit);
@@ -132,30 +136,10 @@ private:
     // Beyond the surface by more than the rounding error.
     [[nodiscard]] V3f beyond(const embree::Ray& ray, const Hit& hit) const {
         constexpr float share = 1e-5F;
-        const V3f place = place_of(hit);
+        const V3f place = geometry_.place(hit);
         const float size = std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z),
                                      (place - ray.origin).length()});
         return place + share * size * ray.direction;
-    }
-
-    [[nodiscard]] const scene::Material& material_of(const scene::Instance& instance) const {
-        return scene_.materials[scene_.meshes[instance.mesh.value()].material.value()];
-    }
-
-    [[nodiscard]] std::array<V3d, 3> corners_of(const Hit& hit) const {
-        const scene::Instance& instance = scene_.instances[hit.instance];
-        const scene::Mesh& mesh = scene_.meshes[instance.mesh.value()];
-        std::array<V3d, 3> corners;
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-            corners[i] =
-                V3d(mesh.positions[mesh.triangles[hit.triangle][i]]) * instance.world_from_mesh;
-        }
-        return corners;
-    }
-
-    [[nodiscard]] V3f place_of(const Hit& hit) const {
-        const std::array<V3d, 3> p = corners_of(hit);
-        return V3f(p[0] + double{hit.u} * (p[1] - p[0]) + double{hit.v} * (p[2] - p[0]));
     }
 
     // For the rays of a tile, whether they start inside an object. From inside, a ray
@@ -192,21 +176,19 @@ private:
         if (!hit.any()) {
             return std::nullopt;
         }
-        const std::array<V3d, 3> p = corners_of(hit);
-        const scene::Instance& instance = scene_.instances[hit.instance];
-        const double facing = (p[1] - p[0]).cross(p[2] - p[0]).dot(V3d(ray.direction)) *
-                              (instance.world_from_mesh.determinant() < 0.0 ? -1.0 : 1.0);
-        if (facing <= 0.0) {
+        if (!geometry_.from_behind(hit, ray.direction)) {
             return std::nullopt;
         }
-        const auto [known, is_new] = encloses_.try_emplace(instance.object, false);
+        const std::uint32_t object = geometry_.object(hit);
+        const auto [known, is_new] = encloses_.try_emplace(object, false);
         if (is_new) {
-            known->second = encloses_volume(scene_, instance.object);
+            known->second = encloses_volume(scene_, object);
         }
-        return known->second ? std::optional(instance.object) : std::nullopt;
+        return known->second ? std::optional(object) : std::nullopt;
     }
 
     const scene::Scene& scene_;
+    HitGeometry geometry_;
     const embree::Accelerator& accelerator_;
     const rays::RayProgram& program_;
     rays::Scratch scratch_;
