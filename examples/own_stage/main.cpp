@@ -44,6 +44,7 @@ camera::StageEntry shell() {
         .kind = camera::StageKind::object_generator,
         .name = "shell",
         .meaning = "a snail's shell: u goes along its spiral, v round its tube",
+        .formula = "p = e^(growth u) ((2 + cos v) cos u, (2 + cos v) sin u, sin v - height)",
         .parameters = {{.name = "growth",
                         .type = camera::NumberParameter{.default_value = 0.1,
                                                         .range = {.minimum = 0.0, .maximum = 1.0}},

@@ -3,7 +3,8 @@
 set(prefix "${FOLDER}/prefix")
 set(consumer "${FOLDER}/consumer")
 set(example "${FOLDER}/example")
-file(REMOVE_RECURSE "${prefix}" "${consumer}" "${example}")
+set(rays "${FOLDER}/rays")
+file(REMOVE_RECURSE "${prefix}" "${consumer}" "${example}" "${rays}")
 
 function(run)
     execute_process(COMMAND ${ARGN} RESULT_VARIABLE result)
@@ -28,13 +29,26 @@ run("${consumer}/consumer_of_cameras")
 run("${prefix}/bin/balcony" --version)
 
 # The example has a stage of its own. Its picture has a line for each row, light and dark in it.
-build("${EXAMPLE}" "${example}")
+build("${EXAMPLES}/own_stage" "${example}")
 execute_process(COMMAND "${example}/own_stage" RESULT_VARIABLE result OUTPUT_VARIABLE picture)
 string(REGEX MATCHALL "[^\n]+\n" lines "${picture}")
 list(LENGTH lines line_count)
 if(NOT result EQUAL 0 OR NOT line_count EQUAL 16 OR NOT picture MATCHES "@" OR
    NOT picture MATCHES "   ")
     message(FATAL_ERROR "own_stage (${result}) draws:\n${picture}")
+endif()
+
+# The other example prints six numbers for each pixel, or what is wrong.
+build("${EXAMPLES}/rays" "${rays}")
+execute_process(COMMAND "${rays}/rays" panorama RESULT_VARIABLE result OUTPUT_VARIABLE numbers)
+string(REGEX MATCHALL "[^ \n]+ [^ \n]+ [^ \n]+ [^ \n]+ [^ \n]+ [^ \n]+\n" lines "${numbers}")
+list(LENGTH lines line_count)
+if(NOT result EQUAL 0 OR NOT line_count EQUAL 2304)
+    message(FATAL_ERROR "rays (${result}) prints ${line_count} rays:\n${numbers}")
+endif()
+execute_process(COMMAND "${rays}/rays" panrama RESULT_VARIABLE result ERROR_VARIABLE said)
+if(NOT result EQUAL 1 OR NOT said MATCHES "panorama")
+    message(FATAL_ERROR "rays (${result}) says of a mistyped camera:\n${said}")
 endif()
 
 # All public headers are there, and no others.

@@ -39,21 +39,25 @@ TEST(Documentation, EverySnippetWorks) {
     EXPECT_EQ(try_snippets(docs / "tutorial.md"), 7U);
 }
 
-// What the page about the library quotes stands in the example, which another test builds and runs.
-TEST(Documentation, SnippetsOfTheLibraryAreInTheExample) {
+// What the page about C++ quotes stands in the examples, which another test builds and runs; the
+// first of them is there as a whole.
+TEST(Documentation, ListingsOfCppAreTheExamples) {
     const std::filesystem::path root = BALCONY_SOURCE_DIR;
-    const std::string page = test::read_file(root / "docs/library.md");
-    const std::string program = test::read_file(root / "examples/own_stage/main.cpp");
+    const std::string page = test::read_file(root / "docs/cpp.md");
+    const std::string rays = test::read_file(root / "examples/rays/main.cpp");
+    const std::string programs = rays + test::read_file(root / "examples/own_stage/main.cpp");
     const std::string opening = "```cpp\n";
     std::size_t count = 0;
     for (std::size_t at = page.find(opening); at != std::string::npos;
          at = page.find(opening, at)) {
         at += opening.size();
         const std::string snippet = page.substr(at, page.find("```", at) - at);
-        EXPECT_NE(program.find(snippet), std::string::npos) << snippet;
+        EXPECT_NE(programs.find(snippet), std::string::npos) << snippet;
         ++count;
     }
     EXPECT_EQ(count, 4U);
+    EXPECT_NE(page.find(rays.substr(rays.find("#include"))), std::string::npos);
+    EXPECT_NE(page.find(test::read_file(root / "examples/rays/CMakeLists.txt")), std::string::npos);
 }
 
 }  // namespace

@@ -1,0 +1,87 @@
+# Balcony: rendering through extended cameras.
+# SPDX-License-Identifier: Apache-2.0
+"""Runs a page of docs/ step by step: writes its files and runs its commands, in one folder."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+BALCONY = Path(sys.argv[1]).resolve()
+REPOSITORY = Path(sys.argv[2]).resolve()
+SKIPPED = 77
+
+BLOCK = re.compile(r"^```(\w+)\n(.*?)^```", re.MULTILINE | re.DOTALL)
+# The first line of a block that is a file: "# layers.py", "// walls.cam".
+FILE_NAME = re.compile(r"(?:#|//) ([\w-]+\.\w+)\n")
+
+
+def skip(what):
+    """Ends the test as skipped, or as failed where everything must be checked."""
+    print(f"{what}; scripts/setup guides installs it")
+    sys.exit(1 if os.environ.get("BALCONY_GUIDES") else SKIPPED)
+
+
+def python_with(*modules):
+    """The path of a Python that has some modules, or None: the one that runs this, or Debian's."""
+    for python in (sys.executable, "/usr/bin/python3"):
+        test = [python, "-c", "import " + ", ".join(modules)]
+        if Path(python).exists() and subprocess.run(test, capture_output=True).returncode == 0:
+            return python
+    return None
+
+
+def run_line(line, folder, path):
+    """What a command line prints; it must end with 0."""
+    done = subprocess.run(["bash", "-c", line], cwd=folder, env=dict(os.environ, PATH=path),
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    if done.returncode != 0:
+        raise AssertionError(f"{line}\nends with {done.returncode}:\n{done.stdout}")
+    return done.stdout
+
+
+def run_page(page, folder, path):
+    """Writes the files of a page and runs its commands; returns what these print, by line."""
+    outputs = {}
+    for language, text in BLOCK.findall((REPOSITORY / "docs" / page).read_text()):
+        name = FILE_NAME.match(text)
+        if language == "sh":
+            for line in text.splitlines():
+                outputs[line] = run_line(line, folder, path)
+        elif name:
+            (folder / name[1]).write_text(text)
+    return outputs
+
+
+class GuideTest(unittest.TestCase):
+    """The steps of PAGE, run once; `outputs` are what its commands print, by command line."""
+
+    PAGE = ""
+    PATH = os.environ["PATH"]
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = Path(tempfile.mkdtemp(prefix="balcony-guide-"))
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        cls.path = f"{BALCONY.parent}:{cls.PATH}"
+        cls.outputs = run_page(cls.PAGE, cls.folder, cls.path)
+
+    def run_line(self, line):
+        return run_line(line, self.folder, self.path)
+
+    def output_of(self, beginning):
+        """What the first command that begins with some words printed."""
+        return next(text for line, text in self.outputs.items() if line.startswith(beginning))
+
+
+def main():
+    unittest.main(argv=sys.argv[:1], verbosity=2)
+
+
+if __name__ == "__main__":
+    # guide.py BALCONY REPOSITORY PAGE FOLDER: runs a page in a folder, for its pictures.
+    run_page(sys.argv[3], Path(sys.argv[4]), f"{BALCONY.parent}:{os.environ['PATH']}")

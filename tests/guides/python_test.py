@@ -1,0 +1,43 @@
+# Balcony: rendering through extended cameras.
+# SPDX-License-Identifier: Apache-2.0
+"""Runs docs/python.md."""
+
+import re
+from pathlib import Path
+
+import guide
+
+PYTHON = guide.python_with("numpy", "OpenImageIO")
+if PYTHON is None:
+    guide.skip("no Python has numpy and OpenImageIO")
+
+
+class PythonGuide(guide.GuideTest):
+    PAGE = "python.md"
+    PATH = f"{Path(PYTHON).parent}:{guide.GuideTest.PATH}"
+
+    def test_every_object_has_its_share(self):
+        shares = re.findall(r"^(\w+): ([\d.]+)% of the picture, ([\d.]+) units",
+                            self.output_of("python3 layers.py"), re.MULTILINE)
+        self.assertEqual([name for name, _, _ in shares], ["floor", "ceiling", "walls"])
+        # The room is closed. From the middle, nothing is nearer than the floor or further away than
+        # a corner.
+        self.assertAlmostEqual(sum(float(share) for _, share, _ in shares), 100, delta=0.2)
+        for _, _, distance in shares:
+            self.assertTrue(1.2 < float(distance) < 3.9)
+
+    def test_rays_end_at_the_hits(self):
+        found = re.search(r"within (\S+) of the hit", self.output_of("python3 rays.py"))
+        self.assertLess(float(found[1]), 1e-5)  # roundings of floats of size 4
+
+    def test_the_measured_camera_is_the_original(self):
+        self.assertIn("20 columns and 20 rows", self.output_of("python3 measure.py"))
+        self.assertIn("no errors", self.output_of("balcony check measured.cam"))
+        off = re.search(r"at most (\S+) degrees", self.output_of("python3 compare.py"))
+        # The table is 4.5 degrees apart, with natural ends: a cubic is off by some h^2/12 of the
+        # second derivative there, and the second derivative is below the number of radians.
+        self.assertLess(float(off[1]), 4.5**2 * 3.15 / 180 / 12 * 1.5)
+
+
+if __name__ == "__main__":
+    guide.main()
