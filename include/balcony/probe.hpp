@@ -3,7 +3,7 @@
 #pragma once
 
 // Probe: which objects of a scene a camera sees, whether rays start inside an object, what hides a
-// point from a camera, and where a camera stands well.
+// point from a camera, why a camera sees nothing, and where one stands well.
 
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include <Imath/ImathBox.h>
 #include <Imath/ImathVec.h>
 
 #include "balcony/base.hpp"
@@ -46,6 +47,31 @@ struct Probe {
 /// Transparent surfaces count as visible, and so do those behind them.
 [[nodiscard]] Result<Probe> probe(const scene::Scene& scene, const camera::Camera& camera,
                                   const ProbeSettings& settings);
+
+/// A change of all rays of a camera.
+enum class RayChange : std::uint8_t {
+    reversed,    ///< The opposite directions.
+    other_axes,  ///< As if the camera declared the other vertical axis.
+    scaled,      ///< Origins multiplied by a factor that gives them about the size of the scene.
+};
+
+/// Why no ray of a camera meets anything.
+struct Miss {
+    /// With this change, the rays would meet so many objects.
+    struct Attempt {
+        RayChange change = RayChange::reversed;
+        double factor = 1.0;  ///< Of RayChange::scaled.
+        std::size_t objects = 0;
+    };
+
+    Imath::Box3d origins;           ///< Of the rays, in the scene's axes; empty without rays.
+    Imath::Box3d bounds;            ///< Of the scene.
+    std::vector<Attempt> attempts;  ///< Only those that meet objects.
+};
+
+/// Tries changes of the rays of a camera, on a coarse grid of its picture.
+[[nodiscard]] Result<Miss> explain_miss(const scene::Scene& scene, const camera::Camera& camera,
+                                        const ProbeSettings& settings);
 
 /// A perspective camera for a scene that has none. It stands in front of the scene and slightly
 /// above it, as near as shows all but its surroundings: a ground or a sky much larger than all

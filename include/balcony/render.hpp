@@ -104,6 +104,7 @@ struct Summary {
         std::string name;  ///< Prefixed by the names of the enclosing pictures.
         std::uint64_t camera_rays = 0;
         std::uint64_t invalid_rays = 0;
+        std::uint64_t hits = 0;  ///< Rays that meet a surface.
     };
 
     std::uint64_t camera_rays = 0;     ///< Visible points of layers, with a ray or not.

@@ -113,6 +113,40 @@ class Options(support.CommandTest):
         self.refused("explain", "scene:Front", code=1, says="no scene is given",
                      helps="balcony render")
 
+    def test_a_picture_of_nothing_says_why(self):
+        cameras = """
+            camera up { axes y_up  map u = -2 .. 2, v = -1 .. 1
+                        eye surface(u, v) = [u, v, 5]  look normal }
+            camera aside { axes y_up  map u = 1 .. -1, v = square
+                           eye point(40, 0, 40)  toward plane((41, 0, 40)) }
+            camera millimetres { axes y_up  map u = -2000 .. 2000, v = -1000 .. 1000
+                                 eye surface(u, v) = [u + 9000, v, 5000]
+                                 toward surface(u, v) = [u, v, -5000]  look relative }
+            picture two { layer above  layer up { place (0, 0) .. (1/2, 1/2) } }
+            camera above { axes y_up  map u = -2 .. 2, v = -1 .. 1
+                           eye surface(u, v) = [u, v, 5]  look normal(back) }"""
+        (self.folder / "miss.cam").write_text(cameras)
+
+        def says(camera, *texts):
+            _, err = self.run_command("render", "scene.obj", "-c", f"miss.cam:{camera}", "--size",
+                                      "40", "-o", "p.png")
+            for text in texts:
+                self.assertIn(text, err)
+
+        says("up", "no ray of camera 'up' meets anything", "would meet 2 objects",
+             "look normal(back)")
+        says("aside", "no ray of camera 'aside'", "start outside the scene, (-2, -1, -1) .. (2, 1, 0)")
+        says("two", "no ray of layer 'up' meets anything", "normal(back)")
+        says("millimetres", "lengths 0.001 times as large", "scale(0.001)")
+        _, err = self.run_command("render", "scene.obj", "-c", "miss.cam:above", "-o", "p.png")
+        self.assertEqual(err, "")
+        out, _ = self.run_command("check", "miss.cam:up", "--scene", "scene.obj")
+        self.assertIn("no ray meets anything: in the opposite direction", out)
+        self.assertNotIn("never seen", out)
+        self.assertNotIn("no defects", out)
+        report = self.json_of("check", "miss.cam:above", "--scene", "scene.obj")
+        self.assertIsNone(report["files"][0]["reports"][0]["in_scene"]["meets_nothing"])
+
     def test_scenes_that_are_not_there(self):
         self.refused("render", "none.obj", code=1, says="'none.obj'")
         self.refused("render", ".", code=1, says="'.' is a directory")

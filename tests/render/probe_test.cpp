@@ -41,6 +41,55 @@ Probe probed(const scene::Scene& scene, const camera::Camera& camera) {
     return *made;
 }
 
+// The attempts that meet something, and how many objects.
+std::vector<std::pair<RayChange, std::size_t>> attempts_of(const scene::Scene& scene,
+                                                           const camera::Camera& camera) {
+    const Result<Miss> miss = explain_miss(scene, camera, {.width = 128, .height = 128});
+    EXPECT_TRUE(miss) << to_text(miss.diagnostics);
+    std::vector<std::pair<RayChange, std::size_t>> found;
+    for (const Miss::Attempt& attempt : miss->attempts) {
+        found.emplace_back(attempt.change, attempt.objects);
+    }
+    return found;
+}
+
+TEST(Miss, IsExplainedByTheChangeThatMeetsObjects) {
+    using Attempts = std::vector<std::pair<RayChange, std::size_t>>;
+    scene::Scene scene;
+    add(scene, wall(-3.0F, 20.0F), white());
+    add(scene, wall(-2.0F, 0.5F), white());
+    View view = view_down_z(0.0, 0.0, 0.5);
+    view.forward = V3d(0, 0, 1);
+    EXPECT_EQ(attempts_of(scene, orthographic(view)), (Attempts{{RayChange::reversed, 2}}));
+    // A camera written for z up that looks along its own -z, which is the scene's -y.
+    EXPECT_EQ(attempts_of(scene, orthographic(view_down_z(0.0, 0.0, 0.5), Axes::z_up)),
+              (Attempts{{RayChange::other_axes, 2}}));
+    // In millimetres, a scene of metres.
+    scene.instances.erase(scene.instances.begin());
+    EXPECT_EQ(attempts_of(scene, pinhole(view_down_z(0.0, 2000.0, 500.0))),
+              (Attempts{{RayChange::scaled, 1}}));
+    // Not all that is far away is in other units.
+    EXPECT_EQ(attempts_of(scene, pinhole(view_down_z(0.0, 20.0, 5.0))), Attempts{});
+    view = view_down_z(300.0, 0.0, 500.0);
+    view.forward = V3d(-0.1, 0, -1);
+    EXPECT_EQ(attempts_of(scene, orthographic(view)), (Attempts{{RayChange::scaled, 1}}));
+    const Result<Miss> miss = explain_miss(scene, orthographic(view), {});
+    EXPECT_EQ(miss->attempts.at(0).factor, 1e-3);
+    EXPECT_NEAR(miss->origins.min.x, 299.0, 0.1);
+    EXPECT_EQ(miss->bounds.max.x, 0.5);
+}
+
+TEST(Miss, CountsRaysThatHit) {
+    scene::Scene scene;
+    add(scene, wall(-3.0F, 0.5F), white());
+    const Request asked = request(40, 40, "preview");
+    // The wall covers a quarter of the picture.
+    Rendered made = render(scene, orthographic(view_down_z(0.0, 0.0, 0.0)), asked);
+    EXPECT_EQ(made.summary.layers.at(0).hits, 400U);
+    made = render(scene, orthographic(view_down_z(7.0, 0.0, 0.0)), asked);
+    EXPECT_EQ(made.summary.layers.at(0).hits, 0U);
+}
+
 TEST(Probe, SeesSmallVisibleObjects) {
     scene::Scene scene;
     add(scene, wall(-3.0F, 20.0F), white());

@@ -244,6 +244,9 @@ private:
                 return;
             }
             check.in_scene = in_scene(*scene_, *probe);
+            if (!probe->median_distance && probe->rays > 0) {
+                explain_empty_view(subject, *check.in_scene);
+            }
             scene_distance_ = probe->median_distance;
         }
         Result<analyse::Report> report = analyse::diagnose(subject.camera, settings);
@@ -279,6 +282,17 @@ private:
             }
         }
         return probe;
+    }
+
+    void explain_empty_view(const CheckSubject& subject, CameraCheck::InScene& found) const {
+        const Result<render::Miss> miss =
+            render::explain_miss(*scene_, subject.camera,
+                                 {.width = static_cast<std::size_t>(subject.width),
+                                  .height = static_cast<std::size_t>(subject.height),
+                                  .time = request_.cameras.time});
+        if (miss && found.never_seen.size() == scene_->objects.size()) {
+            found.miss = miss_text(*miss, subject.camera);
+        }
     }
 
     void finish(const CameraCheck& check, nlohmann::json& reports) {

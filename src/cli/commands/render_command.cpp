@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "balcony/probe.hpp"
 #include "balcony/render.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/interruption.hpp"
@@ -16,6 +17,7 @@
 #include "cli/options/render_options.hpp"
 #include "cli/options/scene_argument.hpp"
 #include "cli/report/json.hpp"
+#include "cli/report/miss_text.hpp"
 #include "cli/report/progress_display.hpp"
 #include "cli/report/report.hpp"
 
@@ -112,12 +114,36 @@ void describe_gaps(Outcome& outcome, const render::Film& film, const render::Sum
     }
 }
 
+/// Warns of layers whose rays meet nothing, with the reason.
+void describe_misses(Outcome& outcome, const scene::Scene& scene, const camera::Picture& picture,
+                     const render::Settings& settings, const render::Film& film,
+                     const render::Summary& summary) {
+    for (const camera::ShownCamera& shown : shown_cameras(picture)) {
+        for (const camera::ShownCamera::LayerUse& use : shown.uses) {
+            const render::Summary::Layer& layer = summary.layers[use.index];
+            if (layer.hits > 0 || layer.camera_rays == layer.invalid_rays) {
+                continue;
+            }
+            const Result<render::Miss> miss = render::explain_miss(
+                scene, shown.camera,
+                {.width = film.width, .height = film.height, .time = settings.time});
+            const MissText text = miss ? miss_text(*miss, shown.camera) : MissText{};
+            outcome.diagnostics.push_back(warning(
+                fmt::format("no ray of {} '{}' meets anything{}{}",
+                            summary.layers.size() == 1 ? "camera" : "layer", printable(layer.name),
+                            text.reason.empty() ? "" : ": ", text.reason),
+                {}, text.remedy));
+        }
+    }
+}
+
 nlohmann::json layers_json(const render::Summary& summary) {
     nlohmann::json layers = nlohmann::json::array();
     for (const render::Summary::Layer& layer : summary.layers) {
         layers.push_back({{"name", layer.name},
                           {"rays", layer.camera_rays},
-                          {"invalid_rays", layer.invalid_rays}});
+                          {"invalid_rays", layer.invalid_rays},
+                          {"hits", layer.hits}});
     }
     return layers;
 }
@@ -175,7 +201,7 @@ struct Tones {
 };
 
 /// Renders and writes. The first signal stops the rendering, but not the writing.
-Outcome make_picture(Outcome outcome, const RenderOptions& options,
+Outcome make_picture(Outcome outcome, const RenderOptions& options, const scene::Scene& scene,
                      const render::Renderer& renderer, const camera::Picture& picture,
                      const render::Settings& settings, render::Film film, const fs::path& output,
                      const Tones& tones) {
@@ -192,6 +218,9 @@ Outcome make_picture(Outcome outcome, const RenderOptions& options,
         return fail(std::move(outcome), ExitCode::bad_input);
     }
     describe(outcome, output, picture, film, *summary);
+    if (!summary->interrupted) {
+        describe_misses(outcome, scene, picture, settings, film, *summary);
+    }
     if (!has_samples(film)) {
         outcome.sentence = "interrupted before there was anything to save\n";
         return fail(std::move(outcome), ExitCode::interrupted);
@@ -269,7 +298,7 @@ Outcome render_picture(const RenderOptions& options) {
     if (!film) {
         return fail(std::move(outcome), ExitCode::bad_input, film.diagnostics);
     }
-    return make_picture(std::move(outcome), options, *renderer, *picture, settings,
+    return make_picture(std::move(outcome), options, *shared, *renderer, *picture, settings,
                         std::move(*film), output, tones);
 }
 

@@ -88,7 +88,10 @@ std::string list_text(const std::vector<std::string>& names) {
 
 std::string scene_text(const CameraCheck::InScene& found) {
     std::string text;
-    if (!found.never_seen.empty()) {
+    if (found.miss) {
+        text += finding_text("meets nothing", "no ray meets anything: " + found.miss->reason, "",
+                             found.miss->remedy);
+    } else if (!found.never_seen.empty()) {
         text += finding_text(
             "never seen",
             fmt::format("{}: {}", counted(found.never_seen.size(), "object", "objects"),
@@ -144,7 +147,10 @@ nlohmann::json scene_json(const CameraCheck::InScene& found) {
                           {"x", start.point.x},
                           {"y", start.point.y}});
     }
-    return {{"scene", found.scene}, {"never_seen", found.never_seen}, {"starts_inside", starts}};
+    nlohmann::json entry{
+        {"scene", found.scene}, {"never_seen", found.never_seen}, {"starts_inside", starts}};
+    entry["meets_nothing"] = found.miss ? nlohmann::json(found.miss->reason) : nlohmann::json();
+    return entry;
 }
 
 }  // namespace
@@ -154,6 +160,7 @@ std::size_t CameraCheck::defect_count() const {
         std::count_if(report.findings.begin(), report.findings.end(),
                       [](const Finding& finding) { return finding.defect; }));
     if (in_scene) {
+        count += in_scene->miss ? 1U : 0U;
         count += static_cast<std::size_t>(
             std::count_if(in_scene->starts_inside.begin(), in_scene->starts_inside.end(),
                           [](const Start& start) { return !start.room; }));

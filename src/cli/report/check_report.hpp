@@ -11,6 +11,7 @@
 #include "balcony/diagnose.hpp"
 #include "balcony/probe.hpp"
 #include "balcony/scene.hpp"
+#include "cli/report/miss_text.hpp"
 
 namespace balcony::cli {
 
@@ -35,10 +36,12 @@ struct CameraCheck {
         std::string scene;
         std::vector<std::string> never_seen;
         std::vector<Start> starts_inside;
+        std::optional<MissText> miss;  ///< If no ray meets anything.
     };
     std::optional<InScene> in_scene;
 
-    /// The number of defects for --strict. Objects that are never visible do not count.
+    /// The number of defects for --strict. Objects that are never visible do not count, unless all
+    /// are.
     [[nodiscard]] std::size_t defect_count() const;
     /// The camera and the layers that show it: "visitor, layer 2 of poster".
     [[nodiscard]] std::string title() const;

@@ -29,7 +29,9 @@ public:
 
 private:
     [[nodiscard]] Color3f shade(const Ray& ray, const Interaction& at) const override {
-        const Bsdf bsdf = bsdf_at(at);
+        // A facet of a coarse mesh that faces away from a light is lit if the smooth surface is:
+        // the shadow ray decides.
+        const Bsdf bsdf(at.appearance, at.surface.normal, at.surface.normal);
         return at.appearance.emission + *settings().ambient * bsdf.ambient_reflectance() +
                reflected_light(-ray.direction, at.surface, bsdf);
     }

@@ -83,23 +83,17 @@ Color3f ambient_of(const TracedScene& traced, const rays::CompiledPicture& pictu
     const auto count = [step](double extent) {
         return static_cast<std::size_t>(std::max(1.0, std::round(extent / step)));
     };
-    const std::size_t columns = count(width);
-    const std::size_t rows = count(height);
 
     BrightnessGrid grid(traced, picture);
     for (std::size_t layer = 0; layer < picture.layers().size(); ++layer) {
-        for (std::size_t y = 0; y < rows; y += program::max_tile_height) {
-            for (std::size_t x = 0; x < columns; x += program::max_tile_width) {
-                grid.add(layer, {(static_cast<double>(x) + 0.5) * step,
-                                 (static_cast<double>(y) + 0.5) * step,
-                                 step,
-                                 std::min(program::max_tile_width, columns - x),
-                                 std::min(program::max_tile_height, rows - y),
-                                 time,
-                                 {0.5, width - 0.5},
-                                 {0.5, height - 0.5}});
-            }
-        }
+        grid.add(layer, {0.5 * step,
+                         0.5 * step,
+                         step,
+                         count(width),
+                         count(height),
+                         time,
+                         {0.5, width - 0.5},
+                         {0.5, height - 0.5}});
     }
     const std::optional<double> lit = std::move(grid).median_of_lit();
     return Color3f(static_cast<float>(lit ? share * *lit : in_the_dark));

@@ -59,6 +59,12 @@ private:
 
 /// A tile in progress: the requested parts and the results so far.
 struct Compositor::Work {
+    /// Whether a point is in the region that is counted.
+    [[nodiscard]] bool counts(std::size_t i) const {
+        return counted.contains(points.region.x + i % points.region.width,
+                                points.region.y + i / points.region.width);
+    }
+
     const TilePoints& points;
     Region counted;
     TileCoverages coverages;
@@ -168,10 +174,12 @@ void Compositor::trace_layer(const Element& element, const Veil& veil, Work& wor
         counts_[layer].invalid_rays += counts && rays.valid[i] == 0 ? 1 : 0;
         wanted[i] &= rays.valid[i];
     });
+    RayCounts& count = counts_[layer];
     std::vector<Drawn>& drawn = work.layers[layer];
     drawn.resize(points.size());
     tracer_.trace(points, rays, wanted, [&](std::size_t i, const Seen& seen) {
         drawn[i] = {seen.radiance, Color4f(0.0F), seen.mirrored, 1.0F};
+        count.hits += seen.visible.any && work.counts(i) ? 1 : 0;
         if (!work.data.empty() && !work.data[i].valid &&
             veil.share[i] * work.coverages.coverage(element, i) >= 0.5F) {
             work.data[i] = {true,

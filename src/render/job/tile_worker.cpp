@@ -50,6 +50,7 @@ void WorkCounts::add(const WorkCounts& other) {
     for (std::size_t i = 0; i < other.layers.size(); ++i) {
         layers[i].camera_rays += other.layers[i].camera_rays;
         layers[i].invalid_rays += other.layers[i].invalid_rays;
+        layers[i].hits += other.layers[i].hits;
     }
     invalid_pixels += other.invalid_pixels;
     repaired += other.repaired;

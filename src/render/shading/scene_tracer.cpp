@@ -3,6 +3,8 @@
 
 #include "render/shading/scene_tracer.hpp"
 
+#include <cmath>
+
 namespace balcony::render {
 
 Interaction SceneTracer::interaction(const Ray& ray, const embree::Hit& hit) const {
@@ -22,8 +24,13 @@ float SceneTracer::transmittance(const Surface& surface, const V3f& to_light,
     if (distance <= 0.0F) {
         return 1.0F;
     }
-    return traced_->accelerator.transmittance(
-        {surface.start(to_light), to_light, nearly_all * distance}, *this);
+    const V3f start = surface.start_to_light();
+    if (std::isinf(distance) || surface.rounding_out == V3f(0.0F)) {
+        return traced_->accelerator.transmittance({start, to_light, nearly_all * distance}, *this);
+    }
+    const V3f way = distance * to_light - surface.rounding_out;
+    return traced_->accelerator.transmittance({start, way.normalized(), nearly_all * way.length()},
+                                              *this);
 }
 
 float SceneTracer::opacity(const embree::Hit& hit) const {

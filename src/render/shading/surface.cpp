@@ -4,6 +4,7 @@
 #include "render/shading/surface.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -30,6 +31,47 @@ V3f placed(const V3f& p, const Imath::M44f& m) {
             p.x * m[0][2] + p.y * m[1][2] + p.z * m[2][2] + m[3][2]};
 }
 
+// A corner of the triangle, and its share in the point that is hit.
+struct Corner {
+    V3f position;
+    V3f normal;  // Of any length.
+    float share;
+};
+
+// The vector from a point of a triangle to the smooth surface that the normals of the corners
+// describe: Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II (2021), chapter 4. The
+// point is projected to the tangent planes of the corners, where it is below them, and the
+// projections are interpolated; the shares of the unprojected points cancel. Where the surface is
+// flat or concave, the vector is 0.
+V3f to_smooth_surface(const std::array<Corner, 3>& corners, const V3f& position, float side) {
+    V3f total(0.0F);
+    for (const Corner& corner : corners) {
+        const V3f normal = side * corner.normal;
+        const float below = std::min((position - corner.position).dot(normal), 0.0F);
+        const float square = normal.length2();
+        total -= square > 0.0F ? corner.share * below / square * normal : V3f(0.0F);
+    }
+    return total;
+}
+
+// The interpolated normal, on the side of the viewer.
+void set_normal(const std::array<Corner, 3>& corners, const V3f& to_viewer, Surface& surface) {
+    V3f sum(0.0F);
+    for (const Corner& corner : corners) {
+        sum += corner.share * corner.normal;
+    }
+    const V3f unit = sum.normalized();
+    if (!(unit.length2() > 0.0F)) {
+        return;
+    }
+    const float side = unit.dot(surface.geometric_normal) < 0.0F ? -1.0F : 1.0F;
+    surface.normal = bent_towards(side * unit, to_viewer);
+    const V3f out = to_smooth_surface(corners, surface.position, side);
+    if (std::isfinite(out.length2())) {
+        surface.rounding_out = out;
+    }
+}
+
 bool is_finite(const V2f& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
 }  // namespace
@@ -38,6 +80,8 @@ V3f Surface::start(const V3f& direction) const {
     return position +
            (direction.dot(geometric_normal) >= 0.0F ? offset : -offset) * geometric_normal;
 }
+
+V3f Surface::start_to_light() const { return position + rounding_out + offset * geometric_normal; }
 
 PositionDifferentials Surface::transfer(const Ray& ray) const {
     const float along_normal = ray.direction.dot(geometric_normal);
@@ -118,14 +162,13 @@ Surface SurfaceFinder::find(const embree::Hit& hit, const V3f& direction) const 
         surface.geometric_normal = -surface.geometric_normal;
     }
     surface.normal = surface.geometric_normal;
+    surface.rounding_out = V3f(0.0F);
     if (!m.normals.empty()) {
-        const V3f normal = ((1.0F - hit.u - hit.v) * m.normals[triangle[0]] +
-                            hit.u * m.normals[triangle[1]] + hit.v * m.normals[triangle[2]]) *
-                           placement.normal_from_mesh;
-        if (const V3f unit = normal.normalized(); unit.length2() > 0.0F) {
-            surface.normal =
-                bent_towards(unit.dot(surface.geometric_normal) < 0.0F ? -unit : unit, -direction);
-        }
+        const std::array<Corner, 3> corners{
+            Corner{p0, m.normals[triangle[0]] * placement.normal_from_mesh, 1.0F - hit.u - hit.v},
+            Corner{p1, m.normals[triangle[1]] * placement.normal_from_mesh, hit.u},
+            Corner{p2, m.normals[triangle[2]] * placement.normal_from_mesh, hit.v}};
+        set_normal(corners, -direction, surface);
     }
     if (!m.texture_coordinates.empty()) {
         const V2f t0 = m.texture_coordinates[triangle[0]];

@@ -54,11 +54,15 @@ struct Surface {
     V2f texture_edge_1, texture_edge_2;
     scene::Color3f color{1.0F, 1.0F, 1.0F};  ///< Of the mesh, a factor of the base colour.
     float offset = 0.0F;  ///< A distance from the surface larger than any rounding error.
+    V3f rounding_out;     ///< From the position to the smooth surface that the normals describe.
     const scene::Material* material = nullptr;
     std::uint32_t object = 0;
 
     /// The origin of a ray that leaves in a direction, offset to avoid hitting this surface again.
     [[nodiscard]] V3f start(const V3f& direction) const;
+    /// The origin of a ray to a light: on the smooth surface that the normals describe, on the side
+    /// that the ray came from, so that the facets of a coarse mesh do not shadow each other.
+    [[nodiscard]] V3f start_to_light() const;
     /// The intersections of the neighbouring pixels' rays with the plane of the triangle, as
     /// differences.
     [[nodiscard]] PositionDifferentials transfer(const Ray& ray) const;

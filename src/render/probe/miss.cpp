@@ -1,0 +1,133 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+#include "balcony/probe.hpp"
+#include "render/job/camera_rays.hpp"
+#include "render/probe/hit_geometry.hpp"
+
+namespace balcony::render {
+
+namespace {
+
+using Imath::V3d;
+using Imath::V3f;
+
+struct Line {
+    V3d origin;
+    V3d direction;
+};
+
+// Rays on a coarse grid of the picture.
+std::vector<Line> lines_of(const rays::RayProgram& program, const ProbeSettings& settings) {
+    constexpr double most = 4096.0;
+    const auto width = static_cast<double>(settings.width);
+    const auto height = static_cast<double>(settings.height);
+    const double step = std::max(1.0, std::sqrt(width * height / most));
+    const auto count = [step](double extent) {
+        return static_cast<std::size_t>(std::max(1.0, std::round(extent / step)));
+    };
+    rays::Scratch scratch;
+    rays::RayBatch batch;
+    program.run({0.5 * step,
+                 0.5 * step,
+                 step,
+                 count(width),
+                 count(height),
+                 settings.time,
+                 {0.5, width - 0.5},
+                 {0.5, height - 0.5}},
+                scratch, batch);
+    std::vector<Line> lines;
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+        if (traceable(batch, i)) {
+            lines.push_back({batch.origin(i), batch.direction(i)});
+        }
+    }
+    return lines;
+}
+
+// The largest distance of a corner from the origin along an axis.
+double max_coordinate(const Imath::Box3d& box) {
+    double largest = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        largest = std::max({largest, std::abs(box.min[axis]), std::abs(box.max[axis])});
+    }
+    return largest;
+}
+
+std::size_t count_objects(const std::vector<Line>& lines, const scene::Scene& scene,
+                          const embree::Accelerator& accelerator) {
+    const HitGeometry geometry(scene);
+    std::vector<bool> met(scene.objects.size());
+    for (const Line& line : lines) {
+        if (!embree::in_range(line.origin)) {
+            continue;
+        }
+        const embree::Hit hit = accelerator.intersect({V3f(line.origin), V3f(line.direction)});
+        if (hit.any()) {
+            met[geometry.object(hit)] = true;
+        }
+    }
+    return static_cast<std::size_t>(std::count(met.begin(), met.end(), true));
+}
+
+}  // namespace
+
+Result<Miss> explain_miss(const scene::Scene& scene, const camera::Camera& camera,
+                          const ProbeSettings& settings) {
+    const Result<embree::Accelerator> accelerator = embree::Accelerator::build(scene);
+    if (!accelerator) {
+        return accelerator.diagnostics;
+    }
+    const Result<rays::RayProgram> program =
+        rays::compile(camera, static_cast<double>(settings.width),
+                      static_cast<double>(settings.height), {.axes = scene.axes});
+    if (!program) {
+        return program.diagnostics;
+    }
+    const std::vector<Line> lines = lines_of(*program, settings);
+
+    Miss miss;
+    for (const Line& line : lines) {
+        miss.origins.extendBy(line.origin);
+    }
+    const auto bounds = scene.bounds();
+    miss.bounds = {V3d(bounds.min), V3d(bounds.max)};
+    const auto attempt = [&](RayChange change, double factor, auto changed) {
+        std::vector<Line> others;
+        others.reserve(lines.size());
+        std::transform(lines.begin(), lines.end(), std::back_inserter(others), changed);
+        if (const std::size_t objects = count_objects(others, scene, *accelerator); objects > 0) {
+            miss.attempts.push_back({change, factor, objects});
+        }
+    };
+    attempt(RayChange::reversed, 1.0, [](const Line& line) {
+        return Line{line.origin, -line.direction};
+    });
+    attempt(RayChange::other_axes, 1.0, [&](const Line& line) {
+        // As if the other axes had been declared: the conversion to the scene's is undone or added.
+        const Axes other = camera.parts().axes == Axes::z_up ? Axes::y_up : Axes::z_up;
+        const auto declared = [&](const V3d& v) {
+            return turned(turned(v, scene.axes, camera.parts().axes), other, scene.axes);
+        };
+        return Line{declared(line.origin), declared(line.direction)};
+    });
+    const double ratio = max_coordinate(miss.origins) / max_coordinate(miss.bounds);
+    for (const double factor : {1e-3, 1e3}) {
+        // The scaled camera must have about the size of the scene.
+        if (!(0.1 < factor * ratio && factor * ratio < 10.0)) {
+            continue;
+        }
+        attempt(RayChange::scaled, factor, [factor](const Line& line) {
+            return Line{factor * line.origin, line.direction};
+        });
+    }
+    return miss;
+}
+
+}  // namespace balcony::render
