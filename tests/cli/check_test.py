@@ -200,7 +200,8 @@ camera unused { map u = 1 .. -1, v = square eye circle(1) look tangent }
     def test_in_a_scene(self):
         (report,) = self.reports("two.cam:front", "--scene", "scene.obj")
         self.assertEqual(report["in_scene"],
-                         {"scene": "scene.obj", "never_seen": [], "starts_inside": []})
+                         {"scene": "scene.obj", "never_seen": [], "starts_inside": [],
+                          "meets_nothing": None})
         # The wall is 6 away, the triangle before it 5; more of the rays meet the wall.
         self.assertAlmostEqual(report["distance"], 6, places=5)
         (self.folder / "box.obj").write_text(box(0.5, 3))
@@ -209,9 +210,16 @@ camera unused { map u = 1 .. -1, v = square eye circle(1) look tangent }
         self.assertEqual(start["object"], "box")
         # Origins from -2 to 2, of which those right of 0.5.
         self.assertAlmostEqual(start["share"], 1.5 / 4, delta=0.02)
-        (self.folder / "aside.obj").write_text(box(90, 99))
+        # The box comes first, so that its numbers of vertices are right.
+        tip = "o tip\nv -1 -1 0\nv 1 -1 0\nv 0 1 0\nf -3 -2 -1\n"
+        (self.folder / "aside.obj").write_text(box(90, 99) + tip)
         out, _ = self.run_command("check", "two.cam:front", "--scene", "aside.obj", "--strict")
         self.assertRegex(out, r"never seen +1 object: box\n")
+        (self.folder / "aside.obj").write_text(box(90, 99))
+        out, _ = self.run_command("check", "two.cam:front", "--scene", "aside.obj", "--strict",
+                                  code=1)
+        self.assertRegex(out, r"meets nothing +no ray meets anything: they start outside the scene")
+        self.assertNotIn("never seen", out)
         self.refused("check", "two.cam", "--scene", "none.obj", code=1, says="'none.obj'")
         self.refused("check", "two.cam", "--scene", "my.cam", code=1,
                      says="'my.cam' is a camera, not a scene")

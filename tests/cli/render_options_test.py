@@ -138,7 +138,8 @@ class Options(support.CommandTest):
         says("aside", "no ray of camera 'aside'", "start outside the scene, (-2, -1, -1) .. (2, 1, 0)")
         says("two", "no ray of layer 'up' meets anything", "normal(back)")
         says("millimetres", "lengths 0.001 times as large", "scale(0.001)")
-        _, err = self.run_command("render", "scene.obj", "-c", "miss.cam:above", "-o", "p.png")
+        _, err = self.run_command("render", "scene.obj", "-c", "miss.cam:above", "-o", "p.png",
+                                  "--size", "40")
         self.assertEqual(err, "")
         out, _ = self.run_command("check", "miss.cam:up", "--scene", "scene.obj")
         self.assertIn("no ray meets anything: in the opposite direction", out)
