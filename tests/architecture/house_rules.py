@@ -6,7 +6,9 @@
 Usage: house_rules.py REPOSITORY
 
 Names on standard output each file that is over 500 lines long, does not open with the licence
-header, or holds a note of work left to do. The exit code is 1 if there is any.
+header, holds a note of work left to do, or has a test that can be skipped in a suite with others:
+ctest runs suites, and counts one as skipped only if all of it was. The exit code is 1 if there is
+any.
 """
 
 import re
@@ -19,6 +21,20 @@ LONGEST_FILE = 500
 HEADER = ["Balcony: rendering through extended cameras.", "SPDX-License-Identifier: Apache-2.0"]
 # Spelt in two halves, so that this file is clean.
 WORK_LEFT = re.compile(r"\b(TO" r"DO|FIX" r"ME|XX" r"X)\b")
+
+
+TEST = re.compile(r"^TEST(?:_F|_P)?\((\w+), \w+\)")
+
+
+def suites_that_hide_a_skip(lines):
+    """The line numbers of tests that can be skipped and share their suite."""
+    suites = [match[1] for line in lines if (match := TEST.match(line))]
+    suite = None
+    for number, line in enumerate(lines, 1):
+        if match := TEST.match(line):
+            suite = match[1]
+        if "GTEST_SKIP" in line and suites.count(suite) > 1:
+            yield number
 
 
 def is_code(path, lines):
@@ -36,6 +52,8 @@ def findings(root):
         for number, line in enumerate(lines, 1):
             if WORK_LEFT.search(line):
                 yield f"{name}:{number}: work left to do: {line.strip()}"
+        for number in suites_that_hide_a_skip(lines):
+            yield f"{name}:{number}: a test that can be skipped needs a suite of its own"
         if not is_code(path, lines):
             continue
         if len(lines) > LONGEST_FILE:

@@ -125,6 +125,13 @@ class Planted(unittest.TestCase):
     def test_finds_a_missing_licence_header(self):
         self.assert_found(house_rules, "src/base/planted.cpp", "int planted;\n", "licence header")
 
+    def test_finds_a_skip_that_its_suite_hides(self):
+        skipped = "TEST(Planted, MayBeSkipped) {\n    GTEST_SKIP();\n}\n"
+        other = "TEST(Planted, Runs) {}\n"
+        self.assert_found(
+            house_rules, "tests/base/planted_test.cpp", LICENCE + skipped + other, "suite of its own"
+        )
+
     def test_finds_work_left_to_do(self):
         self.assert_found(house_rules, "src/base/planted.cpp", LICENCE + "// TO" "DO: more\n",
                           "planted.cpp:3: work left to do")

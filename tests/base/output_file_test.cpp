@@ -88,7 +88,7 @@ TEST(WriteWhole, ReplacesAFileAndLeavesNothingElse) {
     fs::remove_all(folder);
 }
 
-TEST(OutputFile, WritersWithTheSameProcessIdHaveDifferentFiles) {
+TEST(OutputFileInContainers, WritersWithTheSameProcessIdHaveDifferentFiles) {
     const fs::path folder = new_folder("balcony_containers");
     const Channel channel;
     std::array<pid_t, 2> writers{};

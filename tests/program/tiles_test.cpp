@@ -266,7 +266,7 @@ TEST(Tiles, ThreadsMakeTheSameBits) {
 
 // SLEEF's deterministic variants: what one machine rendered, another one with AVX2 or AVX-512
 // renders again.
-TEST(Tiles, Avx2AndAvx512MakeTheSameBits) {
+TEST(FusedInstructionSets, MakeTheSameBits) {
     std::vector<std::size_t> fused;
     for (std::size_t set = 0; set < instruction_sets().size(); ++set) {
         if (instruction_sets()[set].name.starts_with("avx")) {
