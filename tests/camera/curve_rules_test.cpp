@@ -88,6 +88,13 @@ TEST(SidewaysRule, HasNoRayWhereTheCurveGoesStraightUp) {
     EXPECT_FALSE(rays(10.5, 10.5).valid);
 }
 
+TEST(SidewaysRule, NeedsAnUpwardDirection) {
+    const auto made =
+        try_stage(StageKind::direction_rule, "sideways", {{"up", numbers({0.0, 0.0, 0.0})}});
+    ASSERT_FALSE(made);
+    EXPECT_FALSE(made.diagnostics.front().remedy.empty());
+}
+
 TEST(FrenetRules, AreAnOrthonormalFrameWithTheTangent) {
     for (const ObjectGeneratorPointer& curve :
          {helix(), object("ellipse", {{"a", numbers({3.0})}}), object("catmull_rom")}) {

@@ -103,8 +103,9 @@ std::vector<StageEntry> fractals() {
 p = (u, v, H(u, v, 0))
 H(q) = height Σᵢ gⁱ N(lⁱ Rᵢ q/scale + oᵢ) / √(Σᵢ g²ⁱ)      i = 0 … octaves − 1
 l = lacunarity,   g = l^(−hurst)
-N   a cubic B-spline over random values of mean 0 and variance 1, one unit
-    apart, with period 8;   Rᵢ, oᵢ   a random rotation and offset of each octave
+N   a cubic B-spline of random control values one unit apart, with period 8,
+    mean 0 and variance 1
+Rᵢ, oᵢ   a random rotation and a random offset for each octave
 )",
          .parameters = height_field_parameters(),
          .make = [](const Arguments& a) { return made<FractalPlane>(HeightField(a)); },
@@ -127,8 +128,9 @@ camera frosted_glass {
 p = (radius + H(radius e)) e      e = (cos u cos v, sin u cos v, sin v)
 H(q) = height Σᵢ gⁱ N(lⁱ Rᵢ q/scale + oᵢ) / √(Σᵢ g²ⁱ)      i = 0 … octaves − 1
 l = lacunarity,   g = l^(−hurst)
-N   a cubic B-spline over random values of mean 0 and variance 1, one unit
-    apart, with period 8;   Rᵢ, oᵢ   a random rotation and offset of each octave
+N   a cubic B-spline of random control values one unit apart, with period 8,
+    mean 0 and variance 1
+Rᵢ, oᵢ   a random rotation and a random offset for each octave
 )",
          .parameters = std::move(sphere_parameters),
          .make =

@@ -60,6 +60,14 @@ StageParameter sense_parameter(std::string_view meaning) {
             .meaning = meaning};
 }
 
+Result<std::shared_ptr<const Stage>> make_sideways_rule(const Arguments& a) {
+    const Triple up = a.triple("up");
+    if (up[0].constant() == 0.0 && up[1].constant() == 0.0 && up[2].constant() == 0.0) {
+        return error("up has no direction", {}, "write z, or a vector such as (0, 1, 1)");
+    }
+    return made<SidewaysRule>(a.choice("side") == "right", up);
+}
+
 template <FrenetRule::Vector vector>
 Result<std::shared_ptr<const Stage>> make_frenet_rule(const Arguments& a) {
     return made<FrenetRule>(vector, a.choice("sense") == "backward");
@@ -85,10 +93,7 @@ no ray where c′(u) is 0 or parallel to up
                          .type = TripleParameter{.default_value = std::array{0.0, 0.0, 1.0},
                                                  .names_axes = true},
                          .meaning = "in the camera's axes, which moves do not rotate"}},
-         .make =
-             [](const Arguments& a) {
-                 return made<SidewaysRule>(a.choice("side") == "right", a.triple("up"));
-             },
+         .make = make_sideways_rule,
          .example = R"(
 // A strip of all house fronts along a bent street, as from the window of a bus.
 camera street_fronts {

@@ -159,7 +159,7 @@ p′ = p + Σᵢ wᵢ (cᵢ − p)/(1 + Σᵢ wᵢ)      cᵢ   the centres
 wᵢ = sᵢ/(1 − sᵢ),   sᵢ = strengthᵢ f(qᵢ),   qᵢ = |p − cᵢ|²/radiusᵢ²
 f = exp(−q) for gaussian, 1/(1 + q) for inverse, max(1 − √q, 0) for linear,
     max(1 − q, 0)³ for smooth
-One centre alone acts as coin; where many overlap, none moves points past it.
+One centre alone acts as coin does; many together move no point past them.
 )",
          .parameters =
              {{.name = "points",
