@@ -32,3 +32,12 @@ install(FILES
 
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/NOTICE"
     DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+
+# Vim and Neovim read these folders by themselves if the prefix is /usr; editors/README.md describes
+# the other cases and VS Code.
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/editors/vim/" DESTINATION "${CMAKE_INSTALL_DATADIR}/vim/vimfiles")
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/editors/vim/" DESTINATION "${CMAKE_INSTALL_DATADIR}/nvim/site")
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/editors/vscode/"
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/balcony/editors/vscode")
+install(FILES "${PROJECT_SOURCE_DIR}/editors/README.md"
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/balcony/editors")

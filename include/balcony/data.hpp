@@ -76,9 +76,9 @@ struct NumberTable {
 /// stored, by Rec. 709, times alpha.
 [[nodiscard]] Result<std::shared_ptr<const camera::GreyImage>> read_grey_image(const File& file);
 
-/// Reads all meshes of a scene file (scene::file_extensions()) as one, in world positions with z up. u and
-/// v are the texture coordinates, with v from the bottom of the image to its top. Triangles
-/// without an area in space or in texture coordinates are skipped with a warning.
+/// Reads all meshes of a scene file (scene::file_extensions()) as one, in world positions with z
+/// up. u and v are the texture coordinates, with v from the bottom of the image to its top.
+/// Triangles without an area in space or in texture coordinates are skipped with a warning.
 [[nodiscard]] Result<std::shared_ptr<const camera::TexturedMesh>> read_mesh(const File& file);
 
 }  // namespace balcony::data

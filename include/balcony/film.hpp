@@ -20,6 +20,7 @@
 #include <Imath/ImathVec.h>
 
 #include "balcony/base.hpp"
+#include "balcony/display_file.hpp"
 
 namespace balcony::render {
 
@@ -167,9 +168,9 @@ enum class ViewTransform : std::uint8_t {
 /// The display colour of exposed light, linear, from 0 to 1 in each channel.
 [[nodiscard]] Color3f displayed(ViewTransform view, const Color3f& light);
 
-struct PngOptions {
-    double exposure = 0.0;  ///< In stops: light is multiplied by 2^exposure.
-    int bits = 8;           ///< Bits per channel: 8 or 16.
+struct DisplayOptions {
+    double exposure = 0.0;      ///< In stops: light is multiplied by 2^exposure.
+    std::optional<int> bits{};  ///< Bits per channel: 8 or 16, by default those of the format.
     ViewTransform view = ViewTransform::neutral;
 };
 
@@ -180,18 +181,20 @@ struct PngOptions {
 /// the 95th percentile would exceed white. Display colours and the background do not count.
 [[nodiscard]] double automatic_exposure(const Film& film);
 
-/// sRGB with straight alpha: light after exposure and view transform, display colours as they are,
-/// over the film's background. For a region, the file contains only the window.
-[[nodiscard]] Diagnostics write_png(const Film& film, const std::filesystem::path& file,
-                                    const PngOptions& options = {});
+/// The bytes of a PNG, JPEG, WebP or TIFF file: light after exposure and view transform, display
+/// colours as they are, over the film's background; sRGB with straight alpha, or in front of black
+/// in a format without alpha. For a region, the file contains only the window.
+[[nodiscard]] Result<std::vector<std::uint8_t>> encode(const Film& film,
+                                                       const DisplayFormat& format,
+                                                       const DisplayOptions& options = {});
 
 /// Linear floats, every layer in one part, names as in docs/rendering.md, over the film's
 /// background. The display window is the picture, the data window that of the film.
 [[nodiscard]] Diagnostics write_exr(const Film& film, const std::filesystem::path& file);
 
-/// By the file extension, .png or .exr; the options apply to PNG.
+/// By the file extension, .exr or that of a format for display, to which the options apply.
 [[nodiscard]] Diagnostics write(const Film& film, const std::filesystem::path& file,
-                                const PngOptions& options = {});
+                                const DisplayOptions& options = {});
 
 /// The errors of write() that are known before rendering: an unknown extension, a folder that
 /// does not exist or is not writable.

@@ -119,9 +119,11 @@ public:
                                                        const std::vector<Override>& overrides = {});
 
     /// Makes every camera and picture, in the order of the file; cameras as in make_picture(). What
-    /// several of them show with the same parameters is one camera.
+    /// several of them show with the same parameters is one camera. With a `name`, the overrides
+    /// are for the camera of that name; if it is imported, it comes last.
     [[nodiscard]] Result<std::vector<camera::Picture>> make_all(
-        const CameraSource& source, const std::vector<Override>& overrides = {});
+        const CameraSource& source, const std::vector<Override>& overrides = {},
+        std::string_view name = "");
 
     /// The same as make_picture(), explained.
     [[nodiscard]] Result<ExplainedPicture> explain(const CameraSource& source,
@@ -130,6 +132,10 @@ public:
 
     /// What cameras and pictures a file has, in its order, without making them.
     [[nodiscard]] Result<std::vector<Description>> describe(const CameraSource& source);
+
+    /// The files on the disk that were read or looked for since the last reload(): camera files,
+    /// tables, images and meshes. To notice a change, watch these.
+    [[nodiscard]] std::vector<std::filesystem::path> files() const;
 
     /// Forgets what was read, so that files are read anew.
     void reload();

@@ -14,7 +14,10 @@
 
 #include "cli/commands/command.hpp"
 #include "cli/interruption.hpp"
+#include "cli/options/command_words.hpp"
+#include "cli/report/completions.hpp"
 #include "cli/report/json.hpp"
+#include "cli/report/manual.hpp"
 #include "cli/report/report.hpp"
 #include "cli/report/usage.hpp"
 
@@ -39,7 +42,8 @@ void open_closed_streams() {
 void describe(CLI::App& app) {
     app.formatter(cli::help_layout());
     app.set_help_flag("-h,--help", "show this help and exit");
-    app.set_version_flag("-V,--version", "balcony " BALCONY_VERSION, "show the version and exit");
+    app.set_version_flag("-v,-V,--version", "balcony " BALCONY_VERSION,
+                         "show the version and exit");
     app.option_defaults()->take_last();
     app.require_subcommand(1);
     app.footer(
@@ -61,13 +65,10 @@ void report_error(const balcony::Diagnostic& diagnostic, bool as_json) {
     }
 }
 
-// Translates `help render` to `render --help`. CLI11 expects the arguments in reverse order.
+// CLI11 expects the words in reverse order.
 std::vector<std::string> words_from_the_last(int argc, char** argv) {
-    std::vector<std::string> words(argv + 1, argv + argc);
-    if (words.front() == "help") {
-        words.erase(words.begin());
-        words.emplace_back("--help");
-    }
+    std::vector<std::string> words =
+        cli::command_words(std::vector<std::string>(argv + 1, argv + argc));
     std::reverse(words.begin(), words.end());
     return words;
 }
@@ -88,6 +89,17 @@ ExitCode run(CLI::App& app, int argc, char** argv) {
     if (argc < 2) {
         cli::print_aside(app.help());
         return ExitCode::wrong_usage;
+    }
+    // For the scripts of the shells and for the installation.
+    const std::vector<std::string> words(argv + 2, argv + argc);
+    if (std::string_view(argv[1]) == "complete") {
+        cli::print_file(cli::completions(app, words));
+        return code;
+    }
+    if (std::string_view(argv[1]) == "manual" && words.size() == 1) {
+        const balcony::Diagnostics found = cli::write_manual(app, words.front());
+        cli::report(found);
+        return found.empty() ? ExitCode::done : ExitCode::environment;
     }
     try {
         app.parse(words_from_the_last(argc, argv));

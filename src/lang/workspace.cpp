@@ -219,6 +219,11 @@ Workspace::Workspace(Workspace&&) noexcept = default;
 Workspace& Workspace::operator=(Workspace&&) noexcept = default;
 Workspace::~Workspace() = default;
 
+std::vector<std::filesystem::path> Workspace::files() const {
+    const auto& paths = implementation_->files.paths();
+    return {paths.begin(), paths.end()};
+}
+
 void Workspace::reload() { implementation_->files = Files(implementation_->catalogue); }
 
 Result<camera::Camera> Workspace::make_camera(const CameraSource& source, std::string_view name,
@@ -241,15 +246,26 @@ Result<camera::Picture> Workspace::make_picture(const CameraSource& source, std:
 }
 
 Result<std::vector<camera::Picture>> Workspace::make_all(const CameraSource& source,
-                                                         const std::vector<Override>& overrides) {
+                                                         const std::vector<Override>& overrides,
+                                                         std::string_view name) {
     Session session(implementation_->files);
     const Module* module = read(session, source);
+    const auto named = name.empty() ? std::nullopt : find(module, name, false, session.reporter());
     std::vector<camera::Picture> made;
+    const auto build = [&](const LocatedDefinition& place, const std::vector<Override>& values) {
+        if (auto picture = build_whole(place, values, session)) {
+            made.push_back(std::move(*picture));
+        }
+    };
     if (module != nullptr && require_cameras(*module, session.reporter())) {
+        bool is_imported = named.has_value();
         for (const LocatedDefinition& place : own_definitions(*module)) {
-            if (auto picture = build_whole(place, overrides, session)) {
-                made.push_back(std::move(*picture));
-            }
+            const bool is_named = named && place.camera == named->camera;
+            is_imported = is_imported && !is_named;
+            build(place, name.empty() || is_named ? overrides : std::vector<Override>());
+        }
+        if (is_imported) {
+            build(*named, overrides);
         }
     }
     return finish(std::optional(std::move(made)), module, session.reporter());

@@ -64,7 +64,8 @@ public:
             for (std::size_t tried = 0; tried < left && !is_ear(at); ++tried) {
                 at = links_[at].next;
             }
-            const auto [before, after] = links_[at];
+            const std::uint32_t before = links_[at].before;
+            const std::uint32_t after = links_[at].next;
             triangles.push_back({before, at, after});
             links_[before].next = after;
             links_[after].before = before;

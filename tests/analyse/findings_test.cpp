@@ -91,6 +91,28 @@ TEST(Fold, OfAFewSamplesIsNone) {
     EXPECT_TRUE(findings(report, FindingKind::mirrored).empty()) << words(report);
 }
 
+// The advice is about the stages that make the picture fold, and about no others.
+TEST(Fold, AdviceFitsTheCause) {
+    const auto advice = [](const std::string& warp, const std::string& y) {
+        const Report report =
+            report_on(camera_of("camera c { map u = 1 .. -1, v = -1 .. 1 " + warp +
+                                " eye point(0, 0, 0) toward surface(u, v) = [1, " + y +
+                                ", v] look relative }"),
+                      100, 40);
+        const auto folds = findings(report, FindingKind::fold);
+        return folds.empty() ? words(report) : folds[0].remedy;
+    };
+    const std::string zoom = "warp zoom(at = (0, 0), radius = 0.5, strength = 0.2)";
+    const std::string harmless = "warp zoom(at = (0, 0), radius = 0.5, strength = 2)";
+    const std::string of_warp =
+        "if this is unintended, make the warp of the parameters there weaker or wider";
+    const std::string of_object =
+        "if this is unintended, look for an object or a formula that turns back along u or v there";
+    EXPECT_EQ(advice(zoom, "u"), of_warp);
+    EXPECT_EQ(advice("", "u^3 - u/2"), of_object);
+    EXPECT_EQ(advice(harmless, "u^3 - u/2"), of_object);
+}
+
 TEST(Seams, BeyondTheEighthAreOneFinding) {
     const Report report = report_on(camera_to("u + floor((u + 1)*5.5)/2"), 110, 40);
     const auto seams = findings(report, FindingKind::seam);

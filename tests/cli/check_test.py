@@ -139,6 +139,21 @@ class Check(support.CommandTest):
         self.assertIn("error: ", err)
         self.assertIn(says, err)
 
+    def test_what_is_found_is_not_followed_by_all_is_well(self):
+        (self.folder / "mirrored.cam").write_text(
+            "camera m { map u = -1 .. 1, v = -1 .. 1 eye point(0, 0, 0)\n"
+            "toward surface(u, v) = [1, u, v] look relative }")
+        out, _ = self.run_command("check", "mirrored.cam")
+        self.assertIn("the picture is mirrored", out)
+        self.assertIn("no defects     apart from what is said above", out)
+        self.assertNotIn("no folds", out)
+
+    def test_mistakes_elsewhere_in_the_file_are_reported(self):
+        (self.folder / "half.cam").write_text(CAMERAS + "camera other { eye sphree(1) }\n")
+        _, err = self.run_command("check", "half.cam:front", "--set", "turn=1", code=1)
+        self.assertIn("sphree", err)
+        self.assertNotIn("'turn'", err)
+
     def test_strict(self):
         self.run_command("check", "two.cam:front", "--strict")
         _, err = self.run_command("check", "two.cam:folded", "--strict", code=1)
@@ -238,7 +253,7 @@ camera unused { map u = 1 .. -1, v = square eye circle(1) look tangent }
     def test_mistakes(self):
         one = ("check", "two.cam:front")
         self.refused(*one, "--map", "seam", "a.png", code=2, says="'seam'", helps="'seams'")
-        self.refused(*one, "--map", "seams", "a.jpg", code=2, says="'a.jpg'", helps=".png")
+        self.refused(*one, "--map", "seams", "a.gif", code=2, says="'a.gif'", helps=".png")
         self.refused("check", "two.cam", "--map", "seams", "a.png", code=2, says="several",
                      helps="two.cam:NAME")
         self.refused(*one, "--distance", "0", code=2, says="--distance")

@@ -4,6 +4,7 @@
 
 import re
 import shlex
+import signal
 
 import support
 
@@ -28,6 +29,7 @@ class Documentation(support.CommandTest):
         for name in ("gallery", "scene"):
             (self.folder / f"{name}.glb").write_bytes(support.glb_bytes())
         (self.folder / "out" / "scenes").mkdir(parents=True)
+        (self.folder / "pictures").mkdir()
         (self.folder / "out" / "scenes" / "build_gallery.glb").write_bytes(support.glb_bytes())
         for name in ("docs", "plates"):
             (self.folder / name).symlink_to(support.REPOSITORY / name)
@@ -42,8 +44,19 @@ class Documentation(support.CommandTest):
         for words in lines:
             with self.subTest(line=" ".join(words)):
                 # The last option of a kind counts, so these make the page's picture small.
-                small = ("--size", "24x16", "--samples", "1") if words[0] == "render" else ()
-                self.run_command(*words, *small)
+                size = ("-W", "24") if "-W" in words else ("--size", "24x16")
+                small = (*size, "--samples", "1") if words[0] == "render" else ()
+                if "--watch" in words:
+                    self.watch(*words, *small)
+                else:
+                    self.run_command(*words, *small)
+
+    def watch(self, *words):
+        with self.start(*words) as process:
+            for line in process.stderr:
+                if b"watching" in line:
+                    process.send_signal(signal.SIGINT)
+            self.assertEqual(process.wait(timeout=60), 130)
 
     def test_pages(self):
         pages = [support.REPOSITORY / "README.md", *(support.REPOSITORY / "docs").glob("*.md")]

@@ -120,7 +120,7 @@ class Draw(support.CommandTest):
                 (("pinhole", "-o", "no/p.svg"), 3, "there is no folder"),
                 (("pinhole", "-o", "p.svg", "--rays", "many"), 2, "--rays cannot be 'many'"),
                 (("pinhole", "-o", "p.svg", "--view", "90"), 2, "--view cannot be '90'"),
-                (("pinhole", "-o", "p.svg", "--size", "5x5"), 2, "--size cannot be '5x5'"),
+                (("pinhole", "-o", "p.svg", "--size", "5x5"), 2, "a drawing cannot have 5 x 5 pixels"),
                 (("pinhole", "-o", "p.svg", "--length", "0"), 2, "--length cannot be '0'"),
                 (("my.cam:nowhere", "-o", "p.svg"), 1, "no valid point"),
                 (("pinhole", "-o", "p.svg", "--set", "fov"), 1, "--set fov sets nothing"),

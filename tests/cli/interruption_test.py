@@ -49,7 +49,7 @@ class Interruption(support.CommandTest):
 
     def test_before_anything_is_rendered(self):
         # A scene that takes seconds to read.
-        (self.folder / "slow.obj").write_text(support.OBJ + "f 5 6 7\n" * 2_000_000)
+        (self.folder / "slow.obj").write_text(support.OBJ + "f 5 6 7\n" * 6_000_000)
         for which in (signal.SIGINT, signal.SIGTERM):
             process = self.start("render", "slow.obj", "-o", "p.png", *LONG[-2:])
             time.sleep(1.0)

@@ -130,6 +130,31 @@ class Locate(support.CommandTest):
         self.assertEqual(own, self.located(*words, "5,2,-1", "--axes", "y_up")[0]["sightings"])
         self.assertEqual(own, self.located(*words, "5,1,2", "--axes", "z_up")[0]["sightings"])
 
+    def test_says_in_which_axes_it_reads(self):
+        for words, text, name in (((), "z up (axes of the camera)", "z_up"),
+                                  (("--axes", "y_up"), "y up (by --axes)", "y_up"),
+                                  (("--scene", "scene.obj"), "y up (axes of the scene)", "y_up")):
+            out, _ = self.run_command("locate", "pinhole", "--point", "5,0,0", *words)
+            self.assertIn(f"points are read with {text}\n", out)
+            document = self.json_of("locate", "pinhole", "--point", "5,0,0", *words)
+            self.assertEqual(document["axes"], name)
+
+    def test_says_why_no_point_is_in_the_picture(self):
+        # A camera that looks up: what is above with y up is in front with z up.
+        (self.folder / "up.cam").write_text(
+            "camera up { map u = 0.5 .. -0.5, v = square eye point(0, 0, 0)\n"
+            "toward plane((0, 0, 1), (0, 1, 0), (1, 0, 0)) look relative }")
+        _, err = self.run_command("locate", "up.cam", "--point", "0,9,0", "--point", "0,0,50")
+        self.assertEqual(err, "")
+        _, err = self.run_command("locate", "up.cam", "--point", "0,9,0.1", "--point", "0,-9,0")
+        self.assertIn("read with z up; with y up, 1 of 2 is", err)
+        self.assertIn("add --axes y_up", err)
+        _, err = self.run_command("locate", "pinhole", "--point", "-7,0.1,0.1", "--point", "-9,0,0")
+        self.assertIn("all points lie behind the camera, the nearest at a distance of 7.", err)
+        # Beside the picture, but in front.
+        _, err = self.run_command("locate", "pinhole", "--point", "1,7,7")
+        self.assertEqual(err, "")
+
     def test_time(self):
         (self.folder / "turning.cam").write_text(
             "camera a { map u = 45deg .. -45deg, v = square eye point(0, 0, 0) toward sphere(1) "

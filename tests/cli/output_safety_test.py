@@ -20,10 +20,10 @@ class Output(support.CommandTest):
 
         (self.folder / "folder.png").mkdir()
         before = self.files()
-        refuses(".", 2, "'.' is a folder", "picture.png")
+        refuses(".", 2, "'.' is a folder", "{scene}.png")
         refuses("folder.png", 2, "'folder.png' is a folder")
-        refuses("picture", 2, "'picture'", ".png or .exr")
-        refuses("picture.jpg", 2, "'picture.jpg'", ".png or .exr")
+        refuses("picture", 2, "'picture'", ".png, .jpg")
+        refuses("picture.gif", 2, "'picture.gif'", ".png, .jpg")
         refuses("", 2, "''")
         refuses("no/picture.png", 3, "no folder")
         refuses("scene.obj/picture.png", 3, "no folder")

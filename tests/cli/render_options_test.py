@@ -68,6 +68,26 @@ class Options(support.CommandTest):
                          says="--set")
         self.refused("render", "scene.obj", "--set", "a=1", code=2, says="--set needs a camera")
 
+    def test_width_and_height(self):
+        self.refuses("--width", "0", "-5", "1e3", "1000001")
+        (self.folder / "wide.cam").write_text(
+            support.CAMERAS.replace("axes y_up", "axes y_up aspect 4/3"))
+        for words, size in ((("--width", "32"), (32, 24)), (("-W", "32"), (32, 24)),
+                            (("-H", "12"), (16, 12)), (("-W", "5", "--height", "7"), (5, 7))):
+            facts = self.json_of("render", "scene.obj", "-c", "wide.cam", *words, "-o", "p.png")
+            self.assertEqual((facts["width"], facts["height"]), size, words)
+        self.refused("render", "scene.obj", "--size", "5", "-W", "5", code=2,
+                     says="exclude each other")
+
+    def test_set_as_people_type_it(self):
+        for words in (("size", "1"), ("size", "=", "1"), ("size=", "1"), ("size", "=1"),
+                      ("size = 1",), (" size =1 ",), ("size 1",)):
+            self.render("-c", "my.cam:above", "--set", *words, "-o", "p.png")
+            self.assertEqual(support.opaque_share(self.folder / "p.png"), 1.0, words)
+        self.render("-c", "my.cam:above", "--set", "size", "-(-3)", "-o", "p.png")
+        self.refused("render", "scene.obj", "-c", "my.cam:above", "--set", "size", "-o", "p.png",
+                     code=1, says="--set size sets nothing")
+
     def test_set_accumulates(self):
         err = self.refused("render", "scene.obj", "-c", "pinhole", "--set", "nix=1", "--set",
                            "nax=1", code=1, says="'nix'")

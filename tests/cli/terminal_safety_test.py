@@ -61,7 +61,7 @@ class Terminal(support.CommandTest):
         self.says("--" + HOSTILE, code=2)
         self.says("render", HOSTILE, code=1)
         self.says("render", "scene.obj", "--size", HOSTILE, code=2)
-        self.says("render", "scene.obj", HOSTILE, code=2)
+        self.says("render", "scene.obj", HOSTILE, code=1)
         self.says("check", HOSTILE, code=1)
         self.says("explain", "my.cam:" + HOSTILE, code=1)
         self.says("explain", "my.cam:above", "--set", HOSTILE, code=1)

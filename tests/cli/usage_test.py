@@ -59,7 +59,7 @@ class WrongUsage(support.CommandTest):
         self.refused("render", code=2, says="SCENE", helps="balcony render --help")
         self.refused("check", code=2, says="FILE", helps="balcony check --help")
         self.refused("render", "scene.obj", "--size", code=2, says="--size needs a value")
-        self.refused("render", "scene.obj", "other.obj", code=2, says="'other.obj'")
+        self.refused("info", "scene.obj", "other.obj", code=2, says="'other.obj'")
 
     def test_arguments_that_are_values_of_an_option(self):
         for words, helps in ((("render", "scene.obj", "my.cam"), "--camera my.cam"),

@@ -3,6 +3,8 @@
 //
 // A workspace reads each file once, and knows the stages that a program adds.
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "support.hpp"
@@ -49,6 +51,29 @@ TEST(Workspace, ReadsEachFileOnce) {
     EXPECT_NE(height_of(*first), height_of(*second));
     workspace.reload();
     EXPECT_FALSE(workspace.make_camera(file));
+}
+
+// Also those that do not exist, so that one sees them appear.
+TEST(Workspace, NamesTheFilesThatItReads) {
+    const test::TemporaryFolder folder;
+    const fs::path file = write_camera(folder);
+    fs::remove(folder.path() / "lengths.cam");
+    Workspace workspace;
+    EXPECT_FALSE(workspace.make_camera(file));
+    const auto has = [&](const char* name) {
+        const std::vector<fs::path> files = workspace.files();
+        return std::any_of(files.begin(), files.end(),
+                           [&](const fs::path& one) { return one == folder.path() / name; });
+    };
+    EXPECT_TRUE(has("a.cam"));
+    EXPECT_TRUE(has("lengths.cam"));
+    folder.write("lengths.cam", "let far = 3\n");
+    workspace.reload();
+    EXPECT_FALSE(has("a.cam"));
+    EXPECT_TRUE(workspace.make_camera(file));
+    for (const char* name : {"a.cam", "lengths.cam", "path.csv", "wall.obj"}) {
+        EXPECT_TRUE(has(name)) << name;
+    }
 }
 
 TEST(Workspace, NoticesChangesWhenAskedTo) {

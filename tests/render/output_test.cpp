@@ -75,7 +75,7 @@ TEST_F(Output, PngHoldsSrgbAndStraightAlpha) {
     const Film film = two_objects().film;
     for (const int bits : {8, 16}) {
         const fs::path file = folder_ / "picture.png";
-        ASSERT_TRUE(write_png(film, file, {-1.0, bits}).empty());
+        ASSERT_TRUE(write(film, file, {-1.0, bits}).empty());
         const std::vector<float> values = read(file);
         ASSERT_EQ(values.size(), 37U * 83U * 4U);
         const float half_step = 0.5F / static_cast<float>((1 << bits) - 1) + 1e-6F;
@@ -112,7 +112,7 @@ Film light_and_display() {
 TEST_F(Output, ExposureIsForLightNotForDisplayColours) {
     const Film film = light_and_display();
     const fs::path file = folder_ / "a.png";
-    ASSERT_TRUE(write_png(film, file, {.exposure = -9.0}).empty());
+    ASSERT_TRUE(write(film, file, {.exposure = -9.0}).empty());
     const std::vector<float> shown = read(file);
     const float light = 300.0F / 512.0F;
     constexpr float half_step = 0.5F / 255.0F + 1e-6F;
@@ -132,7 +132,7 @@ TEST_F(Output, TheBackgroundFillsWhatIsLeft) {
     Film film = light_and_display();
     film.background = Color3f(0.4F);
     const fs::path file = folder_ / "a.png";
-    ASSERT_TRUE(write_png(film, file, {.exposure = -9.0}).empty());
+    ASSERT_TRUE(write(film, file, {.exposure = -9.0}).empty());
     const std::vector<float> shown = read(file);
     const float light = 300.0F / 512.0F;
     constexpr float half_step = 0.5F / 255.0F + 1e-6F;
@@ -231,6 +231,44 @@ TEST_F(Output, NoFileContainsNaN) {
     }
 }
 
+// The other formats for display hold the pixels of the PNG: TIFF and PNG of 16 bits exactly, WebP
+// and JPEG as far as their compression allows, JPEG in front of black.
+TEST_F(Output, EveryDisplayFormatShowsTheSamePicture) {
+    const Film film = two_objects().film;
+    ASSERT_TRUE(write(film, folder_ / "a.png", {-1.0, 16}).empty());
+    const std::vector<float> exact = read(folder_ / "a.png");
+    for (const DisplayFormat& format : display_formats()) {
+        const fs::path file = folder_ / ("b" + std::string(format.extension));
+        ASSERT_TRUE(write(film, file, {.exposure = -1.0}).empty()) << file;
+        const std::vector<float> values = read(file);
+        const std::size_t channels = format.has_alpha ? 4 : 3;
+        ASSERT_EQ(values.size(), 37U * 83U * channels) << file;
+        const bool lossy = format.encoder == "jpeg" || format.encoder == "webp";
+        const double step = 1.0 / ((1 << format.bits) - 1);
+        double error = 0.0;
+        for (std::size_t i = 0; i < 37 * 83; ++i) {
+            // A transparent pixel has no colour.
+            if (exact[4 * i + 3] == 1.0F || !format.has_alpha) {
+                const float shown = exact[4 * i + 3] > 0.0F && exact[4 * i + 3] < 1.0F
+                                        ? values[channels * i]
+                                        : exact[4 * i];
+                const double difference = std::abs(double{values[channels * i]} - double{shown});
+                error += difference / (37 * 83);
+                EXPECT_TRUE(lossy || difference <= step) << file << ' ' << i;
+            }
+        }
+        EXPECT_LT(error, 0.01) << file;
+    }
+}
+
+TEST_F(Output, APictureTooLargeForAFormatIsAnError) {
+    const DisplayFormat* const webp = display_format("a.WebP");
+    ASSERT_NE(webp, nullptr);
+    EXPECT_TRUE(check_size(*webp, 16383, 1).empty());
+    EXPECT_TRUE(has_errors(check_size(*webp, 1, 16384)));
+    EXPECT_EQ(display_format("a.exr"), nullptr);
+}
+
 TEST_F(Output, UnwritableFilesAreReportedInAdvance) {
     EXPECT_TRUE(check_output(folder_ / "a.png").empty());
     EXPECT_TRUE(check_output("a.exr").empty());
@@ -241,9 +279,10 @@ TEST_F(Output, UnwritableFilesAreReportedInAdvance) {
     EXPECT_TRUE(has_errors(check_output(folder_ / "b.png")));
     const Film film = two_objects().film;
     EXPECT_TRUE(has_errors(write(film, folder_ / "missing" / "a.png")));
-    EXPECT_TRUE(has_errors(write_png(film, folder_ / "missing" / "a.png")));
+    EXPECT_TRUE(has_errors(write(film, folder_ / "missing" / "a.png")));
     EXPECT_TRUE(has_errors(write_exr(film, folder_ / "missing" / "a.exr")));
-    EXPECT_TRUE(has_errors(write_png(film, folder_ / "a.png", {0.0, 12})));
+    EXPECT_TRUE(has_errors(write(film, folder_ / "a.png", {0.0, 12})));
+    EXPECT_TRUE(has_errors(write(film, folder_ / "a.jpg", {0.0, 16})));
     EXPECT_EQ(files(), 1U);
 }
 

@@ -139,7 +139,8 @@ Result<Report> diagnose(const camera::Camera& camera, const DiagnoseSettings& se
         report.samples[i].views = repeats.views[i];
     }
     const Turns turns = count_turns(camera, settings.width, settings.height, settings.time);
-    report.findings = find_all({report, rays, crossings, repeats, turns, *without});
+    report.findings =
+        find_all({camera, settings.time, report, rays, crossings, repeats, turns, *without});
     Diagnostics diagnostics;
     if (!repeats.complete) {
         diagnostics.push_back(warning(fmt::format(

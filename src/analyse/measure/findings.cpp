@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "analyse/measure/causes.hpp"
 #include "analyse/measure/jacobian.hpp"
 #include "analyse/measure/regions.hpp"
 
@@ -183,9 +184,7 @@ private:
                 "the picture folds over: {} of it, {}, is mirrored "
                 "relative to its surroundings",
                 percent(finding.share), in_regions(folded.size()));
-            finding.remedy =
-                "if this is unintended, make the warp or the move there weaker or wider (a zoom "
-                "folds if its strength is below 32/81)";
+            finding.remedy = "if this is unintended, " + advice_on_fold();
         }
         if (!parts.empty() && !mostly_mirrored) {
             Finding& finding = add(FindingKind::mirrored, parts);
@@ -197,6 +196,19 @@ private:
         if (mostly_mirrored) {
             add_all_mirrored();
         }
+    }
+
+    // Fits what makes the picture fold.
+    [[nodiscard]] std::string advice_on_fold() const {
+        switch (cause_of_fold(evidence_.camera, grid_.picture_width, grid_.picture_height,
+                              evidence_.time, report_.distance)) {
+            case FoldCause::arrangement:
+                return "make what arranges the picture there weaker or wider";
+            case FoldCause::warp: return "make the warp of the parameters there weaker or wider";
+            case FoldCause::move: return "make the deformation of the object there weaker or wider";
+            case FoldCause::object: break;
+        }
+        return "look for an object or a formula that turns back along u or v there";
     }
 
     void add_all_mirrored() {
@@ -345,7 +357,12 @@ private:
             "{} of the picture shows the same view as another part, up to "
             "{} times in total",
             percent(finding.share), maximum);
-        finding.remedy = "if this is unintended, reduce the range of map: a full turn is 360deg";
+        const bool whole_turn = std::max(evidence_.turns.u, evidence_.turns.v) > 1.0;
+        finding.remedy =
+            whole_turn ? "if this is unintended, reduce the range of map: a full turn is "
+                         "360deg"
+                       : "if this is unintended, look for a stage or a formula that gives two "
+                         "places the same u and v, such as repeat, mod() or abs()";
     }
 
     const Evidence& evidence_;

@@ -15,6 +15,8 @@ namespace balcony::analyse {
 
 /// The input of findings: a report with its samples, and their sources.
 struct Evidence {
+    const camera::Camera& camera;
+    double time;
     const Report& report;
     const std::vector<Ray>& rays;
     const std::vector<Crossing>& crossings;

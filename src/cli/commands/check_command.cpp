@@ -9,13 +9,14 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "balcony/display_file.hpp"
 #include "balcony/lang.hpp"
-#include "balcony/png_file.hpp"
+#include "balcony/output_file.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/options/camera_argument.hpp"
 #include "cli/options/check_subjects.hpp"
+#include "cli/options/common_options.hpp"
 #include "cli/options/option_values.hpp"
-#include "cli/options/render_options.hpp"
 #include "cli/options/scene_argument.hpp"
 #include "cli/report/check_report.hpp"
 #include "cli/report/json.hpp"
@@ -31,7 +32,7 @@ struct CheckOptions {
     std::vector<std::string> cameras;
     std::vector<std::string> set;
     std::string scene;
-    std::string size;
+    SizeWords size;
     std::string layer;
     std::string time = "0";
     std::string distance = "auto";
@@ -72,9 +73,9 @@ Map read_map(const std::string& name, const std::string& file, Diagnostics& diag
         refuse(diagnostics, "--map", name,
                nearest ? fmt::format("did you mean '{}'?", *nearest) : "write " + names_of_maps());
     }
-    if (ending_of(file) != ".png") {
-        diagnostics.push_back(
-            error(fmt::format("'{}' cannot be a map", file), {}, "name a file that ends in .png"));
+    if (render::display_format(file) == nullptr) {
+        diagnostics.push_back(error(fmt::format("'{}' cannot be a map", file), {},
+                                    "name a file that ends in .png, .jpg, .webp or .tif"));
     }
     return {kind.value_or(analyse::MapKind::magnification), file};
 }
@@ -124,19 +125,26 @@ std::size_t count_pictures(const std::vector<lang::Description>& all) {
         std::count_if(all.begin(), all.end(), [](const auto& one) { return one.is_picture; }));
 }
 
+/// What was made for an argument.
+struct Checked {
+    std::string argument;
+    std::string file;
+    Result<std::vector<CheckSubject>> subjects;
+};
+
 /// One run of the command. It collects the output for the terminal or for JSON.
 class Run {
 public:
     Run(const CheckOptions& options, CheckRequest request, lang::Workspace& workspace)
         : options_(options), request_(std::move(request)), workspace_(workspace) {}
 
-    ExitCode operator()() {
+    ExitCode operator()(const std::vector<Checked>& all) {
         if (!options_.scene.empty()) {
             read_scene();
         }
         if (code_ == ExitCode::done) {
-            for (const std::string& camera : options_.cameras) {
-                check_file(camera);
+            for (const Checked& checked : all) {
+                check_file(checked);
             }
         }
         if (options_.json) {
@@ -186,46 +194,25 @@ private:
         }
     }
 
-    void check_file(const std::string& argument) {
-        const std::string file = camera_file(argument).string();
-        const auto all = workspace_.make_all(file);
-        add(all.diagnostics);
-        const auto subjects = all ? subjects_of(argument, file, *all)
-                                  : Result<std::vector<CheckSubject>>(all.diagnostics);
-        if (all && !subjects) {
-            add(subjects.diagnostics);
-        }
-        const auto cameras = workspace_.describe(file);
+    void check_file(const Checked& checked) {
+        add(checked.subjects.diagnostics);
+        const auto cameras = workspace_.describe(checked.file);
         const std::size_t pictures = cameras ? count_pictures(*cameras) : 0;
         const std::size_t count = cameras ? cameras->size() - pictures : 0;
-        nlohmann::json entry{{"file", file},
+        nlohmann::json entry{{"file", checked.file},
                              {"cameras", count},
                              {"pictures", pictures},
-                             {"good", static_cast<bool>(subjects)},
+                             {"good", static_cast<bool>(checked.subjects)},
                              {"reports", nlohmann::json::array()}};
-        if (subjects) {
-            print(fmt::format("{}: {}{}, no errors\n", printable(file),
+        if (checked.subjects) {
+            print(fmt::format("{}: {}{}, no errors\n", printable(checked.file),
                               counted(count, "camera", "cameras"),
                               pictures > 0 ? ", " + counted(pictures, "picture", "pictures") : ""));
-            for (const CheckSubject& subject : *subjects) {
+            for (const CheckSubject& subject : *checked.subjects) {
                 check_camera(subject, entry["reports"]);
             }
         }
         files_.push_back(std::move(entry));
-    }
-
-    // The file can be correct and the request wrong. Nothing is made twice.
-    Result<std::vector<CheckSubject>> subjects_of(const std::string& argument,
-                                                  const std::string& file,
-                                                  const std::vector<camera::Picture>& all) {
-        const bool whole_file =
-            argument == file && request_.cameras.set.empty() && request_.cameras.layer.empty();
-        if (whole_file) {
-            return check_subjects(all, request_.cameras);
-        }
-        const auto requested = check_pictures(argument, request_.cameras, workspace_);
-        return requested ? check_subjects(*requested, request_.cameras)
-                         : Result<std::vector<CheckSubject>>(requested.diagnostics);
     }
 
     void check_camera(const CheckSubject& subject, nlohmann::json& reports) {
@@ -309,7 +296,7 @@ private:
 
     void write_map(const analyse::Report& report, const Map& map) {
         // Check before computing a large picture that cannot be written.
-        const Diagnostics refused = render::check_output(map.file);
+        const Diagnostics refused = OutputFile::check(map.file);
         if (has_errors(refused)) {
             code_ = ExitCode::environment;
             add(refused);
@@ -317,7 +304,7 @@ private:
         }
         const Image image = analyse::false_color(report, map.kind);
         const Diagnostics diagnostics =
-            render::write_png(image.samples, {image.width, image.height, 3}, map.file);
+            render::write_samples(image.samples, {image.width, image.height, 3}, map.file);
         if (has_errors(diagnostics)) {
             code_ = ExitCode::environment;
         }
@@ -342,28 +329,23 @@ private:
 };
 
 // A map shows one camera. Other mistakes are found when the cameras are analysed.
-void check_one_camera(const CheckOptions& options, const SubjectRequest& request,
-                      lang::Workspace& workspace, Diagnostics& diagnostics) {
-    const std::string& first = options.cameras.front();
-    const auto pictures = check_pictures(first, request, workspace);
-    const auto subjects = pictures ? check_subjects(*pictures, request)
-                                   : Result<std::vector<CheckSubject>>(pictures.diagnostics);
-    if (options.cameras.size() == 1 && (!subjects || subjects->size() == 1)) {
+void check_one_camera(const std::vector<Checked>& all, Diagnostics& diagnostics) {
+    const Checked& first = all.front();
+    if (all.size() == 1 && (!first.subjects || first.subjects->size() == 1)) {
         return;
     }
     std::vector<std::string> choice;
-    for (std::size_t i = 0; subjects && i < subjects->size(); ++i) {
-        const CheckSubject& subject = (*subjects)[i];
+    for (std::size_t i = 0; first.subjects && i < first.subjects->size(); ++i) {
+        const CheckSubject& subject = (*first.subjects)[i];
         for (const CameraCheck::Layer& layer : subject.layers) {
             choice.push_back(fmt::format("{} for {}", layer.number, subject.camera.name()));
         }
     }
-    const std::string file = camera_file(first).string();
-    const bool of_picture = options.cameras.size() == 1 && first != file;
+    const bool of_picture = all.size() == 1 && first.argument != first.file;
     diagnostics.push_back(
         error("--map shows one camera, but there are several", {},
               of_picture ? fmt::format("choose one with --layer: {}", fmt::join(choice, ", "))
-                         : fmt::format("name it: {}:NAME", file)));
+                         : fmt::format("name it: {}:NAME", first.file)));
 }
 
 ExitCode check_command(const CheckOptions& options) {
@@ -374,8 +356,15 @@ ExitCode check_command(const CheckOptions& options) {
         diagnostics.push_back(error("--layer refers to one picture, but there are several files",
                                     {}, "name the picture"));
     }
-    if (!request.maps.empty() && !has_errors(diagnostics)) {
-        check_one_camera(options, request.cameras, workspace, diagnostics);
+    std::vector<Checked> all;
+    if (!has_errors(diagnostics)) {
+        for (const std::string& argument : options.cameras) {
+            all.push_back({argument, camera_file(argument).string(),
+                           check_subjects(argument, request.cameras, workspace)});
+        }
+        if (!request.maps.empty()) {
+            check_one_camera(all, diagnostics);
+        }
     }
     if (has_errors(diagnostics)) {
         if (options.json) {
@@ -385,63 +374,61 @@ ExitCode check_command(const CheckOptions& options) {
         }
         return ExitCode::wrong_usage;
     }
-    return Run(options, std::move(request), workspace)();
+    return Run(options, std::move(request), workspace)(all);
 }
 
 }  // namespace
 
 void add_check_command(CLI::App& app, ExitCode& code) {
-    auto* command = app.add_subcommand(
-        "check", "reports mistakes in camera files and defects of their cameras");
-    command->group("Commands");
-    const auto options = std::make_shared<CheckOptions>();
-    command
-        ->add_option("FILE", options->cameras,
-                     "camera files, cameras or pictures in them (FILE:NAME), or built-in cameras")
-        ->required()
-        ->take_all();
-    add_set_option(*command, options->set);
-    command->add_option("--time", options->time, "value of t in the cameras' formulas")
-        ->type_name("T")
-        ->capture_default_str();
-    command
-        ->add_option("--scene", options->scene,
-                     "scene file: also report objects that are never visible and rays that start "
-                     "inside an object")
-        ->type_name("SCENE");
-    command
-        ->add_option("--size", options->size,
-                     "size of the picture in pixels (default: about a million pixels, with the "
-                     "camera's aspect ratio)")
-        ->type_name("WIDTH[xHEIGHT]");
-    command
-        ->add_option("--layer", options->layer,
-                     "analyse only this layer of the picture: 1 is at the back, 3.1 is in the "
-                     "picture of layer 3")
-        ->type_name("NUMBER");
-    command
-        ->add_option("--distance", options->distance,
-                     "distance from the ray origins at which magnification is measured; auto "
-                     "depends on the scene or, without one, on the camera")
-        ->type_name("UNITS")
-        ->capture_default_str();
-    command
-        ->add_option("--map", options->maps,
-                     "write a false-colour picture; may be repeated. KIND is " + names_of_maps())
-        ->type_name("KIND FILE.png")
-        ->allow_extra_args(false)
-        ->take_all();
-    command->add_flag("--strict", options->strict,
-                      "exit with code 1 if a camera has a defect: a fold, a seam, a region "
-                      "without rays, ...");
-    command->add_flag("--json", options->json, "print the report as JSON");
-    command->footer(
-        "Examples:\n"
-        "  balcony check gallery.cam room.cam\n"
-        "  balcony check gallery.cam:closeup --scene gallery.glb --strict\n"
-        "  balcony check gallery.cam:poster --layer 2 --map anisotropy inset.png\n"
-        "  balcony check superelliptic --set gamma=1/2 --map magnification size.png");
-    command->callback([options, &code] { code = check_command(*options); });
+    const auto describe = [](CLI::App& command, CheckOptions& options) {
+        command
+            .add_option(
+                "FILE", options.cameras,
+                "camera files, cameras or pictures in them (FILE:NAME), or built-in cameras")
+            ->required()
+            ->take_all();
+        add_set_option(command, options.set);
+        add_time_option(command, options.time);
+        command
+            .add_option(
+                "--scene", options.scene,
+                "scene file: also report objects that are never visible and rays that start "
+                "inside an object")
+            ->type_name("SCENE");
+        add_size_options(command, options.size,
+                         "size of the picture in pixels (default: about a million pixels, with the "
+                         "camera's aspect ratio)");
+        command
+            .add_option("--layer", options.layer,
+                        "analyse only this layer of the picture: 1 is at the back, 3.1 is in the "
+                        "picture of layer 3")
+            ->type_name("NUMBER");
+        command
+            .add_option("--distance", options.distance,
+                        "distance from the ray origins at which magnification is measured; auto "
+                        "depends on the scene or, without one, on the camera")
+            ->type_name("UNITS")
+            ->capture_default_str();
+        command
+            .add_option("--map", options.maps,
+                        "write a false-colour picture; may be repeated. KIND is " + names_of_maps())
+            ->type_name("KIND FILE.png")
+            ->allow_extra_args(false)
+            ->take_all();
+        command.add_flag("--strict", options.strict,
+                         "exit with code 1 if a camera has a defect: a fold, a seam, a region "
+                         "without rays, ...");
+        command.add_flag("--json", options.json, "print the report as JSON");
+        command.footer(
+            "Examples:\n"
+            "  balcony check gallery.cam room.cam\n"
+            "  balcony check gallery.cam:closeup --scene gallery.glb --strict\n"
+            "  balcony check gallery.cam:poster --layer 2 --map anisotropy inset.png\n"
+            "  balcony check superelliptic --set gamma=1/2 --map magnification size.png");
+    };
+    add_command<CheckOptions>(app, code, "check",
+                              "reports mistakes in camera files and defects of their cameras",
+                              check_command, describe);
 }
 
 }  // namespace balcony::cli

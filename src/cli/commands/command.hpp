@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
+#include <string>
+
 #include <CLI/CLI.hpp>
 
 namespace balcony::cli {
@@ -27,5 +30,19 @@ void add_list_command(CLI::App& app, ExitCode& code);
 void add_locate_command(CLI::App& app, ExitCode& code);
 void add_draw_command(CLI::App& app, ExitCode& code);
 void add_info_command(CLI::App& app, ExitCode& code);
+
+/// The body of such a function. `describe` adds the options, whose values it stores in an Options;
+/// `run` is the subcommand.
+template <class Options, class Describe>
+CLI::App& add_command(CLI::App& app, ExitCode& code, const std::string& name,
+                      const std::string& meaning, ExitCode (*run)(const Options&),
+                      const Describe& describe) {
+    CLI::App* command = app.add_subcommand(name, meaning);
+    command->group("Commands");
+    const auto options = std::make_shared<Options>();
+    describe(*command, *options);
+    command->callback([options, run, &code] { code = run(*options); });
+    return *command;
+}
 
 }  // namespace balcony::cli

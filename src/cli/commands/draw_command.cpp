@@ -12,12 +12,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "balcony/display_file.hpp"
 #include "balcony/drawing.hpp"
 #include "balcony/output_file.hpp"
-#include "balcony/png_file.hpp"
 #include "balcony/scene.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/options/camera_argument.hpp"
+#include "cli/options/common_options.hpp"
 #include "cli/options/option_values.hpp"
 #include "cli/report/json.hpp"
 #include "cli/report/report.hpp"
@@ -34,7 +35,7 @@ struct DrawOptions {
     std::vector<std::string> set;
     std::string time = "0";
     std::string view = "-50,25";
-    std::string size = "960x720";
+    SizeWords size;
     std::string rays = "9";
     std::string length = "auto";
     bool no_eye = false;
@@ -94,35 +95,37 @@ analyse::DrawingView read_view(const DrawOptions& options, Diagnostics& diagnost
                "give two angles in degrees, azimuth from x to the left and elevation, such as "
                "-50,25");
     }
-    const auto size = two_of<std::size_t>(options.size, "xX");
     constexpr std::size_t minimum = 16;
     constexpr std::size_t maximum = 16384;
-    if (size && std::min((*size)[0], (*size)[1]) >= minimum &&
-        std::max((*size)[0], (*size)[1]) <= maximum) {
-        view.width = (*size)[0];
-        view.height = (*size)[1];
+    constexpr std::array<std::size_t, 2> standard{960, 720};
+    const auto [width, height] = read_size(options.size, diagnostics).resolve(4.0 / 3.0, standard);
+    if (std::min(width, height) >= minimum && std::max(width, height) <= maximum) {
+        view.width = width;
+        view.height = height;
     } else {
-        refuse(diagnostics, "--size", options.size,
-               fmt::format("write --size 960x720; a side has {} to {} pixels", minimum, maximum));
+        diagnostics.push_back(
+            error(fmt::format("a drawing cannot have {} x {} pixels", width, height), {},
+                  fmt::format("give a size such as 960x720; a side has {} to {} pixels", minimum,
+                              maximum)));
     }
     return view;
 }
 
-enum class Format { svg, png, glb };
+enum class Format { svg, picture, glb };
 
 std::optional<Format> format_of(const fs::path& file) {
     const std::string ending = ending_of(file);
-    return ending == ".svg"   ? std::optional(Format::svg)
-           : ending == ".png" ? std::optional(Format::png)
-           : ending == ".glb" ? std::optional(Format::glb)
-                              : std::nullopt;
+    return ending == ".svg"                          ? std::optional(Format::svg)
+           : ending == ".glb"                        ? std::optional(Format::glb)
+           : render::display_format(file) != nullptr ? std::optional(Format::picture)
+                                                     : std::nullopt;
 }
 
 ExitCode check_output(const fs::path& file, const fs::path& camera, Diagnostics& diagnostics) {
     if (!format_of(file)) {
         diagnostics.push_back(
             error(fmt::format("the file extension of '{}' is not a drawing format", file.string()),
-                  {}, "use a file name that ends in .svg, .png or .glb"));
+                  {}, "use a file name that ends in .svg, .png, .jpg, .webp, .tif or .glb"));
         return ExitCode::wrong_usage;
     }
     std::error_code failed;
@@ -142,7 +145,7 @@ Diagnostics write_drawing(const analyse::Drawing& drawing, Format format, const 
         return write_whole(file, analyse::to_svg(drawing));
     }
     const Image image = analyse::rasterise(drawing);
-    return render::write_png(image.samples, {image.width, image.height, 3}, file);
+    return render::write_samples(image.samples, {image.width, image.height, 3}, file);
 }
 
 // An error of the camera is in the first value, an error of writing in the second.
@@ -213,42 +216,42 @@ ExitCode draw(const DrawOptions& options) {
 }  // namespace
 
 void add_draw_command(CLI::App& app, ExitCode& code) {
-    auto* command =
-        app.add_subcommand("draw", "draws a camera, or the cameras of a picture, with their rays");
-    command->group("Commands");
-    const auto options = std::make_shared<DrawOptions>();
-    add_camera_option(*command, options->camera);
-    command
-        ->add_option("-o,--output", options->output,
-                     "output file: a picture (.svg, .png) or a scene (.glb)")
-        ->type_name("FILE")
-        ->required();
-    add_set_option(*command, options->set);
-    const auto value = [&](const char* names, std::string& text, const char* meaning,
-                           const char* type) {
-        command->add_option(names, text, meaning)->type_name(type)->capture_default_str();
+    const auto describe = [](CLI::App& command, DrawOptions& options) {
+        add_camera_option(command, options.camera);
+        command
+            .add_option("-o,--output", options.output,
+                        "output file: a picture (.svg, .png, .jpg, .webp, .tif) or a scene (.glb)")
+            ->type_name("FILE")
+            ->required();
+        add_set_option(command, options.set);
+        const auto value = [&](const char* names, std::string& text, const char* meaning,
+                               const char* type) {
+            command.add_option(names, text, meaning)->type_name(type)->capture_default_str();
+        };
+        add_time_option(command, options.time);
+        value("--view", options.view,
+              "direction of the viewer in degrees: around z from x, and above the horizon",
+              "AZIMUTH,ELEVATION");
+        add_size_options(command, options.size, "size of a drawing in pixels (default: 960x720)");
+        value("--rays", options.rays,
+              "number of arrows along the longer side of the camera's picture", "COUNT");
+        value("--length", options.length, "length of the arrows in scene units", "LENGTH");
+        command.add_flag("--no-eye", options.no_eye, "omit the eye object");
+        command.add_flag("--no-toward", options.no_toward, "omit the direction object");
+        command.add_flag("--no-frame", options.no_frame, "omit the picture's border");
+        command.add_flag("--no-axes", options.no_axes, "omit the axes");
+        add_quiet_option(command, options.quiet);
+        command.add_flag("--json", options.json, "print file name and diagnostics as JSON");
+        command.footer(
+            "Examples:\n"
+            "  balcony draw superelliptic -o superelliptic.svg\n"
+            "  balcony draw my.cam:closeup --view 120,10 --size 1600x1200 -o closeup.png\n"
+            "  balcony draw my.cam:poster -o poster.svg\n"
+            "  balcony draw my.cam --rays 20 --length 2 -o camera.glb");
     };
-    value("--time", options->time, "value of t in the camera's formulas", "T");
-    value("--view", options->view,
-          "direction of the viewer in degrees: around z from x, and above the horizon",
-          "AZIMUTH,ELEVATION");
-    value("--size", options->size, "size of a picture output in pixels", "WIDTHxHEIGHT");
-    value("--rays", options->rays, "number of arrows along the longer side of the camera's picture",
-          "COUNT");
-    value("--length", options->length, "length of the arrows in scene units", "LENGTH");
-    command->add_flag("--no-eye", options->no_eye, "omit the eye object");
-    command->add_flag("--no-toward", options->no_toward, "omit the direction object");
-    command->add_flag("--no-frame", options->no_frame, "omit the picture's border");
-    command->add_flag("--no-axes", options->no_axes, "omit the axes");
-    command->add_flag("-q,--quiet", options->quiet, "print only warnings and errors");
-    command->add_flag("--json", options->json, "print file name and diagnostics as JSON");
-    command->footer(
-        "Examples:\n"
-        "  balcony draw superelliptic -o superelliptic.svg\n"
-        "  balcony draw my.cam:closeup --view 120,10 --size 1600x1200 -o closeup.png\n"
-        "  balcony draw my.cam:poster -o poster.svg\n"
-        "  balcony draw my.cam --rays 20 --length 2 -o camera.glb");
-    command->callback([options, &code] { code = draw(*options); });
+    add_command<DrawOptions>(app, code, "draw",
+                             "draws a camera, or the cameras of a picture, with their rays", draw,
+                             describe);
 }
 
 }  // namespace balcony::cli

@@ -6,7 +6,7 @@
 
 #include "cli/commands/command.hpp"
 #include "cli/options/camera_argument.hpp"
-#include "cli/options/render_options.hpp"
+#include "cli/options/common_options.hpp"
 #include "cli/report/explain_report.hpp"
 #include "cli/report/json.hpp"
 #include "cli/report/report.hpp"
@@ -18,7 +18,7 @@ namespace {
 struct ExplainOptions {
     std::string camera;
     std::vector<std::string> set;
-    std::string size;
+    SizeWords size;
     bool json = false;
 };
 
@@ -75,19 +75,18 @@ ExitCode explain(const ExplainOptions& options) {
 }  // namespace
 
 void add_explain_command(CLI::App& app, ExitCode& code) {
-    auto* command =
-        app.add_subcommand("explain", "describes a camera or a picture in words and formulas");
-    command->group("Commands");
-    const auto options = std::make_shared<ExplainOptions>();
-    add_camera_option(*command, options->camera);
-    add_set_option(*command, options->set);
-    command
-        ->add_option("--size", options->size,
-                     "size of the picture for which the formulas are valid")
-        ->type_name("WxH");
-    command->add_flag("--json", options->json, "print the description as JSON");
-    command->footer("Examples:\n  balcony explain superelliptic\n  balcony explain my.cam:closeup");
-    command->callback([options, &code] { code = explain(*options); });
+    const auto describe = [](CLI::App& command, ExplainOptions& options) {
+        add_camera_option(command, options.camera);
+        add_set_option(command, options.set);
+        add_size_options(command, options.size,
+                         "size of the picture in pixels for which the formulas are valid");
+        command.add_flag("--json", options.json, "print the description as JSON");
+        command.footer(
+            "Examples:\n  balcony explain superelliptic\n  balcony explain my.cam:closeup");
+    };
+    add_command<ExplainOptions>(app, code, "explain",
+                                "describes a camera or a picture in words and formulas", explain,
+                                describe);
 }
 
 }  // namespace balcony::cli

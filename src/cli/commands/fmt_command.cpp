@@ -105,20 +105,19 @@ ExitCode format(const FmtOptions& options) {
 }  // namespace
 
 void add_fmt_command(CLI::App& app, ExitCode& code) {
-    auto* command = app.add_subcommand("fmt", "formats camera files");
-    command->group("Commands");
-    const auto options = std::make_shared<FmtOptions>();
-    command
-        ->add_option("FILE", options->files,
-                     "camera files (.cam), formatted in place; - formats standard input to "
-                     "standard output")
-        ->required()
-        ->take_all();
-    command->add_flag("--check", options->check,
-                      "change nothing; exit with code 1 if a file is not formatted");
-    command->add_flag("--json", options->json, "print files and diagnostics as JSON");
-    command->footer("Examples:\n  balcony fmt my.cam\n  balcony fmt --check *.cam");
-    command->callback([options, &code] { code = format(*options); });
+    const auto describe = [](CLI::App& command, FmtOptions& options) {
+        command
+            .add_option("FILE", options.files,
+                        "camera files (.cam), formatted in place; - formats standard input to "
+                        "standard output")
+            ->required()
+            ->take_all();
+        command.add_flag("--check", options.check,
+                         "change nothing; exit with code 1 if a file is not formatted");
+        command.add_flag("--json", options.json, "print files and diagnostics as JSON");
+        command.footer("Examples:\n  balcony fmt my.cam\n  balcony fmt --check *.cam");
+    };
+    add_command<FmtOptions>(app, code, "fmt", "formats camera files", format, describe);
 }
 
 }  // namespace balcony::cli

@@ -12,6 +12,7 @@
 #include "cli/options/scene_argument.hpp"
 #include "cli/report/json.hpp"
 #include "cli/report/report.hpp"
+#include "cli/report/unseen_points.hpp"
 
 namespace balcony::cli {
 
@@ -22,8 +23,6 @@ struct InfoOptions {
     bool objects = false;
     bool json = false;
 };
-
-std::string_view axes_text(Axes axes) { return axes == Axes::y_up ? "y up" : "z up"; }
 
 // "Door, perspective, 60 x 36 degrees"
 std::string camera_text(const scene::Camera& camera) {
@@ -129,18 +128,17 @@ ExitCode info(const InfoOptions& options) {
 }  // namespace
 
 void add_info_command(CLI::App& app, ExitCode& code) {
-    auto* command = app.add_subcommand("info", "describes a scene file");
-    command->group("Commands");
-    const auto options = std::make_shared<InfoOptions>();
-    command
-        ->add_option("SCENE", options->scene,
-                     scene_files_text() + "; for cameras, see 'list' and 'explain'")
-        ->required();
-    command->add_flag("--objects", options->objects,
-                      "list the objects with their ids in the object layer");
-    command->add_flag("--json", options->json, "print the facts and all objects as JSON");
-    command->footer("Example:\n  balcony info gallery.glb --objects");
-    command->callback([options, &code] { code = info(*options); });
+    const auto describe = [](CLI::App& command, InfoOptions& options) {
+        command
+            .add_option("SCENE", options.scene,
+                        scene_files_text() + "; for cameras, see 'list' and 'explain'")
+            ->required();
+        command.add_flag("--objects", options.objects,
+                         "list the objects with their ids in the object layer");
+        command.add_flag("--json", options.json, "print the facts and all objects as JSON");
+        command.footer("Example:\n  balcony info gallery.glb --objects");
+    };
+    add_command<InfoOptions>(app, code, "info", "describes a scene file", info, describe);
 }
 
 }  // namespace balcony::cli

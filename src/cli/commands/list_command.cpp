@@ -266,28 +266,28 @@ ExitCode list(const ListOptions& options) {
 }  // namespace
 
 void add_list_command(CLI::App& app, ExitCode& code) {
-    auto* command = app.add_subcommand("list", "lists stages and cameras");
-    command->group("Commands");
-    const auto options = std::make_shared<ListOptions>();
-    options->what = "stages";
-    command->add_option("WHAT", options->what,
-                        "'stages' (default), a kind of stages such as 'object generators', "
-                        "'cameras', the name of a stage or a built-in camera, or a camera file "
-                        "(.cam)");
-    command
-        ->add_option("--markdown", options->markdown,
-                     "write the documentation pages of all stages to a folder, with the examples "
-                     "as camera files")
-        ->type_name("FOLDER");
-    command->add_flag("--json", options->json, "print the list as JSON");
-    command->footer(
-        "Examples:\n"
-        "  balcony list                   all stages, one per line\n"
-        "  balcony list direction_rules   the stages of one kind\n"
-        "  balcony list superellipse      one stage with its parameters and its formula\n"
-        "  balcony list cameras           the built-in cameras\n"
-        "  balcony list gallery.cam       the cameras of a file");
-    command->callback([options, &code] { code = list(*options); });
+    const auto describe = [](CLI::App& command, ListOptions& options) {
+        options.what = "stages";
+        command.add_option("WHAT", options.what,
+                           "'stages' (default), a kind of stages such as 'object generators', "
+                           "'cameras', the name of a stage or a built-in camera, or a camera file "
+                           "(.cam)");
+        command
+            .add_option(
+                "--markdown", options.markdown,
+                "write the documentation pages of all stages to a folder, with the examples "
+                "as camera files")
+            ->type_name("FOLDER");
+        command.add_flag("--json", options.json, "print the list as JSON");
+        command.footer(
+            "Examples:\n"
+            "  balcony list                   all stages, one per line\n"
+            "  balcony list direction_rules   the stages of one kind\n"
+            "  balcony list superellipse      one stage with its parameters and its formula\n"
+            "  balcony list cameras           the built-in cameras\n"
+            "  balcony list gallery.cam       the cameras of a file");
+    };
+    add_command<ListOptions>(app, code, "list", "lists stages and cameras", list, describe);
 }
 
 }  // namespace balcony::cli

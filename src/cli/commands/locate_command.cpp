@@ -18,11 +18,12 @@
 #include "balcony/scene.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/options/camera_argument.hpp"
+#include "cli/options/common_options.hpp"
 #include "cli/options/option_values.hpp"
-#include "cli/options/render_options.hpp"
 #include "cli/options/scene_argument.hpp"
 #include "cli/report/json.hpp"
 #include "cli/report/report.hpp"
+#include "cli/report/unseen_points.hpp"
 
 namespace balcony::cli {
 
@@ -35,7 +36,7 @@ struct LocateOptions {
     std::vector<std::string> points;
     std::string file;
     std::vector<std::string> set;
-    std::string size;
+    SizeWords size;
     std::string time = "0";
     std::string axes;
     std::string scene;
@@ -130,6 +131,8 @@ struct Located {
     std::size_t width = 0;
     std::size_t height = 0;
     bool closed_form = false;
+    Axes axes = Axes::z_up;   ///< Of the points.
+    std::string axes_from;    ///< "axes of the camera"
     std::vector<V3d> points;  ///< As given.
     std::vector<analyse::Sighting> sightings;
     /// With a scene: the obstacle that hides each sighting.
@@ -182,10 +185,11 @@ Result<Located> find_all(const LocateOptions& options, const PictureSize& size, 
     if (has_errors(diagnostics)) {
         return diagnostics;
     }
+    Located found;
+    found.axes_from = axes ? "by --axes" : scene ? "axes of the scene" : "axes of the camera";
     if (scene && !axes) {
         axes = scene->axes;
     }
-    Located found;
     found.camera = picture->name();
     std::tie(found.width, found.height) =
         size.resolve(picture->parts().aspect, picture->parts().size);
@@ -198,6 +202,7 @@ Result<Located> find_all(const LocateOptions& options, const PictureSize& size, 
     found.layers = locator->layers();
     found.numbers = numbers_of_layers(*picture, found.layers.size());
     found.closed_form = locator->closed_form();
+    found.axes = locator->axes();
     found.points = std::move(points);
     add_to(diagnostics, locator.diagnostics);
     std::vector<std::size_t> in_part;
@@ -207,6 +212,11 @@ Result<Located> find_all(const LocateOptions& options, const PictureSize& size, 
             warning(fmt::format("so many parts of the picture may see {} that not all "
                                 "of these parts were searched",
                                 counted(in_part.size(), "point", "points"))));
+    }
+    if (found.sightings.empty() && !found.points.empty()) {
+        add_to(diagnostics,
+               explain_unseen({*picture, static_cast<double>(found.width),
+                               static_cast<double>(found.height), time, found.axes, found.points}));
     }
     if (scene) {
         look_for_obstacles(*scene, locator->axes(), found, diagnostics);
@@ -240,8 +250,9 @@ std::string line_of(const Located& located, std::size_t number) {
 
 std::string text_of(const Located& located) {
     const std::string_view heading = located.obstacles ? " is in the picture at" : " is visible at";
-    std::string text = fmt::format("{}, {} x {} pixels\n", printable(located.camera), located.width,
-                                   located.height);
+    std::string text =
+        fmt::format("{}, {} x {} pixels; points are read with {} ({})\n", printable(located.camera),
+                    located.width, located.height, axes_text(located.axes), located.axes_from);
     std::size_t next = 0;
     for (std::size_t number = 0; number < located.points.size(); ++number) {
         const V3d& point = located.points[number];
@@ -276,9 +287,13 @@ nlohmann::json json_of(const Located& located) {
         }
         points[sighting.point]["sightings"].push_back(std::move(entry));
     }
-    return {{"camera", located.camera},         {"layers", located.layers},
-            {"layer_numbers", located.numbers}, {"width", located.width},
-            {"height", located.height},         {"closed_form", located.closed_form},
+    return {{"camera", located.camera},
+            {"layers", located.layers},
+            {"layer_numbers", located.numbers},
+            {"width", located.width},
+            {"height", located.height},
+            {"closed_form", located.closed_form},
+            {"axes", located.axes == Axes::y_up ? "y_up" : "z_up"},
             {"points", std::move(points)}};
 }
 
@@ -317,44 +332,42 @@ ExitCode locate(const LocateOptions& options) {
 }  // namespace
 
 void add_locate_command(CLI::App& app, ExitCode& code) {
-    auto* command = app.add_subcommand(
-        "locate", "finds the positions in a picture that show given points in space");
-    command->group("Commands");
-    const auto options = std::make_shared<LocateOptions>();
-    add_camera_option(*command, options->camera);
-    command->add_option("--point", options->points, "point in space; may be repeated")
-        ->type_name("X,Y,Z")
-        ->allow_extra_args(false)
-        ->take_all();
-    command
-        ->add_option("--points", options->file,
-                     "table with one point per line; - is standard input")
-        ->type_name("FILE");
-    command
-        ->add_option("--scene", options->scene,
-                     "scene file: also report whether the point is hidden, by which object and at "
-                     "which distance")
-        ->type_name("SCENE");
-    add_set_option(*command, options->set);
-    command->add_option("--size", options->size, "size of the picture, or its width only")
-        ->type_name("WxH");
-    command->add_option("--time", options->time, "value of t in the camera's formulas")
-        ->capture_default_str()
-        ->type_name("T");
-    command
-        ->add_option(
-            "--axes", options->axes,
-            "axes of the points: y_up, as in most scenes, or z_up (default: those of the scene "
-            "or, without a scene, of the camera)")
-        ->type_name("AXES");
-    command->add_flag("--json", options->json, "print the positions as JSON");
-    command->footer(
-        "Examples:\n"
-        "  balcony locate panorama --point 3,2,0.5\n"
-        "  balcony locate pinhole --set fov=90deg --size 1920x1080 --axes y_up --point 1,0,-4\n"
-        "  balcony locate my.cam:closeup --scene room.glb --point 0,0.5,-1\n"
-        "  balcony locate my.cam:closeup --points corners.csv --json");
-    command->callback([options, &code] { code = locate(*options); });
+    const auto describe = [](CLI::App& command, LocateOptions& options) {
+        add_camera_option(command, options.camera);
+        command.add_option("--point", options.points, "point in space; may be repeated")
+            ->type_name("X,Y,Z")
+            ->allow_extra_args(false)
+            ->take_all();
+        command
+            .add_option("--points", options.file,
+                        "table with one point per line; - is standard input")
+            ->type_name("FILE");
+        command
+            .add_option(
+                "--scene", options.scene,
+                "scene file: also report whether the point is hidden, by which object and at "
+                "which distance")
+            ->type_name("SCENE");
+        add_set_option(command, options.set);
+        add_size_options(command, options.size, "size of the picture in pixels");
+        add_time_option(command, options.time);
+        command
+            .add_option(
+                "--axes", options.axes,
+                "axes of the points: y_up, as in most scenes, or z_up (default: those of the scene "
+                "or, without a scene, of the camera)")
+            ->type_name("AXES");
+        command.add_flag("--json", options.json, "print the positions as JSON");
+        command.footer(
+            "Examples:\n"
+            "  balcony locate panorama --point 3,2,0.5\n"
+            "  balcony locate pinhole --set fov=90deg --size 1920x1080 --axes y_up --point 1,0,-4\n"
+            "  balcony locate my.cam:closeup --scene room.glb --point 0,0.5,-1\n"
+            "  balcony locate my.cam:closeup --points corners.csv --json");
+    };
+    add_command<LocateOptions>(app, code, "locate",
+                               "finds the positions in a picture that show given points in space",
+                               locate, describe);
 }
 
 }  // namespace balcony::cli

@@ -2,24 +2,30 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
+#include <functional>
+#include <stop_token>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "balcony/probe.hpp"
 #include "balcony/render.hpp"
 #include "cli/commands/command.hpp"
+#include "cli/file_watch.hpp"
 #include "cli/interruption.hpp"
 #include "cli/options/camera_argument.hpp"
+#include "cli/options/common_options.hpp"
 #include "cli/options/default_camera.hpp"
+#include "cli/options/picture_output.hpp"
 #include "cli/options/render_options.hpp"
 #include "cli/options/scene_argument.hpp"
 #include "cli/report/json.hpp"
-#include "cli/report/miss_text.hpp"
 #include "cli/report/progress_display.hpp"
+#include "cli/report/render_report.hpp"
 #include "cli/report/report.hpp"
+#include "cli/report/usage.hpp"
 
 namespace balcony::cli {
 
@@ -27,166 +33,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The report of a render, as text or JSON.
-struct Outcome {
-    ExitCode code = ExitCode::done;
-    Diagnostics diagnostics;
-    nlohmann::json facts = nlohmann::json::object();
-    std::string sentence;
-};
-
-void add(Outcome& outcome, const Diagnostics& diagnostics) {
-    outcome.diagnostics.insert(outcome.diagnostics.end(), diagnostics.begin(), diagnostics.end());
-}
-
-Outcome fail(Outcome outcome, ExitCode code, const Diagnostics& diagnostics = {}) {
+RenderReport fail(RenderReport outcome, ExitCode code, const Diagnostics& diagnostics = {}) {
     add(outcome, diagnostics);
     outcome.code = code;
     return outcome;
 }
 
-/// The output file: given by the user, or in this folder and named after the scene.
-fs::path output_of(const RenderOptions& options) {
-    if (options.output) {
-        return *options.output;
-    }
-    const std::string stem = fs::path(options.scene).stem().string();
-    return (stem.empty() || stem.front() == '.' ? "picture" : stem) + ".png";
-}
-
-/// Rejects an output file that cannot be written, before rendering.
-ExitCode check_output(const fs::path& file, Diagnostics& diagnostics) {
-    std::error_code ignored;
-    if (fs::is_directory(file, ignored)) {
-        diagnostics.push_back(
-            error(fmt::format("'{}' is a folder", file.string()), {},
-                  fmt::format("name a file in it: {}", (file / "picture.png").string())));
-        return ExitCode::wrong_usage;
-    }
-    const Diagnostics found = render::check_output(file);
-    diagnostics.insert(diagnostics.end(), found.begin(), found.end());
-    const std::string ending = ending_of(file);
-    return !has_errors(found)                     ? ExitCode::done
-           : ending != ".png" && ending != ".exr" ? ExitCode::wrong_usage
-                                                  : ExitCode::environment;
-}
-
 /// Rejects an output file that is also an input, even under another name or through a link.
-Diagnostics check_inputs_kept(const RenderOptions& options, const scene::Scene& scene,
-                              const fs::path& output) {
-    std::vector<fs::path> inputs{options.scene, camera_file(options.camera)};
-    for (const scene::Texture& texture : scene.textures) {
-        inputs.push_back(texture.file);
-    }
+Diagnostics check_inputs_kept(const std::vector<fs::path>& inputs, const PictureOutput& output) {
     for (const fs::path& input : inputs) {
         std::error_code failed;
-        if (!input.empty() && fs::equivalent(input, output, failed) && !failed) {
+        if (fs::equivalent(input, output.file(), failed) && !failed) {
             return {error(
-                fmt::format("'{}' is part of the scene and would be overwritten", output.string()),
+                fmt::format("'{}' is part of the scene and would be overwritten", output.name()),
                 {}, "name another picture with --output")};
         }
     }
     return {};
-}
-
-/// Reports where a layer has no ray.
-void describe_gaps(Outcome& outcome, const render::Film& film, const render::Summary& summary) {
-    const bool single = summary.layers.size() == 1;
-    const std::string_view shown = film.background ? "show the background" : "are transparent";
-    for (const render::Summary::Layer& layer : summary.layers) {
-        const std::string what =
-            fmt::format("{} '{}'", single ? "camera" : "layer", printable(layer.name));
-        if (layer.invalid_rays == 0) {
-            continue;
-        }
-        if (layer.invalid_rays == layer.camera_rays) {
-            outcome.diagnostics.push_back(
-                warning(fmt::format("{} has no ray anywhere; {}", what,
-                                    single ? "the picture is empty" : "it is invisible")));
-            continue;
-        }
-        const std::string pixels = single ? fmt::format(" ({} of {} pixel centres)",
-                                                        summary.invalid_pixels, film.window.size())
-                                          : "";
-        outcome.diagnostics.push_back(
-            warning(fmt::format("{} has no ray at {} of {} picture points{}; they {}", what,
-                                layer.invalid_rays, layer.camera_rays, pixels, shown)));
-    }
-}
-
-/// Warns of layers whose rays meet nothing, with the reason.
-void describe_misses(Outcome& outcome, const scene::Scene& scene, const camera::Picture& picture,
-                     const render::Settings& settings, const render::Film& film,
-                     const render::Summary& summary) {
-    for (const camera::ShownCamera& shown : shown_cameras(picture)) {
-        for (const camera::ShownCamera::LayerUse& use : shown.uses) {
-            const render::Summary::Layer& layer = summary.layers[use.index];
-            if (layer.hits > 0 || layer.camera_rays == layer.invalid_rays) {
-                continue;
-            }
-            const Result<render::Miss> miss = render::explain_miss(
-                scene, shown.camera,
-                {.width = film.width, .height = film.height, .time = settings.time});
-            const MissText text = miss ? miss_text(*miss, shown.camera) : MissText{};
-            outcome.diagnostics.push_back(warning(
-                fmt::format("no ray of {} '{}' meets anything{}{}",
-                            summary.layers.size() == 1 ? "camera" : "layer", printable(layer.name),
-                            text.reason.empty() ? "" : ": ", text.reason),
-                {}, text.remedy));
-        }
-    }
-}
-
-nlohmann::json layers_json(const render::Summary& summary) {
-    nlohmann::json layers = nlohmann::json::array();
-    for (const render::Summary::Layer& layer : summary.layers) {
-        layers.push_back({{"name", layer.name},
-                          {"rays", layer.camera_rays},
-                          {"invalid_rays", layer.invalid_rays},
-                          {"hits", layer.hits}});
-    }
-    return layers;
-}
-
-// One line per layer of a picture with several layers.
-std::string layers_text(const render::Summary& summary) {
-    std::string text;
-    for (const render::Summary::Layer& layer : summary.layers) {
-        text += fmt::format("  layer {:<20} {} rays\n", printable(layer.name),
-                            count_text(static_cast<double>(layer.camera_rays)));
-    }
-    return summary.layers.size() > 1 ? text : "";
-}
-
-void describe(Outcome& outcome, const fs::path& output, const camera::Picture& picture,
-              const render::Film& film, const render::Summary& summary) {
-    describe_gaps(outcome, film, summary);
-    if (summary.repaired > 0) {
-        outcome.diagnostics.push_back(warning(fmt::format(
-            "{} samples had no finite colour and were replaced by black", summary.repaired)));
-    }
-    outcome.facts = {{"output", nullptr},
-                     {"camera", picture.name()},
-                     {"layers", layers_json(summary)},
-                     {"width", film.width},
-                     {"height", film.height},
-                     {"passes", summary.passes},
-                     {"rays", summary.camera_rays},
-                     {"invalid_rays", summary.invalid_rays},
-                     {"invalid_pixels", summary.invalid_pixels},
-                     {"repaired", summary.repaired},
-                     {"seconds", summary.seconds},
-                     {"compile_seconds", summary.compile_seconds},
-                     {"camera_share", summary.camera_share},
-                     {"ambient", summary.ambient.x},
-                     {"interrupted", summary.interrupted}};
-    outcome.sentence = fmt::format(
-        "{}{}: {} x {} pixels through '{}', {}, {} rays in {}\n",
-        summary.interrupted ? "interrupted; the partial picture is " : "",
-        printable(output.string()), film.width, film.height, picture.name(),
-        counted(summary.passes, "pass", "passes"),
-        count_text(static_cast<double>(summary.camera_rays)), duration_text(summary.seconds));
-    outcome.sentence += layers_text(summary);
 }
 
 bool has_samples(const render::Film& film) {
@@ -194,134 +57,293 @@ bool has_samples(const render::Film& film) {
                        [](std::uint32_t count) { return count > 0; });
 }
 
-/// How light becomes display colours.
-struct Tones {
+/// What the options ask of every picture.
+struct Request {
+    render::Settings settings;
     std::optional<double> exposure;  ///< Chosen automatically if empty.
     render::ViewTransform view;
+    PictureSize size;
 };
 
+Request read_request(const RenderOptions& options, Diagnostics& diagnostics) {
+    Request request{read_settings(options, diagnostics), read_exposure(options, diagnostics),
+                    read_view(options, diagnostics), read_size(options.size, diagnostics)};
+    if (options.camera.empty() && !options.set.empty()) {
+        diagnostics.push_back(
+            error("--set needs a camera whose parameter it sets", {}, "add --camera FILE"));
+    }
+    return request;
+}
+
+/// What remains loaded from one picture to the next.
+struct Loaded {
+    lang::Workspace cameras;
+    std::shared_ptr<const scene::Scene> scene;
+    std::optional<render::Renderer> renderer;
+};
+
+/// Tells whether the picture that is being rendered is of no use any more.
+using OutdatedTest = std::function<bool()>;
+
 /// Renders and writes. The first signal stops the rendering, but not the writing.
-Outcome make_picture(Outcome outcome, const RenderOptions& options, const scene::Scene& scene,
-                     const render::Renderer& renderer, const camera::Picture& picture,
-                     const render::Settings& settings, render::Film film, const fs::path& output,
-                     const Tones& tones) {
+RenderReport make_picture(RenderReport outcome, const RenderOptions& options,
+                          const Request& request, const Loaded& loaded,
+                          const camera::Picture& picture, render::Film film,
+                          const PictureOutput& output, const OutdatedTest& is_outdated) {
     const Job job;
+    std::stop_source stop;
+    const std::stop_callback on_signal(job.token(), [&stop] { stop.request_stop(); });
     Result<render::Summary> summary;
     {
         ProgressDisplay display(options.quiet || options.json);
-        summary = render::render(
-            renderer, picture, settings, film,
-            [&](const render::Progress& progress) { display.show(progress); }, job.token());
+        const auto on_progress = [&](const render::Progress& progress) {
+            display.show(progress);
+            if (is_outdated && is_outdated()) {
+                outcome.outdated = true;
+                stop.request_stop();
+            }
+        };
+        summary = render::render(*loaded.renderer, picture, request.settings, film, on_progress,
+                                 stop.get_token());
     }
     add(outcome, summary.diagnostics);
     if (!summary) {
         return fail(std::move(outcome), ExitCode::bad_input);
     }
+    if (outcome.outdated && !job.token().stop_requested()) {
+        return outcome;
+    }
     describe(outcome, output, picture, film, *summary);
     if (!summary->interrupted) {
-        describe_misses(outcome, scene, picture, settings, film, *summary);
+        describe_misses(outcome, *loaded.scene, picture, request.settings, film, *summary);
     }
     if (!has_samples(film)) {
         outcome.sentence = "interrupted before there was anything to save\n";
         return fail(std::move(outcome), ExitCode::interrupted);
     }
-    const double exposure = tones.exposure                ? *tones.exposure
-                            : ending_of(output) == ".png" ? render::automatic_exposure(film)
-                                                          : 0.0;
+    const double exposure = request.exposure                     ? *request.exposure
+                            : output.display_format() != nullptr ? render::automatic_exposure(film)
+                                                                 : 0.0;
     outcome.facts["exposure"] = exposure;
-    if (!tones.exposure && exposure != 0.0) {
+    if (!request.exposure && exposure != 0.0) {
         outcome.sentence += fmt::format(
             "  exposure {:+} stops, ambient light {:.3g}; --exposure and --ambient set them\n",
             exposure, summary->ambient.x);
     }
-    const Diagnostics written =
-        render::write(film, output, {.exposure = exposure, .view = tones.view});
+    warn_of_lost_alpha(outcome, film, output);
+    const Diagnostics written = output.write(film, {.exposure = exposure, .view = request.view});
     if (has_errors(written)) {
         return fail(std::move(outcome), ExitCode::environment, written);
     }
-    outcome.facts["output"] = output.string();
+    outcome.facts["output"] = output.is_stream() ? "-" : output.file().string();
     outcome.code = summary->interrupted ? ExitCode::interrupted : ExitCode::done;
     return outcome;
 }
 
-Outcome render_picture(const RenderOptions& options) {
-    Outcome outcome;
-    const render::Settings settings = read_settings(options, outcome.diagnostics);
-    const Tones tones{read_exposure(options, outcome.diagnostics),
-                      read_view(options, outcome.diagnostics)};
-    const PictureSize size = read_size(options.size, outcome.diagnostics);
-    if (options.camera.empty() && !options.set.empty()) {
-        outcome.diagnostics.push_back(
-            error("--set needs a camera whose parameter it sets", {}, "add --camera FILE"));
+bool load(const std::string& name, Loaded& loaded, RenderReport& outcome) {
+    if (loaded.renderer) {
+        return true;
     }
-    if (has_errors(outcome.diagnostics)) {
-        return fail(std::move(outcome), ExitCode::wrong_usage);
+    auto scene = load_scene(name);
+    add(outcome, scene.diagnostics);
+    if (!scene) {
+        return false;
     }
-    const fs::path output = output_of(options);
-    if (const ExitCode code = check_output(output, outcome.diagnostics); code != ExitCode::done) {
-        return fail(std::move(outcome), code);
-    }
+    loaded.scene = std::make_shared<const scene::Scene>(std::move(*scene));
+    auto renderer = render::Renderer::make(loaded.scene);
+    add(outcome, renderer.diagnostics);
+    loaded.renderer = std::move(renderer.value);
+    return loaded.renderer.has_value();
+}
 
+RenderReport render_picture(const RenderOptions& options, const Request& request,
+                            const SceneOutput& target, Loaded& loaded,
+                            const OutdatedTest& is_outdated = {}) {
+    RenderReport outcome;
     // A camera loads fast, so its mistakes are reported before a large scene is read.
     Result<camera::Picture> picture;
     const bool of_file = !options.camera.empty() && !is_of_scene(options.camera);
     if (of_file) {
-        picture = load_picture(options.camera, options.set);
+        picture = load_picture(options.camera, options.set, loaded.cameras);
         add(outcome, picture.diagnostics);
     }
-    if (has_errors(outcome.diagnostics)) {
+    if (has_errors(outcome.diagnostics) || !load(target.scene, loaded, outcome)) {
         return fail(std::move(outcome), ExitCode::bad_input);
     }
-    auto scene = load_scene(options.scene);
-    add(outcome, scene.diagnostics);
-    if (!scene) {
-        return fail(std::move(outcome), ExitCode::bad_input);
+    std::vector<fs::path> inputs = loaded.cameras.files();
+    inputs.insert(inputs.end(), loaded.scene->files.begin(), loaded.scene->files.end());
+    if (const Diagnostics found = check_inputs_kept(inputs, target.output); has_errors(found)) {
+        return fail(std::move(outcome), ExitCode::wrong_usage, found);
     }
-    if (const Diagnostics diagnostics = check_inputs_kept(options, *scene, output);
-        has_errors(diagnostics)) {
-        return fail(std::move(outcome), ExitCode::wrong_usage, diagnostics);
-    }
-    const auto shared = std::make_shared<const scene::Scene>(std::move(*scene));
     if (!of_file) {
-        picture = options.camera.empty() ? default_picture(*shared)
-                                         : load_picture(options.camera, options.set, *shared);
+        picture = options.camera.empty() ? default_picture(*loaded.scene)
+                                         : load_picture(options.camera, options.set, *loaded.scene);
         add(outcome, picture.diagnostics);
     }
-    const auto renderer = render::Renderer::make(shared);
-    add(outcome, renderer.diagnostics);
-    if (!picture || !renderer) {
+    if (!picture) {
         return fail(std::move(outcome), ExitCode::bad_input);
     }
-    const auto [width, height] = size.resolve(picture->parts().aspect, picture->parts().size);
-    Result<render::Film> film = render::make_film(
-        {.width = width, .height = height, .data_layers = ending_of(output) == ".exr"});
+    const auto [width, height] =
+        request.size.resolve(picture->parts().aspect, picture->parts().size);
+    const render::DisplayFormat* const format = target.output.display_format();
+    if (format != nullptr) {
+        if (const Diagnostics found = render::check_size(*format, width, height);
+            has_errors(found)) {
+            return fail(std::move(outcome), ExitCode::bad_input, found);
+        }
+    }
+    Result<render::Film> film =
+        render::make_film({.width = width, .height = height, .data_layers = format == nullptr});
     if (!film) {
         return fail(std::move(outcome), ExitCode::bad_input, film.diagnostics);
     }
-    return make_picture(std::move(outcome), options, *shared, *renderer, *picture, settings,
-                        std::move(*film), output, tones);
+    return make_picture(std::move(outcome), options, request, loaded, *picture, std::move(*film),
+                        target.output, is_outdated);
 }
 
-ExitCode render_command(const RenderOptions& options) {
-    Outcome outcome = render_picture(options);
-    if (options.json) {
-        outcome.facts["diagnostics"] = to_json(outcome.diagnostics);
-        print_json(outcome.facts);
-        return outcome.code;
-    }
+void show(const RenderReport& outcome, const RenderOptions& options) {
     report(outcome.diagnostics);
     if (!options.quiet && !has_errors(outcome.diagnostics)) {
-        print_result(outcome.sentence);
+        if (options.output == "-") {
+            print_aside(outcome.sentence);
+        } else {
+            print_result(outcome.sentence);
+        }
+    }
+}
+
+ExitCode finish(const RenderReport& outcome, const RenderOptions& options) {
+    if (options.json) {
+        print_json(json_of(outcome));
+    } else {
+        show(outcome, options);
     }
     return outcome.code;
 }
 
+/// Renders again whenever a file changes that the picture is made of. A signal ends it.
+ExitCode watch(const RenderOptions& options, const Request& request, const SceneOutput& target) {
+    Loaded loaded;
+    std::vector<fs::path> scene_files{target.scene};
+    for (;;) {
+        const auto start = FileWatch::Time::clock::now();
+        const bool reads_scene = !loaded.renderer;
+        std::optional<FileWatch> cameras;
+        std::optional<FileWatch> scene;
+        auto next = std::chrono::steady_clock::now();
+        const auto has_changed = [&] {
+            // Asking for the states of files takes time.
+            if (std::chrono::steady_clock::now() < next) {
+                return false;
+            }
+            next = std::chrono::steady_clock::now() + std::chrono::milliseconds(100);
+            // The files are known when the rendering begins.
+            if (!cameras) {
+                scene_files = loaded.scene->files;
+                cameras.emplace(loaded.cameras.files(), start);
+                scene.emplace(scene_files, reads_scene ? start : FileWatch::Time::max());
+            }
+            return cameras->has_changed() || scene->has_changed();
+        };
+        const RenderReport outcome = render_picture(options, request, target, loaded, has_changed);
+        if (!outcome.outdated) {
+            finish(outcome, options);
+            if (!finish_output()) {
+                return ExitCode::environment;
+            }
+        }
+        if (outcome.code == ExitCode::interrupted || outcome.code == ExitCode::wrong_usage) {
+            return outcome.code;
+        }
+        cameras = cameras ? cameras : FileWatch(loaded.cameras.files(), start);
+        scene = scene ? scene : FileWatch(scene_files, start);
+        const Job job;
+        if (!options.quiet && !outcome.outdated) {
+            print_aside(fmt::format("watching {}; Ctrl-C ends\n",
+                                    counted(cameras->size() + scene->size(), "file", "files")));
+        }
+        if (!wait_for_change({*cameras, *scene}, job.token())) {
+            return ExitCode::interrupted;
+        }
+        loaded.cameras.reload();
+        if (scene->has_changed()) {
+            loaded.renderer.reset();
+            loaded.scene.reset();
+        }
+    }
+}
+
+/// Renders one scene after the other. A scene that fails does not stop the others.
+ExitCode render_all(const RenderOptions& options, const Request& request,
+                    const std::vector<SceneOutput>& targets) {
+    ExitCode code = ExitCode::done;
+    nlohmann::json pictures = nlohmann::json::array();
+    lang::Workspace cameras;
+    for (const SceneOutput& target : targets) {
+        Loaded loaded{std::move(cameras), {}, {}};
+        const RenderReport outcome = render_picture(options, request, target, loaded);
+        cameras = std::move(loaded.cameras);
+        if (options.json) {
+            pictures.push_back(json_of(outcome));
+            pictures.back()["scene"] = target.scene;
+        } else {
+            show(outcome, options);
+        }
+        code = code == ExitCode::done ? outcome.code : code;
+        if (outcome.code == ExitCode::interrupted) {
+            code = outcome.code;
+            break;
+        }
+    }
+    if (options.json) {
+        print_json({{"pictures", pictures}, {"diagnostics", nlohmann::json::array()}});
+    }
+    return code;
+}
+
+ExitCode check_outputs(const RenderOptions& options, const std::vector<SceneOutput>& targets,
+                       Diagnostics& diagnostics) {
+    if (options.output == "-" && (options.json || options.watch)) {
+        diagnostics.push_back(error(fmt::format("--output - and {} exclude each other",
+                                                options.json ? "--json" : "--watch"),
+                                    {}, "name a file for the picture"));
+    } else if (options.watch && targets.size() > 1) {
+        diagnostics.push_back(
+            error("--watch shows one scene, but there are several", {}, "give one scene"));
+    }
+    if (has_errors(diagnostics)) {
+        return ExitCode::wrong_usage;
+    }
+    for (const SceneOutput& target : targets) {
+        if (const ExitCode code = target.output.check(diagnostics); code != ExitCode::done) {
+            return code;
+        }
+    }
+    return ExitCode::done;
+}
+
+ExitCode render_command(const RenderOptions& options) {
+    RenderReport outcome;
+    const Request request = read_request(options, outcome.diagnostics);
+    const std::vector<SceneOutput> targets = scene_outputs(options, outcome.diagnostics);
+    outcome.code = check_outputs(options, targets, outcome.diagnostics);
+    if (outcome.code != ExitCode::done) {
+        return finish(outcome, options);
+    }
+    if (options.watch) {
+        return watch(options, request, targets.front());
+    }
+    if (targets.size() > 1) {
+        return render_all(options, request, targets);
+    }
+    Loaded loaded;
+    return finish(render_picture(options, request, targets.front(), loaded), options);
+}
+
 void add_picture_options(CLI::App& command, RenderOptions& options) {
-    command
-        .add_option("--size", options.size,
-                    "size in pixels (default: that of the picture, or about a million pixels with "
-                    "its aspect ratio)")
-        ->type_name("WIDTH[xHEIGHT]");
+    add_size_options(command, options.size,
+                     "size in pixels (default: that of the picture, or about a million pixels with "
+                     "its aspect ratio)");
     command.add_option("-s,--samples", options.samples, "rays per pixel")
         ->type_name("COUNT")
         ->capture_default_str();
@@ -367,42 +389,52 @@ void add_picture_options(CLI::App& command, RenderOptions& options) {
 }  // namespace
 
 void add_render_command(CLI::App& app, ExitCode& code) {
-    auto* command = app.add_subcommand("render", "renders a scene through a camera");
-    command->group("Commands");
-    const auto options = std::make_shared<RenderOptions>();
-    command->add_option("SCENE", options->scene, scene_files_text())->required();
-    command
-        ->add_option(
-            "-c,--camera", options->camera,
-            "camera file and the NAME of a camera or picture in it (default: the last), or a "
-            "built-in camera; scene:NAME is a camera of the scene (default: its first, or one "
-            "that shows the scene well)")
-        ->type_name("FILE[:NAME]");
-    add_set_option(*command, options->set);
-    command->add_option("--time", options->time, "value of t in the camera's formulas")
-        ->type_name("T")
-        ->capture_default_str();
-    command
-        ->add_option_function<std::string>(
-            "-o,--output", [options](const std::string& file) { options->output = file; },
-            "output file: .png, or .exr with all layers (default: SCENE.png in this folder)")
-        ->type_name("FILE");
-    add_picture_options(*command, *options);
-    command
-        ->add_option("-j,--threads", options->threads, "number of threads; 0 uses all processors")
-        ->type_name("COUNT")
-        ->capture_default_str();
-    command->add_flag("-q,--quiet", options->quiet, "print only warnings and errors");
-    command->add_flag("--json", options->json, "print facts and diagnostics as JSON");
-    command->footer(
-        "Examples:\n"
-        "  balcony render room.glb -o room.png\n"
-        "  balcony render room.glb --camera superelliptic --set gamma=1/2 -o walls.png\n"
-        "  balcony render room.glb --camera my.cam:closeup --size 1920x1080 -s 64\n"
-        "  balcony render filmed.gltf --camera scene:Front\n"
-        "\n"
-        "Ctrl-C saves the partial picture; a second Ctrl-C ends at once.");
-    command->callback([options, &code] { code = render_command(*options); });
+    const auto describe = [](CLI::App& command, RenderOptions& options) {
+        CLI::Option* scenes = command.add_option(
+            "SCENE", options.scenes,
+            scene_files_text() + "; several, or a pattern such as '*.glb', each give a picture");
+        scenes->type_name("SCENE")->required()->take_all();
+        scenes->check([&command, scenes](const std::string& word) {
+            const bool wrong = scenes->results().size() > 1 && is_misplaced(command, word);
+            return std::string(wrong ? "misplaced" : "");
+        });
+        command
+            .add_option(
+                "-c,--camera", options.camera,
+                "camera file and the NAME of a camera or picture in it (default: the last), or a "
+                "built-in camera; scene:NAME is a camera of the scene (default: its first, or one "
+                "that shows the scene well)")
+            ->type_name("FILE[:NAME]");
+        add_set_option(command, options.set);
+        add_time_option(command, options.time);
+        command
+            .add_option_function<std::string>(
+                "-o,--output", [&options](const std::string& file) { options.output = file; },
+                "output file: .png, .jpg, .webp, .tif, or .exr with all layers; {scene} stands for "
+                "the scene's name, and - is standard output (PNG) (default: {scene}.png)")
+            ->type_name("FILE");
+        add_picture_options(command, options);
+        command.add_flag("--watch", options.watch,
+                         "render again whenever a file of the camera or the scene changes");
+        command
+            .add_option("-j,--threads", options.threads, "number of threads; 0 uses all processors")
+            ->type_name("COUNT")
+            ->capture_default_str();
+        add_quiet_option(command, options.quiet);
+        command.add_flag("--json", options.json, "print facts and diagnostics as JSON");
+        command.footer(
+            "Examples:\n"
+            "  balcony render room.glb -o room.png\n"
+            "  balcony render room.glb --camera superelliptic --set gamma=1/2 -o walls.png\n"
+            "  balcony render room.glb --camera my.cam:closeup --size 1920x1080 -s 64\n"
+            "  balcony render filmed.gltf --camera scene:Front\n"
+            "  balcony render room.glb --camera my.cam --watch\n"
+            "  balcony render *.glb --camera panorama -o 'pictures/{scene}.jpg'\n"
+            "\n"
+            "Ctrl-C saves the partial picture; a second Ctrl-C ends at once.");
+    };
+    add_command<RenderOptions>(app, code, "render", "renders a scene through a camera",
+                               render_command, describe);
 }
 
 }  // namespace balcony::cli

@@ -61,7 +61,7 @@ Result<CameraArgument> read_camera(const std::string& camera, const std::vector<
     CameraArgument wanted = split_camera(camera);
     for (const std::string& text : set) {
         const auto equals = text.find('=');
-        if (equals == std::string::npos || equals == 0) {
+        if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
             return error(fmt::format("--set {} sets nothing", text), {},
                          "write --set name=value, such as --set gamma=1/2");
         }
@@ -83,8 +83,15 @@ Result<camera::Camera> load_camera(const std::string& camera, const std::vector<
 
 Result<camera::Picture> load_picture(const std::string& picture,
                                      const std::vector<std::string>& set) {
+    lang::Workspace workspace;
+    return load_picture(picture, set, workspace);
+}
+
+Result<camera::Picture> load_picture(const std::string& picture,
+                                     const std::vector<std::string>& set,
+                                     lang::Workspace& workspace) {
     const Result<CameraArgument> wanted = read_camera(picture, set);
-    return wanted ? lang::make_picture(wanted->file, wanted->name, wanted->overrides)
+    return wanted ? workspace.make_picture(wanted->file, wanted->name, wanted->overrides)
                   : Result<camera::Picture>(wanted.diagnostics);
 }
 

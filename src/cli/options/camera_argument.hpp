@@ -33,6 +33,9 @@ struct CameraArgument {
 /// Makes the selected picture; a camera becomes a picture with one layer.
 [[nodiscard]] Result<camera::Picture> load_picture(const std::string& picture,
                                                    const std::vector<std::string>& set);
+[[nodiscard]] Result<camera::Picture> load_picture(const std::string& picture,
+                                                   const std::vector<std::string>& set,
+                                                   lang::Workspace& workspace);
 
 /// Whether a camera is given as scene:NAME, or scene: for the first camera of the scene.
 [[nodiscard]] bool is_of_scene(const std::string& camera);

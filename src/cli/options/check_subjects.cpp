@@ -10,22 +10,6 @@
 
 namespace balcony::cli {
 
-Result<std::vector<camera::Picture>> check_pictures(const std::string& argument,
-                                                    const SubjectRequest& request,
-                                                    lang::Workspace& workspace) {
-    const Result<CameraArgument> wanted = read_camera(argument, request.set);
-    if (!wanted) {
-        return wanted.diagnostics;
-    }
-    if (wanted->name.empty() && request.layer.empty()) {
-        return workspace.make_all(wanted->file, wanted->overrides);
-    }
-    Result<camera::Picture> one =
-        workspace.make_picture(wanted->file, wanted->name, wanted->overrides);
-    return one ? Result<std::vector<camera::Picture>>({std::move(*one)}, one.diagnostics)
-               : Result<std::vector<camera::Picture>>(one.diagnostics);
-}
-
 namespace {
 
 class SubjectList {
@@ -90,26 +74,50 @@ private:
     std::vector<CheckSubject> subjects_;
 };
 
+// The requested pictures of a file.
+Result<std::vector<camera::Picture>> make_pictures(const CameraArgument& wanted,
+                                                   const SubjectRequest& request,
+                                                   lang::Workspace& workspace) {
+    std::string name = wanted.name;
+    if (name.empty() && !request.layer.empty()) {
+        const auto known = workspace.describe(wanted.file);
+        name = known && !known->empty() ? known->back().name : "";
+    }
+    auto all = workspace.make_all(wanted.file, wanted.overrides, name);
+    if (all && !name.empty()) {
+        std::erase_if(*all, [&](const camera::Picture& one) { return one.name() != name; });
+    }
+    return all;
+}
+
 }  // namespace
 
-Result<std::vector<CheckSubject>> check_subjects(const std::vector<camera::Picture>& pictures,
-                                                 const SubjectRequest& request) {
-    if (!request.layer.empty() && pictures.front().only_camera() != nullptr) {
-        return error(fmt::format("'{}' is a camera, which has no layers", pictures.front().name()),
+Result<std::vector<CheckSubject>> check_subjects(const std::string& argument,
+                                                 const SubjectRequest& request,
+                                                 lang::Workspace& workspace) {
+    const Result<CameraArgument> wanted = read_camera(argument, request.set);
+    if (!wanted) {
+        return wanted.diagnostics;
+    }
+    const auto pictures = make_pictures(*wanted, request, workspace);
+    if (!pictures) {
+        return pictures.diagnostics;
+    }
+    if (!request.layer.empty() && pictures->front().only_camera() != nullptr) {
+        return error(fmt::format("'{}' is a camera, which has no layers", pictures->front().name()),
                      {}, "omit --layer, or name a picture");
     }
     SubjectList list(request);
-    for (const camera::Picture& picture : pictures) {
+    for (const camera::Picture& picture : *pictures) {
         list.add(picture);
     }
     std::vector<CheckSubject> subjects = list.take();
     if (!request.layer.empty() && subjects.empty()) {
-        const camera::Picture& picture = pictures.front();
         return error(
-            fmt::format("picture '{}' has no layer {}", picture.name(), request.layer), {},
-            "give its number, counted from 1 at the back: 2, or 3.1 in the picture of layer 3");
+            fmt::format("picture '{}' has no layer {}", pictures->front().name(), request.layer),
+            {}, "give its number, counted from 1 at the back: 2, or 3.1 in the picture of layer 3");
     }
-    return subjects;
+    return {std::move(subjects), pictures.diagnostics};
 }
 
 }  // namespace balcony::cli

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/options/camera_argument.hpp"
-#include "cli/options/render_options.hpp"
+#include "cli/options/common_options.hpp"
 #include "cli/report/check_report.hpp"
 
 namespace balcony::cli {
@@ -27,13 +27,10 @@ struct SubjectRequest {
     double time = 0.0;
 };
 
-/// The pictures of FILE, or the one of FILE:NAME.
-[[nodiscard]] Result<std::vector<camera::Picture>> check_pictures(const std::string& argument,
-                                                                  const SubjectRequest& request,
-                                                                  lang::Workspace& workspace);
-
-/// The cameras in pictures. Cameras with the same parameters occur once.
-[[nodiscard]] Result<std::vector<CheckSubject>> check_subjects(
-    const std::vector<camera::Picture>& pictures, const SubjectRequest& request);
+/// Makes all pictures of a file, so that its mistakes are found, and returns the cameras in those
+/// of FILE, or in the one of FILE:NAME. Cameras with the same parameters occur once.
+[[nodiscard]] Result<std::vector<CheckSubject>> check_subjects(const std::string& argument,
+                                                               const SubjectRequest& request,
+                                                               lang::Workspace& workspace);
 
 }  // namespace balcony::cli

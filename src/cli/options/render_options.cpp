@@ -17,8 +17,6 @@ namespace balcony::cli {
 
 namespace {
 
-constexpr std::size_t max_side = 1'000'000;
-
 /// One radiance value, or three separated by commas.
 std::optional<render::Color3f> color_of(std::string_view text) {
     const std::size_t first = text.find(',');
@@ -107,43 +105,6 @@ std::optional<double> read_exposure(const RenderOptions& options, Diagnostics& d
     return read_number("--exposure", options.exposure, -max_stops, max_stops,
                        fmt::format("give auto, or stops from -{0} to {0}, such as -1.5", max_stops),
                        diagnostics);
-}
-
-std::pair<std::size_t, std::size_t> PictureSize::resolve(
-    double aspect, std::optional<std::array<std::size_t, 2>> own) const {
-    if (!width && own) {
-        return {(*own)[0], (*own)[1]};
-    }
-    constexpr double default_pixels = 1280.0 * 720.0;
-    const auto side = [](double pixels) {
-        return static_cast<std::size_t>(
-            std::clamp(std::round(pixels), 1.0, static_cast<double>(max_side)));
-    };
-    const std::size_t wide = width.value_or(side(std::sqrt(default_pixels * aspect)));
-    return {wide, height.value_or(side(static_cast<double>(wide) / aspect))};
-}
-
-PictureSize read_size(const std::string& text, Diagnostics& diagnostics) {
-    if (text.empty()) {
-        return {};
-    }
-    const auto side = [](std::string_view digits) {
-        const auto pixels = number_of<std::size_t>(digits);
-        return pixels && *pixels >= 1 && *pixels <= max_side ? pixels : std::nullopt;
-    };
-    const std::string_view whole = text;
-    const std::size_t cross = whole.find_first_of("xX");
-    PictureSize size{side(whole.substr(0, cross)), {}};
-    if (cross != std::string_view::npos) {
-        size.height = side(whole.substr(cross + 1));
-    }
-    if (!size.width || (cross != std::string_view::npos && !size.height)) {
-        refuse(diagnostics, "--size", text,
-               fmt::format("write --size 1920x1080, or --size 1920 for the camera's aspect ratio; "
-                           "a side has 1 to {} pixels",
-                           max_side));
-    }
-    return size;
 }
 
 }  // namespace balcony::cli

@@ -2,22 +2,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "balcony/render.hpp"
+#include "cli/options/common_options.hpp"
 
 namespace balcony::cli {
 
 /// The arguments of `balcony render`.
 struct RenderOptions {
-    std::string scene;
+    std::vector<std::string> scenes;
     std::string camera;
     std::optional<std::string> output;
-    std::string size;
+    SizeWords size;
     std::vector<std::string> set;
     std::string integrator = "direct";
     std::string background = "transparent";
@@ -27,6 +26,7 @@ struct RenderOptions {
     std::string exposure = "auto";
     std::string ambient = "auto";
     std::string view = std::string(render::name_of(render::ViewTransform::neutral));
+    bool watch = false;
     bool quiet = false;
     bool json = false;
 };
@@ -43,19 +43,5 @@ struct RenderOptions {
 /// The requested view transform.
 [[nodiscard]] render::ViewTransform read_view(const RenderOptions& options,
                                               Diagnostics& diagnostics);
-
-/// A requested picture size: width and height in pixels, only the width, or neither.
-struct PictureSize {
-    std::optional<std::size_t> width;
-    std::optional<std::size_t> height;
-
-    /// Width and height. The default is the picture's own size, if it has one, otherwise about a
-    /// million pixels. A missing height follows from the picture's aspect ratio.
-    [[nodiscard]] std::pair<std::size_t, std::size_t> resolve(
-        double aspect, std::optional<std::array<std::size_t, 2>> own = {}) const;
-};
-
-/// WIDTHxHEIGHT, WIDTH or nothing.
-[[nodiscard]] PictureSize read_size(const std::string& text, Diagnostics& diagnostics);
 
 }  // namespace balcony::cli

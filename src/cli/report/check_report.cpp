@@ -217,7 +217,9 @@ std::string check_text(const CameraCheck& check) {
         text += scene_text(*check.in_scene);
     }
     if (check.defect_count() == 0) {
-        text += line("no defects", "rays everywhere, no folds, no seams, no repeated views");
+        text += line("no defects", report.findings.empty()
+                                       ? "rays everywhere, no folds, no seams, no repeated views"
+                                       : "apart from what is said above");
     }
     return text;
 }

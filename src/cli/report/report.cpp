@@ -44,6 +44,10 @@ void print_file(std::string_view text) {
     }
 }
 
+void print_bytes(std::span<const std::uint8_t> bytes) {
+    write_output({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
 void print_json(const nlohmann::json& document) {
     constexpr int indent = 2;
     constexpr bool ascii_only = true;

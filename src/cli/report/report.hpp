@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -23,6 +25,9 @@ void print_result(std::string_view text);
 
 /// Writes the text of a file to standard output; unchanged unless that is a terminal.
 void print_file(std::string_view text);
+
+/// Writes the bytes of a file to standard output.
+void print_bytes(std::span<const std::uint8_t> bytes);
 
 /// Writes a JSON document to standard output in ASCII. Replaces bytes that are not UTF-8.
 void print_json(const nlohmann::json& document);

@@ -13,6 +13,8 @@
 
 #include <fmt/format.h>
 
+#include "balcony/display_file.hpp"
+#include "balcony/lang.hpp"
 #include "cli/options/scene_argument.hpp"
 
 namespace balcony::cli {
@@ -49,19 +51,6 @@ std::string entry(const std::string& name, const std::string& meaning) {
     return indented + gap + wrapped(meaning) + "\n";
 }
 
-std::string spelling(const CLI::Option& option) {
-    std::vector<std::string> names;
-    for (const std::string& name : option.get_snames()) {
-        names.push_back("-" + name);
-    }
-    for (const std::string& name : option.get_lnames()) {
-        names.push_back("--" + name);
-    }
-    const bool is_flag = option.get_items_expected_max() == 0;
-    return fmt::format("{}{}{}", fmt::join(names, ", "), is_flag ? "" : " ",
-                       is_flag ? "" : option.get_type_name());
-}
-
 class HelpLayout final : public CLI::Formatter {
 public:
     HelpLayout() {
@@ -70,12 +59,8 @@ public:
         label("SUBCOMMAND", "COMMAND");
     }
 
-    std::string make_option(const CLI::Option* option, bool is_positional) const override {
-        const std::string standard = option->get_default_str();
-        return entry(is_positional ? option->get_name(true) : spelling(*option),
-                     standard.empty()
-                         ? option->get_description()
-                         : fmt::format("{} (default: {})", option->get_description(), standard));
+    std::string make_option(const CLI::Option* option, bool) const override {
+        return entry(spelling(*option), meaning(*option));
     }
 
     std::string make_usage(const CLI::App* app, std::string name) const override {
@@ -141,6 +126,12 @@ std::optional<std::string> option_with_one_hyphen(const CLI::App& command) {
     return std::nullopt;
 }
 
+bool is_camera(const std::string& word) {
+    const auto& built_in = lang::built_in_cameras();
+    return word.ends_with(".cam") || word.find(".cam:") != std::string::npos ||
+           std::find(built_in.begin(), built_in.end(), word) != built_in.end();
+}
+
 // The option that a surplus argument probably belongs to; empty if there is none.
 std::string option_for(const CLI::App& command, const std::string& word) {
     if (const auto option = option_with_one_hyphen(command)) {
@@ -148,15 +139,30 @@ std::string option_for(const CLI::App& command, const std::string& word) {
     }
     const bool is_point = word.find(',') != std::string::npos &&
                           word.find_first_not_of("0123456789.,-+e") == std::string::npos;
-    const char* option = ends_in(word, {".cam"})                                 ? "--camera"
-                         : ends_in(word, {".png", ".exr", ".svg"})               ? "--output"
-                         : is_scene_file(word)                                   ? "--scene"
-                         : is_point                                              ? "--point"
-                         : word.find('=') != std::string::npos && word[0] != '=' ? "--set"
-                                                                                 : nullptr;
+    const char* option =
+        is_camera(word)                                                              ? "--camera"
+        : render::display_format(word) != nullptr || ends_in(word, {".exr", ".svg"}) ? "--output"
+        : is_scene_file(word)                                                        ? "--scene"
+        : is_point                                                                   ? "--point"
+        : word.find('=') != std::string::npos && word[0] != '='                      ? "--set"
+                                                                                     : nullptr;
     return option != nullptr && has_option(command, option)
                ? fmt::format("did you mean {} {}?", option, word)
                : "";
+}
+
+// The first of several arguments that looks like the value of an option.
+Diagnostic misplaced_argument(const CLI::App& command) {
+    for (const CLI::Option* option : command.get_options()) {
+        for (const std::string& word :
+             option->get_positional() ? option->results() : std::vector<std::string>()) {
+            if (is_misplaced(command, word)) {
+                return error(fmt::format("'{}' is an unexpected argument", word), {},
+                             option_for(command, word));
+            }
+        }
+    }
+    return error("an argument is unexpected");
 }
 
 // The command for a file that was given in place of a command.
@@ -168,7 +174,33 @@ std::string command_for(const std::string& word) {
 
 }  // namespace
 
+std::string spelling(const CLI::Option& option) {
+    if (option.get_positional()) {
+        return option.get_name(true);
+    }
+    std::vector<std::string> names;
+    for (const std::string& name : option.get_snames()) {
+        names.push_back("-" + name);
+    }
+    for (const std::string& name : option.get_lnames()) {
+        names.push_back("--" + name);
+    }
+    const bool is_flag = option.get_items_expected_max() == 0;
+    return fmt::format("{}{}{}", fmt::join(names, ", "), is_flag ? "" : " ",
+                       is_flag ? "" : option.get_type_name());
+}
+
+std::string meaning(const CLI::Option& option) {
+    const std::string standard = option.get_default_str();
+    return standard.empty() ? option.get_description()
+                            : fmt::format("{} (default: {})", option.get_description(), standard);
+}
+
 std::shared_ptr<CLI::FormatterBase> help_layout() { return std::make_shared<HelpLayout>(); }
+
+bool is_misplaced(const CLI::App& command, const std::string& word) {
+    return !is_scene_file(word) && !option_for(command, word).empty();
+}
 
 Diagnostic usage_error(const CLI::App& app, const CLI::ParseError& problem) {
     const auto chosen = app.get_subcommands();
@@ -181,6 +213,9 @@ Diagnostic usage_error(const CLI::App& app, const CLI::ParseError& problem) {
         return word.size() > 1 && word.front() == '-';
     });
     const bool is_option = option != unknown.end();
+    if (problem.get_name() == "ValidationError") {
+        return misplaced_argument(command);
+    }
     if (!is_option && (unknown.empty() || problem.get_name() == "ArgumentMismatch")) {
         return error(chosen.empty() ? "no command is given" : in_plain_words(problem), {}, look_up);
     }

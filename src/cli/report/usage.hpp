@@ -12,6 +12,15 @@ namespace balcony::cli {
 /// Formats help texts within 80 columns, with options as a user writes them.
 [[nodiscard]] std::shared_ptr<CLI::FormatterBase> help_layout();
 
+/// "-o, --output FILE", or the name of an argument.
+[[nodiscard]] std::string spelling(const CLI::Option& option);
+
+/// The description of an option with its default.
+[[nodiscard]] std::string meaning(const CLI::Option& option);
+
+/// Whether one of several scenes looks like the value of an option instead.
+[[nodiscard]] bool is_misplaced(const CLI::App& command, const std::string& word);
+
 /// The error of a command line that `app` rejected, and what was probably intended.
 [[nodiscard]] Diagnostic usage_error(const CLI::App& app, const CLI::ParseError& problem);
 

@@ -32,6 +32,7 @@ std::optional<std::string> Files::key_of(const fs::path& path) {
     if (known != keys_.end()) {
         return known->second;
     }
+    paths_.insert(path);
     std::error_code failure;
     if (!fs::exists(path, failure)) {
         return std::nullopt;
@@ -73,6 +74,9 @@ std::shared_ptr<const ParsedFile> Files::built_in(const std::string& key, std::s
 
 const Result<data::File>& Files::find(std::string_view name,
                                       const std::optional<fs::path>& folder) {
+    if (folder) {
+        paths_.insert(*folder / name);
+    }
     const std::pair key(std::string(name), folder);
     const auto known = found_.find(key);
     return known != found_.end() ? known->second

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -49,12 +50,16 @@ public:
     [[nodiscard]] const Result<std::shared_ptr<const camera::TexturedMesh>>& mesh(
         const data::File& file);
 
+    /// The files on the disk that were read or looked for.
+    [[nodiscard]] const std::set<std::filesystem::path>& paths() const { return paths_; }
+
 private:
     using Folder = std::optional<std::filesystem::path>;
 
     std::shared_ptr<const ParsedFile> parsed(std::shared_ptr<const SourceText> source) const;
 
     const camera::Catalogue* catalogue_;
+    std::set<std::filesystem::path> paths_;
     std::map<std::filesystem::path, std::string> keys_;
     std::map<std::string, std::shared_ptr<const ParsedFile>> camera_files_;
     std::map<const SourceText*, std::shared_ptr<const ParsedFile>> texts_;

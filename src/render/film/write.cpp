@@ -2,42 +2,50 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
-#include <array>
 #include <string>
 
 #include <fmt/format.h>
 
+#include "balcony/display_file.hpp"
 #include "balcony/film.hpp"
 #include "balcony/output_file.hpp"
+#include "render/film/extension.hpp"
 
 namespace balcony::render {
 
-namespace {
-
-std::string ending(const std::filesystem::path& file) {
+std::string extension_of(const std::filesystem::path& file) {
     std::string text = file.extension().string();
     std::transform(text.begin(), text.end(), text.begin(),
                    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
     return text;
 }
 
-}  // namespace
-
-Diagnostics check_output(const std::filesystem::path& file) {
-    const std::string format = ending(file);
-    if (format != ".png" && format != ".exr") {
-        return {
-            error(fmt::format("the file extension of '{}' is not a picture format", file.string()),
-                  {}, "use a file name that ends in .png or .exr")};
+Diagnostic not_a_picture_format(const std::filesystem::path& file) {
+    std::string known;
+    for (const DisplayFormat& format : display_formats()) {
+        known += fmt::format("{}, ", format.extension);
     }
-    return OutputFile::check(file);
+    return error(fmt::format("the file extension of '{}' is not a picture format", file.string()),
+                 {}, fmt::format("use a file name that ends in {}or .exr", known));
 }
 
-Diagnostics write(const Film& film, const std::filesystem::path& file, const PngOptions& options) {
+Diagnostics check_output(const std::filesystem::path& file) {
+    return display_format(file) != nullptr || extension_of(file) == ".exr"
+               ? OutputFile::check(file)
+               : Diagnostics{not_a_picture_format(file)};
+}
+
+Diagnostics write(const Film& film, const std::filesystem::path& file,
+                  const DisplayOptions& options) {
     if (Diagnostics found = check_output(file); has_errors(found)) {
         return found;
     }
-    return ending(file) == ".png" ? write_png(film, file, options) : write_exr(film, file);
+    const DisplayFormat* const format = display_format(file);
+    if (format == nullptr) {
+        return write_exr(film, file);
+    }
+    const auto bytes = encode(film, *format, options);
+    return bytes ? write_whole(file, *bytes) : bytes.diagnostics;
 }
 
 }  // namespace balcony::render

@@ -1,0 +1,45 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Options that several commands have.
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "balcony/base.hpp"
+#include "cli/commands/command.hpp"
+
+namespace balcony::cli {
+
+/// The words of --size, --width and --height.
+struct SizeWords {
+    std::string size;
+    std::string width;
+    std::string height;
+};
+
+/// A requested picture size: width and height in pixels, one of them, or neither.
+struct PictureSize {
+    std::optional<std::size_t> width;
+    std::optional<std::size_t> height;
+
+    /// Width and height. The default is the picture's own size, if it has one, otherwise about a
+    /// million pixels. A missing side follows from the picture's aspect ratio.
+    [[nodiscard]] std::pair<std::size_t, std::size_t> resolve(
+        double aspect, std::optional<std::array<std::size_t, 2>> own = {}) const;
+};
+
+/// Adds --size, --width and --height.
+void add_size_options(CLI::App& command, SizeWords& words, const std::string& meaning);
+[[nodiscard]] PictureSize read_size(const SizeWords& words, Diagnostics& diagnostics);
+
+/// Adds --time.
+void add_time_option(CLI::App& command, std::string& time);
+/// Adds -q and --quiet.
+void add_quiet_option(CLI::App& command, bool& quiet);
+
+}  // namespace balcony::cli
