@@ -177,8 +177,9 @@ struct DisplayOptions {
 /// The exposure, in half stops, for a film whose light is far from the range of a screen, as in
 /// scenes with physical units. Of the luminance of the light, without black parts, it is 0 if the
 /// median is between nearly black (0.004) and a stop above white (2), and the 95th percentile at
-/// most two stops above white (4). Otherwise, it makes the median middle grey (0.18), or less if
-/// the 95th percentile would exceed white. Display colours and the background do not count.
+/// most two stops above white (4). Otherwise, it makes the median middle grey (0.18), or up to two
+/// stops less if the 95th percentile would exceed white. Display colours and the background do not
+/// count.
 [[nodiscard]] double automatic_exposure(const Film& film);
 
 /// The bytes of a PNG, JPEG, WebP or TIFF file: light after exposure and view transform, display

@@ -53,9 +53,12 @@ Film film_with_highlights(double middle, double highlight) {
 
 TEST(Exposure, KeepsHighlightsInRange) {
     EXPECT_EQ(automatic_exposure(film_with_highlights(0.1, 3.9)), 0.0);
-    // Two thirds white: the highlight becomes white, within a quarter stop.
-    const double exposure = automatic_exposure(film_with_highlights(0.1, 400.0));
-    EXPECT_NEAR(std::log2(400.0) + exposure, 0.0, 0.25);
+    // The highlight becomes white, within a quarter stop.
+    EXPECT_NEAR(std::log2(400.0) + automatic_exposure(film_with_highlights(40.0, 400.0)), 0.0,
+                0.25);
+    // It darkens the rest by at most two stops.
+    EXPECT_NEAR(std::log2(0.1 / 0.18) + automatic_exposure(film_with_highlights(0.1, 400.0)), -2.0,
+                0.25);
     // Where nothing is bright, the median counts, whatever is black.
     Film dark = film_with_highlights(0.0, 700.0);
     EXPECT_NEAR(std::log2(700.0 / 0.18) + automatic_exposure(dark), 0.0, 0.25);

@@ -38,7 +38,13 @@ double automatic_exposure(const Film& film) {
     if (too_dark < middle && middle < too_bright && bright <= brightest_highlights) {
         return 0.0;
     }
-    return std::round(2.0 * std::log2(std::min(middle_grey / middle, white / bright))) / 2.0;
+    // A bright part, such as a ceiling next to its lamp, does not darken all the rest.
+    constexpr double max_stops_for_highlights = 2.0;
+    const double for_middle = std::log2(middle_grey / middle);
+    const double for_highlights = std::log2(white / bright);
+    const double stops =
+        std::clamp(for_highlights, for_middle - max_stops_for_highlights, for_middle);
+    return std::round(2.0 * stops) / 2.0;
 }
 
 }  // namespace balcony::render
