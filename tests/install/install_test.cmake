@@ -51,6 +51,18 @@ if(NOT result EQUAL 1 OR NOT said MATCHES "panorama")
     message(FATAL_ERROR "rays (${result}) says of a mistyped camera:\n${said}")
 endif()
 
+# The manual, the completion of shells and the files of editors are there.
+foreach(file IN ITEMS
+        share/man/man1/balcony.1 share/man/man1/balcony-render.1
+        share/bash-completion/completions/balcony share/zsh/site-functions/_balcony
+        share/fish/vendor_completions.d/balcony.fish
+        share/vim/vimfiles/syntax/balcony.vim share/nvim/site/ftdetect/balcony.vim
+        share/balcony/editors/vscode/package.json)
+    if(NOT EXISTS "${prefix}/${file}")
+        message(FATAL_ERROR "${file} is not installed")
+    endif()
+endforeach()
+
 # All public headers are there, and no others.
 file(GLOB_RECURSE ours RELATIVE "${PUBLIC_HEADERS}" "${PUBLIC_HEADERS}/*")
 file(GLOB_RECURSE installed RELATIVE "${prefix}/include" "${prefix}/include/*")
