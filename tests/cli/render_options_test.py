@@ -24,7 +24,7 @@ class Options(support.CommandTest):
     def test_numbers_out_of_range(self):
         self.refuses("--samples", "0", "-1", "1000001", "1e3", "3.5", "nan", "99999999999999999999")
         self.refuses("--threads", "-1", "1025", "two")
-        self.refuses("--exposure", "nan", "inf", "-inf", "1e9", "bright")
+        self.refuses("--exposure", "nan", "inf", "-inf", "1e9", "bright", "+-1", "++1")
         self.refuses("--time", "nan", "inf", "1e999", "noon")
         self.refuses("--ambient", "nan", "inf", "-0.1", "1e39")
         self.refuses("--integrator", "path", "Direct", "0")
@@ -49,6 +49,7 @@ class Options(support.CommandTest):
     def test_values_that_begin_with_a_minus(self):
         self.render("--exposure", "-1.5", "--time", "-2", "-o", "p.png")
         self.render("--exposure", "-.5", "--time=-.5", "-o", "p.png")
+        self.render("--exposure", "+2", "-o", "p.png")
 
     def test_exposure_suits_the_light_unless_it_is_set(self):
         text = support.gltf_text_with_light()

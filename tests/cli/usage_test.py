@@ -68,6 +68,7 @@ class WrongUsage(support.CommandTest):
                              (("render", "scene.obj", "-camera", "panorama"),
                               "--camera with two hyphens"),
                              (("locate", "panorama", "1,2,-3"), "--point 1,2,-3"),
+                             (("locate", "panorama", "--point", "1", "2", "3"), "--point X,Y,Z"),
                              (("draw", "panorama", "-o", "a.svg", "b.svg"), "--output b.svg"),
                              (("scene.obj",), "balcony render scene.obj"),
                              (("my.cam",), "balcony check my.cam")):

@@ -19,10 +19,13 @@
 
 namespace balcony::cli {
 
-/// The whole text as a finite number, or nothing.
+/// The whole text as a finite number, or nothing. The number may have a sign.
 template <class Number>
 [[nodiscard]] std::optional<Number> number_of(std::string_view text) {
     Number number{};
+    if (text.starts_with('+') && !text.starts_with("+-")) {
+        text.remove_prefix(1);
+    }
     const char* end = text.data() + text.size();
     const auto [read_to, failed] = std::from_chars(text.data(), end, number);
     if (failed != std::errc() || read_to != end) {

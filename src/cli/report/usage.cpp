@@ -137,8 +137,11 @@ std::string option_for(const CLI::App& command, const std::string& word) {
     if (const auto option = option_with_one_hyphen(command)) {
         return fmt::format("write {} with two hyphens", *option);
     }
-    const bool is_point = word.find(',') != std::string::npos &&
-                          word.find_first_not_of("0123456789.,-+e") == std::string::npos;
+    const bool of_numbers = word.find_first_not_of("0123456789.,-+e") == std::string::npos;
+    const bool is_point = of_numbers && word.find(',') != std::string::npos;
+    if (of_numbers && !is_point && has_option(command, "--point")) {
+        return "write a point as one word: --point X,Y,Z";
+    }
     const char* option =
         is_camera(word)                                                              ? "--camera"
         : render::display_format(word) != nullptr || ends_in(word, {".exr", ".svg"}) ? "--output"
