@@ -177,6 +177,8 @@ public:
 class PictureMapper : public Stage {
 public:
     [[nodiscard]] virtual ParameterPoint map(const PicturePoint& picture, Emitter& emit) const = 0;
+    /// Whether u and v have the same units per pixel in a picture of any aspect.
+    [[nodiscard]] virtual bool adapts_to_aspect() const { return false; }
 };
 
 /// PCS → PCS.
@@ -330,6 +332,9 @@ public:
 
     [[nodiscard]] const std::string& name() const { return emitted_->parts.name; }
     [[nodiscard]] const Parts& parts() const { return emitted_->parts; }
+    /// The aspect without which its picture is stretched: that of its parts. Nothing if its maps
+    /// adapt to any aspect; the map of a point does not matter.
+    [[nodiscard]] std::optional<double> fixed_aspect() const;
     /// The number of nodes in the graph of its ray.
     [[nodiscard]] std::size_t operations() const { return emitted_->graph.size(); }
 

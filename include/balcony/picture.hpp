@@ -44,31 +44,57 @@ enum class BlendMode : std::uint8_t {
 [[nodiscard]] std::optional<BlendMode> find_blend_mode(std::string_view name);
 [[nodiscard]] std::vector<std::string> blend_mode_names();
 
+/// What happens to a picture that is shown in a place of another aspect. Aspects that differ by at
+/// most a pixel of the place are the same.
+enum class Fit : std::uint8_t {
+    fit,      ///< It becomes as large as the place permits and stands in the middle.
+    fill,     ///< It covers the place, centred; what is beyond the place is cut off.
+    stretch,  ///< It is stretched.
+};
+
+[[nodiscard]] std::string_view name_of(Fit fit);
+/// One line for documentation.
+[[nodiscard]] std::string_view meaning_of(Fit fit);
+[[nodiscard]] std::optional<Fit> find_fit(std::string_view name);
+[[nodiscard]] std::vector<std::string> fit_names();
+
+/// A rectangle in a picture: two corners, as fractions from the picture's top left corner.
+struct Region {
+    std::array<Scalar, 2> from{}, to{};
+};
+
 /// A drawn line: its width as a fraction of the whole picture's height, its colour in linear light.
 struct Stroke {
     Scalar width = 0.004;
     std::array<Scalar, 3> color{1.0, 1.0, 1.0};
 };
 
-/// Lines from an inset to the region of the picture below that it shows: fractions of
-/// that picture from its top left corner. The region is outlined too. Of the four lines
-/// from corner to corner, the two that cross neither rectangle are drawn.
+/// Lines from an inset to a region of the picture below. The region is outlined too. Of the four
+/// lines from corner to corner, the two that cross neither rectangle are drawn.
 struct Leader {
-    std::array<Scalar, 2> from{}, to{};
-    Stroke stroke;
+    /// In the whole picture. Without it, what the layer shows, where the layer `source_of` shows
+    /// it; without such a layer, the same region of the whole picture.
+    std::optional<Region> region{};
+    Stroke stroke{};
 };
 
 class Picture;
 
-/// One layer of a picture. The arrangers map a point of the picture to the layer's own
-/// image; there the clip determines the coverage. The frame and the leader lines are drawn
-/// opaque for any alpha, the frame above the layer and the leader lines below it.
+/// One layer of a picture. Its window is the part of the picture that it covers; the clip is a
+/// shape in the window and determines the coverage. The frame and the leader lines are drawn opaque
+/// for any alpha, the frame above the layer and the leader lines below it.
 struct Layer {
     std::string name;
     std::variant<Camera, std::shared_ptr<const Picture>> content;
-    std::vector<PictureArrangerPointer> arrangers{};  ///< Outermost first; none: the whole picture.
-    ClipShapePointer clip{};                          ///< Null: the whole rectangle of the layer.
-    Scalar softness = 0.0;  ///< Width of the clip's edge, as a fraction of the layer's height.
+    /// From the whole picture to the window, outermost first; none: the window is the whole
+    /// picture.
+    std::vector<PictureArrangerPointer> arrangers{};
+    /// From the window to what it shows, outermost first. They leave clip, frame and leaders alone.
+    std::vector<PictureArrangerPointer> inner_arrangers{};
+    Fit fit = Fit::fit;            ///< Of what it shows in the window, which `fit` makes smaller.
+    std::optional<Region> show{};  ///< The region of its own picture that fills the window.
+    ClipShapePointer clip{};       ///< Null: the whole window.
+    Scalar softness = 0.0;  ///< Width of the clip's edge, as a fraction of the window's height.
     Scalar alpha = 1.0;
     BlendMode blend = BlendMode::normal;
     std::optional<Stroke> frame{};  ///< Along the clip, inside its edge.
@@ -92,6 +118,8 @@ struct PictureExpressions {
     std::vector<Element> elements;
 };
 
+/// The aspect of pictures that have none of their own.
+inline constexpr double default_aspect = 16.0 / 9.0;
 /// The maximum nesting depth of pictures.
 inline constexpr std::size_t max_nested_pictures = 16;
 /// The maximum number of layers of a picture, including those of nested pictures at each
@@ -105,21 +133,30 @@ public:
         std::string name;
         std::vector<Layer> layers;  ///< From back to front.
         /// Its default size in pixels; without it, only the aspect is known.
-        std::optional<std::array<std::size_t, 2>> size;
-        double aspect = 16.0 / 9.0;
+        std::optional<std::array<std::size_t, 2>> size{};
+        /// Width divided by height. It follows from a size; with neither, the picture adapts to any
+        /// aspect.
+        std::optional<double> aspect{};
+        Fit fit = Fit::fit;  ///< Of the whole in a picture of another aspect.
     };
 
-    /// Checks that there is a layer, and that sizes, opacities, widths and nesting are within
-    /// limits.
+    /// Checks that there is a layer, and that sizes, opacities, widths, regions and nesting are
+    /// within limits.
     [[nodiscard]] static Result<Picture> make(Parts parts);
     /// A picture that shows a single camera.
     Picture(Camera camera);
+    /// The same, with another treatment of pictures of another aspect.
+    [[nodiscard]] Picture with_fit(Fit fit) const;
 
     [[nodiscard]] const std::string& name() const { return parts_->name; }
     [[nodiscard]] const Parts& parts() const { return *parts_; }
+    /// The aspect that it is made for: 16/9 if it adapts to any.
+    [[nodiscard]] double aspect() const { return parts_->aspect.value_or(default_aspect); }
 
     /// The single camera from which it was made; null if it was made from layers.
     [[nodiscard]] const Camera* only_camera() const;
+    /// The aspect without which it is stretched; nothing if it adapts to any.
+    [[nodiscard]] std::optional<double> fixed_aspect() const;
 
     [[nodiscard]] PictureExpressions emit(Graph& graph, double width, double height) const;
 
@@ -128,6 +165,11 @@ private:
     std::shared_ptr<const Parts> parts_;
     bool of_layers_ = true;
 };
+
+/// The front one of the layers behind a layer that show the same camera or picture, with the same
+/// parameters; nothing if none does. The region that the layer shows is one of this layer's
+/// picture.
+[[nodiscard]] std::optional<std::size_t> source_of(const Picture::Parts& parts, std::size_t layer);
 
 /// A camera that a picture shows, with all layers that share it: copies of one camera, as the
 /// language makes them for the same parameters.

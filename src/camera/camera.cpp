@@ -192,6 +192,16 @@ Camera::Emitted::Emitted(Parts made_of)
     problems = emit.problems();
 }
 
+std::optional<double> Camera::fixed_aspect() const {
+    const Parts& made_of = parts();
+    const auto adapts = [](const Path& path) {
+        return path.generator->dimension() == 0 || path.mapper->adapts_to_aspect();
+    };
+    return adapts(made_of.eye) && (!made_of.toward || adapts(*made_of.toward))
+               ? std::nullopt
+               : std::optional(made_of.aspect);
+}
+
 RayExpressions Camera::emit(Graph& graph, double width, double height) const {
     return emit(whole_picture(graph, width, height));
 }

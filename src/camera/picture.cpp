@@ -12,6 +12,7 @@
 
 #include "camera/arrange.hpp"
 #include "camera/arrangers/clip_shapes.hpp"
+#include "camera/layer_arrangers.hpp"
 #include "camera/size_limit.hpp"
 
 namespace balcony::camera {
@@ -60,6 +61,20 @@ void check_stroke(const Stroke& stroke, const std::string& layer, Diagnostics& d
     }
 }
 
+void check_region(const Region& region, const std::string& layer, Diagnostics& diagnostics) {
+    for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+        const auto first = region.from[i].constant();
+        const auto last = region.to[i].constant();
+        if (first && last && !(*first < *last)) {
+            diagnostics.push_back(
+                error(fmt::format("the region that layer '{}' shows has no area", layer), {},
+                      "write its top left and its bottom right corner, such as (0.2, 0.1) .. (0.5, "
+                      "0.4)"));
+            return;
+        }
+    }
+}
+
 void check_layer(const Layer& layer, Diagnostics& diagnostics) {
     if (known_outside(layer.alpha, 0.0, 1.0)) {
         diagnostics.push_back(
@@ -70,6 +85,9 @@ void check_layer(const Layer& layer, Diagnostics& diagnostics) {
         diagnostics.push_back(error(
             fmt::format("the width of the soft edge of layer '{}' is not from 0 to 1", layer.name),
             {}, "the width is a fraction of the layer's height, such as 0.05"));
+    }
+    if (layer.show) {
+        check_region(*layer.show, layer.name, diagnostics);
     }
     if (layer.frame) {
         check_stroke(*layer.frame, layer.name, diagnostics);
@@ -164,28 +182,52 @@ public:
     std::vector<Element> elements(const Picture& picture, const PicturePoint& point,
                                   const std::string& path) {
         std::vector<Element> made;
-        for (const Layer& layer : picture.parts().layers) {
-            add(layer, point, path, made);
+        const Picture::Parts& parts = picture.parts();
+        for (std::size_t i = 0; i < parts.layers.size(); ++i) {
+            add(parts, i, point, path, made);
+        }
+        return made;
+    }
+
+    // The whole picture, fitted into a picture of another aspect. Nothing is outside of it.
+    std::vector<Element> fitted_elements(const Picture& picture, const PicturePoint& whole) {
+        Emitter emit(graph_);
+        const PictureArrangerPointer fitted = fitting_of(picture);
+        const PicturePoint own = fitted ? fitted->arrange(whole, emit) : whole;
+        std::vector<Element> made = elements(picture, own, "");
+        if (!are_same(own, whole)) {
+            for (Element& element : made) {
+                element.coverage = select(inside(own), element.coverage, emit(0.0));
+            }
         }
         return made;
     }
 
 private:
-    void add(const Layer& layer, const PicturePoint& whole, const std::string& path,
-             std::vector<Element>& made) {
+    void add(const Picture::Parts& parts, std::size_t index, const PicturePoint& whole,
+             const std::string& path, std::vector<Element>& made) {
+        const Layer& layer = parts.layers[index];
+        const LayerArrangers arrangers = arrangers_of(parts, index);
         Emitter emit(graph_);
-        const PicturePoint own = arranged(whole, layer.arrangers, emit);
+        const PicturePoint window = arranged(whole, arrangers.window, emit);
+        const PicturePoint own = arranged(window, arrangers.content, emit);
         const ClipShapePointer clip = layer.clip ? layer.clip : whole_rectangle();
         const Expr edge = layer.frame || !layer.leaders.empty()
-                              ? in_device_pixels(clip->distance(own, emit), own, emit)
+                              ? in_device_pixels(clip->distance(window, emit), window, emit)
                               : Expr();
         for (const Leader& leader : layer.leaders) {
-            made.push_back(leader_element(leader, layer, *clip, edge, whole, emit));
+            const Corners region = leader.region
+                                       ? corners_of(*leader.region, whole.size, {}, emit)
+                                       : corners_of(shown_region(layer), whole.size,
+                                                    arrangers_of_source(parts, index), emit);
+            made.push_back(
+                leader_element(leader.stroke, region, arrangers.window, *clip, edge, whole, emit));
         }
 
         Element content;
         content.name = path.empty() ? layer.name : path + "/" + layer.name;
-        content.coverage = emit(layer.alpha) * coverage(layer, *clip, own, emit);
+        content.coverage =
+            emit(layer.alpha) * coverage(layer, *clip, are_same(whole, window), window, own, emit);
         content.blend = layer.blend;
         if (contents_ == Contents::emitted) {
             add_contents(layer, own, content);
@@ -209,32 +251,69 @@ private:
         }
     }
 
-    // A layer without clip and arrangers covers everything; its coverage is the constant 1.
-    static Expr coverage(const Layer& layer, const ClipShape& clip, const PicturePoint& own,
-                         Emitter& emit) {
-        if (!layer.clip && layer.arrangers.empty() && layer.softness.constant() == 0.0) {
-            return emit(1.0);
+    static bool are_same(const PicturePoint& a, const PicturePoint& b) {
+        return a.point.x.id() == b.point.x.id() && a.point.y.id() == b.point.y.id() &&
+               a.size.width.id() == b.size.width.id() && a.size.height.id() == b.size.height.id();
+    }
+
+    // Where the clip covers the window, and the layer's own picture is there. A layer without clip
+    // in the whole picture covers everything; its coverage is the constant 1.
+    static Expr coverage(const Layer& layer, const ClipShape& clip, bool covers_whole,
+                         const PicturePoint& window, const PicturePoint& own, Emitter& emit) {
+        const bool is_cut = !layer.inner_arrangers.empty() || layer.show;
+        const Expr there = is_cut ? inside(own) && emit.valid() : emit.valid();
+        const Expr shape =
+            !layer.clip && covers_whole && layer.softness.constant() == 0.0
+                ? emit(1.0)
+                : clip.coverage(window, emit(layer.softness) * window.size.height, emit);
+        return select(there, shape, emit(0.0));
+    }
+
+    /// Two opposite corners of a rectangle in the whole picture, in pixels.
+    struct Corners {
+        DevicePoint from, to;
+    };
+
+    // The arrangers of the layer whose picture has the region that a layer shows.
+    static std::vector<PictureArrangerPointer> arrangers_of_source(const Picture::Parts& parts,
+                                                                   std::size_t index) {
+        const std::optional<std::size_t> source = source_of(parts, index);
+        return source ? arrangers_of(parts, *source).all() : std::vector<PictureArrangerPointer>();
+    }
+
+    // The smallest upright rectangle around a region of an arranged picture.
+    static Corners corners_of(const Region& region, const PictureSize& whole,
+                              const std::vector<PictureArrangerPointer>& arrangers, Emitter& emit) {
+        std::optional<Corners> all;
+        for (const Corner& corner : corners) {
+            const DevicePoint fraction{emit(corner.side_x < 0.0 ? region.from[0] : region.to[0]),
+                                       emit(corner.side_y < 0.0 ? region.from[1] : region.to[1])};
+            const DevicePoint at =
+                arrangers.empty() ? DevicePoint{fraction.x * whole.width, fraction.y * whole.height}
+                                  : find_arranged(whole, arrangers, fraction, emit);
+            all = all ? Corners{{min(all->from.x, at.x), min(all->from.y, at.y)},
+                                {max(all->to.x, at.x), max(all->to.y, at.y)}}
+                      : Corners{at, at};
         }
-        const Expr shape = clip.coverage(own, emit(layer.softness) * own.size.height, emit);
-        return select(emit.valid(), shape, emit(0.0));
+        return *all;
     }
 
     // The outline of the region and the lines to it, which end at the layer.
-    static Element leader_element(const Leader& leader, const Layer& layer, const ClipShape& clip,
-                                  Expr layer_edge, const PicturePoint& whole, Emitter& emit) {
+    static Element leader_element(const Stroke& stroke, const Corners& target,
+                                  const std::vector<PictureArrangerPointer>& window,
+                                  const ClipShape& clip, Expr layer_edge, const PicturePoint& whole,
+                                  Emitter& emit) {
         const auto& [point, size] = whole;
-        const Expr half_line = 0.5 * emit(leader.stroke.width) * size.height;
-        const DevicePoint from{emit(leader.from[0]) * size.width,
-                               emit(leader.from[1]) * size.height};
-        const DevicePoint to{emit(leader.to[0]) * size.width, emit(leader.to[1]) * size.height};
-        const Expr region = max(abs(point.x - 0.5 * (from.x + to.x)) - 0.5 * abs(to.x - from.x),
-                                abs(point.y - 0.5 * (from.y + to.y)) - 0.5 * abs(to.y - from.y));
+        const auto& [from, to] = target;
+        const Expr half_line = 0.5 * emit(stroke.width) * size.height;
+        const Expr region = max(abs(point.x - 0.5 * (from.x + to.x)) - 0.5 * (to.x - from.x),
+                                abs(point.y - 0.5 * (from.y + to.y)) - 0.5 * (to.y - from.y));
         Expr drawn = antialiased(abs(region - half_line) - half_line, emit);
         for (const Corner& corner : corners) {
-            const DevicePoint end{corner.side_x < 0.0 ? min(from.x, to.x) : max(from.x, to.x),
-                                  corner.side_y < 0.0 ? min(from.y, to.y) : max(from.y, to.y)};
+            const DevicePoint end{corner.side_x < 0.0 ? from.x : to.x,
+                                  corner.side_y < 0.0 ? from.y : to.y};
             const DevicePoint begin =
-                find_arranged(size, layer.arrangers, corner_of(clip, corner, emit), emit);
+                find_arranged(size, window, corner_of(clip, corner, emit), emit);
             // It enters neither rectangle if it leaves both to different sides in x and y.
             const Expr leaves =
                 corner.side_x * (end.x - begin.x) * corner.side_y * (end.y - begin.y);
@@ -243,7 +322,7 @@ private:
             drawn = max(drawn, select(leaves <= 0.0 && 0.0 <= region && 0.0 <= layer_edge, line,
                                       emit(0.0)));
         }
-        return painted(drawn, leader.stroke, emit);
+        return painted(drawn, stroke, emit);
     }
 
     static DevicePoint corner_of(const ClipShape& clip, const Corner& corner, const Emitter& emit) {
@@ -260,7 +339,7 @@ private:
 std::size_t count_operations(const Picture& picture) {
     Graph graph;
     (void)PictureEmitter(graph, PictureEmitter::Contents::left_out)
-        .elements(picture, whole_picture(graph, 1000.0, 1000.0), "");
+        .fitted_elements(picture, whole_picture(graph, 1000.0 * picture.aspect(), 1000.0));
     std::size_t operations = graph.size();
     for (const Layer& layer : picture.parts().layers) {
         const Picture* inner = nested(layer);
@@ -293,10 +372,10 @@ Result<Picture> Picture::make(Parts parts) {
         parts.aspect =
             static_cast<double>((*parts.size)[0]) / static_cast<double>((*parts.size)[1]);
     }
-    if (!(parts.aspect > 0.0 && std::isfinite(parts.aspect))) {
+    if (parts.aspect && !(*parts.aspect > 0.0 && std::isfinite(*parts.aspect))) {
         diagnostics.push_back(
             error(fmt::format("picture '{}' has the aspect {}, which is not a positive number",
-                              parts.name, parts.aspect),
+                              parts.name, *parts.aspect),
                   {}, "write the width of the picture divided by its height, such as 16/9"));
     }
     if (has_errors(diagnostics)) {
@@ -323,9 +402,25 @@ Picture::Picture(Camera camera) : of_layers_(false) {
     parts_ = std::make_shared<const Parts>(std::move(parts));
 }
 
+std::optional<double> Picture::fixed_aspect() const {
+    const Camera* camera = only_camera();
+    return camera != nullptr ? camera->fixed_aspect() : parts_->aspect;
+}
+
+Picture Picture::with_fit(Fit fit) const {
+    Parts parts = *parts_;
+    parts.fit = fit;
+    if (!of_layers_) {
+        parts.layers.front().fit = fit;
+    }
+    Picture made(std::move(parts));
+    made.of_layers_ = of_layers_;
+    return made;
+}
+
 PictureExpressions Picture::emit(Graph& graph, double width, double height) const {
     return {PictureEmitter(graph, PictureEmitter::Contents::emitted)
-                .elements(*this, whole_picture(graph, width, height), "")};
+                .fitted_elements(*this, whole_picture(graph, width, height))};
 }
 
 }  // namespace balcony::camera

@@ -55,6 +55,7 @@ public:
         const Expr pixel = abs(last - first) / size.height;
         return {pixel * right, between(last, first, point.y, size.height)};
     }
+    bool adapts_to_aspect() const override { return true; }
 
 private:
     Given given_;

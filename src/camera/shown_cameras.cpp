@@ -9,6 +9,7 @@
 
 #include "balcony/picture.hpp"
 #include "camera/arrange.hpp"
+#include "camera/layer_arrangers.hpp"
 
 namespace balcony::camera {
 
@@ -17,12 +18,13 @@ namespace {
 // `count` is the number of camera layers so far.
 void add_layers(const Picture& picture, const ShownCamera::LayerUse& whole, std::size_t& count,
                 std::vector<ShownCamera>& made) {
-    std::size_t number = 0;
-    for (const Layer& layer : picture.parts().layers) {
-        ++number;
+    const Picture::Parts& parts = picture.parts();
+    for (std::size_t i = 0; i < parts.layers.size(); ++i) {
+        const Layer& layer = parts.layers[i];
         ShownCamera::LayerUse use = whole;
-        use.layer = fmt::format("{}{}{}", whole.layer, whole.layer.empty() ? "" : ".", number);
-        use.arrangers.insert(use.arrangers.end(), layer.arrangers.begin(), layer.arrangers.end());
+        use.layer = fmt::format("{}{}{}", whole.layer, whole.layer.empty() ? "" : ".", i + 1);
+        const std::vector<PictureArrangerPointer> own = arrangers_of(parts, i).all();
+        use.arrangers.insert(use.arrangers.end(), own.begin(), own.end());
         const auto* camera = std::get_if<Camera>(&layer.content);
         if (camera == nullptr) {
             add_layers(*std::get<std::shared_ptr<const Picture>>(layer.content), use, count, made);
@@ -45,7 +47,11 @@ void add_layers(const Picture& picture, const ShownCamera::LayerUse& whole, std:
 std::vector<ShownCamera> shown_cameras(const Picture& picture) {
     std::vector<ShownCamera> made;
     std::size_t count = 0;
-    add_layers(picture, {}, count, made);
+    ShownCamera::LayerUse whole;
+    if (const PictureArrangerPointer fitted = fitting_of(picture)) {
+        whole.arrangers.push_back(fitted);
+    }
+    add_layers(picture, whole, count, made);
     return made;
 }
 

@@ -181,16 +181,24 @@ std::string comment_above(const SyntaxTree& tree, std::size_t offset) {
     return joined;
 }
 
+// The names in layers; those in loops once.
+void add_layers(const SyntaxTree& tree, const std::vector<Statement>& statements,
+                std::vector<std::string>& names) {
+    for (const Statement& statement : statements) {
+        if (statement.kind == StatementKind::layer && !statement.broken) {
+            names.emplace_back(tree[statement.stages().front()].name.text);
+        } else if (statement.kind == StatementKind::loop) {
+            add_layers(tree, statement.block, names);
+        }
+    }
+}
+
 Description description_of(const SyntaxTree& tree, const DefinitionSyntax& camera) {
     Description made;
     made.name = std::string(camera.name.text);
     made.comment = comment_above(tree, camera.span.begin);
     made.is_picture = camera.is_picture;
-    for (const Statement& statement : camera.statements) {
-        if (statement.kind == StatementKind::layer && !statement.broken) {
-            made.layers.emplace_back(tree[statement.stages().front()].name.text);
-        }
-    }
+    add_layers(tree, camera.statements, made.layers);
     for (const DefinitionParameter& parameter : camera.parameters) {
         made.parameters.push_back({std::string(parameter.name.text),
                                    std::string(tree.text(tree[parameter.default_value].span))});

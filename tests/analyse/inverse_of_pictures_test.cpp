@@ -116,7 +116,7 @@ struct Tally {
 };
 
 Tally tally(const camera::Picture& picture, double height, std::size_t places) {
-    const double width = std::round(height * picture.parts().aspect);
+    const double width = std::round(height * picture.aspect());
     Painter painter(picture, width, height);
     std::mt19937_64 random(1953);
     std::uniform_real_distribution<double> unit(0.0, 1.0);

@@ -205,7 +205,8 @@ TEST(Locate, FindsNothingBehindBesideOrAtTheEye) {
 }
 
 TEST(Locate, FindsAPointInEveryTurnOfAPanorama) {
-    const auto twice = Locator::make(test::standard("cylinder", {{"width", "720deg"}}), 1600, 200);
+    const camera::Picture turns(test::standard("cylinder", {{"width", "720deg"}}));
+    const auto twice = Locator::make(turns.with_fit(camera::Fit::stretch), 1600, 200);
     const auto found = twice->locate(V3d(4, 1, 0.3));
     ASSERT_EQ(found.size(), 2U);
     // A turn to the left is 800 pixels; the middle faces along x.
@@ -259,6 +260,7 @@ TEST(Locate, FindsAllThreeLayersOfAFold) {
 // Rays that run from a cylinder inwards pass a point from its near side and from its far side.
 TEST(Locate, FindsBothSidesOfARoundRoom) {
     const std::string inwards = R"(camera inwards {
+        aspect 3.6
         map  u = -180deg .. 180deg, v = -1 .. 1
         eye  cylinder(3)
         look normal(side = back)

@@ -20,7 +20,9 @@ Layer layer(std::string name = "one") {
     parts.name = "any";
     parts.eye = {range(-1.0, 1.0, -1.0, 1.0), {}, object("sphere"), {}};
     parts.look = look("normal");
-    return {std::move(name), camera(std::move(parts))};
+    Layer made{std::move(name), camera(std::move(parts))};
+    made.fit = Fit::stretch;
+    return made;
 }
 
 PictureArrangerPointer place(std::vector<double> from, std::vector<double> to) {
@@ -184,8 +186,8 @@ protected:
         Layer made = layer();
         made.arrangers = {place({0.5, 0.1}, {0.9, 0.9})};
         // The corners of the region may be given in either order.
-        made.leaders = {GetParam() ? Leader{{0.1, 0.4}, {0.2, 0.6}, {0.02}}
-                                   : Leader{{0.2, 0.6}, {0.1, 0.4}, {0.02}}};
+        made.leaders = {GetParam() ? Leader{Region{{0.1, 0.4}, {0.2, 0.6}}, {0.02}}
+                                   : Leader{Region{{0.2, 0.6}, {0.1, 0.4}}, {0.02}}};
         return made;
     }
 };
@@ -229,8 +231,8 @@ TEST_P(LeaderLines, LeaveWhatTheyJoinClear) {
 TEST_P(LeaderLines, GoToAnInsetOnTheLeftToo) {
     Layer left = inset();
     left.arrangers = {place({0.1, 0.1}, {0.5, 0.9})};
-    left.leaders[0].from[0] = GetParam() ? 0.8 : 0.9;
-    left.leaders[0].to[0] = GetParam() ? 0.9 : 0.8;
+    left.leaders[0].region->from[0] = GetParam() ? 0.8 : 0.9;
+    left.leaders[0].region->to[0] = GetParam() ? 0.9 : 0.8;
     const CoverageProbe probe(left);
     EXPECT_EQ(probe(0, 140.0, 25.0), 1.0) << "top right to top right";
     EXPECT_EQ(probe(0, 140.0, 75.0), 1.0) << "bottom right to bottom right";
@@ -258,7 +260,7 @@ TEST(PictureBounds, HoldForNumbersOfLayers) {
         framed.frame = Stroke{outside, {}};
         EXPECT_FALSE(picture({framed}));
         Layer led = layer();
-        led.leaders = {Leader{{0.1, 0.4}, {0.2, 0.6}, {outside}}};
+        led.leaders = {Leader{Region{{0.1, 0.4}, {0.2, 0.6}}, {outside}}};
         EXPECT_FALSE(picture({led}));
     }
 }
@@ -282,7 +284,7 @@ TEST(PictureBounds, HoldForNestingLayersAndSize) {
 TEST(Picture, OfACameraHasItsProportion) {
     Camera::Parts parts = std::get<Camera>(layer().content).parts();
     parts.aspect = 2.5;
-    EXPECT_EQ(Picture(camera(std::move(parts))).parts().aspect, 2.5);
+    EXPECT_EQ(Picture(camera(std::move(parts))).aspect(), 2.5);
 }
 
 }  // namespace balcony::camera

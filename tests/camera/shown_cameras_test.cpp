@@ -49,7 +49,7 @@ std::string described(const std::vector<ShownCamera>& cameras) {
 
 TEST(ShownCameras, OfACameraIsItselfOnTheWholePicture) {
     const Camera only = named("only");
-    const std::vector<ShownCamera> shown = shown_cameras(only);
+    const std::vector<ShownCamera> shown = shown_cameras(Picture(only).with_fit(Fit::stretch));
     ASSERT_EQ(described(shown), "only at 1");
     EXPECT_EQ(&shown[0].camera.parts(), &only.parts());
     EXPECT_TRUE(shown[0].uses[0].arrangers.empty());
@@ -77,9 +77,11 @@ TEST(ShownCameras, OfOneNameAreTwoUnlessTheyAreCopies) {
 TEST(ShownCameras, HaveTheirArrangersFromTheWholePictureInwards) {
     const PictureArrangerPointer half = place(0.0, 0.0, 0.5, 1.0);
     const PictureArrangerPointer third = place(0.0, 0.0, 1.0, 0.25);
-    const auto inner = picture({{.name = "a", .content = named("in"), .arrangers = {third}}});
-    const std::vector<ShownCamera> shown = shown_cameras(
-        *picture({{.name = "a", .content = inner, .arrangers = {half}}, {"b", named("beside")}}));
+    const auto inner =
+        picture({{.name = "a", .content = named("in"), .arrangers = {third}, .fit = Fit::stretch}});
+    const std::vector<ShownCamera> shown =
+        shown_cameras(*picture({{.name = "a", .content = inner, .arrangers = {half}},
+                                {.name = "b", .content = named("beside"), .fit = Fit::stretch}}));
     ASSERT_EQ(described(shown), "in at 1.1, beside at 2 (1)");
     EXPECT_EQ(shown[0].uses[0].arrangers, (std::vector{half, third}));
     EXPECT_TRUE(shown[1].uses[0].arrangers.empty());

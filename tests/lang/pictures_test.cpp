@@ -46,7 +46,7 @@ TEST(Pictures, HaveLayersFromTheBackToTheFront) {
     const camera::Picture poster = made(test::joined(
         {cameras, "picture poster 400 x 100 { layer plain  layer round  layer pinhole }"}));
     EXPECT_EQ(poster.name(), "poster");
-    EXPECT_EQ(poster.parts().aspect, 4.0);
+    EXPECT_EQ(poster.aspect(), 4.0);
     EXPECT_EQ((*poster.parts().size)[0], 400U);
     ASSERT_EQ(poster.parts().layers.size(), 3U);
     EXPECT_EQ(poster.parts().layers[0].name, "plain");
@@ -89,7 +89,8 @@ TEST(Pictures, LayersAreClippedPlacedAndMoved) {
     })"}));
     const camera::Layer& layer = picture.parts().layers[1];
     EXPECT_EQ(layer.blend, camera::BlendMode::multiply);
-    EXPECT_EQ(layer.arrangers.size(), 2U);
+    EXPECT_EQ(layer.arrangers.size(), 1U);
+    EXPECT_EQ(layer.inner_arrangers.size(), 1U);
     EXPECT_EQ(layer.leaders.size(), 1U);
     EXPECT_EQ(layer.frame->width.constant(), 0.02);
     // In the order of drawing: plain, the leader lines, round, its frame.

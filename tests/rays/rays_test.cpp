@@ -229,8 +229,8 @@ constexpr const char* two_layers =
     "camera left(turn = 0deg) { map u = 1 .. -1, v = -1 .. 1 eye point(0, 0, 0)\n"
     "    toward plane((1, 0, 0)) move rotate(z, turn) }\n"
     "picture both 80 x 60 {\n"
-    "    layer left\n"
-    "    layer left(turn = 90deg) { place (0.5, 0) .. (1, 1)  alpha ALPHA }\n"
+    "    layer left { stretch }\n"
+    "    layer left(turn = 90deg) { place (0.5, 0) .. (1, 1)  stretch  alpha ALPHA }\n"
     "}\n";
 
 std::string with_alpha(const std::string& alpha) {

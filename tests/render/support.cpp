@@ -22,6 +22,8 @@ public:
         return {2.0 * picture.point.x / picture.size.width - 1.0,
                 1.0 - 2.0 * picture.point.y / picture.size.height};
     }
+    // The tests' cameras take films of any aspect.
+    bool adapts_to_aspect() const override { return true; }
 };
 
 class FormulaObject final : public camera::ObjectGenerator {

@@ -174,7 +174,7 @@ namespace {
 camera::Camera as_shown(const camera::ShownCamera& shown, const camera::Picture& picture,
                         double time) {
     constexpr double height = 1000.0;
-    const auto size = size_of(shown.uses.front(), height * picture.parts().aspect, height, time);
+    const auto size = size_of(shown.uses.front(), height * picture.aspect(), height, time);
     camera::Camera::Parts parts = shown.camera.parts();
     if (size[0] > 0.0 && size[1] > 0.0) {
         parts.aspect = size[0] / size[1];

@@ -277,32 +277,32 @@ Result<std::shared_ptr<const Stage>> make_polygon(const Arguments& a) {
 
 // The examples are pictures of one camera with this clip.
 constexpr std::string_view rectangle_example = R"(picture framed {
-    layer panorama { place (0.1, 0.1) .. (0.9, 0.9)  clip rectangle  frame(width = 0.01) }
+    layer panorama { place (0.1, 0.1) .. (0.9, 0.9)  fill  clip rectangle  frame(width = 0.01) }
 })";
 constexpr std::string_view ellipse_example = R"(picture oval {
-    layer panorama { place (0.05, 0.05) .. (0.95, 0.95)  clip ellipse  soft 0.1 }
+    layer panorama { place (0.05, 0.05) .. (0.95, 0.95)  fill  clip ellipse  soft 0.1 }
 })";
 constexpr std::string_view ring_example = R"(picture wreath {
     aspect 1
-    layer  panorama { clip ring(0.5)  frame }
+    layer  panorama { fill  clip ring(0.5)  frame }
 })";
 constexpr std::string_view rounded_example = R"(picture card {
-    layer panorama { place (0.05, 0.05) .. (0.95, 0.95)  clip rounded(0.2)  frame(width = 0.01) }
+    layer panorama { place (0.05, 0.05) .. (0.95, 0.95)  fill  clip rounded(0.2)  frame(width = 0.01) }
 })";
 constexpr std::string_view polygon_example = R"(picture house {
-    layer panorama { clip polygon([(0.5, 0.05), (0.95, 0.4), (0.85, 0.95), (0.15, 0.95), (0.05, 0.4)])  frame }
+    layer panorama { fill  clip polygon([(0.5, 0.05), (0.95, 0.4), (0.85, 0.95), (0.15, 0.95), (0.05, 0.4)])  frame }
 })";
 constexpr std::string_view star_example = R"(picture star {
     aspect 1
-    layer  panorama { clip star(5, inner = 0.5)  frame }
+    layer  panorama { fill  clip star(5, inner = 0.5)  frame }
 })";
 constexpr std::string_view formula_example = R"(picture heart {
     aspect 1
-    layer  panorama { clip formula(x, y) = [0.8 - x^2 - (1.2*y - sqrt(abs(x)) + 0.2)^2]  frame }
+    layer  panorama { fill  clip formula(x, y) = [0.8 - x^2 - (1.2*y - sqrt(abs(x)) + 0.2)^2]  frame }
 })";
 constexpr std::string_view image_example = R"(picture masked {
     aspect 4/3
-    layer  panorama { clip image("mask.png") }
+    layer  panorama { fill  clip image("mask.png") }
 })";
 
 // Clip shapes with a formula for their edge.
@@ -310,7 +310,7 @@ std::vector<StageEntry> round_shapes() {
     return {
         {.kind = StageKind::clip_shape,
          .name = "rectangle",
-         .meaning = "the whole image of the layer",
+         .meaning = "the whole window of the layer",
          .formula = R"(
 |X| ≤ W/2 and |Y| ≤ H/2
 X = x − W/2,   Y = H/2 − y for the point (x, y) of an image of W × H pixels

@@ -31,9 +31,9 @@ ExitCode explain(const CameraArgument& wanted, const PictureSize& size, bool as_
         return ExitCode::bad_input;
     }
     const auto& [picture, explanation] = *made;
-    const auto [width, height] = size.resolve(picture.parts().aspect, picture.parts().size);
-    const std::string formulas =
-        formulas_text(picture, static_cast<double>(width), static_cast<double>(height));
+    const auto [width, height] = size.resolve(picture.aspect(), picture.parts().size);
+    const std::string formulas = formulas_text(
+        picture.with_fit(size.fit), static_cast<double>(width), static_cast<double>(height));
     if (as_json) {
         document = explanation_json(explanation);
         document["width"] = width;
@@ -80,6 +80,7 @@ void add_explain_command(CLI::App& app, ExitCode& code) {
         add_set_option(command, options.set);
         add_size_options(command, options.size,
                          "size of the picture in pixels for which the formulas are valid");
+        add_fit_option(command, options.size);
         command.add_flag("--json", options.json, "print the description as JSON");
         command.footer(
             "Examples:\n  balcony explain superelliptic\n  balcony explain my.cam:closeup");

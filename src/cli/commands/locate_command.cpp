@@ -178,9 +178,8 @@ Result<Located> find_all(const LocateOptions& options, const PictureSize& size, 
         add_to(diagnostics, loaded.diagnostics);
         scene = std::move(loaded.value);
     }
-    const Result<camera::Picture> picture = scene
-                                                ? load_picture(options.camera, options.set, *scene)
-                                                : load_picture(options.camera, options.set);
+    Result<camera::Picture> picture = scene ? load_picture(options.camera, options.set, *scene)
+                                            : load_picture(options.camera, options.set);
     add_to(diagnostics, picture.diagnostics);
     if (has_errors(diagnostics)) {
         return diagnostics;
@@ -191,8 +190,8 @@ Result<Located> find_all(const LocateOptions& options, const PictureSize& size, 
         axes = scene->axes;
     }
     found.camera = picture->name();
-    std::tie(found.width, found.height) =
-        size.resolve(picture->parts().aspect, picture->parts().size);
+    *picture = picture->with_fit(size.fit);
+    std::tie(found.width, found.height) = size.resolve(picture->aspect(), picture->parts().size);
     const auto locator = analyse::Locator::make(*picture, static_cast<double>(found.width),
                                                 static_cast<double>(found.height), time, axes);
     if (!locator) {
@@ -350,6 +349,7 @@ void add_locate_command(CLI::App& app, ExitCode& code) {
             ->type_name("SCENE");
         add_set_option(command, options.set);
         add_size_options(command, options.size, "size of the picture in pixels");
+        add_fit_option(command, options.size);
         add_time_option(command, options.time);
         command
             .add_option(

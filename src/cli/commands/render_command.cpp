@@ -183,8 +183,8 @@ RenderReport render_picture(const RenderOptions& options, const Request& request
     if (!picture) {
         return fail(std::move(outcome), ExitCode::bad_input);
     }
-    const auto [width, height] =
-        request.size.resolve(picture->parts().aspect, picture->parts().size);
+    *picture = picture->with_fit(request.size.fit);
+    const auto [width, height] = request.size.resolve(picture->aspect(), picture->parts().size);
     const render::DisplayFormat* const format = target.output.display_format();
     if (format != nullptr) {
         if (const Diagnostics found = render::check_size(*format, width, height);
@@ -344,6 +344,7 @@ void add_picture_options(CLI::App& command, RenderOptions& options) {
     add_size_options(command, options.size,
                      "size in pixels (default: that of the picture, or about a million pixels with "
                      "its aspect ratio)");
+    add_fit_option(command, options.size);
     command.add_option("-s,--samples", options.samples, "rays per pixel")
         ->type_name("COUNT")
         ->capture_default_str();

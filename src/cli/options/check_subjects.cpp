@@ -18,10 +18,11 @@ public:
 
     void add(const camera::Picture& picture) {
         const auto [whole_width, whole_height] =
-            request_.size.resolve(picture.parts().aspect, picture.parts().size);
+            request_.size.resolve(picture.aspect(), picture.parts().size);
         const auto width = static_cast<double>(whole_width);
         const auto height = static_cast<double>(whole_height);
-        for (const camera::ShownCamera& shown : shown_cameras(picture)) {
+        for (const camera::ShownCamera& shown :
+             shown_cameras(picture.with_fit(request_.size.fit))) {
             CheckSubject subject{shown.camera, picture.only_camera() != nullptr};
             for (const camera::ShownCamera::LayerUse& use : shown.uses) {
                 if (!is_wanted(use.layer)) {

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "balcony/names.hpp"
 #include "cli/options/option_values.hpp"
 
 namespace balcony::cli {
@@ -29,6 +30,15 @@ std::optional<std::size_t> read_side(std::string_view option, const std::string&
         refuse(diagnostics, option, text, fmt::format("give 1 to {} pixels", max_side));
     }
     return side;
+}
+
+camera::Fit read_fit(const std::string& text, Diagnostics& diagnostics) {
+    const std::optional<camera::Fit> fit = camera::find_fit(text);
+    if (!fit) {
+        refuse(diagnostics, "--fit", text,
+               suggestion(text, camera::fit_names(), "the choices are"));
+    }
+    return fit.value_or(camera::Fit::fit);
 }
 
 }  // namespace
@@ -60,7 +70,8 @@ void add_size_options(CLI::App& command, SizeWords& words, const std::string& me
 
 PictureSize read_size(const SizeWords& words, Diagnostics& diagnostics) {
     PictureSize size{read_side("--width", words.width, diagnostics),
-                     read_side("--height", words.height, diagnostics)};
+                     read_side("--height", words.height, diagnostics),
+                     read_fit(words.fit, diagnostics)};
     if (words.size.empty()) {
         return size;
     }
@@ -82,6 +93,20 @@ PictureSize read_size(const SizeWords& words, Diagnostics& diagnostics) {
                            max_side));
     }
     return size;
+}
+
+void add_fit_option(CLI::App& command, SizeWords& words) {
+    std::vector<std::string> modes;
+    for (const std::string& name : camera::fit_names()) {
+        modes.push_back(fmt::format("{} ({})", name, meaning_of(*camera::find_fit(name))));
+    }
+    command
+        .add_option("--fit", words.fit,
+                    fmt::format("what the picture does in a size of another aspect ratio: {}; a "
+                                "camera with 'square' in its map shows more or less instead",
+                                fmt::join(modes, ", ")))
+        ->type_name("MODE")
+        ->capture_default_str();
 }
 
 void add_time_option(CLI::App& command, std::string& time) {

@@ -11,21 +11,24 @@
 #include <utility>
 
 #include "balcony/base.hpp"
+#include "balcony/picture.hpp"
 #include "cli/commands/command.hpp"
 
 namespace balcony::cli {
 
-/// The words of --size, --width and --height.
+/// The words of --size, --width, --height and --fit.
 struct SizeWords {
     std::string size;
     std::string width;
     std::string height;
+    std::string fit = std::string(name_of(camera::Fit::fit));
 };
 
 /// A requested picture size: width and height in pixels, one of them, or neither.
 struct PictureSize {
     std::optional<std::size_t> width;
     std::optional<std::size_t> height;
+    camera::Fit fit = camera::Fit::fit;  ///< What the picture does in a size of another aspect.
 
     /// Width and height. The default is the picture's own size, if it has one, otherwise about a
     /// million pixels. A missing side follows from the picture's aspect ratio.
@@ -36,6 +39,9 @@ struct PictureSize {
 /// Adds --size, --width and --height.
 void add_size_options(CLI::App& command, SizeWords& words, const std::string& meaning);
 [[nodiscard]] PictureSize read_size(const SizeWords& words, Diagnostics& diagnostics);
+
+/// Adds --fit.
+void add_fit_option(CLI::App& command, SizeWords& words);
 
 /// Adds --time.
 void add_time_option(CLI::App& command, std::string& time);

@@ -29,7 +29,8 @@ public:
         const std::size_t errors_before = reporter_.error_count();
         camera::Camera::Parts parts;
         parts.name = std::string(camera_.name.text);
-        parts.arrangers = make_arrangers(camera_.statements, stages_);
+        parts.arrangers = make_arrangers(camera_.statements,
+                                         {StatementKind::place, StatementKind::arrange}, stages_);
         aspect(parts);
         axes(parts);
         shared_.mapper = mapper(statements_);

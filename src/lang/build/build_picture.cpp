@@ -10,58 +10,14 @@
 #include <fmt/format.h>
 
 #include "lang/build/build_camera.hpp"
+#include "lang/build/layer_statements.hpp"
+#include "lang/build/layers.hpp"
 #include "lang/build/resolved_layer.hpp"
 #include "lang/build/statements.hpp"
-#include "lang/syntax/statement_rows.hpp"
 
 namespace balcony::lang {
 
 namespace {
-
-using camera::NumberParameter;
-using camera::PairParameter;
-using camera::StageEntry;
-using camera::StageParameter;
-using camera::TripleParameter;
-
-// Rows for what layers are told as numbers, to be checked as the arguments of stages are.
-
-StageParameter number_from_0_to_1(std::string_view name, std::string_view meaning) {
-    return {.name = name,
-            .type = NumberParameter{.range = {.minimum = 0.0, .maximum = 1.0}},
-            .optional = true,
-            .meaning = meaning};
-}
-
-const StageEntry& layer_row() {
-    static const StageEntry row{
-        .name = "layer",
-        .parameters = {number_from_0_to_1("soft", "width of the clip's soft edge"),
-                       number_from_0_to_1("alpha", "opacity")}};
-    return row;
-}
-
-const StageEntry& frame_row() {
-    static const StageEntry row{
-        .name = "frame",
-        .parameters = {{.name = "width",
-                        .type = NumberParameter{.default_value = 0.004,
-                                                .range = {.minimum = 0.0, .maximum = 1.0}},
-                        .meaning = "as a fraction of the picture's height"},
-                       {.name = "color",
-                        .type = TripleParameter{.default_value = std::array{1.0, 1.0, 1.0},
-                                                .range = {.minimum = 0.0}},
-                        .meaning = "red, green and blue in linear light"}}};
-    return row;
-}
-
-const StageEntry& leader_row() {
-    static const StageEntry row{
-        .name = "leader",
-        .parameters = {{.name = "from", .type = PairParameter{}, .meaning = "top left corner"},
-                       {.name = "to", .type = PairParameter{}, .meaning = "bottom right corner"}}};
-    return row;
-}
 
 // The position of a picture among the pictures under construction.
 struct Nesting {
@@ -91,27 +47,28 @@ public:
         if (const Statement* aspect = statements.find(StatementKind::aspect)) {
             this->aspect(*aspect, parts);
         }
-        if (statements.lacks(StatementKind::layer)) {
+        if (statements.lacks(StatementKind::layer) && statements.lacks(StatementKind::loop)) {
             error(picture_.name.span,
                   fmt::format("the picture '{}' has no layers", picture_.name.text),
                   "add a layer, for example layer panorama");
         }
-        for (const Statement& statement : picture_.statements) {
-            if (reporter_.full()) {
-                break;
-            }
-            if (statement.kind == StatementKind::layer && !statement.broken) {
-                layer(statement, parts);
-            }
-        }
+        visit_layers(place_, scope_, session_,
+                     [&](const LayerPlace& place) { return layer(place, parts); });
         // A failed layer has been reported at its first use.
-        return complete_ && reporter_.error_count() == errors_before ? finish(std::move(parts))
-                                                                     : std::nullopt;
+        const bool good = complete_ && !has_broken(picture_.statements) &&
+                          reporter_.error_count() == errors_before;
+        return good ? finish(std::move(parts)) : std::nullopt;
     }
 
 private:
     using Content = decltype(camera::Layer::content);
     using NestedPicture = std::shared_ptr<const camera::Picture>;
+
+    static bool has_broken(const std::vector<Statement>& statements) {
+        return std::any_of(statements.begin(), statements.end(), [](const Statement& one) {
+            return one.broken || has_broken(one.block);
+        });
+    }
 
     void error(Span span, std::string message, std::string remedy = {}) {
         reporter_.error(tree_.at(span), std::move(message), std::move(remedy));
@@ -166,90 +123,43 @@ private:
 
     // -------------------------------------------------------------------------------------- layers
 
-    void layer(const Statement& statement, camera::Picture::Parts& parts) {
-        const Expression& call = tree_[statement.stages().front()];
-        const Statements own(tree_, statement.block, reporter_);
-        std::optional<Content> content = this->content(call);
-        const auto arrangers = make_arrangers(statement.block, stages_);
-        const Statement* clip = own.find(StatementKind::clip);
-        const auto shape =
-            clip != nullptr ? stages_.make<camera::ClipShape>(clip->stages().front()) : nullptr;
-        const bool good = std::find(arrangers.begin(), arrangers.end(), nullptr) == arrangers.end();
+    bool layer(const LayerPlace& place, camera::Picture::Parts& parts) {
+        const Expression& call = tree_[place.statement.stages().front()];
+        std::optional<Content> content = this->content(call, place.names);
         // Reads all statements, to report all mistakes.
-        camera::Layer made{std::string(call.name.text), content.value_or(NestedPicture())};
-        made.arrangers = arrangers;
-        made.clip = shape;
-        numbers(own, made);
-        blend(own, made);
-        strokes(statement, own, made);
-        if (content && good && (clip == nullptr || shape)) {
-            parts.layers.push_back(std::move(made));
-        } else {
+        camera::Layer made{std::string(call.name.text) + place.key,
+                           content.value_or(NestedPicture())};
+        const bool good = read_layer(*place_.module, place.statement, place.names, session_, made);
+        if (!content || !good) {
             complete_ = false;
+            return true;
         }
+        parts.layers.push_back(std::move(made));
+        warn_of_lost_leaders(place.statement, parts);
+        return true;
     }
 
-    void numbers(const Statements& own, camera::Layer& made) {
-        std::array<ExpressionId, 2> values;
-        Span span;
-        for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
-            const Statement* statement =
-                own.find(i == 0 ? StatementKind::soft : StatementKind::alpha);
-            if (statement != nullptr) {
-                values[i] = statement->value();
-                span = statement->span;
-            }
-        }
-        if (const auto given = stages_.arguments(layer_row(), values, span)) {
-            made.softness = given->has("soft") ? given->number("soft") : made.softness;
-            made.alpha = given->has("alpha") ? given->number("alpha") : made.alpha;
-        }
-    }
-
-    void blend(const Statements& own, camera::Layer& made) {
-        const Statement* statement = own.find(StatementKind::blend);
-        if (statement == nullptr) {
+    // A leader without corners goes to what a layer below shows.
+    void warn_of_lost_leaders(const Statement& statement, const camera::Picture::Parts& parts) {
+        if (source_of(parts, parts.layers.size() - 1)) {
             return;
         }
-        const auto mode = camera::find_blend_mode(statement->word().text);
-        if (!mode) {
-            error(statement->word().span,
-                  fmt::format("unknown blend mode '{}'", statement->word().text),
-                  suggestion(statement->word().text, camera::blend_mode_names(),
-                             "the blend modes are"));
-        }
-        made.blend = mode.value_or(camera::BlendMode::normal);
-    }
-
-    camera::Stroke stroke(const Statement& frame) {
-        const auto given = stages_.arguments(frame_row(), tree_[frame.stages().front()]);
-        return given ? camera::Stroke{given->number("width"), given->triple("color")}
-                     : camera::Stroke();
-    }
-
-    // Leader lines are drawn as the frame is.
-    void strokes(const Statement& statement, const Statements& own, camera::Layer& made) {
-        const Statement* frame = own.find(StatementKind::frame);
-        const camera::Stroke stroke = frame != nullptr ? this->stroke(*frame) : camera::Stroke();
-        if (frame != nullptr) {
-            made.frame = stroke;
-        }
         for (const Statement& one : statement.block) {
-            if (one.kind != StatementKind::leader || one.broken) {
-                continue;
-            }
-            const Corners& region = one.corners();
-            if (const auto given = stages_.arguments(
-                    leader_row(), std::array{region.first, region.last}, region.span)) {
-                made.leaders.push_back({given->pair("from"), given->pair("to"), stroke});
+            if (one.kind == StatementKind::leader && !one.broken && one.corners() == nullptr) {
+                reporter_.warning(
+                    tree_.at(one.span),
+                    fmt::format("no layer below shows '{}' with the same parameters, so this "
+                                "leader goes to the region of 'show' in the whole picture",
+                                parts.layers.back().name),
+                    "write its corners: leader (0.2, 0.1) .. (0.4, 0.3)");
             }
         }
     }
 
     // ---------------------------------------------------------------------- what a layer shows
 
-    std::optional<Content> content(const Expression& call) {
-        const auto shown = resolve_layer(place_, call, scope_, session_);
+    std::optional<Content> content(const Expression& call, Scope& names) {
+        const auto shown = resolve_layer(place_, call, names, session_);
         if (!shown) {
             return std::nullopt;
         }

@@ -3,7 +3,7 @@
 
 #include "lang/build/statements.hpp"
 
-#include <array>
+#include <algorithm>
 
 #include <fmt/format.h>
 
@@ -48,20 +48,13 @@ std::vector<ExpressionId> Statements::stages(StatementKind kind) const {
     return calls;
 }
 
-std::vector<camera::PictureArrangerPointer> make_arrangers(const std::vector<Statement>& statements,
-                                                           StageBuilder& stages) {
-    const auto place = [&stages](const Corners& corners) {
-        return stages.make<camera::PictureArranger>(
-            "place", std::array{corners.first, corners.last}, corners.span);
-    };
+std::vector<camera::PictureArrangerPointer> make_arrangers(
+    const std::vector<Statement>& statements, std::initializer_list<StatementKind> kinds,
+    StageBuilder& stages) {
     std::vector<camera::PictureArrangerPointer> made;
     for (const Statement& statement : statements) {
-        if (statement.broken) {
-            continue;
-        }
-        if (statement.kind == StatementKind::place) {
-            made.push_back(place(statement.corners()));
-        } else if (statement.kind == StatementKind::arrange) {
+        if (!statement.broken &&
+            std::find(kinds.begin(), kinds.end(), statement.kind) != kinds.end()) {
             for (const ExpressionId call : statement.stages()) {
                 made.push_back(stages.make<camera::PictureArranger>(call));
             }

@@ -29,8 +29,10 @@ private:
     std::map<StatementKind, const Statement*> first_;
 };
 
-/// The arrangers of all place and arrange statements in sequence; null for one with an error.
+/// The arrangers of all statements of some kinds, place or arrange, in sequence; null for one with
+/// an error.
 [[nodiscard]] std::vector<camera::PictureArrangerPointer> make_arrangers(
-    const std::vector<Statement>& statements, StageBuilder& stages);
+    const std::vector<Statement>& statements, std::initializer_list<StatementKind> kinds,
+    StageBuilder& stages);
 
 }  // namespace balcony::lang

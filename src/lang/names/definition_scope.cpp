@@ -189,6 +189,8 @@ void DefinitionScope::warn_of_unused() {
         if (statement.kind == StatementKind::let) {
             warn(statement.let().name, word_for(statement.let()));
             warn_of_unused_parameters(tree_, statement.let(), session_.reporter());
+        } else if (statement.kind == StatementKind::loop) {
+            warn_of_unused_in_loop(tree_, statement, session_.reporter());
         }
     }
 }

@@ -35,4 +35,21 @@ void warn_of_unused_parameters(const SyntaxTree& tree, const LetSyntax& let, Rep
     }
 }
 
+void warn_of_unused_in_loop(const SyntaxTree& tree, const Statement& loop, Reporter& reporter) {
+    const auto warn = [&](const Identifier& name, std::string_view what) {
+        if (!mentions(tree, loop.span, name.text)) {
+            warn_of_unused(tree, name, what, reporter);
+        }
+    };
+    warn(loop.loop().variable, "variable");
+    for (const Statement& statement : loop.block) {
+        if (statement.kind == StatementKind::let) {
+            warn(statement.let().name, word_for(statement.let()));
+            warn_of_unused_parameters(tree, statement.let(), reporter);
+        } else if (statement.kind == StatementKind::loop) {
+            warn_of_unused_in_loop(tree, statement, reporter);
+        }
+    }
+}
+
 }  // namespace balcony::lang

@@ -22,4 +22,7 @@ void warn_of_unused(const SyntaxTree& tree, const Identifier& name, std::string_
 /// Warns about parameters that the body of a function does not use.
 void warn_of_unused_parameters(const SyntaxTree& tree, const LetSyntax& let, Reporter& reporter);
 
+/// Warns about the variables and lets of a loop and those in it.
+void warn_of_unused_in_loop(const SyntaxTree& tree, const Statement& loop, Reporter& reporter);
+
 }  // namespace balcony::lang

@@ -283,6 +283,16 @@ std::optional<ExpressionId> ExpressionParser::name_or_call() {
     return add(std::move(node), first);
 }
 
+ExpressionId ExpressionParser::add_call(const Identifier& name, std::vector<Argument> arguments,
+                                        std::size_t first) {
+    Expression node;
+    node.kind = ExpressionKind::call;
+    node.name = name;
+    node.span = name.span;
+    node.arguments = std::move(arguments);
+    return add(std::move(node), first);
+}
+
 // The parsed arguments of a call turn out to be the parameters of a formula. Their nodes stay in
 // the list unused, and the formula starts after them.
 std::optional<ExpressionId> ExpressionParser::formula(Expression call) {

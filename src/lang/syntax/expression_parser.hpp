@@ -24,6 +24,12 @@ public:
     /// The same, or name word word, all on one line.
     [[nodiscard]] std::optional<ExpressionId> stage_with_words(std::string_view what);
 
+    /// Adds the call of a stage that is written in another way. Its arguments and their parts are
+    /// the nodes from `first` on, which was next() before they were read.
+    [[nodiscard]] ExpressionId add_call(const Identifier& name, std::vector<Argument> arguments,
+                                        std::size_t first);
+    [[nodiscard]] std::size_t next() const { return nodes_.size(); }
+
 private:
     [[nodiscard]] std::optional<ExpressionId> binary(int min_precedence);
     [[nodiscard]] std::optional<ExpressionId> unary();

@@ -148,7 +148,7 @@ void StatementParser::misplaced_statement(const StatementRow& row, Block block) 
                                   block == Block::path ? "eye or toward" : "a layer"),
                       fmt::format("move it out of the block, which may contain {}",
                                   one_of(keywords_for(block))));
-    } else if (block == Block::picture) {
+    } else if (block == Block::picture || block == Block::loop) {
         tokens_.error(tokens_.peek().span,
                       fmt::format("'{}' is allowed in the block of a layer only", row.keyword),
                       fmt::format("write layer NAME {{ {} ... }}", row.keyword));
@@ -178,7 +178,11 @@ bool StatementParser::body(const StatementRow& row, Statement& made) {
         case Shape::value: return value(made);
         case Shape::word: return word(row, made);
         case Shape::ranges: return ranges(made);
+        case Shape::nothing: return true;
         case Shape::corners: return corners(made);
+        case Shape::optional_corners: return optional_corners(made);
+        case Shape::placements: return placements(row, made);
+        case Shape::loop: return loop(made);
         case Shape::stage:
         case Shape::stages:
         case Shape::rule:
@@ -322,15 +326,24 @@ bool StatementParser::ends_of(Range& range) {
     return true;
 }
 
+// The next token may start a corner: (0.7, 0.1), or the name of a point.
+bool StatementParser::expect_corner() {
+    const Token& token = tokens_.peek();
+    if (token.is("(") || (token.kind == TokenKind::name && !opens_next_statement())) {
+        return true;
+    }
+    tokens_.expected("a corner, such as (0.7, 0.1)",
+                     "write the top left and the bottom right corner as fractions of the "
+                     "picture: (0.7, 0.1) .. (0.95, 0.5)");
+    // Prevents parsing the rest as another statement.
+    if (token.is_name("place")) {
+        tokens_.next();
+    }
+    return false;
+}
+
 bool StatementParser::corners(Statement& made) {
-    if (!tokens_.peek().is("(")) {
-        tokens_.expected("a corner, such as (0.7, 0.1)",
-                         "write the top left and the bottom right corner as fractions of the "
-                         "picture: (0.7, 0.1) .. (0.95, 0.5)");
-        // Prevents parsing the rest as another statement.
-        if (tokens_.peek().is_name("place")) {
-            tokens_.next();
-        }
+    if (!expect_corner()) {
         return false;
     }
     Corners read;
@@ -340,6 +353,93 @@ bool StatementParser::corners(Statement& made) {
     }
     read.span = {begin, tokens_.previous().span.end};
     made.content = read;
+    return true;
+}
+
+bool StatementParser::optional_corners(Statement& made) {
+    const Token& token = tokens_.peek();
+    const bool omitted = keyword_at(token) != nullptr || token.is("}") || tokens_.at_end() ||
+                         (tokens_.at_new_line() && !token.is("("));
+    return omitted || corners(made);
+}
+
+bool StatementParser::placements(const StatementRow& row, Statement& made) {
+    std::vector<ExpressionId> read;
+    do {
+        const auto one = placement(row);
+        if (!one) {
+            return false;
+        }
+        read.push_back(*one);
+    } while (tokens_.accept(","));
+    made.content = std::move(read);
+    return true;
+}
+
+// Corners become a call of the stage that places: place((0.7, 0.1), (0.95, 0.5)).
+std::optional<ExpressionId> StatementParser::placement(const StatementRow& row) {
+    const Token& token = tokens_.peek();
+    const Token& after = tokens_.peek(1);
+    const bool is_stage = token.kind == TokenKind::name && !after.is("..") && !after.is("[") &&
+                          catalogue_.find(*row.stage_kind, token.text) != nullptr;
+    if (is_stage) {
+        return stage(row);
+    }
+    if (!expect_corner()) {
+        return std::nullopt;
+    }
+    Corners corners;
+    const std::size_t begin = token.span.begin;
+    const std::size_t first = expressions_.next();
+    if (!ends_of(corners)) {
+        return std::nullopt;
+    }
+    return expressions_.add_call({row.keyword, {begin, tokens_.previous().span.end}},
+                                 {{std::nullopt, corners.first}, {std::nullopt, corners.last}},
+                                 first);
+}
+
+// for i in 0 .. 6 { layers }
+bool StatementParser::loop(Statement& made) {
+    constexpr std::size_t deepest_loops = 8;
+    const auto name = new_name("a name after 'for'");
+    if (!name) {
+        return false;
+    }
+    if (!tokens_.peek().is_name("in")) {
+        tokens_.expected(fmt::format("'in' after '{}'", name->text),
+                         fmt::format("write for {} in 0 .. 6 {{ ... }}", name->text));
+        return false;
+    }
+    tokens_.next();
+    LoopSyntax read{*name, {}, {}};
+    const auto first = expressions_.expression();
+    if (!first) {
+        return false;
+    }
+    read.first = *first;
+    if (tokens_.accept("..")) {
+        const auto last = expressions_.expression();
+        if (!last) {
+            return false;
+        }
+        read.last = *last;
+    }
+    made.content = read;
+    if (!tokens_.peek().is("{")) {
+        tokens_.expected("'{' and the layers to repeat",
+                         fmt::format("write for {} in 0 .. 6 {{ layer ... }}", name->text));
+        return false;
+    }
+    if (loops_ == deepest_loops) {
+        tokens_.error(made.keyword,
+                      fmt::format("loops are nested more than {} levels deep", deepest_loops),
+                      "compute several indices from one: floor(i/4) and mod(i, 4)");
+        return false;
+    }
+    ++loops_;
+    made.block = block(Block::loop);
+    --loops_;
     return true;
 }
 

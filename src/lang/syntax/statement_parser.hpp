@@ -47,6 +47,11 @@ private:
     template <class Range>
     [[nodiscard]] bool ends_of(Range& range);
     [[nodiscard]] bool corners(Statement& made);
+    [[nodiscard]] bool optional_corners(Statement& made);
+    [[nodiscard]] bool placements(const StatementRow& row, Statement& made);
+    [[nodiscard]] std::optional<ExpressionId> placement(const StatementRow& row);
+    [[nodiscard]] bool expect_corner();
+    [[nodiscard]] bool loop(Statement& made);
     [[nodiscard]] bool stages(const StatementRow& row, Statement& made);
     [[nodiscard]] std::optional<ExpressionId> stage(const StatementRow& row);
     [[nodiscard]] bool layer(const StatementRow& row, Statement& made);
@@ -57,6 +62,7 @@ private:
     const camera::Catalogue& catalogue_;
     Reporter& reporter_;
     bool in_picture_ = false;
+    std::size_t loops_ = 0;  // How many loops enclose the current statement.
 };
 
 }  // namespace balcony::lang

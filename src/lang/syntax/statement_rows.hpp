@@ -23,6 +23,7 @@ enum class Block : std::uint8_t {
     path = 2,  ///< eye { ... } and toward { ... }
     picture = 4,
     layer = 8,
+    loop = 16,  ///< for i in 0 .. 6 { ... }
 };
 
 /// The syntax after the keyword, which determines the content of a statement.
@@ -30,14 +31,18 @@ enum class Shape : std::uint8_t {
     let,      ///< name = expression
     value,    ///< An expression.
     word,     ///< One word.
+    nothing,  ///< The keyword says it all.
     ranges,   ///< u = first .. last, v = square
     corners,  ///< (a, b) .. (c, d)
-    stage,    ///< A stage.
-    stages,   ///< Stages with commas between them.
-    rule,     ///< A stage, or its name with words behind it: normal outward.
-    path,     ///< A stage, or a block.
-    layer,    ///< The name of a camera or a picture, with or without a block.
-    call,     ///< The keyword itself is what is called: frame(0.01).
+    optional_corners,
+    placements,  ///< Corners and stages with commas between them; corners are the stage `place`.
+    stage,       ///< A stage.
+    stages,      ///< Stages with commas between them.
+    rule,        ///< A stage, or its name with words behind it: normal outward.
+    path,        ///< A stage, or a block.
+    layer,       ///< The name of a camera or a picture, with or without a block.
+    loop,        ///< name in first .. last, or name in list, and a block.
+    call,        ///< The keyword itself is what is called: frame(0.01).
 };
 
 struct StatementRow {

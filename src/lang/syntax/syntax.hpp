@@ -70,6 +70,11 @@ enum class StatementKind : std::uint8_t {
     place,
     arrange,
     layer,
+    loop,
+    fit,
+    fill,
+    stretch,
+    show,
     clip,
     soft,
     alpha,
@@ -93,6 +98,13 @@ struct MapRange {
     ExpressionId first, last;
 };
 
+/// name in first .. last or name in list, of a loop.
+struct LoopSyntax {
+    Identifier variable;
+    ExpressionId first;
+    ExpressionId last;  ///< Invalid for a list, which is then `first`.
+};
+
 /// (a, b) .. (c, d), from the top left corner to the bottom right one.
 struct Corners {
     Span span;
@@ -102,15 +114,16 @@ struct Corners {
 /// The content depends on the shape of the statement's kind (statement_rows.hpp). After a syntax
 /// error part of it may be missing.
 struct Statement {
-    using Content = std::variant<std::monostate, LetSyntax, ExpressionId, Identifier,
-                                 std::vector<MapRange>, Corners, std::vector<ExpressionId>>;
+    using Content =
+        std::variant<std::monostate, LetSyntax, ExpressionId, Identifier, std::vector<MapRange>,
+                     Corners, LoopSyntax, std::vector<ExpressionId>>;
 
     StatementKind kind = StatementKind::unknown;
     Span keyword;
     Span span;
     bool broken = false;  ///< It had a syntax error, which is reported.
     Content content{};
-    std::vector<Statement> block{};  ///< Of eye { ... }, toward { ... } and layer NAME { ... }.
+    std::vector<Statement> block{};  ///< In braces: of a path, a layer or a loop.
 
     /// Without a name where a broken statement was taken for a let.
     [[nodiscard]] const LetSyntax& let() const {
@@ -123,7 +136,9 @@ struct Statement {
     [[nodiscard]] const std::vector<MapRange>& ranges() const {
         return std::get<std::vector<MapRange>>(content);
     }
-    [[nodiscard]] const Corners& corners() const { return std::get<Corners>(content); }
+    /// Null where a statement may omit them and does.
+    [[nodiscard]] const Corners* corners() const { return std::get_if<Corners>(&content); }
+    [[nodiscard]] const LoopSyntax& loop() const { return std::get<LoopSyntax>(content); }
     /// None if a block stands in their place.
     [[nodiscard]] std::span<const ExpressionId> stages() const {
         const auto* written = std::get_if<std::vector<ExpressionId>>(&content);

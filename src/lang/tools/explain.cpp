@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "balcony/catalogue.hpp"
+#include "lang/build/layers.hpp"
 #include "lang/build/resolved_layer.hpp"
 #include "lang/syntax/statement_rows.hpp"
 
@@ -117,9 +118,6 @@ Meanings meanings(const Place& place, const StatementRow& row, const Statement& 
     if (!row.meaning.empty()) {
         return {std::string(row.meaning)};
     }
-    if (row.shape == Shape::corners) {
-        return {meaning(*place.catalogue.find(StageKind::picture_arranger, row.keyword))};
-    }
     if (row.shape == Shape::ranges) {
         return of_ranges(statement);
     }
@@ -200,7 +198,7 @@ std::string summary_of(const camera::Picture& picture) {
     return parts.size ? fmt::format("A picture of {} x {} pixels in {}.", (*parts.size)[0],
                                     (*parts.size)[1], layers)
                       : fmt::format("A picture in {}, with an aspect ratio of {:.4g}.", layers,
-                                    parts.aspect);
+                                    picture.aspect());
 }
 
 class Explainer {
@@ -229,18 +227,17 @@ public:
         DefinitionScope scope(place, given, session_);
         Explanation made = heading(place, scope, summary_of(picture));
         const SyntaxTree& tree = place.module->tree;
-        for (const Statement& statement : place.camera->statements) {
-            if (statement.kind != StatementKind::layer) {
-                continue;
+        visit_layers(place, scope.names(), session_, [&](const LayerPlace& layer) {
+            const Expression& call = tree[layer.statement.stages().front()];
+            const std::string where = layer.where.empty() ? "" : fmt::format(" ({})", layer.where);
+            Explanation::Layer told{one_line(tree, call.span) + where, {}, 0};
+            add_steps({tree, session_.catalogue()}, layer.statement.block, 0, told.steps);
+            if (const auto content = resolve_layer(place, call, layer.names, session_)) {
+                told.shows = show(*content, picture.parts().layers[made.layers.size()]);
             }
-            const Expression& call = tree[statement.stages().front()];
-            Explanation::Layer layer{one_line(tree, call.span), {}, 0};
-            add_steps({tree, session_.catalogue()}, statement.block, 0, layer.steps);
-            if (const auto content = resolve_layer(place, call, scope.names(), session_)) {
-                layer.shows = show(*content, picture.parts().layers[made.layers.size()]);
-            }
-            made.layers.push_back(std::move(layer));
-        }
+            made.layers.push_back(std::move(told));
+            return true;
+        });
         return made;
     }
 

@@ -1,0 +1,219 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "lang/build/layer_statements.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "lang/build/statements.hpp"
+#include "lang/syntax/statement_rows.hpp"
+
+namespace balcony::lang {
+
+namespace {
+
+using camera::NumberParameter;
+using camera::PairParameter;
+using camera::StageEntry;
+using camera::StageParameter;
+using camera::TripleParameter;
+
+// Rows for what layers are told as numbers, to be checked as the arguments of stages are.
+
+StageParameter number_from_0_to_1(std::string_view name, std::string_view meaning) {
+    return {.name = name,
+            .type = NumberParameter{.range = {.minimum = 0.0, .maximum = 1.0}},
+            .optional = true,
+            .meaning = meaning};
+}
+
+const StageEntry& layer_row() {
+    static const StageEntry row{
+        .name = "layer",
+        .parameters = {number_from_0_to_1("soft", "width of the clip's soft edge"),
+                       number_from_0_to_1("alpha", "opacity")}};
+    return row;
+}
+
+const StageEntry& frame_row() {
+    static const StageEntry row{
+        .name = "frame",
+        .parameters = {{.name = "width",
+                        .type = NumberParameter{.default_value = 0.004,
+                                                .range = {.minimum = 0.0, .maximum = 1.0}},
+                        .meaning = "as a fraction of the picture's height"},
+                       {.name = "color",
+                        .type = TripleParameter{.default_value = std::array{1.0, 1.0, 1.0},
+                                                .range = {.minimum = 0.0}},
+                        .meaning = "red, green and blue in linear light"}}};
+    return row;
+}
+
+const StageEntry& region_row() {
+    static const StageEntry row{
+        .name = "region",
+        .parameters = {{.name = "from", .type = PairParameter{}, .meaning = "top left corner"},
+                       {.name = "to", .type = PairParameter{}, .meaning = "bottom right corner"}}};
+    return row;
+}
+
+class LayerReader {
+public:
+    LayerReader(const Module& module, const Statement& layer, Scope& names, Session& session)
+        : tree_(module.tree),
+          reporter_(session.reporter()),
+          stages_(module, names, session),
+          block_(layer.block),
+          own_(tree_, layer.block, reporter_) {}
+
+    bool read(camera::Layer& made) {
+        const std::size_t errors_before = reporter_.error_count();
+        made.arrangers = make_arrangers(block_, {StatementKind::place}, stages_);
+        made.inner_arrangers = make_arrangers(block_, {StatementKind::arrange}, stages_);
+        const Statement* clip = own_.find(StatementKind::clip);
+        if (clip != nullptr) {
+            made.clip = stages_.make<camera::ClipShape>(clip->stages().front());
+        }
+        numbers(made);
+        blend(made);
+        fit(made);
+        if (const Statement* show = own_.find(StatementKind::show)) {
+            made.show = region(*show->corners());
+        }
+        strokes(made);
+        const auto has_all = [](const auto& arrangers) {
+            return std::find(arrangers.begin(), arrangers.end(), nullptr) == arrangers.end();
+        };
+        // What is null has been reported, perhaps at an earlier use.
+        return reporter_.error_count() == errors_before && has_all(made.arrangers) &&
+               has_all(made.inner_arrangers) && (clip == nullptr || made.clip);
+    }
+
+private:
+    void error(Span span, std::string message, std::string remedy = {}) {
+        reporter_.error(tree_.at(span), std::move(message), std::move(remedy));
+    }
+
+    void numbers(camera::Layer& made) {
+        std::array<ExpressionId, 2> values;
+        Span span;
+        for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+            const Statement* statement =
+                own_.find(i == 0 ? StatementKind::soft : StatementKind::alpha);
+            if (statement != nullptr) {
+                values[i] = statement->value();
+                span = statement->span;
+            }
+        }
+        if (const auto given = stages_.arguments(layer_row(), values, span)) {
+            made.softness = given->has("soft") ? given->number("soft") : made.softness;
+            made.alpha = given->has("alpha") ? given->number("alpha") : made.alpha;
+        }
+    }
+
+    void blend(camera::Layer& made) {
+        const Statement* statement = own_.find(StatementKind::blend);
+        if (statement == nullptr) {
+            return;
+        }
+        const auto mode = camera::find_blend_mode(statement->word().text);
+        if (!mode) {
+            error(statement->word().span,
+                  fmt::format("unknown blend mode '{}'", statement->word().text),
+                  suggestion(statement->word().text, camera::blend_mode_names(),
+                             "the blend modes are"));
+        }
+        made.blend = mode.value_or(camera::BlendMode::normal);
+    }
+
+    // fit, fill or stretch.
+    void fit(camera::Layer& made) {
+        const Statement* earlier = nullptr;
+        for (const Statement& one : block_) {
+            const auto fit = camera::find_fit(keyword(one.kind));
+            if (!fit || one.broken) {
+                continue;
+            }
+            if (earlier != nullptr && earlier->kind != one.kind) {
+                Diagnostic diagnostic = balcony::error(
+                    fmt::format("'{}' contradicts '{}'", keyword(one.kind), keyword(earlier->kind)),
+                    tree_.at(one.keyword), "remove one of them");
+                diagnostic.notes.push_back({tree_.at(earlier->keyword), "the other one"});
+                reporter_.add(std::move(diagnostic));
+            }
+            earlier = &one;
+            made.fit = *fit;
+        }
+    }
+
+    std::optional<camera::Region> region(const Corners& corners) {
+        const auto given =
+            stages_.arguments(region_row(), std::array{corners.first, corners.last}, corners.span);
+        if (!given) {
+            return std::nullopt;
+        }
+        camera::Region made{given->pair("from"), given->pair("to")};
+        for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+            const auto first = made.from[i].constant();
+            const auto last = made.to[i].constant();
+            if (first && last && *last <= *first) {
+                error(corners.span, "this region has no area",
+                      "write its top left corner first, then its bottom right corner");
+                return std::nullopt;
+            }
+        }
+        return made;
+    }
+
+    // Leader lines are drawn as the frame is.
+    void strokes(camera::Layer& made) {
+        camera::Stroke stroke;
+        if (const Statement* frame = own_.find(StatementKind::frame)) {
+            if (const auto given = stages_.arguments(frame_row(), tree_[frame->stages().front()])) {
+                stroke = {given->number("width"), given->triple("color")};
+            }
+            made.frame = stroke;
+        }
+        for (const Statement& one : block_) {
+            if (one.kind != StatementKind::leader || one.broken) {
+                continue;
+            }
+            if (const Corners* corners = one.corners()) {
+                if (auto to = leader_region(*corners)) {
+                    made.leaders.push_back({std::move(to), stroke});
+                }
+            } else if (own_.lacks(StatementKind::show)) {
+                error(one.span, "this leader has no corners, and its layer has no 'show'",
+                      "write leader (0.2, 0.1) .. (0.4, 0.3) for a region of the picture, or show "
+                      "a region of the layer");
+            } else {
+                made.leaders.push_back({std::nullopt, stroke});
+            }
+        }
+    }
+
+    std::optional<camera::Region> leader_region(const Corners& corners) {
+        const auto given =
+            stages_.arguments(region_row(), std::array{corners.first, corners.last}, corners.span);
+        return given ? std::optional(camera::Region{given->pair("from"), given->pair("to")})
+                     : std::nullopt;
+    }
+
+    const SyntaxTree& tree_;
+    Reporter& reporter_;
+    StageBuilder stages_;
+    const std::vector<Statement>& block_;
+    const Statements own_;
+};
+
+}  // namespace
+
+bool read_layer(const Module& module, const Statement& layer, Scope& names, Session& session,
+                camera::Layer& made) {
+    return LayerReader(module, layer, names, session).read(made);
+}
+
+}  // namespace balcony::lang
