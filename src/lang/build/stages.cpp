@@ -45,6 +45,17 @@ std::vector<std::string> names_of_kind(const camera::Catalogue& catalogue, Stage
     return names;
 }
 
+// The stages of a kind that are formulas, with their syntax.
+std::vector<std::string> formulas_of_kind(const camera::Catalogue& catalogue, StageKind kind) {
+    std::vector<std::string> formulas;
+    for (const StageEntry& row : catalogue) {
+        if (row.kind == kind && row.shape) {
+            formulas.push_back(camera::signature(row.name, *row.shape));
+        }
+    }
+    return formulas;
+}
+
 // If several kinds have the name, a picture arranger is the least likely.
 const StageEntry* find_of_any_kind(const camera::Catalogue& catalogue, std::string_view name) {
     const StageEntry* found = nullptr;
@@ -82,12 +93,16 @@ const StageEntry* StageBuilder::find_row(StageKind kind, const Identifier& name)
         return row;
     }
     if (const StageEntry* row = find_of_any_kind(session_.catalogue(), name.text)) {
+        const std::vector<std::string> formulas = formulas_of_kind(session_.catalogue(), kind);
         error(name.span,
               fmt::format("'{}' is {}, but {} is needed here", name.text,
                           camera::with_article(camera::name_of(row->kind)),
                           camera::with_article(camera::name_of(kind))),
-              fmt::format("{}s belong to {}", camera::name_of(row->kind),
-                          all_of(statements_for(row->kind))));
+              row->shape && !formulas.empty()
+                  ? fmt::format("a formula for {} is {}",
+                                camera::with_article(camera::name_of(kind)), one_of(formulas))
+                  : fmt::format("{}s belong to {}", camera::name_of(row->kind),
+                                all_of(statements_for(row->kind))));
         return nullptr;
     }
     if (const Definition* definition = scope_.find(name.text)) {
