@@ -34,6 +34,7 @@ class Help(support.CommandTest):
     def test_by_the_word_help(self):
         self.assertEqual(self.run_command("help"), self.run_command("--help"))
         self.assertEqual(self.run_command("help", "render"), self.run_command("render", "--help"))
+        self.assertEqual(self.run_command("help", "zoom"), self.run_command("list", "zoom"))
 
     def test_version_by_one_letter(self):
         self.assertEqual(self.run_command("-V"), self.run_command("--version"))

@@ -127,13 +127,13 @@ n   the unit normal of the surface; its side does not matter
          .make =
              [](const Arguments& a) { return made<ReflectRule>(surface_of(a), incident_of(a)); },
          .example = R"(
-// A mirror ball photographed from afar, as used to record the light of a place; like every mirror,
-// it swaps left and right.
+// A mirror ball photographed from afar, as used to record the light of a place: all that is on the
+// camera's side of it, and more. Like every mirror, it swaps left and right.
 camera light_probe {
-    map    u = 0.95 .. -0.95, v = square
+    aspect 1
+    map    u = 0.65 .. -0.65, v = square
     eye    surface(u, v) = [-sqrt(1 - u^2 - v^2), u, v]
     look   reflect(incident = along(x))
-    aspect 1
 }
 )"},
         {.kind = kind,
@@ -160,11 +160,11 @@ no ray where k < 0 (total internal reflection: sin θ > μ)
          .example = R"(
 // The world above the water as a diver sees it: all of it within 49 degrees of the zenith.
 camera snells_window {
+    aspect 1
     map    u = 1.1 .. -1.1, v = square
     eye    plane(along_u = (0, 1, 0), along_v = (-1, 0, 0))
     toward point(0, 0, -1)
     look   refract(1/1.33)
-    aspect 1
 }
 )"},
     };

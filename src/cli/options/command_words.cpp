@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "balcony/catalogue.hpp"
+
 namespace balcony::cli {
 
 namespace {
@@ -40,12 +42,22 @@ bool is_open(std::string_view text) {
     return text.find('=') == std::string_view::npos || text.ends_with('=');
 }
 
+bool is_stage(std::string_view name) {
+    const auto& rows = camera::catalogue();
+    return std::any_of(rows.begin(), rows.end(),
+                       [name](const auto& row) { return row.name == name; });
+}
+
 }  // namespace
 
 std::vector<std::string> command_words(std::vector<std::string> words) {
     if (!words.empty() && words.front() == "help") {
         words.erase(words.begin());
-        words.emplace_back("--help");
+        if (words.size() == 1 && is_stage(words.front())) {
+            words.insert(words.begin(), "list");
+        } else {
+            words.emplace_back("--help");
+        }
     } else if (words.size() == 1 && words.front() == "version") {
         words.front() = "--version";
     }

@@ -8,9 +8,9 @@
 namespace balcony::cli {
 
 /// The words of a command line, without the program, in the form that the options parse: `help
-/// render` becomes `render --help`, `version` becomes `--version`, and the words of a value of
-/// --set become one, so that `--set fov 60deg`, `--set fov = 60deg` and `--set "fov = 60deg"` mean
-/// `--set fov=60deg`.
+/// render` becomes `render --help`, `help zoom` of a stage `list zoom`, `version` `--version`, and
+/// the words of a value of --set become one, so that `--set fov 60deg`, `--set fov = 60deg` and
+/// `--set "fov = 60deg"` mean `--set fov=60deg`.
 [[nodiscard]] std::vector<std::string> command_words(std::vector<std::string> words);
 
 }  // namespace balcony::cli
