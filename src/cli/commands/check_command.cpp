@@ -413,7 +413,7 @@ void add_check_command(CLI::App& app, ExitCode& code) {
         command
             .add_option("--map", options.maps,
                         "write a false-colour picture; may be repeated. KIND is " + names_of_maps())
-            ->type_name("KIND FILE.png")
+            ->type_name("KIND FILE")
             ->allow_extra_args(false)
             ->take_all();
         command.add_flag("--strict", options.strict,
