@@ -81,8 +81,8 @@ public:
         : scene_(scene), geometry_(scene), accelerator_(accelerator) {}
 
     [[nodiscard]] Sight look(const scene::Camera& camera) const {
-        constexpr int columns = 32;
-        constexpr int rows = 18;
+        constexpr int columns = 20;
+        constexpr int rows = 12;
         Sight sight = empty_sight();
         for (int row = 0; row < rows; ++row) {
             for (int column = 0; column < columns; ++column) {
