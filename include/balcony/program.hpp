@@ -149,8 +149,8 @@ private:
     std::vector<double*> arrays_;
 };
 
-/// Runs a program over a tile of any size on the widest instruction set of this machine. results[r] receives
-/// root r, row by row, width*height doubles without padding.
+/// Runs a program over a tile of any size on the widest instruction set of this machine. results[r]
+/// receives root r, row by row, width*height doubles without padding.
 void run(const Program& program, const Tile& tile, Scratch& scratch,
          std::span<double* const> results);
 
