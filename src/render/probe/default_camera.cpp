@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
-#include <set>
 #include <vector>
 
 #include "balcony/probe.hpp"
