@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "lang/build/stages.hpp"
+#include "lang/syntax/meant_words.hpp"
 #include "lang/syntax/statement_rows.hpp"
 
 #include <algorithm>
@@ -91,6 +92,11 @@ StageBuilder::Stage StageBuilder::make_from_row(const StageEntry& row, const Arg
 const StageEntry* StageBuilder::find_row(StageKind kind, const Identifier& name) {
     if (const StageEntry* row = session_.catalogue().find(kind, name.text)) {
         return row;
+    }
+    if (auto meant = stage_remedy(kind, name.text)) {
+        error(name.span, fmt::format("there is no {} named '{}'", camera::name_of(kind), name.text),
+              std::move(*meant));
+        return nullptr;
     }
     if (const StageEntry* row = find_of_any_kind(session_.catalogue(), name.text)) {
         const std::vector<std::string> formulas = formulas_of_kind(session_.catalogue(), kind);

@@ -7,6 +7,7 @@
 #include <array>
 #include <charconv>
 #include <optional>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -186,9 +187,52 @@ private:
             return;
         }
         const std::size_t digits_end = at_;
-        skip_name();
+        if (percent_or_degree(begin)) {
+            return;
+        }
+        // 800x600: the size of a picture.
+        if (peek() != 'x' || !is_digit(peek(1))) {
+            skip_name();
+        }
         push(TokenKind::number, begin);
         convert(tokens_.tokens.back(), digits_end);
+        if (at_ == digits_end && peek() == 'x' && is_digit(peek(1))) {
+            ++at_;
+            push(TokenKind::name, digits_end);
+        }
+    }
+
+    // 50% and 30° are one mistake with their number, reported at the first of each kind.
+    bool percent_or_degree(std::size_t begin) {
+        constexpr std::string_view degree = "\xc2\xb0";
+        const std::string_view rest = text_.substr(at_);
+        const std::string_view digits = text_.substr(begin, at_ - begin);
+        if (rest.starts_with(degree)) {
+            at_ += degree.size();
+            error_once(begin, "'\xc2\xb0' is not part of the language",
+                       fmt::format("write {}deg", digits));
+        } else if (rest.starts_with("%") && !continues_operand(at_ + 1)) {
+            ++at_;
+            error_once(begin, "'%' is not part of the language", "write a fraction, 0.5 for 50 %");
+        } else {
+            return false;
+        }
+        push(TokenKind::stray, begin);
+        return true;
+    }
+
+    // Whether an operand follows on the line, so that % is a remainder.
+    [[nodiscard]] bool continues_operand(std::size_t at) const {
+        while (at < text_.size() && text_[at] == ' ') {
+            ++at;
+        }
+        return at < text_.size() && (continues_name(text_[at]) || text_[at] == '(');
+    }
+
+    void error_once(std::size_t begin, std::string message, std::string remedy) {
+        if (said_.insert(message).second) {
+            error(begin, at_, std::move(message), std::move(remedy));
+        }
     }
 
     void convert(Token& token, std::size_t digits_end) {
@@ -204,6 +248,11 @@ private:
         const std::string_view unit = text_.substr(digits_end, at_ - digits_end);
         if (unit == "deg" || unit == "rad") {
             token.unit = unit == "deg" ? NumberUnit::degrees : NumberUnit::radians;
+        } else if (unit == "px") {
+            error_once(begin, "there is no unit 'px'",
+                       "write the size of a picture as 1920 x 1080; positions and widths in a "
+                       "picture are fractions, such as 0.5 for its middle");
+            token.kind = TokenKind::stray;
         } else if (!unit.empty()) {
             const bool angle = nearest_name(unit, {"deg", "rad", "degrees", "radians"}).has_value();
             error(digits_end, at_, fmt::format("unknown unit '{}'", unit),
@@ -280,6 +329,7 @@ private:
     std::string_view text_;
     Reporter& reporter_;
     Tokens tokens_;
+    std::set<std::string> said_;  // Messages of error_once().
     std::size_t at_ = 0;
 };
 

@@ -75,6 +75,14 @@ private:
             tokens_.error(token.span,
                           fmt::format("'{}' is outside of any camera or picture", token.text),
                           "move it into the braces of camera name { ... }");
+        } else if (const std::size_t at = unmarked_let()) {
+            tokens_.error(token.span, "a value or a function needs the word 'let'",
+                          fmt::format("write let {} = ...", tokens_.peek(at - 1).text));
+            if (at > 1) {
+                tokens_.next();
+            }
+            tree_.items.emplace_back(statements_.unmarked_let());
+            return;
         } else if (token.kind == TokenKind::name) {
             tokens_.expected(
                 "'import', 'let', 'camera' or 'picture'",
@@ -96,10 +104,37 @@ private:
                                         (braces <= 0 && tokens_.peek().is_name("let"))));
     }
 
-    // word name { or word name (, where the word is probably a misspelled `camera`.
+    // Where a name with what follows it in parentheses ends.
+    [[nodiscard]] std::size_t after_name(std::size_t at) const {
+        std::size_t next = at + 1;
+        if (tokens_.peek(next).is("(")) {
+            int depth = 0;
+            do {
+                const Token& token = tokens_.peek(next++);
+                depth += token.is("(") ? 1 : token.is(")") ? -1 : 0;
+            } while (depth > 0 && tokens_.peek(next).kind != TokenKind::end);
+        }
+        return next;
+    }
+
+    // name = or name(x) =, alone or after a word such as `var` or `def`: the number of tokens up to
+    // the name and with it; 0 if it is something else.
+    [[nodiscard]] std::size_t unmarked_let() const {
+        for (const std::size_t at : {std::size_t{0}, std::size_t{1}}) {
+            if (tokens_.peek(at).kind != TokenKind::name) {
+                return 0;
+            }
+            if (tokens_.peek(after_name(at)).is("=")) {
+                return at + 1;
+            }
+        }
+        return 0;
+    }
+
+    // word name { or word name(...) {, where the word is probably a misspelled `camera`.
     [[nodiscard]] bool looks_like_camera() const {
         return tokens_.peek().kind == TokenKind::name && tokens_.peek(1).kind == TokenKind::name &&
-               (tokens_.peek(2).is("{") || tokens_.peek(2).is("(")) &&
+               tokens_.peek(after_name(1)).is("{") &&
                find_statement(tokens_.peek(), false) == nullptr;
     }
 
@@ -107,8 +142,11 @@ private:
         const Span begin = tokens_.next().span;
         const Token& token = tokens_.peek();
         if (token.kind != TokenKind::text) {
-            tokens_.expected("a file name in quotation marks after 'import'",
-                             "for example import \"lengths.cam\"");
+            // The point of an unquoted file name has been reported.
+            if (tokens_.peek(1).kind != TokenKind::stray) {
+                tokens_.expected("a file name in quotation marks after 'import'",
+                                 "for example import \"lengths.cam\"");
+            }
             skip_to_item();
             tree_.items.emplace_back(Import{begin, {}, true});
             return;
@@ -144,14 +182,7 @@ private:
             size(camera);
         }
         if (!tokens_.peek().is("{")) {
-            tokens_.expected(fmt::format("'{{' to start the {}", what),
-                             fmt::format("the syntax is {} name {{ ... }}; names consist of "
-                                         "letters, digits and _",
-                                         what));
-            while (!tokens_.at_end() && !tokens_.peek().is("{") &&
-                   !is_file_keyword(tokens_.peek())) {
-                tokens_.next();
-            }
+            missing_brace(camera, what);
         }
         if (tokens_.peek().is("{")) {
             camera.statements =
@@ -162,8 +193,38 @@ private:
         tree_.items.emplace_back(std::move(camera));
     }
 
+    // What follows a name instead of the opening brace is skipped up to the brace. Without one,
+    // the definition has an unread statement, so that nothing is said to be missing in it.
+    void missing_brace(DefinitionSyntax& camera, std::string_view what) {
+        const Token& token = tokens_.peek();
+        const std::string syntax = fmt::format(
+            "the syntax is {} name {{ ... }}; names consist of letters, digits and _", what);
+        const bool on_line = token.kind == TokenKind::name && !tokens_.at_new_line();
+        if (size_failed_) {
+            size_failed_ = false;
+        } else if (on_line) {
+            tokens_.error(
+                {camera.name.span.begin, token.span.end},
+                fmt::format("the name of a {} is one word", what),
+                fmt::format("write {} {}_{} {{ ... }}", what, camera.name.text, token.text));
+            tokens_.next();
+        } else {
+            tokens_.expected(fmt::format("'{{' to start the {}", what), syntax);
+        }
+        while (!tokens_.at_end() && !tokens_.peek().is("{") &&
+               (!is_file_keyword(tokens_.peek()) || !tokens_.at_new_line())) {
+            tokens_.next();
+        }
+        if (!tokens_.peek().is("{")) {
+            Statement unread;
+            unread.broken = true;
+            camera.statements.push_back(std::move(unread));
+        }
+    }
+
     // 1920 x 1080
     void size(DefinitionSyntax& picture) {
+        size_failed_ = true;
         const auto width = expressions_.expression();
         if (!width) {
             return;
@@ -175,6 +236,7 @@ private:
         tokens_.next();
         if (const auto height = expressions_.expression()) {
             picture.size = {*width, *height};
+            size_failed_ = false;
         }
     }
 
@@ -230,6 +292,7 @@ private:
     ExpressionParser expressions_;
     StatementParser statements_;
     Reporter& reporter_;
+    bool size_failed_ = false;  // That of the current picture; it has been reported.
 };
 
 }  // namespace

@@ -17,28 +17,6 @@ namespace {
 // Globally reserved names.
 constexpr std::array<std::string_view, 2> constants = {"pi", "t"};
 
-// The suggestion for a word that starts no statement. It may be a range of map, a stage or a
-// misspelled statement.
-std::string statement_suggestion(std::string_view word, const std::vector<std::string>& known,
-                                 const camera::Catalogue& catalogue) {
-    const auto opens = [&known](const std::string& statement) {
-        return std::find(known.begin(), known.end(), statement) != known.end();
-    };
-    if ((word == "u" || word == "v") && opens("map")) {
-        return "write both ranges in one map, separated by ',': map u = -1 .. 1, v = -1 .. 1";
-    }
-    std::vector<std::string> with_statement;
-    for (const camera::StageEntry& row : catalogue) {
-        for (const std::string& statement : statements_for(row.kind)) {
-            if (row.name == word && opens(statement)) {
-                with_statement.push_back(fmt::format("{} {}", statement, word));
-            }
-        }
-    }
-    return with_statement.empty() ? suggestion(word, known, "the statements are")
-                                  : fmt::format("write {}", one_of(with_statement));
-}
-
 }  // namespace
 
 std::optional<Identifier> StatementParser::new_name(std::string_view what) {
@@ -67,8 +45,8 @@ std::optional<Identifier> StatementParser::new_name(std::string_view what) {
 std::vector<Statement> StatementParser::block(Block block) {
     const Span opening = tokens_.next().span;
     std::vector<Statement> read;
-    while (!tokens_.at_end() && !tokens_.peek().is("}") && !is_file_keyword(tokens_.peek()) &&
-           !reporter_.full()) {
+    while (!tokens_.at_end() && !tokens_.peek().is("}") &&
+           (!is_file_keyword(tokens_.peek()) || is_shown_camera(block)) && !reporter_.full()) {
         read.push_back(statement(block));
     }
     const bool hidden = tokens_.at_end() && tokens_.at_reported();
@@ -81,6 +59,25 @@ std::vector<Statement> StatementParser::block(Block block) {
         read.push_back(std::move(unread));
     }
     return read;
+}
+
+// camera NAME in a picture, instead of layer NAME.
+bool StatementParser::is_shown_camera(Block block) const {
+    return (block == Block::picture || block == Block::loop) && tokens_.peek().is_name("camera") &&
+           tokens_.peek(1).kind == TokenKind::name && !tokens_.peek(2).is("{") &&
+           !tokens_.peek(2).is("(");
+}
+
+Statement StatementParser::unmarked_let() {
+    Statement made;
+    made.kind = StatementKind::let;
+    made.keyword = {tokens_.peek().span.begin, tokens_.peek().span.begin};
+    made.broken = !let(made);
+    if (made.broken) {
+        skip_statement();
+    }
+    made.span = {made.keyword.begin, tokens_.previous().span.end};
+    return made;
 }
 
 // ------------------------------------------------------------------------------- statement
@@ -109,67 +106,6 @@ Statement StatementParser::statement(Block block) {
     }
     made.span = {made.keyword.begin, tokens_.previous().span.end};
     return made;
-}
-
-StatementKind StatementParser::unknown_statement(Block block) {
-    const Token& token = tokens_.peek();
-    const std::vector<std::string> known = keywords_for(block);
-    if (token.is(")") || token.is("]")) {
-        tokens_.error(token.span, fmt::format("this '{}' has no opening bracket", token.text),
-                      "remove it, or add the opening bracket");
-        return StatementKind::unknown;
-    }
-    if (token.is(",")) {
-        tokens_.error(token.span, "unexpected ','",
-                      "a ',' separates the ranges of map and the stages of warp, "
-                      "move and arrange");
-        return StatementKind::unknown;
-    }
-    if (token.kind != TokenKind::name) {
-        tokens_.expected(fmt::format("a statement ({})", one_of(known)),
-                         "write the arguments of a stage in parentheses, for example sphere(1)");
-        return StatementKind::unknown;
-    }
-    tokens_.error(token.span, fmt::format("unknown statement '{}'", token.text),
-                  statement_suggestion(token.text, known, catalogue_));
-    const auto nearest = nearest_name(token.text, known);
-    for (const StatementRow& row : statement_rows()) {
-        if (nearest && row.keyword == *nearest) {
-            return row.kind;
-        }
-    }
-    return StatementKind::unknown;
-}
-
-void StatementParser::misplaced_statement(const StatementRow& row, Block block) {
-    if (block == Block::path || block == Block::layer) {
-        tokens_.error(tokens_.peek().span,
-                      fmt::format("'{}' is not allowed in a block of {}", row.keyword,
-                                  block == Block::path ? "eye or toward" : "a layer"),
-                      fmt::format("move it out of the block, which may contain {}",
-                                  one_of(keywords_for(block))));
-    } else if (block == Block::picture || block == Block::loop) {
-        tokens_.error(tokens_.peek().span,
-                      fmt::format("'{}' is allowed in the block of a layer only", row.keyword),
-                      fmt::format("write layer NAME {{ {} ... }}", row.keyword));
-    } else {
-        tokens_.error(tokens_.peek().span,
-                      fmt::format("'{}' is allowed in a block of eye or toward only", row.keyword),
-                      "write eye { object sphere(1) }, or shorter: eye sphere(1)");
-    }
-}
-
-// Skips to the next statement or the brace that ends this block.
-void StatementParser::skip_statement() {
-    int braces = 0;
-    while (!tokens_.at_end() && !is_file_keyword(tokens_.peek())) {
-        const Token& token = tokens_.peek();
-        if (braces == 0 && (token.is("}") || keyword_at(token) != nullptr)) {
-            return;
-        }
-        braces += token.is("{") ? 1 : token.is("}") ? -1 : 0;
-        tokens_.next();
-    }
 }
 
 bool StatementParser::body(const StatementRow& row, Statement& made) {
@@ -262,10 +198,15 @@ std::optional<ExpressionId> StatementParser::value_on_line() {
 
 bool StatementParser::value(Statement& made) {
     const auto read = value_on_line();
-    if (read) {
-        made.content = *read;
+    if (!read) {
+        return false;
     }
-    return read.has_value();
+    made.content = *read;
+    if (tokens_.peek().is(":") || tokens_.peek().is_name("x")) {
+        tokens_.expected("one number", "write a ratio as a quotient: aspect 16/9");
+        return false;
+    }
+    return true;
 }
 
 bool StatementParser::word(const StatementRow& row, Statement& made) {
@@ -301,9 +242,19 @@ bool StatementParser::ranges(Statement& made) {
         }
         range.span = {coordinate.span.begin, tokens_.previous().span.end};
         read.push_back(range);
-    } while (tokens_.accept(","));
+    } while (tokens_.accept(",") || next_range());
     made.content = std::move(read);
     return true;
+}
+
+// A range after another without a comma, which is reported.
+bool StatementParser::next_range() {
+    const Token& token = tokens_.peek();
+    const bool follows = (token.is_name("u") || token.is_name("v")) && tokens_.peek(1).is("=");
+    if (follows) {
+        tokens_.expected("',' between the ranges of map", "write map u = -1 .. 1, v = -1 .. 1");
+    }
+    return follows;
 }
 
 template <class Range>
@@ -460,15 +411,37 @@ bool StatementParser::stages(const StatementRow& row, Statement& made) {
         if (!one) {
             return false;
         }
+        if (takes_bare_number(row, tokens_.previous().text)) {
+            return false;
+        }
         read.push_back(*one);
     } while (row.shape == Shape::stages && tokens_.accept(","));
     made.content = std::move(read);
     return true;
 }
 
+// sphere 1 instead of sphere(1), which is reported.
+bool StatementParser::takes_bare_number(const StatementRow& row, std::string_view stage) {
+    const Token& token = tokens_.peek();
+    if (token.kind != TokenKind::number || tokens_.at_new_line() || row.shape == Shape::layer) {
+        return false;
+    }
+    tokens_.expected("'('",
+                     fmt::format("write arguments in parentheses: {}({})", stage, token.text));
+    return true;
+}
+
 std::optional<ExpressionId> StatementParser::stage(const StatementRow& row) {
     if (row.shape != Shape::call && opens_next_statement()) {
         missing(row.expected);
+        return std::nullopt;
+    }
+    if (tokens_.peek().is("(") && row.stage_kind) {
+        const bool is_rule = row.shape == Shape::rule;
+        tokens_.expected(row.expected, is_rule ? "write along((0, 0, 1)) for a fixed direction"
+                                       : row.stage_kind == camera::StageKind::object_generator
+                                           ? "write point(0, 0, 1) for a point"
+                                           : "write the name of a stage before its arguments");
         return std::nullopt;
     }
     return row.shape == Shape::rule ? expressions_.stage_with_words(row.expected)

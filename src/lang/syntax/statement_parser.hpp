@@ -29,6 +29,8 @@ public:
     /// Parses a name to be defined. A reserved name is reported and returned anyway.
     [[nodiscard]] std::optional<Identifier> new_name(std::string_view what);
     [[nodiscard]] Statement statement(Block block);
+    /// A let without its keyword, which has been reported.
+    [[nodiscard]] Statement unmarked_let();
     /// { statements }
     [[nodiscard]] std::vector<Statement> block(Block block);
 
@@ -44,6 +46,7 @@ private:
     [[nodiscard]] bool value(Statement& made);
     [[nodiscard]] bool word(const StatementRow& row, Statement& made);
     [[nodiscard]] bool ranges(Statement& made);
+    [[nodiscard]] bool next_range();
     template <class Range>
     [[nodiscard]] bool ends_of(Range& range);
     [[nodiscard]] bool corners(Statement& made);
@@ -52,6 +55,8 @@ private:
     [[nodiscard]] std::optional<ExpressionId> placement(const StatementRow& row);
     [[nodiscard]] bool expect_corner();
     [[nodiscard]] bool loop(Statement& made);
+    [[nodiscard]] bool is_shown_camera(Block block) const;
+    [[nodiscard]] bool takes_bare_number(const StatementRow& row, std::string_view stage);
     [[nodiscard]] bool stages(const StatementRow& row, Statement& made);
     [[nodiscard]] std::optional<ExpressionId> stage(const StatementRow& row);
     [[nodiscard]] bool layer(const StatementRow& row, Statement& made);
