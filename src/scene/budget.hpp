@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "scene/gltf_json.hpp"
+#include "scene/gltf/gltf_json.hpp"
 
 namespace balcony::scene {
 

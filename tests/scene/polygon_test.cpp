@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "scene/polygon.hpp"
+#include "scene/polygons/polygon.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "scene/gltf_reader.hpp"
+#include "scene/gltf/gltf_reader.hpp"
 
 namespace balcony::scene {
 

@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "scene/face_set.hpp"
+#include "scene/polygons/face_set.hpp"
 
 #include <algorithm>
 #include <map>
@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include "scene/geometry.hpp"
-#include "scene/polygon.hpp"
-#include "scene/triple_numbers.hpp"
+#include "scene/polygons/polygon.hpp"
+#include "scene/polygons/triple_numbers.hpp"
 
 namespace balcony::scene {
 

@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "scene/face_set.hpp"
-#include "scene/words.hpp"
+#include "scene/polygons/face_set.hpp"
+#include "scene/polygons/words.hpp"
 
 namespace balcony::scene {
 

@@ -10,10 +10,10 @@
 
 #include <fmt/format.h>
 
-#include "scene/face_set.hpp"
 #include "scene/geometry.hpp"
-#include "scene/obj_materials.hpp"
-#include "scene/words.hpp"
+#include "scene/polygons/face_set.hpp"
+#include "scene/polygons/obj_materials.hpp"
+#include "scene/polygons/words.hpp"
 
 namespace balcony::scene {
 

@@ -10,7 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "scene/geometry.hpp"
-#include "scene/gltf_reader.hpp"
+#include "scene/gltf/gltf_reader.hpp"
 
 namespace balcony::scene {
 

@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "scene/gltf_document.hpp"
+#include "scene/gltf/gltf_document.hpp"
 
 #include <cstring>
 #include <memory>

@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "scene/ply_header.hpp"
+#include "scene/polygons/ply_header.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "scene/import.hpp"
-#include "scene/words.hpp"
+#include "scene/polygons/words.hpp"
 
 namespace balcony::scene {
 

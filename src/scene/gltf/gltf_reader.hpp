@@ -10,7 +10,7 @@
 
 #include <Imath/ImathMatrix.h>
 
-#include "scene/gltf_document.hpp"
+#include "scene/gltf/gltf_document.hpp"
 
 namespace balcony::scene {
 

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "scene/gltf_document.hpp"
+#include "scene/gltf/gltf_document.hpp"
 
 namespace balcony::scene {
 

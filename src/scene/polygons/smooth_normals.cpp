@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "scene/face_set.hpp"
-#include "scene/triple_numbers.hpp"
+#include "scene/polygons/face_set.hpp"
+#include "scene/polygons/triple_numbers.hpp"
 
 namespace balcony::scene {
 

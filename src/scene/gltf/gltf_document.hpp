@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "scene/budget.hpp"
-#include "scene/gltf_accessor.hpp"
-#include "scene/gltf_json.hpp"
+#include "scene/gltf/gltf_accessor.hpp"
+#include "scene/gltf/gltf_json.hpp"
 #include "scene/import.hpp"
 
 namespace balcony::scene {

@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "scene/words.hpp"
+#include "scene/polygons/words.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "scene/obj_materials.hpp"
+#include "scene/polygons/obj_materials.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "scene/words.hpp"
+#include "scene/polygons/words.hpp"
 
 namespace balcony::scene {
 
