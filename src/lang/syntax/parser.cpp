@@ -77,7 +77,8 @@ private:
                           "move it into the braces of camera name { ... }");
         } else if (const std::size_t at = unmarked_let()) {
             tokens_.error(token.span, "a value or a function needs the word 'let'",
-                          fmt::format("write let {} = ...", tokens_.peek(at - 1).text));
+                          at > 1 ? fmt::format("write 'let' instead of '{}'", token.text)
+                                 : fmt::format("write 'let' before '{}'", token.text));
             if (at > 1) {
                 tokens_.next();
             }
