@@ -26,17 +26,18 @@ class Watch(support.CommandTest):
                                  process.stderr.close()))
         return process
 
-    def wait_for(self, text):
+    def wait_for(self, *texts):
+        """Waits for all texts, in any order, since they come from two streams."""
         end = time.monotonic() + PATIENCE
+        missing = set(texts)
         seen = []
-        while time.monotonic() < end:
+        while missing and time.monotonic() < end:
             try:
                 seen.append(self.said.get(timeout=0.2))
             except queue.Empty:
                 continue
-            if text in seen[-1]:
-                return seen
-        self.fail(f"'{text}' is not said, but {seen}")
+            missing = {text for text in missing if text not in seen[-1]}
+        self.assertFalse(missing, f"these are not said, but {seen}")
 
     def replace(self, name, text):
         """As editors save: the new file takes the place of the old one."""
@@ -61,8 +62,7 @@ class Watch(support.CommandTest):
         self.wait_for("error")
         self.wait_for("watching")
         self.replace("my.cam", support.CAMERAS)
-        self.wait_for("p.png: 8 x 8 pixels")
-        self.wait_for("watching")
+        self.wait_for("p.png: 8 x 8 pixels", "watching")
         self.assertEqual(support.opaque_share(self.folder / "p.png"), before)
 
         # A scene that disappears, and comes back with less in it.
@@ -70,8 +70,7 @@ class Watch(support.CommandTest):
         self.wait_for("there is no file 'scene.obj'")
         self.wait_for("watching")
         self.replace("scene.obj", "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n")
-        self.wait_for("p.png: 8 x 8 pixels")
-        self.wait_for("watching")
+        self.wait_for("p.png: 8 x 8 pixels", "watching")
         self.assertLess(support.opaque_share(self.folder / "p.png"), before)
 
         process.send_signal(signal.SIGINT)
