@@ -8,7 +8,7 @@
 
 #include <unistd.h>
 
-#include "cli/commands/command.hpp"
+#include "cli/exit_code.hpp"
 
 namespace balcony::cli {
 

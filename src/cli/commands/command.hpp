@@ -7,16 +7,9 @@
 
 #include <CLI/CLI.hpp>
 
-namespace balcony::cli {
+#include "cli/exit_code.hpp"
 
-/// Exit codes of the command.
-enum class ExitCode : int {
-    done = 0,
-    bad_input = 1,
-    wrong_usage = 2,
-    environment = 3,  ///< The disk is full, a program is missing, ...
-    interrupted = 130,
-};
+namespace balcony::cli {
 
 /// Each function adds its subcommand to the app. If the command line selects the subcommand,
 /// parsing runs it and stores its exit code in `code`. Results go to standard output, everything

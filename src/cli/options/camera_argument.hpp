@@ -8,7 +8,7 @@
 
 #include "balcony/lang.hpp"
 #include "balcony/scene.hpp"
-#include "cli/commands/command.hpp"
+#include "cli/command_line.hpp"
 
 namespace balcony::cli {
 

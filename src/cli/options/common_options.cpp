@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "balcony/names.hpp"
 #include "cli/options/option_values.hpp"

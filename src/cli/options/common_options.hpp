@@ -12,7 +12,7 @@
 
 #include "balcony/base.hpp"
 #include "balcony/picture.hpp"
-#include "cli/commands/command.hpp"
+#include "cli/command_line.hpp"
 
 namespace balcony::cli {
 

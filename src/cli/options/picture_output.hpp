@@ -8,6 +8,7 @@
 
 #include "balcony/display_file.hpp"
 #include "balcony/film.hpp"
+#include "cli/exit_code.hpp"
 #include "cli/options/render_options.hpp"
 
 namespace balcony::cli {

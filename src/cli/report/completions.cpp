@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "balcony/diagnose.hpp"
 #include "balcony/lang.hpp"

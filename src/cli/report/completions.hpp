@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "cli/commands/command.hpp"
+#include "cli/command_line.hpp"
 
 namespace balcony::cli {
 

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "balcony/output_file.hpp"
 #include "cli/report/usage.hpp"

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "balcony/render.hpp"
+#include "cli/exit_code.hpp"
 #include "cli/options/picture_output.hpp"
 
 namespace balcony::cli {

@@ -10,7 +10,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "balcony/base.hpp"
-#include "cli/commands/command.hpp"
+#include "cli/exit_code.hpp"
 
 namespace balcony::cli {
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "balcony/display_file.hpp"
 #include "balcony/lang.hpp"

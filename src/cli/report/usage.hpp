@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "balcony/base.hpp"
-#include "cli/commands/command.hpp"
+#include "cli/command_line.hpp"
 
 namespace balcony::cli {
 

@@ -1,0 +1,16 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace balcony::cli {
+
+/// Exit codes of the command.
+enum class ExitCode : int {
+    done = 0,
+    bad_input = 1,
+    wrong_usage = 2,
+    environment = 3,  ///< The disk is full, a program is missing, ...
+    interrupted = 130,
+};
+
+}  // namespace balcony::cli
