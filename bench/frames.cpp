@@ -35,12 +35,12 @@ constexpr FrameCase frame_cases[]{
      "camera pinhole { map u = 1 .. -1, v = square eye point(0, 0, 0) toward plane((1, 0, 0)) }"},
     {"superelliptic (plate 2)",
      "camera superelliptic {"
-     "    map u = 210.85deg .. -149.15deg, v = -36deg .. 36deg"
+     "    aspect 5 map u = 210.85deg .. -149.15deg, v = -36deg .. 36deg"
      "    eye product(superellipse(1, 25/45, 1/4, by = arc_length),"
      "                superellipse(45, 25, 1/4, by = arc_length)) }"},
     {"superelliptic, local zoom",
      "camera zoomed {"
-     "    map u = 210.85deg .. -149.15deg, v = -36deg .. 36deg"
+     "    aspect 5 map u = 210.85deg .. -149.15deg, v = -36deg .. 36deg"
      "    warp zoom(at = (0, 0), radius = 0.5, strength = 2)"
      "    eye product(superellipse(1, 25/45, 1/4, by = arc_length),"
      "                superellipse(45, 25, 1/4, by = arc_length)) }"},
