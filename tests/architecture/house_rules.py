@@ -7,8 +7,8 @@ Usage: house_rules.py REPOSITORY
 
 Names on standard output each file that is over 500 lines long, does not open with the licence
 header, holds a note of work left to do, or has a test that can be skipped in a suite with others:
-ctest runs suites, and counts one as skipped only if all of it was. The exit code is 1 if there is
-any.
+ctest runs suites, and counts one as skipped only if all of it was; and each picture of docs that is
+larger than 300 kB. The exit code is 1 if there is any.
 """
 
 import re
@@ -18,6 +18,7 @@ from pathlib import Path
 FOLDERS = ("include", "src", "tests", "plates", "bench", "cmake", "scripts", ".ci")
 CODE_SUFFIXES = {".cpp", ".hpp", ".h", ".inl", ".py", ".sh"}
 LONGEST_FILE = 500
+LARGEST_PICTURE = 300_000
 HEADER = ["Balcony: rendering through extended cameras.", "SPDX-License-Identifier: Apache-2.0"]
 # Spelt in two halves, so that this file is clean.
 WORK_LEFT = re.compile(r"\b(TO" r"DO|FIX" r"ME|XX" r"X)\b")
@@ -61,6 +62,9 @@ def findings(root):
         opening = [re.sub(r"^(//|#) ?", "", line) for line in lines if not line.startswith("#!")]
         if opening[:2] != HEADER:
             yield f"{name}: does not open with the licence header"
+    for path in sorted((root / "docs").rglob("*.png")):
+        if path.stat().st_size > LARGEST_PICTURE:
+            yield f"{path.relative_to(root)}: more than {LARGEST_PICTURE // 1000} kB"
 
 
 def main():

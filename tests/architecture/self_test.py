@@ -132,6 +132,9 @@ class Planted(unittest.TestCase):
             house_rules, "tests/base/planted_test.cpp", LICENCE + skipped + other, "suite of its own"
         )
 
+    def test_finds_a_large_picture(self):
+        self.assert_found(house_rules, "docs/pictures/planted.png", "x" * 300_001, "300 kB")
+
     def test_finds_work_left_to_do(self):
         self.assert_found(house_rules, "src/base/planted.cpp", LICENCE + "// TO" "DO: more\n",
                           "planted.cpp:3: work left to do")
