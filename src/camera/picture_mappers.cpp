@@ -99,8 +99,7 @@ camera temperate {
         {.kind = kind,
          .name = "square_v",
          .meaning = "u = a .. b, v = square: v is 0 in the middle and increases upwards, with u's "
-                    "units per "
-                    "pixel",
+                    "units per pixel",
          .formula = R"(
 u = u_first + (u_last − u_first) x/W
 v = |u_last − u_first|/W · (H/2 − y)
@@ -124,9 +123,7 @@ camera wide {
         {.kind = kind,
          .name = "square_u",
          .meaning = "u = square, v = a .. b: u is 0 in the middle and increases to the right, with "
-                    "v's units "
-                    "per "
-                    "pixel",
+                    "v's units per pixel",
          .formula = R"(
 u = |v_last − v_first|/H · (x − W/2)
 v = v_last + (v_first − v_last) y/H

@@ -281,8 +281,7 @@ private:
                                       both || angle <= 1e-6 ? shift : "");
         finding.remedy =
             "if this is unintended, look for a discontinuity: if(), floor(), mod(), or an angle "
-            "that "
-            "wraps around";
+            "that wraps around";
         return found_.emplace_back(std::move(finding));
     }
 

@@ -177,12 +177,12 @@ focal           p = (c + r cos u, r sin u)
                 r = b²/(a + c cos u),   c = √(a² − b²)
                 u counter-clockwise from the near vertex (a, 0)
 )",
-         .parameters = half_axes(parametrisation(
-             {"trigonometric", "arc_length", "polar", "focal"},
-             "the parametrisation: u is the classical parameter, the eccentric anomaly; "
-             "proportional to arc length (the whole curve is 360deg); the polar angle at the "
-             "centre; "
-             "or the polar angle at the focus with x > 0, the true anomaly (requires a >= b)")),
+         .parameters = half_axes(
+             parametrisation({"trigonometric", "arc_length", "polar", "focal"},
+                             "the parametrisation: u is the classical parameter, the eccentric "
+                             "anomaly; proportional to arc length (the whole curve is 360deg); the "
+                             "polar angle at the centre; or the polar angle at the focus with x > "
+                             "0, the true anomaly (requires a >= b)")),
          .make = make_ellipse,
          .dimension = 1,
          .section = "Conics and superconics",

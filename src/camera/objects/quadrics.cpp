@@ -178,8 +178,7 @@ camera dome {
         {.kind = kind,
          .name = "superellipsoid",
          .meaning = "product of two superellipses, (|x/a|^e + |y/b|^e)^(f/e) + |z/c|^f = 1 with e "
-                    "= 2/gamma_u "
-                    "and f = 2/gamma_v",
+                    "= 2/gamma_u and f = 2/gamma_v",
          .formula = R"(
 p = (g₁(u) h₁(v), g₂(u) h₁(v), h₂(v))
 g = superellipse(1, b/a, gamma_u, by),   h = superellipse(a, c, gamma_v, by)
@@ -200,8 +199,7 @@ camera long_room {
         {.kind = kind,
          .name = "hyperboloid_one",
          .meaning = "the hyperboloid of one sheet, x^2/a^2 + y^2/b^2 - z^2/c^2 = 1, u around the z "
-                    "axis and v "
-                    "along it",
+                    "axis and v along it",
          .formula = R"(
 p = (g₁(u) h₁(v), g₂(u) h₁(v), h₂(v))
 g = ellipse(1, b/a, trigonometric),   h = superhyperbola(a, c, 1, by)
@@ -227,8 +225,7 @@ camera cooling_tower {
         {.kind = kind,
          .name = "superhyperboloid_one",
          .meaning = "product of a superellipse and a superhyperbola, (|x/a|^e + |y/b|^e)^(f/e) - "
-                    "|z/c|^f = 1 "
-                    "with e = 2/gamma_u and f = 2/gamma_v",
+                    "|z/c|^f = 1 with e = 2/gamma_u and f = 2/gamma_v",
          .formula = R"(
 p = (g₁(u) h₁(v), g₂(u) h₁(v), h₂(v))
 g = superellipse(1, b/a, gamma_u, by_u)
@@ -271,9 +268,7 @@ camera wide_view {
         {.kind = kind,
          .name = "superhyperboloid_two",
          .meaning = "product of two superhyperbolas, one sheet: (|x/a|^e - |y/b|^e)^(f/e) - "
-                    "|z/c|^f = 1 with "
-                    "e "
-                    "= 2/gamma_u and f = 2/gamma_v",
+                    "|z/c|^f = 1 with e = 2/gamma_u and f = 2/gamma_v",
          .formula = R"(
 p = (g₁(u) h₁(v), g₂(u) h₁(v), h₂(v))
 g = superhyperbola(1, b/a, gamma_u, by)
@@ -295,8 +290,7 @@ camera wall_of_pictures {
         {.kind = kind,
          .name = "toroid",
          .meaning = "a torus whose centre line and tube are ellipses, u around the z axis and v "
-                    "around the "
-                    "tube",
+                    "around the tube",
          .formula = R"(
 p = (g₁(u) h₁(v), g₂(u) h₁(v), h₂(v))
 g = ellipse(1, b/a, by),   h = (a, 0) + ellipse(tube, c, by)

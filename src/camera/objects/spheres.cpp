@@ -165,8 +165,7 @@ std::vector<StageEntry> spheres() {
         {.kind = StageKind::object_generator,
          .name = "sphere",
          .meaning = "a sphere, by longitude u and latitude v or by a map projection; u = v = 0 is "
-                    "on the x "
-                    "axis",
+                    "on the x axis",
          .formula = R"(
 p = radius e with the unit vector e, and q = u² + v²:
 latitude         e = (cos u cos v, sin u cos v, sin v)
@@ -190,14 +189,10 @@ equiangular_cube   the same with tan(π s/4) and tan(π t/4) for s and t
                .meaning =
                    "the parametrisation: longitude and latitude; plane coordinates of the "
                    "stereographic projection, the hemisphere within 2; of Lambert's azimuthal "
-                   "projection, the "
-                   "sphere within 2, the hemisphere within the square root of 2; longitude and "
-                   "z/radius; "
-                   "Mollweide's ellipse of 2.83 by 1.41; a cube unfolded to a cross of faces that "
-                   "are "
-                   "2 wide: the front from -1 to 1, all from u = 5 .. -3 and v = -3 .. 3, flat or "
-                   "in "
-                   "equal angles"}},
+                   "projection, the sphere within 2, the hemisphere within the square root of 2; "
+                   "longitude and z/radius; Mollweide's ellipse of 2.83 by 1.41; a cube unfolded "
+                   "to a cross of faces that are 2 wide: the front from -1 to 1, all from u = 5 .. "
+                   "-3 and v = -3 .. 3, flat or in equal angles"}},
          .make = make_sphere,
          .dimension = 2,
          .example = R"(

@@ -268,8 +268,7 @@ camera leaning_tube {
         {.kind = kind,
          .name = "nurbs_patch",
          .meaning = "a rational B-spline surface, which can represent quadrics exactly, for u and "
-                    "v from 0 to "
-                    "1",
+                    "v from 0 to 1",
          .formula = R"(
 p = Σᵢⱼ Nᵢ(u) Nⱼ(v) wᵢⱼ Pᵢⱼ / Σᵢⱼ Nᵢ(u) Nⱼ(v) wᵢⱼ
 Pᵢⱼ, wᵢⱼ   the point in column i of row j and its weight

@@ -251,18 +251,17 @@ trigonometric   p = (a cos^[gamma] u, b sin^[gamma] u)
 arc_length      the same curve at the length u/360° of the whole
 e = 2/gamma,   x^[g] = sign(x) |x|^g
 )",
-         .parameters =
-             {positive_parameter("a", 1.0, "half axis along x"),
-              positive_parameter("b", 1.0, "half axis along y"),
-              gamma_parameter("gamma", "superconic parameter: 1 is the conic, less is more square"),
-              {.name = "by",
-               .type = ChoiceParameter{.choices = superellipse_parametrisations()},
-               .meaning =
-                   "the parametrisation: u is the polar angle before scaling by a and b, the "
-                   "classical parameter (no tangent on the axes unless gamma is 1), or "
-                   "proportional to "
-                   "arc length (the whole curve is 360deg; "
-                   "relative error below 1e-7 for a/b from 1/10 to 10 and gamma <= 2)"}},
+         .parameters = {positive_parameter("a", 1.0, "half axis along x"),
+                        positive_parameter("b", 1.0, "half axis along y"),
+                        gamma_parameter(
+                            "gamma", "superconic parameter: 1 is the conic, less is more square"),
+                        {.name = "by",
+                         .type = ChoiceParameter{.choices = superellipse_parametrisations()},
+                         .meaning =
+                             "the parametrisation: u is the polar angle before scaling by a and b, "
+                             "the classical parameter (no tangent on the axes unless gamma is 1), "
+                             "or proportional to arc length (the whole curve is 360deg; relative "
+                             "error below 1e-7 for a/b from 1/10 to 10 and gamma <= 2)"}},
          .make =
              [](const Arguments& a) {
                  return as_stage(
@@ -300,9 +299,7 @@ e = 2/gamma,   x^[g] = sign(x) |x|^g
                .meaning =
                    "the parametrisation: u is y/b, the hyperbolic parameter, the classical angle "
                    "(below 90deg; like the previous one without a tangent at 0 unless gamma is 1), "
-                   "or "
-                   "the "
-                   "polar angle before scaling by a and b (below 45deg)"}},
+                   "or the polar angle before scaling by a and b (below 45deg)"}},
          .make =
              [](const Arguments& a) {
                  return as_stage(superhyperbola(a.number("a"), a.number("b"), a.number("gamma"),

@@ -175,9 +175,9 @@ camera round_window(radius = 2) {
 )"},
         {.kind = kind,
          .name = "ring",
-         .meaning = "the part of the plane z = 0 between two circles around the z axis, whose "
-                    "front faces up; "
-                    "u is the angle, v runs from 0 at the inner to 1 at the outer circle",
+         .meaning =
+             "the part of the plane z = 0 between two circles around the z axis, whose front faces "
+             "up; u is the angle, v runs from 0 at the inner to 1 at the outer circle",
          .formula = R"(
 p = r (cos u, sin u, 0)      r = inner + v (outer − inner),   0 ≤ v ≤ 1
 )",

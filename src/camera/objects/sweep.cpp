@@ -139,8 +139,7 @@ std::vector<StageEntry> sweeps() {
         {.kind = StageKind::object_generator,
          .name = "sweep",
          .meaning = "a curve, the profile, swept along another, the path: u is the path's own "
-                    "parameter, v "
-                    "that of the profile",
+                    "parameter, v that of the profile",
          .formula = R"(
 p = c(w) + X right + Y up + z T      (x, y, z) = profile(v),   c = path
 (X, Y) = (k x, l y), rotated by s twist,   (k, l) = scale(s)
@@ -180,8 +179,7 @@ arc_length(curve) they are even in length.
               {.name = "frame",
                .type = ChoiceParameter{.choices = {"rotation_minimising", "upright"}},
                .meaning = "orientation of the profile: without rotation about the path, or with "
-                          "its y axis as "
-                          "close to up as possible"},
+                          "its y axis as close to up as possible"},
               {.name = "up",
                .type = TripleParameter{.default_value = std::array{0.0, 0.0, 1.0},
                                        .constant = true,

@@ -275,9 +275,7 @@ no ray where c z + d = 0
         {.kind = kind,
          .name = "print_gallery",
          .meaning = "Escher's Print Gallery: along one turn around the centre, everything grows "
-                    "`scale` times "
-                    "and "
-                    "joins itself",
+                    "`scale` times and joins itself",
          .formula = R"(
 u′ + i v′ = at + scale^k z^α      z = (u − at₁) + i (v − at₂)
 α = 1 − i turns log(scale)/2π for grows = clockwise, 1 + i … for the other

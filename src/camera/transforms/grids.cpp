@@ -207,8 +207,7 @@ std::vector<StageEntry> grids() {
         {.kind = StageKind::parameter_transformer,
          .name = "grid",
          .meaning = "distorts parameter space by a lattice of control points; outside its box, the "
-                    "offset of "
-                    "the nearest border point applies",
+                    "offset of the nearest border point applies",
          .formula = R"(
 (u′, v′) = (u, v) + amount Σᵢⱼ Bᵢ(s) Bⱼ(t) Δᵢⱼ      i = column, j = row
 s = (columns − 1) (u − from₁)/(to₁ − from₁), t likewise from v and the rows

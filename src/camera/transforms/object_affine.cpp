@@ -200,9 +200,7 @@ camera egg {
         {.kind = kind,
          .name = "mirror",
          .meaning = "reflects in the plane through a point and perpendicular to an axis; a "
-                    "surface's front "
-                    "becomes its "
-                    "back",
+                    "surface's front becomes its back",
          .formula = R"(
 p′ = p − 2 (n·(p − at)) n      n = axis/|axis|
 )",

@@ -252,8 +252,7 @@ private:
                   fmt::format("the camera '{}' has no map for its '{}'", camera_.name.text,
                               keyword(path.kind)),
                   "specify which part of the object the picture shows, for example map u = -1 .. "
-                  "1, v = "
-                  "square");
+                  "1, v = square");
         }
     }
 

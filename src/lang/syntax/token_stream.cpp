@@ -61,8 +61,7 @@ std::string TokenStream::closing_remedy(std::string_view symbol) const {
     const bool next_value = token.kind == TokenKind::name || token.kind == TokenKind::number;
     if (symbol != "}" && next_value && !at_new_line()) {
         return "use ',' between arguments, '*' between factors, and parentheses around the "
-               "argument of a "
-               "function: sin(u)";
+               "argument of a function: sin(u)";
     }
     return fmt::format("add '{}' {}", symbol, at_end() ? "at the end" : "before this");
 }
