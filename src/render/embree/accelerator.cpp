@@ -236,7 +236,7 @@ RTCRayHit to_ray_hit(const Ray& ray) {
                  ray.direction.x,
                  ray.direction.y,
                  ray.direction.z,
-                 0.0F,
+                 ray.time,
                  ray.farthest,
                  0xffffffffU,
                  0,
@@ -274,6 +274,7 @@ void intersect_packet(RTCScene world, std::span<const std::size_t> indices,
         packet.ray.dir_y[lane] = away_from_zero(ray.direction.y);
         packet.ray.dir_z[lane] = away_from_zero(ray.direction.z);
         packet.ray.tfar[lane] = ray.farthest;
+        packet.ray.time[lane] = ray.time;
         packet.ray.mask[lane] = 0xffffffffU;
         packet.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
         packet.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
@@ -332,7 +333,8 @@ void Accelerator::State::copy(const scene::Scene& scene, const scene::Instance& 
 // Embree's requirements on a ray, with its origin also in the coordinates of placed meshes.
 bool Accelerator::State::traceable(const Ray& ray) const {
     return std::abs(ray.origin.x) <= reach && std::abs(ray.origin.y) <= reach &&
-           std::abs(ray.origin.z) <= reach && in_range(ray.direction) && ray.farthest >= 0.0F;
+           std::abs(ray.origin.z) <= reach && in_range(ray.direction) && ray.farthest >= 0.0F &&
+           ray.time >= 0.0F && ray.time <= 1.0F;
 }
 
 Result<Accelerator> Accelerator::build(const scene::Scene& scene) {

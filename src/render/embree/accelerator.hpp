@@ -37,6 +37,7 @@ struct Ray {
     V3f origin;
     V3f direction;
     float farthest = std::numeric_limits<float>::infinity();
+    float time = 0.0F;  ///< From 0 to 1 over the shutter interval.
 };
 
 /// A point of a triangle: (1 - u - v) p0 + u p1 + v p2.

@@ -4,7 +4,9 @@
 
 // The interface of integrators, which compute the radiance along a ray.
 
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <string_view>
 
 #include "balcony/render.hpp"
@@ -22,15 +24,23 @@ struct Seen {
     VisibleSurface visible;
 };
 
+/// A ray of the camera with its first hit, and the random numbers of its pixel and pass.
+struct CameraRay {
+    Ray ray;
+    embree::Hit first;
+    Sampler sampler;
+    std::uint32_t packet = 0;  ///< Rays of a packet are neighbours in the picture, and in a batch.
+};
+
 /// Belongs to one thread. A new integrator needs a file with a class and a maker, and a row in
 /// integrators.cpp.
 class Integrator {
 public:
     virtual ~Integrator() = default;
 
-    /// The radiance of a camera ray, given its first hit. The sampler is that of the ray's pixel
-    /// and pass; equal rays with equal samplers give the same result, in any order.
-    [[nodiscard]] virtual Seen trace(const Ray& ray, const embree::Hit& first, Sampler sampler) = 0;
+    /// The radiance of each ray, usually those of a tile and a pass. Equal rays with equal samplers
+    /// give the same result, with any other packets.
+    virtual void trace(std::span<const CameraRay> rays, std::span<Seen> seen) = 0;
 };
 
 /// The scene and the settings must outlive the integrator.

@@ -3,6 +3,8 @@
 
 #include "render/integrators/ray_tree.hpp"
 
+#include <algorithm>
+
 namespace balcony::render {
 
 namespace {
@@ -12,7 +14,12 @@ constexpr std::size_t max_rays = 256;
 
 }  // namespace
 
-Seen RayTree::trace(const Ray& ray, const embree::Hit& first, Sampler) {
+void RayTree::trace(std::span<const CameraRay> rays, std::span<Seen> seen) {
+    std::transform(rays.begin(), rays.end(), seen.begin(),
+                   [this](const CameraRay& one) { return trace(one.ray, one.first); });
+}
+
+Seen RayTree::trace(const Ray& ray, const embree::Hit& first) {
     Seen seen;
     open_.clear();
     follow({ray}, first, seen);

@@ -19,7 +19,7 @@ public:
     RayTree(const TracedScene& traced, const Settings& settings)
         : tracer_(traced), settings_(&settings) {}
 
-    [[nodiscard]] Seen trace(const Ray& ray, const embree::Hit& first, Sampler sampler) final;
+    void trace(std::span<const CameraRay> rays, std::span<Seen> seen) final;
 
 protected:
     /// A pending ray, and the fraction of its radiance that reaches the camera.
@@ -42,6 +42,7 @@ protected:
     [[nodiscard]] const Settings& settings() const { return *settings_; }
 
 private:
+    [[nodiscard]] Seen trace(const Ray& ray, const embree::Hit& first);
     void follow(const Branch& branch, const embree::Hit& hit, Seen& seen);
 
     SceneTracer tracer_;

@@ -22,17 +22,45 @@ TileTracer::TileTracer(const TracedScene& traced, const Settings& settings, Inte
       footprint_scale_(std::max(0.125, 1.0 / std::sqrt(static_cast<double>(settings.samples)))),
       integrator_(make(traced, settings)) {}
 
-Seen TileTracer::seen(const TileRays& rays, std::size_t i, const embree::Hit& first,
-                      const Sampler& sampler) {
-    const Ray ray{rays.rays[i].origin, rays.rays[i].direction,
-                  rays.all.has_footprints() ? differentials(rays.all, i, footprint_scale_)
-                                            : RayDifferentials{}};
-    Seen seen = integrator_->trace(ray, first, sampler);
-    if (!is_finite(seen.radiance)) {
-        ++repaired_;
-        seen.radiance = Color4f(0.0F);
+Ray TileTracer::camera_ray(const TileRays& rays, std::size_t i) const {
+    const embree::Ray& ray = rays.rays[i];
+    return {ray.origin, ray.direction,
+            rays.all.has_footprints() ? differentials(rays.all, i, footprint_scale_)
+                                      : RayDifferentials{},
+            ray.time};
+}
+
+void TileTracer::trace(const TilePoints& points, const TileRays& rays, const Mask& wanted) {
+    const Region& region = points.region;
+    hits_.resize(points.size());
+    traced_->accelerator.intersect_grid(region.width, rays.rays, wanted, hits_);
+    indices_.clear();
+    requested_.clear();
+    constexpr std::size_t side = embree::Accelerator::packet_side;
+    std::uint32_t packet = 0;
+    for (std::size_t top = 0; top < region.height; top += side) {
+        for (std::size_t left = 0; left < region.width; left += side, ++packet) {
+            for (std::size_t y = top; y < std::min(top + side, region.height); ++y) {
+                for (std::size_t x = left; x < std::min(left + side, region.width); ++x) {
+                    const std::size_t i = y * region.width + x;
+                    if (wanted[i] != 0) {
+                        indices_.push_back(i);
+                        requested_.push_back({camera_ray(rays, i), hits_[i],
+                                              Sampler(region.x + x, region.y + y, points.pass),
+                                              packet});
+                    }
+                }
+            }
+        }
     }
-    return seen;
+    seen_.resize(requested_.size());
+    integrator_->trace(requested_, seen_);
+    for (Seen& seen : seen_) {
+        if (!is_finite(seen.radiance)) {
+            ++repaired_;
+            seen.radiance = Color4f(0.0F);
+        }
+    }
 }
 
 }  // namespace balcony::render

@@ -32,26 +32,27 @@ public:
     template <class Show>
     void trace(const TilePoints& points, const TileRays& rays, const Mask& wanted,
                const Show& show) {
-        hits_.resize(points.size());
-        traced_->accelerator.intersect_grid(points.region.width, rays.rays, wanted, hits_);
-        for_each_pixel(points.region, [&](std::size_t i, std::size_t x, std::size_t y) {
-            if (wanted[i] != 0) {
-                show(i, seen(rays, i, hits_[i], Sampler(x, y, points.pass)));
-            }
-        });
+        trace(points, rays, wanted);
+        for (std::size_t k = 0; k < seen_.size(); ++k) {
+            show(indices_[k], seen_[k]);
+        }
     }
 
     /// The number of samples whose radiance was not finite.
     [[nodiscard]] std::uint64_t repaired() const { return repaired_; }
 
 private:
-    [[nodiscard]] Seen seen(const TileRays& rays, std::size_t i, const embree::Hit& first,
-                            const Sampler& sampler);
+    void trace(const TilePoints& points, const TileRays& rays, const Mask& wanted);
+    [[nodiscard]] Ray camera_ray(const TileRays& rays, std::size_t i) const;
 
     const TracedScene* traced_;
     double footprint_scale_;
     std::unique_ptr<Integrator> integrator_;
-    std::vector<embree::Hit> hits_;  // Of the rays at work; kept for its memory.
+    // The rays at work; kept for their memory.
+    std::vector<embree::Hit> hits_;     // Of all points.
+    std::vector<std::size_t> indices_;  // Of the requested points; the others are parallel to it.
+    std::vector<CameraRay> requested_;
+    std::vector<Seen> seen_;
     std::uint64_t repaired_ = 0;
 };
 

@@ -35,10 +35,13 @@ Appearance look_up(const scene::Material& material, const TextureLibrary& textur
     const Imath::Color4f emission = texel(material.emission_texture, TextureEncoding::srgb);
     const Imath::Color4f surface =
         texel(material.metallic_roughness_texture, TextureEncoding::linear);
-    return {material.base_color * Color3f(base.r, base.g, base.b),
-            material.emission * Color3f(emission.r, emission.g, emission.b),
-            opacity_of(material, base.a), std::clamp(material.metallic * surface.b, 0.0F, 1.0F),
-            std::clamp(material.roughness * surface.g, 0.0F, 1.0F)};
+    Appearance found;
+    found.base_color = material.base_color * Color3f(base.r, base.g, base.b);
+    found.emission = material.emission * Color3f(emission.r, emission.g, emission.b);
+    found.opacity = opacity_of(material, base.a);
+    found.metallic = std::clamp(material.metallic * surface.b, 0.0F, 1.0F);
+    found.roughness = std::clamp(material.roughness * surface.g, 0.0F, 1.0F);
+    return found;
 }
 
 float look_up_opacity(const scene::Material& material, const TextureLibrary& textures,

@@ -15,13 +15,24 @@ namespace balcony::render {
 using Imath::Color3f;
 using Imath::V3f;
 
-/// A material with its textures evaluated.
+/// A material with its textures evaluated. Each default means that the material has no such part.
 struct Appearance {
     Color3f base_color;
     Color3f emission;
     float opacity = 1.0F;
     float metallic = 0.0F;
     float roughness = 1.0F;
+    float ior = 1.5F;              ///< Index of refraction of the dielectric.
+    float specular = 1.0F;         ///< The strength of its reflection.
+    Color3f specular_color{1.0F};  ///< A factor of its reflectance at normal incidence.
+    float transmission = 0.0F;     ///< The part of the light below it that passes through.
+    bool thin_walled = true;       ///< Light passes without refraction.
+    Color3f absorption{0.0F};      ///< Inside, per scene unit.
+    float clearcoat = 0.0F;        ///< The strength of the coat on top.
+    float clearcoat_roughness = 0.0F;
+    Color3f sheen_color{0.0F};  ///< The reflectance of the fibres on top.
+    float sheen_roughness = 0.0F;
+    bool unlit = false;  ///< The base colour is shown as it is, without light.
 };
 
 [[nodiscard]] bool has_textures(const scene::Material& material);

@@ -32,6 +32,7 @@ struct Ray {
     V3f origin;
     V3f direction;
     RayDifferentials differentials{};
+    float time = 0.0F;  ///< From 0 to 1 over the shutter interval.
 };
 
 /// The change of a surface point from a pixel to the next.
