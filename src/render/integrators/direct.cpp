@@ -7,6 +7,7 @@
 
 #include "render/integrators/ray_tree.hpp"
 #include "render/shading/bsdf.hpp"
+#include "render/shading/footprint.hpp"
 
 namespace balcony::render {
 
@@ -16,8 +17,6 @@ namespace {
 constexpr float min_weight = 1.0F / 512.0F;
 
 float largest(const Color3f& color) { return std::max({color.x, color.y, color.z}); }
-
-V3f mirrored(const V3f& v, const V3f& normal) { return v - 2.0F * v.dot(normal) * normal; }
 
 Bsdf bsdf_at(const Interaction& at) {
     return {at.appearance, at.surface.normal, at.surface.geometric_normal};
@@ -72,12 +71,9 @@ private:
         Branch next = arriving;
         next.weight = reflected;
         ++next.reflections;
-        const RayDifferentials& before = arriving.ray.differentials;
         next.ray.direction = sample->to_light;
         next.ray.origin = at.surface.start(next.ray.direction);
-        next.ray.differentials = {at.moved.along_x, at.moved.along_y,
-                                  mirrored(before.direction_x, sample->facet_normal),
-                                  mirrored(before.direction_y, sample->facet_normal)};
+        next.ray.differentials = after_mirror(arriving.ray, at.moved, sample->facet_normal);
         return next;
     }
 };
