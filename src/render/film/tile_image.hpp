@@ -23,6 +23,14 @@ struct VisibleSurface {
     std::uint32_t object = 0;  ///< Index into Scene::objects plus 1.
 };
 
+/// Parts of the radiance by how often their light was scattered, that is, reflected or refracted by
+/// surfaces, on its way to the camera. The rest, light scattered more than once, is indirect.
+/// Premultiplied like the radiance. To pass a surface because of its opacity is no scattering.
+struct LightParts {
+    Color3f emission{0.0F};  ///< Never: surfaces that emit, and the environment, seen directly.
+    Color3f direct{0.0F};    ///< Once: light of lamps, emitting surfaces and the environment.
+};
+
 /// The data layers of a point.
 struct PointData {
     bool valid = false;  ///< Whether there is a ray; otherwise all other values are undefined.

@@ -27,12 +27,12 @@ public:
     using RayTree::RayTree;
 
 private:
-    [[nodiscard]] Color3f shade(const Ray& ray, const Interaction& at) const override {
+    [[nodiscard]] Shaded shade(const Ray& ray, const Interaction& at) const override {
         // A facet of a coarse mesh that faces away from a light is lit if the smooth surface is:
         // the shadow ray decides.
         const Bsdf bsdf(at.appearance, at.surface.normal, at.surface.normal);
-        return at.appearance.emission + *settings().ambient * bsdf.ambient_reflectance() +
-               reflected_light(-ray.direction, at.surface, bsdf);
+        return {at.appearance.emission, *settings().ambient * bsdf.ambient_reflectance(),
+                reflected_light(-ray.direction, at.surface, bsdf)};
     }
 
     [[nodiscard]] Color3f reflected_light(const V3f& to_viewer, const Surface& surface,

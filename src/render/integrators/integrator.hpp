@@ -21,6 +21,7 @@ namespace balcony::render {
 struct Seen {
     Color4f radiance{0.0F};  ///< Premultiplied.
     Color4f mirrored{0.0F};  ///< The factors of the background in mirrors, by colour.
+    LightParts parts;        ///< Of the radiance.
     VisibleSurface visible;
 };
 

@@ -16,9 +16,9 @@ public:
     using RayTree::RayTree;
 
 private:
-    [[nodiscard]] Color3f shade(const Ray& ray, const Interaction& at) const override {
+    [[nodiscard]] Shaded shade(const Ray& ray, const Interaction& at) const override {
         const float cosine = std::abs(at.surface.normal.dot(ray.direction));
-        return cosine * at.appearance.base_color + at.appearance.emission;
+        return {at.appearance.emission, Color3f(0.0F), cosine * at.appearance.base_color};
     }
 };
 

@@ -64,7 +64,14 @@ void RayTree::follow(const Branch& branch, const embree::Hit& hit, Seen& seen) {
                             at.surface.object + 1};
         }
     }
-    add(seen.radiance, opacity * shade(branch.ray, at));
+    const Shaded shaded = shade(branch.ray, at);
+    add(seen.radiance, opacity * (shaded.emission + shaded.ambient + shaded.direct));
+    if (branch.reflections == 0) {
+        seen.parts.emission += opacity * branch.weight * shaded.emission;
+        seen.parts.direct += opacity * branch.weight * shaded.direct;
+    } else if (branch.reflections == 1) {
+        seen.parts.direct += opacity * branch.weight * shaded.emission;
+    }
     if (const std::optional<Branch> reflected = reflect(branch, opacity * branch.weight, at)) {
         open_.push_back(*reflected);
     }

@@ -30,8 +30,15 @@ protected:
         std::size_t crossings = 0;
     };
 
-    /// The radiance of a surface towards the ray's origin, without the branch of reflect().
-    [[nodiscard]] virtual Color3f shade(const Ray& ray, const Interaction& at) const = 0;
+    /// The radiance of a surface towards the ray's origin.
+    struct Shaded {
+        Color3f emission;
+        Color3f ambient;  ///< Reflected light that many surfaces have scattered before.
+        Color3f direct;   ///< Reflected light of lamps.
+    };
+
+    /// Without the branch of reflect().
+    [[nodiscard]] virtual Shaded shade(const Ray& ray, const Interaction& at) const = 0;
     /// The reflected branch from a surface, if any. `weight` is the part of the light from this
     /// surface that reaches the camera.
     [[nodiscard]] virtual std::optional<Branch> reflect(const Branch& arriving,

@@ -59,6 +59,7 @@ void TileTracer::trace(const TilePoints& points, const TileRays& rays, const Mas
         if (!is_finite(seen.radiance)) {
             ++repaired_;
             seen.radiance = Color4f(0.0F);
+            seen.parts = {};
         }
     }
 }
