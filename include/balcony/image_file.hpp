@@ -44,6 +44,8 @@ public:
     [[nodiscard]] std::size_t height() const;
     /// The number of channels that are read: those of the file, but at most the first four.
     [[nodiscard]] std::size_t channels() const;
+    /// Whether the file holds floats, which are linear light, rather than integers.
+    [[nodiscard]] bool is_float() const;
     /// The channel of straight alpha, if any.
     [[nodiscard]] std::optional<std::size_t> unassociated_alpha() const;
 

@@ -7,70 +7,170 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
+
+#include "render/film/luminance.hpp"
+#include "render/lights/distant_lights.hpp"
+#include "render/lights/emissive_triangles.hpp"
+#include "render/lights/light_tree.hpp"
+#include "render/lights/triangle_sampling.hpp"
 
 namespace balcony::render {
 
 namespace {
 
-// 1 inside the inner cone, 0 outside the outer one, and the extension's smooth step in between.
-double cone_weight(const scene::Light& light, const scene::V3d& to_light) {
-    const double inner = std::cos(static_cast<double>(light.inner_cone));
-    const double outer = std::cos(static_cast<double>(light.outer_cone));
-    const double cosine = -light.direction.dot(to_light);
-    const double step = (cosine - outer) / std::max(inner - outer, 1e-6);
-    const double weight = std::clamp(step, 0.0, 1.0);
-    return weight * weight;
+using Imath::Color3f;
+using Imath::V2f;
+using Imath::V3f;
+
+// The rest of a number that decided between two things, from 0 to 1 again.
+float rest_below(float random, float border) { return random / border; }
+
+float rest_above(float random, float border) {
+    constexpr float largest = 0x1.fffffep-1F;
+    return std::min((random - border) / (1.0F - border), largest);
 }
 
-// The extension's window function, which reaches 0 at the light's range.
-double range_weight(const scene::Light& light, double distance) {
-    if (light.range <= 0.0F) {
-        return 1.0;
-    }
-    const double ratio = distance / static_cast<double>(light.range);
-    return std::clamp(1.0 - ratio * ratio * ratio * ratio, 0.0, 1.0);
-}
-
-Illumination from_lamp(const scene::Light& light, const Imath::V3f& position,
-                       double meters_per_unit) {
-    if (light.kind == scene::LightKind::directional) {
-        return {Imath::V3f(-light.direction), std::numeric_limits<float>::infinity(),
-                light.intensity};
-    }
-    const scene::V3d offset = light.position - scene::V3d(position);
-    const double distance = offset.length();
-    if (!(distance > 0.0 && distance <= double{std::numeric_limits<float>::max()})) {
-        return {Imath::V3f(0.0F), 0.0F, Imath::Color3f(0.0F)};
-    }
-    const scene::V3d to_light = offset / distance;
-    const double meters = distance * meters_per_unit;
-    const double cone = light.kind == scene::LightKind::spot ? cone_weight(light, to_light) : 1.0;
-    const double weight = cone * range_weight(light, distance) / (meters * meters);
-    return {Imath::V3f(to_light), static_cast<float>(distance),
-            light.intensity * static_cast<float>(weight)};
+// Whether the emission depends on the point of a triangle.
+bool varies(const scene::Material& material) {
+    return material.emission_texture.valid() || material.alpha_mode != scene::AlphaMode::opaque;
 }
 
 }  // namespace
 
-Illumination LightSet::arriving(std::size_t light, const LitPoint& point) const {
-    if (!scene_->default_light) {
-        return from_lamp(scene_->lights[light], point.position, scene_->meters_per_unit);
+// The lights at finite distances: point and spot lights, then runs of emissive triangles.
+struct LightSet::Finite {
+    explicit Finite(const scene::Scene& scene) : triangles(scene) {
+        for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+            if (scene.lights[i].kind != scene::LightKind::directional) {
+                lamps.push_back(i);
+            }
+        }
+        std::vector<LightBounds> bounds(lamps.size() + triangles.runs().size());
+        tree = std::make_unique<const LightTree>(bounds);
     }
-    if (light > 0) {
-        return from_lamp(scene_->lights[light - 1], point.position, scene_->meters_per_unit);
-    }
-    // Such that a white wall seen frontally has radiance 1.
-    return {point.to_viewer, 0.0F, Imath::Color3f(std::numbers::pi_v<float>)};
+
+    EmissiveTriangles triangles;
+    std::vector<std::size_t> lamps;  // Indices into Scene::lights.
+    std::unique_ptr<const LightTree> tree;
+};
+
+LightSet::LightSet(const scene::Scene& scene)
+    : scene_(&scene),
+      finite_(std::make_shared<const Finite>(scene)),
+      distant_(std::make_shared<const DistantLights>(
+          scene, scene.default_light ? std::optional(Environment::constant(Color3f(1.0F)))
+                                     : std::nullopt)) {}
+
+LightSet LightSet::with(const Environment& environment) const {
+    LightSet made = *this;
+    made.distant_ = std::make_shared<const DistantLights>(*scene_, environment);
+    return made;
 }
 
-std::optional<LightSample> LightSet::sample(const LitPoint& point, float random) const {
-    const std::size_t count = size();
-    if (count == 0) {
+float LightSet::probability_of_distant(const LitPoint&) const {
+    if (distant_->empty() || finite_->tree->empty()) {
+        return distant_->empty() ? 0.0F : 1.0F;
+    }
+    return 0.5F;
+}
+
+std::optional<LightSample> LightSet::sample(const LitPoint& point, const V3f& random) const {
+    const float distant = probability_of_distant(point);
+    const bool chosen = random.x < distant;
+    const float probability = chosen ? distant : 1.0F - distant;
+    if (!(probability > 0.0F)) {
         return std::nullopt;
     }
-    const auto chosen = static_cast<std::size_t>(random * static_cast<float>(count));
-    return LightSample{arriving(std::min(chosen, count - 1), point),
-                       1.0F / static_cast<float>(count)};
+    const float rest = chosen ? rest_below(random.x, distant) : rest_above(random.x, distant);
+    const V3f numbers(rest, random.y, random.z);
+    std::optional<LightSample> sample =
+        chosen ? sample_distant(point, numbers) : sample_finite(point, numbers);
+    if (sample) {
+        sample->pdf *= probability;
+    }
+    return sample;
+}
+
+std::optional<LightSample> LightSet::sample_distant(const LitPoint& point,
+                                                    const V3f& random) const {
+    const auto found = distant_->sample(point.normal, random);
+    return found
+               ? std::optional(LightSample{found->to_light, std::numeric_limits<float>::infinity(),
+                                           found->radiance, found->pdf, found->delta})
+               : std::nullopt;
+}
+
+std::optional<LightSample> LightSet::sample_finite(const LitPoint& point, const V3f& random) const {
+    const auto chosen = finite_->tree->choose(point.position, point.normal, random.x);
+    if (!chosen) {
+        return std::nullopt;
+    }
+    if (chosen->light < finite_->lamps.size()) {
+        const scene::Light& lamp = scene_->lights[finite_->lamps[chosen->light]];
+        const Illumination found = light_of(lamp, point.position, scene_->meters_per_unit);
+        return luminance(found.irradiance) > 0.0F
+                   ? std::optional(LightSample{found.to_light, found.distance, found.irradiance,
+                                               chosen->probability, true})
+                   : std::nullopt;
+    }
+    const EmissiveTriangles& triangles = finite_->triangles;
+    const EmissiveRun& run = triangles.runs()[chosen->light - finite_->lamps.size()];
+    const auto in_run = std::min(
+        static_cast<std::uint32_t>(random.y * static_cast<float>(run.count)), run.count - 1);
+    const float within = random.y * static_cast<float>(run.count) - static_cast<float>(in_run);
+    const std::uint32_t triangle = run.first + in_run;
+    const auto found = sample_triangle(triangles.triangle(run.instance, triangle), point.position,
+                                       V2f(within, random.z));
+    if (!found) {
+        return std::nullopt;
+    }
+    const scene::Material& material = triangles.material(run.instance);
+    LightSample sample{found->direction, found->distance, material.emission,
+                       found->pdf * chosen->probability / static_cast<float>(run.count)};
+    if (varies(material)) {
+        sample.emitter = {run.instance, triangle, found->u, found->v};
+        sample.radiance = Color3f(1.0F);
+    }
+    return sample;
+}
+
+float LightSet::pdf_of_emitter(const LitPoint& point, const V3f& to_light, float distance,
+                               const embree::Hit& emitter) const {
+    const EmissiveTriangles& triangles = finite_->triangles;
+    const std::optional<std::size_t> run = triangles.run_with(emitter);
+    if (!run) {
+        return 0.0F;
+    }
+    const float probability =
+        finite_->tree->probability(point.position, point.normal, finite_->lamps.size() + *run) /
+        static_cast<float>(triangles.runs()[*run].count);
+    const float density =
+        pdf_of_triangle(triangles.triangle(emitter.instance, emitter.triangle), to_light, distance);
+    return (1.0F - probability_of_distant(point)) * probability * density;
+}
+
+Color3f LightSet::radiance_from(const V3f& direction) const {
+    return distant_->radiance(direction);
+}
+
+float LightSet::pdf_of_distant(const LitPoint& point, const V3f& direction) const {
+    return probability_of_distant(point) * distant_->pdf(point.normal, direction);
+}
+
+bool LightSet::has_distant() const { return distant_->has_radiance(); }
+
+std::size_t LightSet::size() const {
+    return scene_->lights.size() + (scene_->default_light ? 1 : 0);
+}
+
+Illumination LightSet::arriving(std::size_t light, const LitPoint& point) const {
+    if (scene_->default_light && light == 0) {
+        // Such that a white wall seen frontally has radiance 1.
+        return {point.to_viewer, 0.0F, Color3f(std::numbers::pi_v<float>)};
+    }
+    return light_of(scene_->lights[light - (scene_->default_light ? 1 : 0)], point.position,
+                    scene_->meters_per_unit);
 }
 
 }  // namespace balcony::render

@@ -2,57 +2,97 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The lights of a scene: punctual lights, as defined by the glTF extension KHR_lights_punctual, and
-// the default light at the viewer.
+// The lights of a scene: punctual lights, triangles that emit, and what is infinitely far away: an
+// environment, and suns with an angular size. docs/lights.md describes how one is chosen.
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 
 #include <Imath/ImathColor.h>
 #include <Imath/ImathVec.h>
 
+#include "balcony/environment.hpp"
 #include "balcony/scene.hpp"
+#include "render/embree/accelerator.hpp"
+#include "render/lights/punctual.hpp"
 
 namespace balcony::render {
 
 /// An illuminated point, and the direction to its viewer.
 struct LitPoint {
-    Imath::V3f position;   ///< World coordinates.
-    Imath::V3f to_viewer;  ///< Unit.
+    Imath::V3f position;      ///< World coordinates.
+    Imath::V3f to_viewer;     ///< Unit.
+    Imath::V3f normal{0.0F};  ///< Unit: only light from its side counts. 0: from all sides.
 };
 
-/// The light that arrives at a point from one light source, without occlusion.
-struct Illumination {
-    Imath::V3f to_light;           ///< Unit.
-    float distance = 0.0F;         ///< Scene units; infinite for a directional light, 0 for the
-                                   ///< light at the viewer, which casts no shadows.
-    Imath::Color3f irradiance{0};  ///< On a plane perpendicular to its direction, in lux.
-};
-
-/// One light, chosen with a probability.
+/// Light that may arrive at a point along a random direction. The mean over all random numbers of
+/// radiance / pdf, times any function of the direction, is the integral of the light from all
+/// directions.
 struct LightSample {
-    Illumination arriving;
-    float probability = 0.0F;  ///< The probability of selecting this light.
+    Imath::V3f to_light;    ///< Unit.
+    float distance = 0.0F;  ///< Infinite for the environment and suns; 0 for the light at the
+                            ///< viewer, which casts no shadows.
+    Imath::Color3f radiance{
+        0};              ///< If delta: irradiance on a plane perpendicular to the direction.
+    float pdf = 0.0F;    ///< By solid angle, times the probability of choosing this light.
+                         ///< If delta: the probability alone.
+    bool delta = false;  ///< No other way of sampling finds this direction.
+    /// A point of an emissive triangle whose emission varies: the light is what the material emits
+    /// there, times `radiance`. Nothing if `radiance` is all.
+    embree::Hit emitter{};
 };
 
-/// All lights of a scene, which must outlive the set.
+/// All lights of a scene, which must outlive the set. Copies share their data.
 class LightSet {
 public:
-    explicit LightSet(const scene::Scene& scene) : scene_(&scene) {}
+    explicit LightSet(const scene::Scene& scene);
 
-    [[nodiscard]] std::size_t size() const {
-        return scene_->lights.size() + (scene_->default_light ? 1 : 0);
-    }
+    /// The same with an environment.
+    [[nodiscard]] LightSet with(const Environment& environment) const;
+
+    // --------------------------------------------------------- one light at a time, at random
+
+    /// Selects a light and a direction to it by three numbers in [0, 1). Nothing if no light
+    /// arrives from what was selected.
+    [[nodiscard]] std::optional<LightSample> sample(const LitPoint& point,
+                                                    const Imath::V3f& random) const;
+
+    /// The density of sample() in the direction of a point of a triangle that is visible from
+    /// `point`; 0 if the triangle is never sampled.
+    [[nodiscard]] float pdf_of_emitter(const LitPoint& point, const Imath::V3f& to_light,
+                                       float distance, const embree::Hit& emitter) const;
+
+    /// The radiance that a ray which leaves the scene meets: of the environment and of suns with an
+    /// angular size.
+    [[nodiscard]] Imath::Color3f radiance_from(const Imath::V3f& direction) const;
+
+    /// The density of sample() for light from infinitely far away.
+    [[nodiscard]] float pdf_of_distant(const LitPoint& point, const Imath::V3f& direction) const;
+
+    /// Whether radiance_from() is not always 0.
+    [[nodiscard]] bool has_distant() const;
+
+    // --------------------------------------------------- punctual lights and the default light
+
+    /// Of the lights that arriving() knows.
+    [[nodiscard]] std::size_t size() const;
 
     /// The light from one source, by index. Nothing from a source at the point itself.
     [[nodiscard]] Illumination arriving(std::size_t light, const LitPoint& point) const;
 
-    /// Selects one light by a number in [0, 1). The mean of irradiance / probability is the sum
-    /// over all lights. Nothing if there are none.
-    [[nodiscard]] std::optional<LightSample> sample(const LitPoint& point, float random) const;
-
 private:
+    struct Finite;
+
+    [[nodiscard]] float probability_of_distant(const LitPoint& point) const;
+    [[nodiscard]] std::optional<LightSample> sample_distant(const LitPoint& point,
+                                                            const Imath::V3f& random) const;
+    [[nodiscard]] std::optional<LightSample> sample_finite(const LitPoint& point,
+                                                           const Imath::V3f& random) const;
+
     const scene::Scene* scene_;
+    std::shared_ptr<const Finite> finite_;
+    std::shared_ptr<const class DistantLights> distant_;
 };
 
 }  // namespace balcony::render

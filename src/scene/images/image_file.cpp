@@ -224,6 +224,8 @@ std::size_t ImageFile::height() const { return static_cast<std::size_t>(state_->
 
 std::size_t ImageFile::channels() const { return static_cast<std::size_t>(state_->channels()); }
 
+bool ImageFile::is_float() const { return state_->spec.format.is_floating_point(); }
+
 std::optional<std::size_t> ImageFile::unassociated_alpha() const {
     const OIIO::ImageSpec& spec = state_->spec;
     const bool apart = spec.get_int_attribute("oiio:UnassociatedAlpha") != 0;

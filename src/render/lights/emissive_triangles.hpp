@@ -1,0 +1,73 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The triangles of a scene that emit light, in world coordinates.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <Imath/ImathMatrix.h>
+#include <Imath/ImathVec.h>
+
+#include "balcony/scene.hpp"
+#include "render/embree/accelerator.hpp"
+
+namespace balcony::render {
+
+using Imath::Color3f;
+using Imath::V3f;
+
+/// A triangle in world coordinates.
+struct WorldTriangle {
+    V3f corner;
+    V3f edge_1, edge_2;
+
+    [[nodiscard]] V3f across() const { return edge_1.cross(edge_2); }
+    [[nodiscard]] float area() const { return 0.5F * across().length(); }
+};
+
+/// Consecutive triangles of an instance.
+struct EmissiveRun {
+    std::uint32_t instance = 0;
+    std::uint32_t first = 0;  ///< Index into Mesh::triangles.
+    std::uint32_t count = 0;
+};
+
+/// Divides the emissive triangles of a scene into runs: of one triangle each, unless there are so
+/// many that the number of runs would exceed a limit. The scene must outlive the object.
+class EmissiveTriangles {
+public:
+    static constexpr std::size_t max_runs = std::size_t{1} << 20U;
+
+    explicit EmissiveTriangles(const scene::Scene& scene);
+
+    [[nodiscard]] const std::vector<EmissiveRun>& runs() const { return runs_; }
+
+    /// The run with a triangle; nothing if the triangle does not emit.
+    [[nodiscard]] std::optional<std::size_t> run_with(const embree::Hit& hit) const;
+
+    [[nodiscard]] WorldTriangle triangle(std::uint32_t instance, std::uint32_t triangle) const;
+
+    [[nodiscard]] const scene::Material& material(std::uint32_t instance) const;
+
+private:
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+    struct Placement {
+        Imath::M44f world_from_mesh;
+        std::size_t first_run = none;  // None if the instance does not emit.
+    };
+
+    const scene::Scene* scene_;
+    std::size_t run_length_ = 1;
+    std::vector<Placement> placements_;  // By instance.
+    std::vector<EmissiveRun> runs_;
+};
+
+/// Whether a material emits light.
+[[nodiscard]] bool emits(const scene::Material& material);
+
+}  // namespace balcony::render

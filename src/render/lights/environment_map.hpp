@@ -1,0 +1,59 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Radiance by direction as an equirectangular picture, and directions chosen in proportion to it.
+
+#include <cstddef>
+#include <vector>
+
+#include <Imath/ImathColor.h>
+#include <Imath/ImathVec.h>
+
+namespace balcony::render {
+
+/// Directions have z up. The centre of the picture is x, its left side turns to y, and its top is
+/// z.
+class EnvironmentMap {
+public:
+    struct Sample {
+        Imath::V3f direction;
+        float pdf = 0.0F;  ///< By solid angle.
+    };
+
+    /// Rows from the top. Radiance is finite and not negative.
+    EnvironmentMap(std::size_t width, std::size_t height, std::vector<Imath::Color3f> texels);
+
+    /// Interpolated between the centres of the pixels.
+    [[nodiscard]] Imath::Color3f radiance(const Imath::V3f& direction) const;
+
+    /// A direction chosen by luminance. Only if the map is not black.
+    [[nodiscard]] Sample sample(const Imath::V2f& random) const;
+    [[nodiscard]] float pdf(const Imath::V3f& direction) const;
+
+    /// Over all directions.
+    [[nodiscard]] const Imath::Color3f& mean() const { return mean_; }
+    [[nodiscard]] bool is_black() const { return cumulative_rows_.back() <= 0.0F; }
+    [[nodiscard]] bool is_constant() const { return texels_.size() == 1; }
+
+private:
+    [[nodiscard]] const Imath::Color3f& texel(std::size_t x, std::size_t y) const {
+        return texels_[y * width_ + x];
+    }
+    void build_distribution();
+
+    std::size_t width_;
+    std::size_t height_;
+    std::vector<Imath::Color3f> texels_;
+    Imath::Color3f mean_{0.0F};
+
+    // The distribution of directions is constant in each cell of a grid, not finer than the
+    // picture. Cumulative probabilities begin at 0.
+    std::size_t columns_ = 1;
+    std::size_t rows_ = 1;
+    std::vector<float> cosines_;             // Of the angle from z, at the borders of rows.
+    std::vector<float> cumulative_rows_;     // rows + 1; all 0 if black.
+    std::vector<float> cumulative_columns_;  // columns + 1 for each row.
+};
+
+}  // namespace balcony::render
