@@ -42,6 +42,22 @@ struct IntegratorInfo {
 /// All integrators.
 [[nodiscard]] std::span<const IntegratorInfo> integrators();
 
+/// The weight of samples around a pixel's centre.
+struct PixelFilterInfo {
+    std::string_view name;     ///< The name for users.
+    std::string_view meaning;  ///< A short description.
+};
+
+/// All pixel filters.
+[[nodiscard]] std::span<const PixelFilterInfo> pixel_filters();
+
+/// Where samples are, and their random numbers.
+struct SamplingSettings {
+    std::uint32_t seed = 0;  ///< Another seed gives another noise.
+    /// The name of a pixel filter. Samples are distributed by it and all have the same weight.
+    std::string filter = "blackman-harris";
+};
+
 struct Settings {
     std::size_t samples = 16;  ///< Rays per pixel: the number of passes.
     std::string integrator = "direct";
@@ -56,6 +72,7 @@ struct Settings {
     /// film's light. Linear, from 0 to 1; transparent if empty.
     std::optional<Color3f> background{};
     std::size_t mirror_depth = 8;  ///< The maximum number of reflections.
+    SamplingSettings sampling{};
 };
 
 // ---------------------------------------------------------------------------------- renderer

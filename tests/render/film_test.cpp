@@ -13,7 +13,6 @@
 #include <gtest/gtest.h>
 
 #include "render/integrators/integrator.hpp"
-#include "render/sampling/pass_offset.hpp"
 #include "support.hpp"
 
 namespace balcony::render::test {
@@ -76,27 +75,6 @@ TEST(Film, DoesNotDependOnTheNumberOfThreads) {
     }
     asked.samples = 4;
     EXPECT_FALSE(same_bits(one.film, render(scene, camera, asked).film));
-}
-
-TEST(Film, PassesSpreadLikeATentAroundThePixelCentre) {
-    EXPECT_EQ(pass_offset(0), Imath::V2d(0.0, 0.0));
-    constexpr int count = 4096;
-    Imath::V2d mean(0.0, 0.0);
-    Imath::V2d square(0.0, 0.0);
-    double product = 0.0;
-    for (int i = 0; i < count; ++i) {
-        const Imath::V2d p = pass_offset(static_cast<std::size_t>(i));
-        ASSERT_LT(std::max(std::abs(p.x), std::abs(p.y)), 1.0);
-        mean += p / count;
-        square += p * p / count;
-        product += p.x * p.y / count;
-    }
-    // A sequence of low discrepancy is within (log n)^2 / n of the integral.
-    constexpr double discrepancy = 70.0 / count;
-    EXPECT_LT(mean.length(), discrepancy);
-    EXPECT_NEAR(square.x, 1.0 / 6.0, discrepancy);
-    EXPECT_NEAR(square.y, 1.0 / 6.0, discrepancy);
-    EXPECT_NEAR(product, 0.0, discrepancy);
 }
 
 TEST(Film, AnEdgeThroughAPixelIsAveraged) {

@@ -345,9 +345,7 @@ void add_picture_options(CLI::App& command, RenderOptions& options) {
                      "size in pixels (default: that of the picture, or about a million pixels with "
                      "its aspect ratio)");
     add_fit_option(command, options.size);
-    command.add_option("-s,--samples", options.samples, "rays per pixel")
-        ->type_name("COUNT")
-        ->capture_default_str();
+    add_sampling_options(command, options.sampling);
     std::vector<std::string> integrators;
     for (const render::IntegratorInfo& row : render::integrators()) {
         integrators.push_back(fmt::format("{} ({})", row.name, row.meaning));

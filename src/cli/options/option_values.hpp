@@ -4,6 +4,7 @@
 
 // Reads the values of options. An invalid value is reported with its option and a suggested fix.
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -12,8 +13,10 @@
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "balcony/base.hpp"
 
@@ -43,6 +46,17 @@ inline void refuse(Diagnostics& diagnostics, std::string_view option, std::strin
                    std::string remedy) {
     diagnostics.push_back(
         error(fmt::format("{} cannot be '{}'", option, text), {}, std::move(remedy)));
+}
+
+/// Refuses a name that is not known.
+inline void check_name(std::string_view option, const std::string& text,
+                       const std::vector<std::string>& known, Diagnostics& diagnostics) {
+    if (std::find(known.begin(), known.end(), text) == known.end()) {
+        const auto nearest = nearest_name(text, known);
+        refuse(diagnostics, option, text,
+               nearest ? fmt::format("did you mean '{}'?", *nearest)
+                       : fmt::format("write {}", fmt::join(known, " or ")));
+    }
 }
 
 template <class Number>

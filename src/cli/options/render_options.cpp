@@ -9,7 +9,6 @@
 #include <string_view>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "cli/options/option_values.hpp"
 
@@ -50,22 +49,12 @@ std::optional<render::Color3f> read_background(const std::string& text, Diagnost
     return color;
 }
 
-void refuse_name(std::string_view option, const std::string& text,
-                 const std::vector<std::string>& names, Diagnostics& diagnostics) {
-    const auto nearest = nearest_name(text, names);
-    refuse(diagnostics, option, text,
-           nearest ? fmt::format("did you mean '{}'?", *nearest)
-                   : fmt::format("write {}", fmt::join(names, " or ")));
-}
-
 void check_integrator(const std::string& text, Diagnostics& diagnostics) {
     std::vector<std::string> names;
     for (const render::IntegratorInfo& integrator : render::integrators()) {
         names.emplace_back(integrator.name);
     }
-    if (std::find(names.begin(), names.end(), text) == names.end()) {
-        refuse_name("--integrator", text, names, diagnostics);
-    }
+    check_name("--integrator", text, names, diagnostics);
 }
 
 }  // namespace
@@ -74,7 +63,7 @@ render::Settings read_settings(const RenderOptions& options, Diagnostics& diagno
     constexpr double any = std::numeric_limits<double>::max();
     constexpr float brightest = std::numeric_limits<float>::max();
     render::Settings settings;
-    settings.samples = read_count("--samples", options.samples, 1, 1'000'000, diagnostics);
+    read_sampling(options.sampling, settings, diagnostics);
     settings.threads = read_count("--threads", options.threads, 0, 1024, diagnostics);
     settings.time = read_number("--time", options.time, -any, any, "give a number", diagnostics);
     if (options.ambient != "auto") {
@@ -89,11 +78,8 @@ render::Settings read_settings(const RenderOptions& options, Diagnostics& diagno
 }
 
 render::ViewTransform read_view(const RenderOptions& options, Diagnostics& diagnostics) {
-    const auto view = render::find_view_transform(options.view);
-    if (!view) {
-        refuse_name("--view-transform", options.view, render::view_transform_names(), diagnostics);
-    }
-    return view.value_or(render::ViewTransform::neutral);
+    check_name("--view-transform", options.view, render::view_transform_names(), diagnostics);
+    return render::find_view_transform(options.view).value_or(render::ViewTransform::neutral);
 }
 
 // More stops than between the smallest and the largest float would give 0 or infinity.

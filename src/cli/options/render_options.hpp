@@ -8,6 +8,7 @@
 
 #include "balcony/render.hpp"
 #include "cli/options/common_options.hpp"
+#include "cli/options/sampling_options.hpp"
 
 namespace balcony::cli {
 
@@ -17,10 +18,10 @@ struct RenderOptions {
     std::string camera;
     std::optional<std::string> output;
     SizeWords size;
+    SamplingWords sampling;
     std::vector<std::string> set;
     std::string integrator = "direct";
     std::string background = "transparent";
-    std::string samples = "16";
     std::string threads = "0";
     std::string time = "0";
     std::string exposure = "auto";

@@ -8,6 +8,7 @@
 #include <new>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
@@ -31,17 +32,16 @@ bool is_finite(const Color3f& c) {
     return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z);
 }
 
-Diagnostic unknown_integrator(const std::string& name) {
+template <class Info>
+Diagnostic unknown(std::string_view kind, const std::string& name, std::span<const Info> known) {
     std::vector<std::string> names;
-    std::string list;
-    for (const IntegratorInfo& info : integrators()) {
+    for (const Info& info : known) {
         names.emplace_back(info.name);
-        list += fmt::format("{}{}", list.empty() ? "" : ", ", info.name);
     }
     const auto nearest = nearest_name(name, names);
-    return error(fmt::format("unknown integrator '{}'", name), {},
+    return error(fmt::format("unknown {} '{}'", kind, name), {},
                  nearest ? fmt::format("did you mean '{}'?", *nearest)
-                         : fmt::format("the integrators are {}", list));
+                         : fmt::format("the {}s are {}", kind, fmt::join(names, ", ")));
 }
 
 Diagnostics check(const Settings& settings) {
@@ -60,7 +60,10 @@ Diagnostics check(const Settings& settings) {
         found.push_back(error("time, ambient light and background must be finite numbers"));
     }
     if (find_integrator(settings.integrator) == nullptr) {
-        found.push_back(unknown_integrator(settings.integrator));
+        found.push_back(unknown("integrator", settings.integrator, integrators()));
+    }
+    if (find_pixel_filter(settings.sampling.filter) == nullptr) {
+        found.push_back(unknown("pixel filter", settings.sampling.filter, pixel_filters()));
     }
     return found;
 }

@@ -20,6 +20,7 @@ TileTracer::TileTracer(const TracedScene& traced, const Settings& settings, Inte
     : traced_(&traced),
       // Many samples share the filtering; pbrt limits the reduction in the same way.
       footprint_scale_(std::max(0.125, 1.0 / std::sqrt(static_cast<double>(settings.samples)))),
+      seed_(settings.sampling.seed),
       integrator_(make(traced, settings)) {}
 
 Ray TileTracer::camera_ray(const TileRays& rays, std::size_t i) const {
@@ -32,6 +33,7 @@ Ray TileTracer::camera_ray(const TileRays& rays, std::size_t i) const {
 
 void TileTracer::trace(const TilePoints& points, const TileRays& rays, const Mask& wanted) {
     const Region& region = points.region;
+    const PassNumbers numbers(points.pass, seed_);
     hits_.resize(points.size());
     traced_->accelerator.intersect_grid(region.width, rays.rays, wanted, hits_);
     indices_.clear();
@@ -46,7 +48,7 @@ void TileTracer::trace(const TilePoints& points, const TileRays& rays, const Mas
                     if (wanted[i] != 0) {
                         indices_.push_back(i);
                         requested_.push_back({camera_ray(rays, i), hits_[i],
-                                              Sampler(region.x + x, region.y + y, points.pass),
+                                              Sampler(region.x + x, region.y + y, numbers),
                                               packet});
                     }
                 }

@@ -47,6 +47,7 @@ private:
 
     const TracedScene* traced_;
     double footprint_scale_;
+    std::uint32_t seed_;
     std::unique_ptr<Integrator> integrator_;
     // The rays at work; kept for their memory.
     std::vector<embree::Hit> hits_;     // Of all points.

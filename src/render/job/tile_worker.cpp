@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "render/job/stopwatch.hpp"
-#include "render/sampling/pass_offset.hpp"
 
 namespace balcony::render {
 
@@ -30,12 +29,12 @@ Region traced_part(const Region& tile, const Region& window) {
 
 // Samples that the filter puts beyond the picture are moved to its border, because the camera may
 // see something else or be undefined there; just inside, for cameras that end at the border.
-TilePoints points_of(const Region& region, std::size_t pass, const Film& film, double time) {
+TilePoints points_of(const Region& region, std::size_t pass, const Imath::V2d& offset,
+                     const Film& film, double time) {
     constexpr double just_inside = 1e-6;
     const auto limits = [](std::size_t extent) {
         return rays::Tile::Limits{just_inside, static_cast<double>(extent) - just_inside};
     };
-    const Imath::V2d offset = pass_offset(pass);
     return {region,
             pass,
             {static_cast<double>(region.x) + 0.5 + offset.x,
@@ -61,6 +60,7 @@ void WorkCounts::add(const WorkCounts& other) {
 TileWorker::TileWorker(const JobParts& parts, Film& film)
     : settings_(&parts.settings),
       film_(&film),
+      filter_(find_pixel_filter(parts.settings.sampling.filter)),
       compositor_(parts.picture, PictureRays(parts.picture),
                   TileTracer(parts.traced, parts.settings, parts.integrator)) {}
 
@@ -72,9 +72,17 @@ void TileWorker::render(std::size_t tile) {
                                     .display = !film_->display.empty(),
                                     .mirrored = !film_->mirrored.empty()};
     add_pass(*film_, tile,
-             compositor_.sample(points_of(region, pass, *film_, settings_->time), film_->window,
-                                wanted));
+             compositor_.sample(points_of(region, pass, offset(pass), *film_, settings_->time),
+                                film_->window, wanted));
     seconds_ += watch.seconds();
+}
+
+const Imath::V2d& TileWorker::offset(std::size_t pass) {
+    if (pass != offset_pass_) {
+        offset_pass_ = pass;
+        offset_ = pass_offset(*filter_, pass);
+    }
+    return offset_;
 }
 
 WorkCounts TileWorker::counts() const {

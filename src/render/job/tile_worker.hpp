@@ -9,6 +9,7 @@
 
 #include "balcony/render.hpp"
 #include "render/job/compositor.hpp"
+#include "render/sampling/pass_offset.hpp"
 
 namespace balcony::render {
 
@@ -43,8 +44,13 @@ public:
     [[nodiscard]] WorkCounts counts() const;
 
 private:
+    [[nodiscard]] const Imath::V2d& offset(std::size_t pass);
+
     const Settings* settings_;
     Film* film_;
+    const PixelFilter* filter_;
+    std::size_t offset_pass_ = 0;  // Kept for the next tile of the pass, with its offset.
+    Imath::V2d offset_{0.0, 0.0};
     Compositor compositor_;
     double seconds_ = 0.0;
 };

@@ -5,14 +5,25 @@
 // The sample positions of a pass in the pixels.
 
 #include <cstddef>
+#include <string_view>
 
 #include <Imath/ImathVec.h>
 
 namespace balcony::render {
 
-/// From the pixel's centre: the centre itself in pass 0, then points of a low-discrepancy sequence,
-/// warped to a tent of radius 1. Multiples of 2^-30, so that a picture point is the same number
+/// A pixel filter along x or y: the distribution function of sample offsets from the pixel's
+/// centre, in pixels; 0 at -radius and 1 at radius.
+struct PixelFilter {
+    double radius = 0.0;
+    double (*distribution)(double offset) = nullptr;
+};
+
+/// A filter by its name; null if there is none.
+[[nodiscard]] const PixelFilter* find_pixel_filter(std::string_view name);
+
+/// From the pixel's centre: the centre itself in pass 0, then points of a low-discrepancy sequence
+/// with the density of the filter. Multiples of 2^-30, so that a picture point is the same number
 /// in every tile.
-[[nodiscard]] Imath::V2d pass_offset(std::size_t pass);
+[[nodiscard]] Imath::V2d pass_offset(const PixelFilter& filter, std::size_t pass);
 
 }  // namespace balcony::render

@@ -3,39 +3,97 @@
 #pragma once
 
 // Random numbers that do not depend on the order of requests.
+//
+// The samples of a pair of dimensions are a digital net over passes and pixels at once, so that the
+// error of a picture is blue noise: neighbouring pixels err in opposite directions. Let p(z) be the
+// polynomial over the field of two elements whose coefficients are the bits of the pass, m_j(z)
+// those of the pixel's place on Morton's curve, two bits each, the most significant ones first,
+// and q = z^2 + z + 1. The digits of the two coordinates are the lowest coefficients of
+//
+//     f = p q^16 + sum of m_j q^j
+//
+// in powers of z and in powers of z + 1. The remainders of a polynomial of degree below n modulo
+// powers of different primes are independent as long as the degrees of the moduli add up to n at
+// most. Therefore, of any 2^k passes from a multiple of 2^k on and any aligned square of 4^j
+// pixels, one sample lies in each elementary rectangle of area 2^-(k + 2j). For one number of
+// samples, such an order of the pixels is that of Ahmed and Wonka, "Screen-Space Blue-Noise
+// Diffusion of Monte Carlo Sampling Error via Hierarchical Ordering of Pixels" (2020); the
+// construction, that of Niederreiter's sequences (1988), makes it progressive.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
 #include <Imath/ImathVec.h>
 
+#include "render/sampling/digits.hpp"
+
 namespace balcony::render {
 
-/// The numbers of one sample of one pixel, by dimension. They depend only on pixel, pass
-/// and dimension.
-///
-/// Over the passes of a pixel, each dimension and each pair is an Owen-scrambled Sobol' sequence:
-/// of any 2^k passes from a multiple of 2^k on, one lies in each of 2^k equal parts of [0, 1), and
-/// likewise for the elementary rectangles of a pair. Dimensions are shuffled independently: Burley,
-/// "Practical Hash-based Owen Scrambling" (JCGT 2020).
-class Sampler {
+/// What the samplers of all pixels share in one pass.
+class PassNumbers {
 public:
-    Sampler(std::size_t pixel_x, std::size_t pixel_y, std::size_t pass)
-        : pixel_x_(static_cast<std::uint32_t>(pixel_x)),
-          pixel_y_(static_cast<std::uint32_t>(pixel_y)),
-          pass_(static_cast<std::uint32_t>(pass)) {}
+    PassNumbers(std::size_t pass, std::uint32_t seed);
 
-    /// The next dimension, or the next two, which are stratified together; from [0, 1).
-    [[nodiscard]] float next();
-    [[nodiscard]] Imath::V2f next_pair();
+    /// Of one pair of dimensions: the shuffled pass and the seeds of scrambles, which differ from
+    /// pair to pair, so that the pairs are independent of each other.
+    struct Pair {
+        std::uint32_t pass = 0;
+        std::uint32_t pixel_seed = 0;
+        std::uint32_t x_seed = 0;
+        std::uint32_t y_seed = 0;
+    };
+    [[nodiscard]] Pair pair(std::uint32_t index) const {
+        return index < first_pairs_.size() ? first_pairs_[index] : make_pair(index);
+    }
 
 private:
-    [[nodiscard]] std::uint32_t next_seed();
+    [[nodiscard]] Pair make_pair(std::uint32_t index) const;
 
-    std::uint32_t pixel_x_;
-    std::uint32_t pixel_y_;
     std::uint32_t pass_;
-    std::uint32_t dimension_ = 0;
+    std::uint32_t seed_;
+    std::array<Pair, 128> first_pairs_;
+};
+
+/// The numbers of one sample of one pixel, by dimension. They depend only on the seed, pixel, pass
+/// and dimension.
+///
+/// Over the passes of a pixel, each dimension and each pair is an Owen-scrambled (0, 2)-sequence:
+/// of any 2^k passes from a multiple of 2^k on, one lies in each of 2^k equal parts of [0, 1), and
+/// likewise for the elementary rectangles of a pair. Dimensions are shuffled independently, as in
+/// Burley, "Practical Hash-based Owen Scrambling" (JCGT 2020).
+class Sampler {
+public:
+    /// The numbers of the pass must outlive the sampler. Pixels 65536 apart have the same numbers.
+    Sampler(std::size_t pixel_x, std::size_t pixel_y, const PassNumbers& pass)
+        : pass_(&pass),
+          pixel_(reversed(
+              morton(static_cast<std::uint32_t>(pixel_x), static_cast<std::uint32_t>(pixel_y)))) {}
+
+    /// The next dimension, or the next two, which are stratified together; from [0, 1).
+    [[nodiscard]] float next() { return next_pair().x; }
+    [[nodiscard]] Imath::V2f next_pair() {
+        const PassNumbers::Pair pair = pass_->pair(next_++);
+        const std::uint32_t pixel = from_powers_of_q(scrambled(pixel_, pair.pixel_seed));
+        // q^16 = z^32 + z^16 + 1; the coefficients above z^31 matter only in powers of z + 1.
+        const std::uint32_t low = pair.pass ^ pair.pass << 16 ^ pixel;
+        const std::uint32_t high = pair.pass ^ pair.pass >> 16;
+        const std::uint32_t x = scrambled(low, pair.x_seed);
+        const std::uint32_t y = scrambled(in_powers_of_z_plus_1(low ^ high), pair.y_seed);
+        const std::uint64_t both = reversed(std::uint64_t{x} << 32 | y);
+        return {unit_float(static_cast<std::uint32_t>(both)),
+                unit_float(static_cast<std::uint32_t>(both >> 32))};
+    }
+
+private:
+    // The 24 bits of a float below 1.
+    [[nodiscard]] static float unit_float(std::uint32_t bits) {
+        return static_cast<float>(static_cast<std::int32_t>(bits >> 8)) * 0x1p-24F;
+    }
+
+    const PassNumbers* pass_;
+    std::uint32_t pixel_;
+    std::uint32_t next_ = 0;
 };
 
 }  // namespace balcony::render

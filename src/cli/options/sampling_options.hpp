@@ -1,0 +1,27 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// How many samples a picture has, and where they lie.
+
+#include <string>
+
+#include "balcony/render.hpp"
+#include "cli/command_line.hpp"
+
+namespace balcony::cli {
+
+/// The words of --samples, --seed and --filter.
+struct SamplingWords {
+    std::string samples = "16";
+    std::string seed = "0";
+    std::string filter = render::SamplingSettings{}.filter;
+};
+
+void add_sampling_options(CLI::App& command, SamplingWords& words);
+
+/// Sets the number of samples and the sampling settings.
+void read_sampling(const SamplingWords& words, render::Settings& settings,
+                   Diagnostics& diagnostics);
+
+}  // namespace balcony::cli
