@@ -157,6 +157,12 @@ enum class ViewTransform : std::uint8_t {
     /// compression of the Khronos PBR Neutral Tone Mapper (2024).
     neutral,
     standard,  ///< Unchanged up to 1, and clipped above.
+    /// Middle grey is unchanged, highlights are compressed up to white at 16, by channel: the curve
+    /// of Hable, "Uncharted 2: HDR Lighting" (2010).
+    filmic,
+    /// Middle grey is unchanged; from 10 stops below it to 6.5 above, light is compressed along a
+    /// sigmoid, and bright saturated light turns white: after Sobotka's AgX (2022).
+    agx,
 };
 
 [[nodiscard]] std::string_view name_of(ViewTransform view);
@@ -172,6 +178,11 @@ struct DisplayOptions {
     double exposure = 0.0;      ///< In stops: light is multiplied by 2^exposure.
     std::optional<int> bits{};  ///< Bits per channel: 8 or 16, by default those of the format.
     ViewTransform view = ViewTransform::neutral;
+    /// Whether files with 8 bits are dithered: pixels with light are rounded up or down by an
+    /// ordered pattern, so that their mean over an area is exact and gradients have no bands.
+    /// Colours that have an exact level, and pixels without light, such as frames, are rounded to
+    /// the nearest level.
+    bool dither = true;
 };
 
 /// The exposure, in half stops, for a film whose light is far from the range of a screen, as in

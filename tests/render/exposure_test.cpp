@@ -101,12 +101,64 @@ TEST(ViewTransform, NeutralIsMonotonicAndSmooth) {
     EXPECT_NEAR(displayed(ViewTransform::neutral, grey(1.0F)).x, 0.9F, 1e-6F);
 }
 
+std::vector<ViewTransform> every_view() {
+    std::vector<ViewTransform> all;
+    for (const std::string& name : view_transform_names()) {
+        all.push_back(*find_view_transform(name));
+    }
+    return all;
+}
+
+// Black is black, middle grey is middle grey, greys stay grey, and more light is never darker.
+TEST(ViewTransform, EachKeepsBlackAndMiddleGreyAndOrder) {
+    ASSERT_EQ(every_view().size(), 4U);
+    for (const ViewTransform view : every_view()) {
+        EXPECT_EQ(displayed(view, grey(0.0F)), grey(0.0F)) << name_of(view);
+        EXPECT_NEAR(displayed(view, grey(0.18F)).x, 0.18F, 1e-5F) << name_of(view);
+        EXPECT_GT(displayed(view, grey(100.0F)).x, 0.99F) << name_of(view);
+        float before = 0.0F;
+        for (float stops = -12.0F; stops < 10.0F; stops += 0.01F) {
+            const Color3f shown = displayed(view, grey(std::exp2(stops)));
+            // The rounding of powers and logarithms, each to about 2^-22.
+            ASSERT_GE(shown.x, before - 1e-6F) << name_of(view) << ' ' << stops;
+            ASSERT_NEAR(shown.x, shown.y, 1e-6F);
+            ASSERT_NEAR(shown.x, shown.z, 1e-6F);
+            before = shown.x;
+        }
+    }
+}
+
+// The two curves that are meant for pictures with a wide range show a stop more at every exposure
+// of eleven, where standard is white from 1 on.
+TEST(ViewTransform, FilmAndAgxSeparateHighlights) {
+    for (const ViewTransform view : {ViewTransform::filmic, ViewTransform::agx}) {
+        for (float light = 0.01F; light < 10.0F; light *= 2.0F) {
+            EXPECT_GT(displayed(view, grey(std::min(2.0F * light, 15.0F))).x,
+                      displayed(view, grey(light)).x + 0.002F)
+                << name_of(view) << ' ' << light;
+        }
+    }
+}
+
+// A red light that gets brighter turns white; a dark red keeps its hue.
+TEST(ViewTransform, AgxDesaturatesBrightLight) {
+    const Color3f red(1.0F, 0.02F, 0.02F);
+    const auto ratio = [&](float level) {
+        const Color3f shown = displayed(ViewTransform::agx, level * red);
+        return shown.y / shown.x;
+    };
+    EXPECT_LT(ratio(0.18F), 0.1F);
+    EXPECT_GT(ratio(16.0F), 0.4F);
+    EXPECT_LT(ratio(1.0F), ratio(4.0F));
+    EXPECT_LT(ratio(4.0F), ratio(16.0F));
+}
+
 TEST(ViewTransform, HasARowForEachName) {
     for (const std::string& name : view_transform_names()) {
         EXPECT_EQ(name_of(*find_view_transform(name)), name);
         EXPECT_FALSE(meaning_of(*find_view_transform(name)).empty());
     }
-    EXPECT_FALSE(find_view_transform("filmic"));
+    EXPECT_FALSE(find_view_transform("raw"));
     EXPECT_EQ(displayed(ViewTransform::standard, Color3f(0.9F, 7.0F, -1.0F)),
               Color3f(0.9F, 1.0F, 0.0F));
 }
@@ -114,7 +166,7 @@ TEST(ViewTransform, HasARowForEachName) {
 TEST(ViewTransform, TakesAnyNumber) {
     const float infinite = std::numeric_limits<float>::infinity();
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    for (const ViewTransform view : {ViewTransform::neutral, ViewTransform::standard}) {
+    for (const ViewTransform view : every_view()) {
         for (const Color3f& color : {grey(infinite), grey(nan), Color3f(infinite, 0.0F, nan),
                                      grey(std::numeric_limits<float>::max())}) {
             const Color3f shown = displayed(view, color);

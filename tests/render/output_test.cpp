@@ -75,7 +75,7 @@ TEST_F(Output, PngHoldsSrgbAndStraightAlpha) {
     const Film film = two_objects().film;
     for (const int bits : {8, 16}) {
         const fs::path file = folder_ / "picture.png";
-        ASSERT_TRUE(write(film, file, {-1.0, bits}).empty());
+        ASSERT_TRUE(write(film, file, {.exposure = -1.0, .bits = bits, .dither = false}).empty());
         const std::vector<float> values = read(file);
         ASSERT_EQ(values.size(), 37U * 83U * 4U);
         const float half_step = 0.5F / static_cast<float>((1 << bits) - 1) + 1e-6F;
@@ -112,7 +112,7 @@ Film light_and_display() {
 TEST_F(Output, ExposureIsForLightNotForDisplayColours) {
     const Film film = light_and_display();
     const fs::path file = folder_ / "a.png";
-    ASSERT_TRUE(write(film, file, {.exposure = -9.0}).empty());
+    ASSERT_TRUE(write(film, file, {.exposure = -9.0, .dither = false}).empty());
     const std::vector<float> shown = read(file);
     const float light = 300.0F / 512.0F;
     constexpr float half_step = 0.5F / 255.0F + 1e-6F;
@@ -132,7 +132,7 @@ TEST_F(Output, TheBackgroundFillsWhatIsLeft) {
     Film film = light_and_display();
     film.background = Color3f(0.4F);
     const fs::path file = folder_ / "a.png";
-    ASSERT_TRUE(write(film, file, {.exposure = -9.0}).empty());
+    ASSERT_TRUE(write(film, file, {.exposure = -9.0, .dither = false}).empty());
     const std::vector<float> shown = read(file);
     const float light = 300.0F / 512.0F;
     constexpr float half_step = 0.5F / 255.0F + 1e-6F;
@@ -142,6 +142,74 @@ TEST_F(Output, TheBackgroundFillsWhatIsLeft) {
         EXPECT_NEAR(shown[4 * i], srgb(reds[i]), half_step) << i;
         EXPECT_EQ(shown[4 * i + 3], 1.0F) << i;
     }
+}
+
+// An opaque film of 96 x 64 pixels whose light has a given sRGB level, from 0 to 255.
+Film film_of_levels(const std::function<double(std::size_t x)>& level) {
+    Film film = *make_film({.width = 96, .height = 64, .data_layers = false});
+    film.passes.assign(film.tile_count(), 1);
+    for (std::size_t i = 0; i < film.sum.size(); ++i) {
+        const double value = level(i % 96) / 255.0;
+        const double linear =
+            value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+        film.sum[i] = Color4d(linear, linear, linear, 1.0);
+    }
+    return film;
+}
+
+constexpr DisplayOptions as_light{.view = ViewTransform::standard};
+
+// 96 columns between two levels: rounding would show a step in the middle.
+TEST_F(Output, DitheringKeepsTheMeanOfAnArea) {
+    const auto level = [](std::size_t x) { return 100.0 + static_cast<double>(x) / 96.0; };
+    const Film film = film_of_levels(level);
+    ASSERT_TRUE(write(film, folder_ / "a.png", as_light).empty());
+    const std::vector<float> shown = read(folder_ / "a.png");
+    for (std::size_t c = 0; c < 3; ++c) {
+        for (std::size_t left = 0; left < 96; left += 16) {
+            double error = 0.0;
+            for (std::size_t i = 0; i < 16 * 64; ++i) {
+                const std::size_t x = left + i % 16;
+                const double value = 255.0 * double{shown[4 * (i / 16 * 96 + x) + c]};
+                ASSERT_LT(std::abs(value - level(x)), 1.0);
+                error += (value - level(x)) / (16.0 * 64.0);
+            }
+            // The discrepancy of the pattern over 1024 points is below 10 of them.
+            EXPECT_LT(std::abs(error), 0.01) << left;
+        }
+    }
+    DisplayOptions rounded = as_light;
+    rounded.dither = false;
+    ASSERT_TRUE(write(film, folder_ / "a.png", rounded).empty());
+    EXPECT_NEAR(read(folder_ / "a.png")[4 * 10], 100.0F / 255.0F, 1e-6F);
+}
+
+TEST_F(Output, DitheringLeavesExactLevels) {
+    const Film film = film_of_levels([](std::size_t x) { return 2.0 * static_cast<double>(x); });
+    ASSERT_TRUE(write(film, folder_ / "a.png", as_light).empty());
+    const std::vector<float> shown = read(folder_ / "a.png");
+    for (std::size_t i = 0; i < 96 * 64; ++i) {
+        ASSERT_NEAR(shown[4 * i], static_cast<float>(2 * (i % 96)) / 255.0F, 1e-6F) << i;
+    }
+}
+
+// Frames and backgrounds of any colour have the nearest level.
+TEST_F(Output, PixelsWithoutLightAreNotDithered) {
+    Film film = film_of_levels([](std::size_t) { return 0.0; });
+    film.sum.assign(film.sum.size(), Color4d(0.0));
+    film.display.assign(film.sum.size(), Color4d(0.3, 0.3, 0.3, 1.0));
+    for (std::size_t i = 0; i < 96; ++i) {
+        film.display[i] = Color4d(0.0);
+    }
+    film.background = Color3f(0.2F);
+    ASSERT_TRUE(write(film, folder_ / "a.png").empty());
+    const std::vector<float> shown = read(folder_ / "a.png");
+    constexpr float half_step = 0.5F / 255.0F + 1e-6F;
+    for (std::size_t i = 0; i < 96 * 64; ++i) {
+        ASSERT_EQ(shown[4 * i], shown[i < 96 ? 0 : 4 * 96]) << i;
+    }
+    EXPECT_NEAR(shown[0], srgb(0.2F), half_step);
+    EXPECT_NEAR(shown[4 * 96], srgb(0.3F), half_step);
 }
 
 // A program that exposes an EXR file takes the light, and adds the display colours afterwards.

@@ -131,7 +131,8 @@ RenderReport make_picture(RenderReport outcome, const RenderOptions& options,
             exposure, summary->ambient.x);
     }
     warn_of_lost_alpha(outcome, film, output);
-    const Diagnostics written = output.write(film, {.exposure = exposure, .view = request.view});
+    const Diagnostics written = output.write(
+        film, {.exposure = exposure, .view = request.view, .dither = !options.film.no_dither});
     if (has_errors(written)) {
         return fail(std::move(outcome), ExitCode::environment, written);
     }
@@ -383,6 +384,7 @@ void add_picture_options(CLI::App& command, RenderOptions& options) {
                     "1), as the display shows it")
         ->type_name("COLOUR")
         ->capture_default_str();
+    add_film_options(command, options.film);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "balcony/render.hpp"
 #include "cli/options/common_options.hpp"
+#include "cli/options/film_options.hpp"
 #include "cli/options/sampling_options.hpp"
 
 namespace balcony::cli {
@@ -27,6 +28,7 @@ struct RenderOptions {
     std::string exposure = "auto";
     std::string ambient = "auto";
     std::string view = std::string(render::name_of(render::ViewTransform::neutral));
+    FilmOptions film;
     bool watch = false;
     bool quiet = false;
     bool json = false;

@@ -18,17 +18,18 @@ Color4f over_background(const Film& film, const Color4f& color) {
 
 // Colours divided by alpha pass the view transform, so that the edge of a bright object in front of
 // nothing is as smooth as that of a dark one.
-Color4f displayed_pixel(const Film& film, std::size_t x, std::size_t y, float gain,
-                        ViewTransform view) {
+DisplayedPixel displayed_pixel(const Film& film, std::size_t x, std::size_t y, float gain,
+                               ViewTransform view) {
     const Color4f light = film.light(x, y);
     Color4f shown = film.display_color(x, y);
-    if (light.a > 0.0F) {
+    const bool lit = light.a > 0.0F;
+    if (lit) {
         const float scale = gain / light.a;
         const Color3f color =
             light.a * displayed(view, {light.r * scale, light.g * scale, light.b * scale});
         shown += Color4f(color.x, color.y, color.z, light.a);
     }
-    return over_background(film, shown);
+    return {over_background(film, shown), lit};
 }
 
 }  // namespace balcony::render

@@ -6,10 +6,15 @@
 
 namespace balcony::render {
 
+struct DisplayedPixel {
+    Color4f color;     ///< Linear, premultiplied.
+    bool lit = false;  ///< Whether light contributes, and not only display colours.
+};
+
 /// A pixel of the window as a picture file shows it: light after exposure (a factor) and view
-/// transform, and display colours, over the film's background. Linear, premultiplied.
-[[nodiscard]] Color4f displayed_pixel(const Film& film, std::size_t x, std::size_t y, float gain,
-                                      ViewTransform view);
+/// transform, and display colours, over the film's background.
+[[nodiscard]] DisplayedPixel displayed_pixel(const Film& film, std::size_t x, std::size_t y,
+                                             float gain, ViewTransform view);
 
 /// A premultiplied colour over the film's background.
 [[nodiscard]] Color4f over_background(const Film& film, const Color4f& color);

@@ -11,6 +11,7 @@
 #include "balcony/display_file.hpp"
 #include "balcony/film.hpp"
 #include "render/film/displayed_pixel.hpp"
+#include "render/film/tile_image.hpp"
 
 namespace balcony::render {
 
@@ -25,32 +26,47 @@ float srgb_from_linear(float value) {
     return c <= 0.0031308F ? 12.92F * c : 1.055F * std::pow(c, 1.0F / 2.4F) - 0.055F;
 }
 
+// Rounded up or down by a threshold from 0 to 1; 0.5 is the nearest.
 template <class Sample>
-Sample quantised(float value) {
+Sample quantised(float value, float threshold = 0.5F) {
     constexpr auto maximum = static_cast<float>(std::numeric_limits<Sample>::max());
-    return static_cast<Sample>(std::clamp(value, 0.0F, 1.0F) * maximum + 0.5F);
+    return static_cast<Sample>(std::clamp(value, 0.0F, 1.0F) * maximum + threshold);
+}
+
+// A pattern of thresholds whose values are evenly distributed in every small area: the R2 sequence
+// over the plane (Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018).
+float threshold(std::size_t x, std::size_t y, std::size_t channel) {
+    constexpr double along_x = 0.7548776662466927;
+    constexpr double along_y = 0.5698402909980532;
+    // Colours whose channels change together would show more than a channel alone.
+    constexpr double along_channels = 1.0 / 3.0;
+    // More than the rounding of a colour that has an exact level.
+    constexpr double margin = 1.0 / 1024.0;
+    const double value = along_x * static_cast<double>(x) + along_y * static_cast<double>(y) +
+                         along_channels * static_cast<double>(channel);
+    return static_cast<float>(std::clamp(value - std::floor(value), margin, 1.0 - margin));
 }
 
 template <class Sample>
 std::vector<Sample> to_samples(const Film& film, const DisplayOptions& options, bool with_alpha) {
     const auto gain = static_cast<float>(std::exp2(options.exposure));
+    const bool dither = options.dither && sizeof(Sample) == 1;
     std::vector<Sample> samples;
     samples.reserve(film.window.size() * (with_alpha ? 4 : 3));
-    for (std::size_t y = 0; y < film.window.height; ++y) {
-        for (std::size_t x = 0; x < film.window.width; ++x) {
-            const Color4f shown =
-                displayed_pixel(film, film.window.x + x, film.window.y + y, gain, options.view);
-            const bool visible = shown.a > 0.0F;
-            // Without alpha, the picture is in front of black.
-            const float scale = !visible ? 0.0F : with_alpha ? 1.0F / shown.a : 1.0F;
-            for (const float c : {shown.r, shown.g, shown.b}) {
-                samples.push_back(quantised<Sample>(srgb_from_linear(c * scale)));
-            }
-            if (with_alpha) {
-                samples.push_back(quantised<Sample>(visible ? shown.a : 0.0F));
-            }
+    for_each_pixel(film.window, [&](std::size_t, std::size_t x, std::size_t y) {
+        const auto [shown, lit] = displayed_pixel(film, x, y, gain, options.view);
+        const bool visible = shown.a > 0.0F;
+        // Without alpha, the picture is in front of black.
+        const float scale = !visible ? 0.0F : with_alpha ? 1.0F / shown.a : 1.0F;
+        const float colors[] = {shown.r, shown.g, shown.b};
+        for (std::size_t c = 0; c < 3; ++c) {
+            samples.push_back(quantised<Sample>(srgb_from_linear(colors[c] * scale),
+                                                dither && lit ? threshold(x, y, c) : 0.5F));
         }
-    }
+        if (with_alpha) {
+            samples.push_back(quantised<Sample>(visible ? shown.a : 0.0F));
+        }
+    });
     return samples;
 }
 

@@ -29,6 +29,77 @@ Color3f neutral(const Color3f& light) {
 
 Color3f unchanged(const Color3f& light) { return light; }
 
+template <class Curve>
+Color3f by_channel(const Color3f& color, const Curve& curve) {
+    return {curve(color.x), curve(color.y), curve(color.z)};
+}
+
+// The curve of Hable, "Uncharted 2: HDR Lighting" (GDC 2010), by channel, with his constants for
+// shoulder, line and toe. The light is scaled so that middle grey remains middle grey (0.18) when
+// light of 16 is white.
+Color3f filmic(const Color3f& light) {
+    constexpr float white = 16.0F;
+    constexpr float scale = 3.70178F;
+    const auto curve = [](float x) {
+        constexpr float shoulder = 0.15F;
+        constexpr float line = 0.50F;
+        constexpr float line_angle = 0.10F;
+        constexpr float toe = 0.20F;
+        constexpr float toe_numerator = 0.02F;
+        constexpr float toe_denominator = 0.30F;
+        // His sum of two fractions with a common denominator, so that black is exactly black.
+        constexpr float toe_angle = toe_numerator / toe_denominator;
+        return x * (shoulder * (1.0F - toe_angle) * x + line * (line_angle - toe_angle)) /
+               (x * (shoulder * x + line) + toe * toe_denominator);
+    };
+    const float brightest = curve(scale * white);
+    return by_channel(light, [&](float value) {
+        return value < white ? curve(scale * value) / brightest : 1.0F;
+    });
+}
+
+// After Sobotka's AgX (github.com/sobotka/AgX, 2022): in primaries that are nearer to white, so
+// that bright saturated light loses its colour instead of changing its hue, the logarithm of the
+// light passes a sigmoid. It has middle grey (0.18) as its pivot, where its slope is that of AgX,
+// and ends 10 stops below (black) and 6.5 above (white).
+class Agx {
+public:
+    static Color3f display(const Color3f& light) {
+        const Color3f inside = saturation * light + Color3f((1.0F - saturation) * mean(light));
+        const Color3f shown = by_channel(inside, [](float value) {
+            constexpr float encoding = 2.4F;
+            return std::pow(std::max(sigmoid(value), 0.0F), encoding);
+        });
+        return by_channel(shown, [grey = mean(shown)](float value) {
+            return (value - (1.0F - saturation) * grey) / saturation;
+        });
+    }
+
+private:
+    static constexpr float saturation = 0.765F;
+    static constexpr float middle_grey = 0.18F;
+    static constexpr float stops_below = 10.0F;
+    static constexpr float stops_above = 6.5F;
+
+    static float mean(const Color3f& color) { return (color.x + color.y + color.z) / 3.0F; }
+
+    // From 0 to 1, for the power 2.4 of a display.
+    static float sigmoid(float light) {
+        constexpr float pivot = 0.489435F;  // 0.18^(1/2.4)
+        const float stops = std::clamp(std::log2(light / middle_grey), -stops_below, stops_above);
+        return stops < 0.0F ? pivot - part(-stops, stops_below, pivot)
+                            : pivot + part(stops, stops_above, 1.0F - pivot);
+    }
+
+    // One half of the sigmoid, from 0 with the slope of the pivot to (width, height).
+    static float part(float x, float width, float height) {
+        constexpr float power = 1.5F;
+        constexpr float slope = 2.4F / (stops_below + stops_above);
+        const float bend = std::pow(slope * width / height, power) - 1.0F;
+        return slope * x / std::pow(1.0F + bend * std::pow(x / width, power), 1.0F / power);
+    }
+};
+
 struct Row {
     std::string_view name;
     std::string_view meaning;
@@ -39,6 +110,8 @@ struct Row {
 constexpr std::array rows{
     Row{"neutral", "highlights above 0.8 are compressed", neutral},
     Row{"standard", "highlights above 1 are clipped", unchanged},
+    Row{"filmic", "soft highlights and shadows of film, white at 16", filmic},
+    Row{"agx", "bright saturated light turns white, as in AgX", Agx::display},
 };
 
 const Row& row_of(ViewTransform view) { return rows[static_cast<std::size_t>(view)]; }
