@@ -58,6 +58,16 @@ struct SamplingSettings {
     std::string filter = "blackman-harris";
 };
 
+/// The largest number of times that the light of a path is scattered on its way to the camera,
+/// besides the lamp's own illumination of the last surface: in all, and by each kind of surface.
+/// 0 is direct light alone.
+struct BounceLimits {
+    std::size_t all = 12;
+    std::size_t diffuse = 6;
+    std::size_t glossy = 8;
+    std::size_t transmission = 12;
+};
+
 struct Settings {
     std::size_t samples = 16;  ///< Rays per pixel: the number of passes.
     std::string integrator = "direct";
@@ -71,8 +81,12 @@ struct Settings {
     /// The colour behind the picture, as the display shows it: neither exposed nor part of the
     /// film's light. Linear, from 0 to 1; transparent if empty.
     std::optional<Color3f> background{};
-    std::size_t mirror_depth = 8;  ///< The maximum number of reflections.
     SamplingSettings sampling{};
+    std::size_t mirror_depth = 8;  ///< The maximum number of reflections of `direct`.
+    BounceLimits bounces{};        ///< Of `path`.
+    /// The largest contribution of indirect light to a sample of `path`, in each channel; 0 is no
+    /// limit. A limit removes bright specks, and with them some of the light.
+    float clamp_indirect = 0.0F;
 };
 
 // ---------------------------------------------------------------------------------- renderer

@@ -58,7 +58,7 @@ struct ShadowQuery {
     RTCIntersectContext
         context;  // The first member, so that a filter can access the others through it.
     const OpacitySource* opacities;
-    float transmittance;
+    std::span<float> transmittances;  // By the rays' ids.
 };
 
 // Lets a shadow ray pass a transparent surface, attenuated by its opacity.
@@ -73,8 +73,9 @@ void pass_transparent(const RTCFilterFunctionNArguments* arguments) {
             RTCHitN_instID(arguments->hit, count, i, 0), RTCHitN_geomID(arguments->hit, count, i),
             RTCHitN_primID(arguments->hit, count, i), RTCHitN_u(arguments->hit, count, i),
             RTCHitN_v(arguments->hit, count, i));
-        query->transmittance *= 1.0F - query->opacities->opacity(hit);
-        if (query->transmittance > 0.0F) {
+        float& transmittance = query->transmittances[RTCRayN_id(arguments->ray, count, i)];
+        transmittance *= 1.0F - query->opacities->opacity(hit);
+        if (transmittance > 0.0F) {
             arguments->valid[i] = 0;
         }
     }
@@ -247,7 +248,7 @@ RTCRayHit to_ray_hit(const Ray& ray) {
 }
 
 constexpr std::size_t packet_side = Accelerator::packet_side;
-constexpr std::size_t packet_size = packet_side * packet_side;
+constexpr std::size_t packet_size = Accelerator::packet_size;
 
 // Embree's coherent packets lose rays with a direction component of nearly 0, whose reciprocal is
 // out of range for the bounds of a packet. The minimum passed to Embree is less than the rounding
@@ -255,6 +256,21 @@ constexpr std::size_t packet_size = packet_side * packet_side;
 float away_from_zero(float component) {
     constexpr float minimum = 1e-8F;
     return std::fabs(component) < minimum ? std::copysign(minimum, component) : component;
+}
+
+void set_lane(RTCRay16& packet, std::size_t lane, const Ray& ray) {
+    packet.org_x[lane] = ray.origin.x;
+    packet.org_y[lane] = ray.origin.y;
+    packet.org_z[lane] = ray.origin.z;
+    packet.tnear[lane] = 0.0F;
+    packet.dir_x[lane] = away_from_zero(ray.direction.x);
+    packet.dir_y[lane] = away_from_zero(ray.direction.y);
+    packet.dir_z[lane] = away_from_zero(ray.direction.z);
+    packet.time[lane] = ray.time;
+    packet.tfar[lane] = ray.farthest;
+    packet.mask[lane] = 0xffffffffU;
+    packet.id[lane] = static_cast<unsigned>(lane);
+    packet.flags[lane] = 0;
 }
 
 void intersect_packet(RTCScene world, std::span<const std::size_t> indices,
@@ -265,17 +281,8 @@ void intersect_packet(RTCScene world, std::span<const std::size_t> indices,
     alignas(64) std::array<int, packet_size> valid{};
     RTCRayHit16 packet{};
     for (std::size_t lane = 0; lane < indices.size(); ++lane) {
-        const Ray& ray = rays[indices[lane]];
         valid[lane] = -1;
-        packet.ray.org_x[lane] = ray.origin.x;
-        packet.ray.org_y[lane] = ray.origin.y;
-        packet.ray.org_z[lane] = ray.origin.z;
-        packet.ray.dir_x[lane] = away_from_zero(ray.direction.x);
-        packet.ray.dir_y[lane] = away_from_zero(ray.direction.y);
-        packet.ray.dir_z[lane] = away_from_zero(ray.direction.z);
-        packet.ray.tfar[lane] = ray.farthest;
-        packet.ray.time[lane] = ray.time;
-        packet.ray.mask[lane] = 0xffffffffU;
+        set_lane(packet.ray, lane, rays[indices[lane]]);
         packet.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
         packet.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
     }
@@ -413,11 +420,33 @@ float Accelerator::transmittance(const Ray& ray, const OpacitySource& opacities)
     if (!state_->traceable(ray)) {
         return 1.0F;
     }
-    ShadowQuery query{{}, &opacities, 1.0F};
+    float transmittance = 1.0F;
+    ShadowQuery query{{}, &opacities, std::span(&transmittance, 1)};
     rtcInitIntersectContext(&query.context);
     RTCRay shadow = to_ray_hit(ray).ray;
     rtcOccluded1(state_->world.get(), &query.context, &shadow);
-    return shadow.tfar < 0.0F ? 0.0F : query.transmittance;
+    return shadow.tfar < 0.0F ? 0.0F : transmittance;
+}
+
+void Accelerator::transmittance(std::span<const Ray> rays, const OpacitySource& opacities,
+                                std::span<float> results) const {
+    alignas(64) std::array<int, packet_size> valid{};
+    RTCRay16 packet{};
+    for (std::size_t lane = 0; lane < rays.size(); ++lane) {
+        results[lane] = 1.0F;
+        if (state_->traceable(rays[lane])) {
+            valid[lane] = -1;
+            set_lane(packet, lane, rays[lane]);
+        }
+    }
+    ShadowQuery query{{}, &opacities, results};
+    rtcInitIntersectContext(&query.context);
+    rtcOccluded16(valid.data(), state_->world.get(), &query.context, &packet);
+    for (std::size_t lane = 0; lane < rays.size(); ++lane) {
+        if (valid[lane] != 0 && packet.tfar[lane] < 0.0F) {
+            results[lane] = 0.0F;
+        }
+    }
 }
 
 }  // namespace balcony::render::embree

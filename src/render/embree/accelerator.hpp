@@ -67,6 +67,7 @@ class Accelerator {
 public:
     /// Rays of a grid are traced together in squares with this side.
     static constexpr std::size_t packet_side = 4;
+    static constexpr std::size_t packet_size = packet_side * packet_side;
 
     /// Builds the structure. An instance that Embree cannot handle (without a finite affine matrix,
     /// or with a vertex beyond max_coordinate) is skipped with a warning that names its object; a
@@ -87,6 +88,11 @@ public:
     /// The transmittance between a ray's origin and its end; looks up the opacity of surfaces whose
     /// material is not opaque.
     [[nodiscard]] float transmittance(const Ray& ray, const OpacitySource& opacities) const;
+
+    /// The same for at most packet_size rays together: faster if their directions are similar.
+    /// Where a ray touches an edge, the others may decide whether it hits.
+    void transmittance(std::span<const Ray> rays, const OpacitySource& opacities,
+                       std::span<float> results) const;
 
 private:
     struct State;

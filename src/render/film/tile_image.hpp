@@ -17,9 +17,9 @@ namespace balcony::render {
 /// The first surface on a ray that is not fully transparent.
 struct VisibleSurface {
     bool any = false;
-    V3f position;
-    V3f normal;
-    Color3f albedo;
+    V3f position{0.0F};
+    V3f normal{0.0F};
+    Color3f albedo{0.0F};
     std::uint32_t object = 0;  ///< Index into Scene::objects plus 1.
 };
 

@@ -32,11 +32,12 @@ private:
         // the shadow ray decides.
         const Bsdf bsdf(at.appearance, at.surface.normal, at.surface.normal);
         return {at.appearance.emission, *settings().ambient * bsdf.ambient_reflectance(),
-                reflected_light(-ray.direction, at.surface, bsdf)};
+                reflected_light(ray, at.surface, bsdf)};
     }
 
-    [[nodiscard]] Color3f reflected_light(const V3f& to_viewer, const Surface& surface,
+    [[nodiscard]] Color3f reflected_light(const Ray& ray, const Surface& surface,
                                           const Bsdf& bsdf) const {
+        const V3f to_viewer = -ray.direction;
         const LightSet& lights = tracer().lights();
         const LitPoint point{surface.position, to_viewer};
         Color3f total(0.0F);
@@ -48,8 +49,8 @@ private:
             const Color3f unshadowed =
                 arriving.irradiance * bsdf.eval(to_viewer, arriving.to_light);
             if (largest(unshadowed) > 0.0F) {
-                total += unshadowed *
-                         tracer().transmittance(surface, arriving.to_light, arriving.distance);
+                total += unshadowed * tracer().transmittance(surface, arriving.to_light,
+                                                             arriving.distance, ray.time);
             }
         }
         return total;

@@ -11,6 +11,7 @@
 namespace balcony::render {
 
 std::unique_ptr<Integrator> make_direct(const TracedScene& traced, const Settings& settings);
+std::unique_ptr<Integrator> make_path(const TracedScene& traced, const Settings& settings);
 std::unique_ptr<Integrator> make_preview(const TracedScene& traced, const Settings& settings);
 
 namespace {
@@ -21,6 +22,7 @@ struct Row {
 };
 
 constexpr std::array rows{
+    Row{{"path", "global illumination"}, make_path},
     Row{{"direct", "lights, sharp shadows, mirrors"}, make_direct},
     Row{{"preview", "lit from the eye"}, make_preview},
 };

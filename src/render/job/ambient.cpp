@@ -28,7 +28,7 @@ double brightness(const SceneTracer& tracer, const V3f& to_viewer, const Interac
             tracer.lights().arriving(light, {at.surface.position, to_viewer});
         if (arriving.to_light.dot(at.surface.normal) > 0.0F) {
             total += white_radiance *
-                     tracer.transmittance(at.surface, arriving.to_light, arriving.distance) *
+                     tracer.transmittance(at.surface, arriving.to_light, arriving.distance, 0.0F) *
                      arriving.irradiance;
         }
     }

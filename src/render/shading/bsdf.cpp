@@ -78,7 +78,7 @@ bool may_be_mirror(const scene::Material& material) {
 }
 
 // Reflectance at normal incidence: 4 %, for an index of refraction of 1.5, or the metal's colour.
-Bsdf::Bsdf(const Appearance& appearance, const V3f& normal, const V3f& geometric_normal)
+Bsdf::Bsdf(const Appearance& appearance, const V3f& normal, const V3f& geometric_normal, bool)
     : diffuse_((1.0F - appearance.metallic) * appearance.base_color),
       specular_((1.0F - appearance.metallic) * 0.04F * white +
                 appearance.metallic * appearance.base_color),
@@ -146,6 +146,7 @@ std::optional<BsdfSample> Bsdf::sample(const V3f& to_viewer, const V3f& random) 
         sample.to_light = mirrored(-to_viewer, sample.facet_normal).normalized();
     } else {
         sample.facet_normal = normal_;
+        sample.lobe = BsdfLobe::diffuse;
         sample.to_light = frame.to_world(sample_cosine(random.y, random.z)).normalized();
     }
     sample.pdf = pdf(to_viewer, sample.to_light);

@@ -4,6 +4,7 @@
 
 // The reflection of light at a point of a surface.
 
+#include <cstdint>
 #include <optional>
 
 #include <Imath/ImathColor.h>
@@ -20,6 +21,9 @@ using Imath::V3f;
 /// roughness.
 [[nodiscard]] bool may_be_mirror(const scene::Material& material);
 
+/// What a surface does with the light of a sample.
+enum class BsdfLobe : std::uint8_t { diffuse, glossy, transmission };
+
 /// A sampled direction of incident light.
 struct BsdfSample {
     V3f to_light;
@@ -27,6 +31,10 @@ struct BsdfSample {
     float pdf = 0.0F;    ///< Bsdf::pdf() of the direction; 0 of a delta lobe, which has no density.
     bool delta = false;  ///< Whether it is from the mirror lobe.
     V3f facet_normal;    ///< Unit: that of the facet that reflects, or of the surface if diffuse.
+    BsdfLobe lobe = BsdfLobe::glossy;
+    bool transmitted = false;  ///< The light comes from the other side.
+    float eta = 1.0F;  ///< If transmitted: the index of refraction of the viewer's side, divided by
+                       ///< that of the light's side.
 };
 
 /// Surfaces with a roughness below this are perfect mirrors.
@@ -49,7 +57,22 @@ inline constexpr float mirror_roughness = 0.1F;
 /// formula; docs/rendering.md has the figures.
 class Bsdf {
 public:
-    Bsdf(const Appearance& appearance, const V3f& normal, const V3f& geometric_normal);
+    Bsdf(const Appearance& appearance, const V3f& normal, const V3f& geometric_normal,
+         bool entering = true);
+
+    /// eval() and pdf() at once.
+    struct Value {
+        Color3f reflected;
+        float pdf = 0.0F;
+    };
+    [[nodiscard]] Value evaluate(const V3f& to_viewer, const V3f& to_light) const {
+        return {eval(to_viewer, to_light), pdf(to_viewer, to_light)};
+    }
+
+    /// Whether light passes through the surface.
+    [[nodiscard]] bool transmits() const { return false; }
+    /// Whether all light is scattered widely, so that sampling the lights alone finds it.
+    [[nodiscard]] bool is_rough() const { return alpha_ > 0.1F; }
 
     /// The reflectance times the cosine between normal and light: the radiance towards the viewer
     /// for an irradiance of 1 on a plane perpendicular to the light's direction.

@@ -19,18 +19,27 @@ Interaction SceneTracer::interaction(const Ray& ray, const embree::Hit& hit) con
     return found;
 }
 
-float SceneTracer::transmittance(const Surface& surface, const V3f& to_light,
-                                 float distance) const {
-    if (distance <= 0.0F) {
-        return 1.0F;
+Color3f SceneTracer::emission(const embree::Hit& hit) const {
+    const TextureFootprint point{traced_->surfaces.texture_point(hit), V2f(0.0F), V2f(0.0F)};
+    return look_up(traced_->surfaces.material(hit), *traced_->textures, point, cache_).emission;
+}
+
+embree::Ray SceneTracer::shadow_ray(const Surface& surface, const V3f& to_light, float distance,
+                                    float time) {
+    if (to_light.dot(surface.normal) < 0.0F) {
+        return {surface.start(to_light), to_light, nearly_all * distance, time};
     }
     const V3f start = surface.start_to_light();
     if (std::isinf(distance) || surface.rounding_out == V3f(0.0F)) {
-        return traced_->accelerator.transmittance({start, to_light, nearly_all * distance}, *this);
+        return {start, to_light, nearly_all * distance, time};
     }
     const V3f way = distance * to_light - surface.rounding_out;
-    return traced_->accelerator.transmittance({start, way.normalized(), nearly_all * way.length()},
-                                              *this);
+    return {start, way.normalized(), nearly_all * way.length(), time};
+}
+
+float SceneTracer::transmittance(const Surface& surface, const V3f& to_light, float distance,
+                                 float time) const {
+    return distance > 0.0F ? transmittance(shadow_ray(surface, to_light, distance, time)) : 1.0F;
 }
 
 float SceneTracer::opacity(const embree::Hit& hit) const {

@@ -5,6 +5,7 @@
 // A scene prepared for tracing, and its queries for integrators.
 
 #include <memory>
+#include <span>
 
 #include "balcony/scene.hpp"
 #include "render/embree/accelerator.hpp"
@@ -41,15 +42,31 @@ public:
     [[nodiscard]] const LightSet& lights() const { return traced_->lights; }
 
     [[nodiscard]] embree::Hit nearest(const Ray& ray) const {
-        return traced_->accelerator.intersect({ray.origin, ray.direction});
+        return traced_->accelerator.intersect(
+            {.origin = ray.origin, .direction = ray.direction, .time = ray.time});
     }
 
     /// The surface at a hit of the ray.
     [[nodiscard]] Interaction interaction(const Ray& ray, const embree::Hit& hit) const;
 
+    /// What the material emits at a point of a triangle, unfiltered.
+    [[nodiscard]] Color3f emission(const embree::Hit& hit) const;
+
     /// The fraction of the light that reaches a surface from a direction and a distance.
-    [[nodiscard]] float transmittance(const Surface& surface, const V3f& to_light,
-                                      float distance) const;
+    [[nodiscard]] float transmittance(const Surface& surface, const V3f& to_light, float distance,
+                                      float time) const;
+
+    /// The ray from a surface to a light, in front of it if the direction is above the smooth
+    /// surface, and behind otherwise.
+    [[nodiscard]] static embree::Ray shadow_ray(const Surface& surface, const V3f& to_light,
+                                                float distance, float time);
+    /// The fraction of the light that passes along shadow rays: one, or a packet.
+    [[nodiscard]] float transmittance(const embree::Ray& ray) const {
+        return traced_->accelerator.transmittance(ray, *this);
+    }
+    void transmittance(std::span<const embree::Ray> packet, std::span<float> results) const {
+        traced_->accelerator.transmittance(packet, *this, results);
+    }
 
 private:
     [[nodiscard]] float opacity(const embree::Hit& hit) const override;

@@ -65,7 +65,8 @@ void set_normal(const std::array<Corner, 3>& corners, const V3f& to_viewer, Surf
         return;
     }
     const float side = unit.dot(surface.geometric_normal) < 0.0F ? -1.0F : 1.0F;
-    surface.normal = bent_towards(side * unit, to_viewer);
+    surface.smooth_normal = bent_towards(side * unit, to_viewer);
+    surface.normal = surface.smooth_normal;
     const V3f out = to_smooth_surface(corners, surface.position, side);
     if (std::isfinite(out.length2())) {
         surface.rounding_out = out;
@@ -117,7 +118,8 @@ SurfaceFinder::SurfaceFinder(const scene::Scene& scene) : scene_(&scene) {
         const scene::M44d& m = instance.world_from_mesh;
         const Imath::M33d linear(m[0][0], m[0][1], m[0][2], m[1][0], m[1][1], m[1][2], m[2][0],
                                  m[2][1], m[2][2]);
-        placements_.push_back({Imath::M44f(m), Imath::M33f(linear.inverse().transposed())});
+        placements_.push_back({Imath::M44f(m), Imath::M33f(linear.inverse().transposed()),
+                               linear.determinant() < 0.0});
     }
 }
 
@@ -160,7 +162,11 @@ Surface SurfaceFinder::find(const embree::Hit& hit, const V3f& direction) const 
     surface.geometric_normal = surface.edge_1.cross(surface.edge_2).normalized();
     if (surface.geometric_normal.dot(direction) > 0.0F) {
         surface.geometric_normal = -surface.geometric_normal;
+        surface.entering = placement.mirrors;
+    } else {
+        surface.entering = !placement.mirrors;
     }
+    surface.smooth_normal = surface.geometric_normal;
     surface.normal = surface.geometric_normal;
     surface.rounding_out = V3f(0.0F);
     if (!m.normals.empty()) {

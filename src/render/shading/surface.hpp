@@ -49,7 +49,10 @@ inline constexpr float nearly_all = 1.0F - 1e-5F;
 struct Surface {
     V3f position;
     V3f geometric_normal;  ///< Unit, towards the side the ray comes from.
-    V3f normal;            ///< Unit, for shading, on the same side and seen from the ray.
+    V3f smooth_normal;     ///< Unit, interpolated from the corners, on the same side and seen from
+                           ///< the ray.
+    V3f normal;            ///< The same, bent by the normal map: for shading.
+    bool entering = true;  ///< Whether the ray comes from outside, according to the winding.
     V3f edge_1, edge_2;    ///< Of the triangle, from its first vertex.
     V2f texture_point;
     V2f texture_edge_1, texture_edge_2;
@@ -84,6 +87,7 @@ private:
     struct Placement {
         Imath::M44f world_from_mesh;
         Imath::M33f normal_from_mesh;
+        bool mirrors = false;  // The winding is reversed.
     };
 
     [[nodiscard]] const scene::Mesh& mesh(const embree::Hit& hit) const;
