@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/film/luminance.hpp"
+
 namespace balcony::render {
 
 namespace {
@@ -49,6 +51,30 @@ EmissiveTriangles::EmissiveTriangles(const scene::Scene& scene) : scene_(&scene)
 std::optional<std::size_t> EmissiveTriangles::run_with(const embree::Hit& hit) const {
     const std::size_t first = placements_[hit.instance].first_run;
     return first == none ? std::nullopt : std::optional(first + hit.triangle / run_length_);
+}
+
+LightBounds EmissiveTriangles::bounds(const EmissiveRun& run) const {
+    const float emitted = luminance(material(run.instance).emission);
+    std::vector<LightBounds> all;
+    all.reserve(run.count);
+    for (std::uint32_t i = 0; i < run.count; ++i) {
+        const WorldTriangle one = triangle(run.instance, run.first + i);
+        const V3f across = one.across();
+        const float power = 0.5F * across.length() * emitted;
+        if (!(power > 0.0F) || !std::isfinite(power)) {
+            continue;
+        }
+        LightBounds found;
+        found.box.extendBy(one.corner);
+        found.box.extendBy(one.corner + one.edge_1);
+        found.box.extendBy(one.corner + one.edge_2);
+        found.axis = across.normalized();
+        found.cosine_falloff = 0.0F;
+        found.two_sided = true;
+        found.power = power;
+        all.push_back(found);
+    }
+    return bounds_of(all);
 }
 
 WorldTriangle EmissiveTriangles::triangle(std::uint32_t instance, std::uint32_t triangle) const {

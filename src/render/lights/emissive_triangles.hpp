@@ -14,6 +14,7 @@
 
 #include "balcony/scene.hpp"
 #include "render/embree/accelerator.hpp"
+#include "render/lights/light_bounds.hpp"
 
 namespace balcony::render {
 
@@ -48,6 +49,10 @@ public:
 
     /// The run with a triangle; nothing if the triangle does not emit.
     [[nodiscard]] std::optional<std::size_t> run_with(const embree::Hit& hit) const;
+
+    /// Of the triangles of a run. Triangles without an area, or with one that overflows, have no
+    /// power.
+    [[nodiscard]] LightBounds bounds(const EmissiveRun& run) const;
 
     [[nodiscard]] WorldTriangle triangle(std::uint32_t instance, std::uint32_t triangle) const;
 

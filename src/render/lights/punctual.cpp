@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "render/film/luminance.hpp"
+
 namespace balcony::render {
 
 namespace {
@@ -49,6 +51,18 @@ Illumination light_of(const scene::Light& lamp, const Imath::V3f& position,
     const double weight = cone * range_weight(lamp, distance) / (meters * meters);
     return {Imath::V3f(to_light), static_cast<float>(distance),
             lamp.intensity * static_cast<float>(weight)};
+}
+
+LightBounds bounds_of(const scene::Light& lamp, double meters_per_unit) {
+    LightBounds bounds;
+    bounds.box.extendBy(Imath::V3f(lamp.position));
+    const bool spot = lamp.kind == scene::LightKind::spot;
+    bounds.axis = Imath::V3f(lamp.direction);
+    bounds.cosine_spread = spot ? std::cos(lamp.inner_cone) : -1.0F;
+    bounds.cosine_falloff = spot ? std::cos(lamp.outer_cone - lamp.inner_cone) : 0.0F;
+    bounds.power =
+        static_cast<float>(double{luminance(lamp.intensity)} / (meters_per_unit * meters_per_unit));
+    return bounds;
 }
 
 }  // namespace balcony::render

@@ -8,6 +8,7 @@
 #include <Imath/ImathVec.h>
 
 #include "balcony/scene.hpp"
+#include "render/lights/light_bounds.hpp"
 
 namespace balcony::render {
 
@@ -22,5 +23,8 @@ struct Illumination {
 /// The light of a lamp at a position. Nothing from a lamp at the position itself.
 [[nodiscard]] Illumination light_of(const scene::Light& lamp, const Imath::V3f& position,
                                     double meters_per_unit);
+
+/// Of a point or a spot light.
+[[nodiscard]] LightBounds bounds_of(const scene::Light& lamp, double meters_per_unit);
 
 }  // namespace balcony::render

@@ -46,7 +46,14 @@ struct LightSet::Finite {
                 lamps.push_back(i);
             }
         }
-        std::vector<LightBounds> bounds(lamps.size() + triangles.runs().size());
+        std::vector<LightBounds> bounds;
+        bounds.reserve(lamps.size() + triangles.runs().size());
+        for (const std::size_t lamp : lamps) {
+            bounds.push_back(bounds_of(scene.lights[lamp], scene.meters_per_unit));
+        }
+        for (const EmissiveRun& run : triangles.runs()) {
+            bounds.push_back(triangles.bounds(run));
+        }
         tree = std::make_unique<const LightTree>(bounds);
     }
 
