@@ -27,10 +27,12 @@ namespace balcony::scene {
 
 using Imath::Box3f;
 using Imath::Color3f;
+using Imath::Color4f;
 using Imath::M44d;
 using Imath::V2f;
 using Imath::V3d;
 using Imath::V3f;
+using Imath::V4f;
 
 using MeshIndex = StrongIndex<struct MeshTag>;
 using MaterialIndex = StrongIndex<struct MaterialTag>;
@@ -43,15 +45,22 @@ inline constexpr double max_coordinate = 1e12;
 inline constexpr double max_scale = 1e9;
 /// The maximum of colours, emission and intensities, which are not negative.
 inline constexpr double max_quantity = 1e30;
+/// The maximum index of refraction, whose reflectance is almost 1.
+inline constexpr double max_refraction_index = 1e4;
+/// How many sets of texture coordinates a mesh can have.
+inline constexpr std::size_t max_coordinate_sets = 2;
 
-/// Triangles with one material. Normals, texture coordinates and colours are empty or one per
-/// vertex; load() adds missing normals. All positions are within max_coordinate.
+/// Triangles with one material. Normals, tangents, each set of texture coordinates, and colours are
+/// empty or one per vertex; load() adds missing normals. All positions are within max_coordinate.
 struct Mesh {
     std::string name;
     std::vector<V3f> positions;
-    std::vector<V3f> normals;              ///< Unit length.
-    std::vector<V2f> texture_coordinates;  ///< (0, 0) is top left, as in glTF.
-    std::vector<Color3f> colors;           ///< 0 to 1, multiplied with the base colour.
+    std::vector<V3f> normals;   ///< Unit length.
+    std::vector<V4f> tangents;  ///< For the normal map: unit length, or 0 if unknown; w is the
+                                ///< sign of the bitangent, which is w times normal × tangent.
+    /// The sets that uses of textures number; (0, 0) is top left, as in glTF.
+    std::array<std::vector<V2f>, max_coordinate_sets> texture_coordinates;
+    std::vector<Color4f> colors;  ///< 0 to 1, multiplied with the base colour and the opacity.
     std::vector<std::array<std::uint32_t, 3>> triangles;
     MaterialIndex material;  ///< Always valid.
 };
@@ -82,25 +91,95 @@ struct Texture {
     Wrap wrap_v = Wrap::repeat;
 };
 
+/// The encoding of an image's red, green and blue; alpha is always linear.
+enum class TextureEncoding : std::uint8_t { linear, srgb };
+
+/// A material's use of a texture. At the texture coordinates (u, v) of a set, the image is looked
+/// up at offset + u * u_axis + v * v_axis, which is KHR_texture_transform.
+struct TextureUse {
+    TextureIndex index{};  ///< Invalid if there is no texture.
+    TextureEncoding encoding = TextureEncoding::linear;
+    std::uint8_t coordinates = 0;  ///< The set, an index into Mesh::texture_coordinates.
+    std::uint8_t channel = 0;      ///< Of a texture of single numbers: 0 is red, 3 is alpha.
+    V2f offset{0.0F, 0.0F};
+    V2f u_axis{1.0F, 0.0F};
+    V2f v_axis{0.0F, 1.0F};
+
+    [[nodiscard]] bool valid() const { return index.valid(); }
+    /// The place in the image of a difference of texture coordinates, and of texture coordinates.
+    [[nodiscard]] V2f difference(const V2f& uv) const { return uv.x * u_axis + uv.y * v_axis; }
+    [[nodiscard]] V2f place(const V2f& uv) const { return offset + difference(uv); }
+    /// Whether both look up the same texels; they may use different channels.
+    [[nodiscard]] bool shares_texels(const TextureUse& other) const {
+        return index == other.index && encoding == other.encoding &&
+               coordinates == other.coordinates && offset == other.offset &&
+               u_axis == other.u_axis && v_axis == other.v_axis;
+    }
+};
+
 /// The use of a material's opacity: none, cut-out, or blend.
 enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 
-/// glTF 2.0 metallic-roughness, the supported part.
+/// glTF 2.0's metallic-roughness material with its extensions. A texture is multiplied with the
+/// factor of its name: colours with its red, green and blue, numbers with one channel.
 struct Material {
     std::string name;
     Color3f base_color{0.8F, 0.8F, 0.8F};
+    TextureUse base_color_texture{.encoding = TextureEncoding::srgb};
     AlphaMode alpha_mode = AlphaMode::opaque;
-    float alpha = 1.0F;         ///< Opacity, multiplied with the texture's; 1 if opaque.
+    float alpha = 1.0F;  ///< Opacity; 1 if opaque.
+    TextureUse opacity_texture;
     float alpha_cutoff = 0.0F;  ///< For a mask: visible where the opacity is at least this.
     float metallic = 0.0F;
+    TextureUse metallic_texture;
     float roughness = 1.0F;
+    TextureUse roughness_texture;
     Color3f emission{0.0F, 0.0F, 0.0F};
-    TextureIndex base_color_texture;          ///< sRGB, multiplied with base_color; may be invalid.
-    TextureIndex emission_texture;            ///< sRGB, multiplied with emission; may be invalid.
-    TextureIndex metallic_roughness_texture;  ///< Linear; green is roughness, blue metallic, each
-                                              ///< multiplied with its factor; may be invalid.
+    TextureUse emission_texture{.encoding = TextureEncoding::srgb};
+    float normal_scale = 1.0F;  ///< Of the normal map's x and y, which are 2 texel - 1.
+    TextureUse normal_texture;
     bool double_sided = true;
+    bool unlit = false;  ///< KHR_materials_unlit: shows its base colour, whatever the light.
+
+    float ior = 1.5F;       ///< KHR_materials_ior: the index of refraction, at least 1.
+    float specular = 1.0F;  ///< KHR_materials_specular: the strength of a dielectric's reflection.
+    TextureUse specular_texture;
+    Color3f specular_color{1.0F, 1.0F, 1.0F};  ///< A factor of its reflectance seen from the front.
+    TextureUse specular_color_texture{.encoding = TextureEncoding::srgb};
+
+    /// KHR_materials_transmission: the part of a dielectric's light that is transmitted instead of
+    /// scattered below the surface.
+    float transmission = 0.0F;
+    TextureUse transmission_texture;
+    /// KHR_materials_volume: false if the mesh bounds a volume, which refracts and absorbs.
+    bool thin_walled = true;
+    Color3f absorption{0.0F, 0.0F, 0.0F};  ///< In the volume, per scene unit.
+
+    float clearcoat = 0.0F;  ///< KHR_materials_clearcoat: the strength of a layer of lacquer.
+    TextureUse clearcoat_texture;
+    float clearcoat_roughness = 0.0F;
+    TextureUse clearcoat_roughness_texture;
+
+    Color3f sheen_color{0.0F, 0.0F, 0.0F};  ///< KHR_materials_sheen: fibres, as of velvet.
+    TextureUse sheen_color_texture{.encoding = TextureEncoding::srgb};
+    float sheen_roughness = 0.0F;
+    TextureUse sheen_roughness_texture;
 };
+
+/// All uses of textures in a material.
+inline constexpr std::array texture_uses{&Material::base_color_texture,
+                                         &Material::opacity_texture,
+                                         &Material::metallic_texture,
+                                         &Material::roughness_texture,
+                                         &Material::emission_texture,
+                                         &Material::normal_texture,
+                                         &Material::specular_texture,
+                                         &Material::specular_color_texture,
+                                         &Material::transmission_texture,
+                                         &Material::clearcoat_texture,
+                                         &Material::clearcoat_roughness_texture,
+                                         &Material::sheen_color_texture,
+                                         &Material::sheen_roughness_texture};
 
 enum class LightKind : std::uint8_t { point, spot, directional };
 

@@ -89,7 +89,7 @@ private:
         material.name = name;
         material.base_color = color;
         material.roughness = roughness;
-        material.base_color_texture = texture;
+        material.base_color_texture.index = texture;
         scene_.materials.push_back(material);
         return MaterialIndex(scene_.materials.size() - 1);
     }

@@ -112,7 +112,7 @@ Mesh rectangle(double width, double height, double repeat_x, double repeat_y) {
     add_polygon(mesh, corners, V3d(0, 0, 1));
     const auto right = static_cast<float>(repeat_x);
     const auto bottom = static_cast<float>(repeat_y);
-    mesh.texture_coordinates = {V2f(0, bottom), V2f(right, bottom), V2f(right, 0), V2f(0, 0)};
+    mesh.texture_coordinates[0] = {V2f(0, bottom), V2f(right, bottom), V2f(right, 0), V2f(0, 0)};
     return mesh;
 }
 

@@ -70,7 +70,7 @@ public:
 private:
     void add(const scene::Instance& instance) {
         const scene::Mesh& mesh = scene_.meshes[instance.mesh.value()];
-        if (mesh.texture_coordinates.empty()) {
+        if (mesh.texture_coordinates[0].empty()) {
             without_texture_ += mesh.triangles.size();
             return;
         }
@@ -102,7 +102,7 @@ private:
         scene::V3d normal;
         for_normals.multDirMatrix(scene::V3d(mesh.normals[index]), normal);
         // The scene counts v from the top of the image.
-        const scene::V2f& at = mesh.texture_coordinates[index];
+        const scene::V2f& at = mesh.texture_coordinates[0][index];
         return {with_z_up(position, scene_.axes),
                 with_z_up(normal.normalized(), scene_.axes),
                 {double{at.x}, 1.0 - double{at.y}}};

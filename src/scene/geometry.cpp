@@ -28,6 +28,39 @@ V3f unit(const V3d& vector) {
 
 constexpr V3f any_normal(0.0F, 0.0F, 1.0F);
 
+// Applies an action to everything that a mesh has one of per vertex.
+template <class Action>
+void for_each_attribute(Mesh& mesh, Action action) {
+    action(mesh.positions);
+    action(mesh.normals);
+    action(mesh.tangents);
+    for (std::vector<V2f>& coordinates : mesh.texture_coordinates) {
+        action(coordinates);
+    }
+    action(mesh.colors);
+}
+
+// Replaces the vertices by some of them.
+void select_vertices(Mesh& mesh, const std::vector<std::uint32_t>& selected) {
+    for_each_attribute(mesh, [&]<class Element>(std::vector<Element>& attribute) {
+        if (attribute.empty()) {
+            return;
+        }
+        std::vector<Element> kept(selected.size());
+        for (std::size_t i = 0; i < selected.size(); ++i) {
+            kept[i] = attribute[selected[i]];
+        }
+        attribute = std::move(kept);
+    });
+}
+
+bool has_area(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
+    const V3f& a = mesh.positions[triangle[0]];
+    const V3f rounded = (mesh.positions[triangle[1]] - a).cross(mesh.positions[triangle[2]] - a);
+    return rounded != V3f(0.0F) || area_normal(mesh, triangle) != V3d(0.0);
+}
+
+// Strips repeat vertices to end a row, so a triangle that does so is not worth a warning.
 void drop_bad_triangles(Mesh& mesh, Import& import) {
     std::size_t out_of_range = 0;
     std::size_t not_usable = 0;
@@ -42,8 +75,13 @@ void drop_bad_triangles(Mesh& mesh, Import& import) {
             ++not_usable;
             return true;
         }
-        return triangle[0] == triangle[1] || triangle[1] == triangle[2] ||
-               triangle[2] == triangle[0];
+        if (triangle[0] == triangle[1] || triangle[1] == triangle[2] ||
+            triangle[2] == triangle[0]) {
+            return true;
+        }
+        const bool is_flat = !has_area(mesh, triangle);
+        import.triangles_without_area += is_flat ? 1 : 0;
+        return is_flat;
     });
     if (out_of_range > 0) {
         import.warn(fmt::format("mesh {}: {} skipped because of a vertex index out of range",
@@ -59,37 +97,40 @@ void drop_bad_triangles(Mesh& mesh, Import& import) {
 void keep_used_vertices(Mesh& mesh) {
     constexpr std::uint32_t unused = 0xffffffffU;
     std::vector<std::uint32_t> place(mesh.positions.size(), unused);
-    Mesh kept;
+    std::size_t count = 0;
+    for (const auto& triangle : mesh.triangles) {
+        for (const std::uint32_t index : triangle) {
+            count += place[index] == unused ? 1 : 0;
+            place[index] = 0;
+        }
+    }
+    if (count == place.size()) {
+        return;
+    }
+    std::vector<std::uint32_t> used;
+    used.reserve(count);
+    for (std::uint32_t index = 0; index < place.size(); ++index) {
+        if (place[index] != unused) {
+            place[index] = static_cast<std::uint32_t>(used.size());
+            used.push_back(index);
+        }
+    }
     for (auto& triangle : mesh.triangles) {
         for (std::uint32_t& index : triangle) {
-            if (place[index] == unused) {
-                place[index] = static_cast<std::uint32_t>(kept.positions.size());
-                kept.positions.push_back(mesh.positions[index]);
-                if (!mesh.normals.empty()) {
-                    kept.normals.push_back(mesh.normals[index]);
-                }
-                if (!mesh.texture_coordinates.empty()) {
-                    kept.texture_coordinates.push_back(mesh.texture_coordinates[index]);
-                }
-                if (!mesh.colors.empty()) {
-                    kept.colors.push_back(mesh.colors[index]);
-                }
-            }
             index = place[index];
         }
     }
-    mesh.positions = std::move(kept.positions);
-    mesh.normals = std::move(kept.normals);
-    mesh.texture_coordinates = std::move(kept.texture_coordinates);
-    mesh.colors = std::move(kept.colors);
+    select_vertices(mesh, used);
 }
 
 void clean_texture_coordinates(Mesh& mesh, Import& import) {
     std::size_t bad = 0;
-    for (V2f& coordinate : mesh.texture_coordinates) {
-        if (!std::isfinite(coordinate.x) || !std::isfinite(coordinate.y)) {
-            coordinate = V2f(0.0F);
-            ++bad;
+    for (std::vector<V2f>& coordinates : mesh.texture_coordinates) {
+        for (V2f& coordinate : coordinates) {
+            if (!std::isfinite(coordinate.x) || !std::isfinite(coordinate.y)) {
+                coordinate = V2f(0.0F);
+                ++bad;
+            }
         }
     }
     if (bad > 0) {
@@ -99,37 +140,37 @@ void clean_texture_coordinates(Mesh& mesh, Import& import) {
 }
 
 void clean_colors(Mesh& mesh) {
-    for (Color3f& color : mesh.colors) {
-        for (int i = 0; i < 3; ++i) {
-            color[i] = std::isfinite(color[i]) ? std::clamp(color[i], 0.0F, 1.0F) : 1.0F;
-        }
+    const auto cleaned = [](float part) {
+        return std::isfinite(part) ? std::clamp(part, 0.0F, 1.0F) : 1.0F;
+    };
+    for (Color4f& color : mesh.colors) {
+        color = {cleaned(color.r), cleaned(color.g), cleaned(color.b), cleaned(color.a)};
+    }
+}
+
+void normalize_tangents(Mesh& mesh) {
+    for (V4f& tangent : mesh.tangents) {
+        const V3f along = unit(V3d(double{tangent.x}, double{tangent.y}, double{tangent.z}));
+        tangent = {along.x, along.y, along.z, tangent.w < 0.0F ? -1.0F : 1.0F};
     }
 }
 
 // Gives every triangle separate vertices, with its normal.
 void make_flat(Mesh& mesh) {
-    Mesh flat;
-    flat.positions.reserve(mesh.triangles.size() * 3);
-    flat.normals.reserve(mesh.triangles.size() * 3);
+    std::vector<std::uint32_t> corners;
+    corners.reserve(mesh.triangles.size() * 3);
+    std::vector<V3f> normals;
+    normals.reserve(mesh.triangles.size() * 3);
     for (auto& triangle : mesh.triangles) {
-        const V3f faced = unit(area_normal(mesh, triangle));
-        const V3f normal = faced == V3f(0.0F) ? any_normal : faced;
+        const V3f normal = unit(area_normal(mesh, triangle));
         for (std::uint32_t& index : triangle) {
-            flat.positions.push_back(mesh.positions[index]);
-            flat.normals.push_back(normal);
-            if (!mesh.texture_coordinates.empty()) {
-                flat.texture_coordinates.push_back(mesh.texture_coordinates[index]);
-            }
-            if (!mesh.colors.empty()) {
-                flat.colors.push_back(mesh.colors[index]);
-            }
-            index = static_cast<std::uint32_t>(flat.positions.size() - 1);
+            corners.push_back(index);
+            normals.push_back(normal);
+            index = static_cast<std::uint32_t>(corners.size() - 1);
         }
     }
-    mesh.positions = std::move(flat.positions);
-    mesh.normals = std::move(flat.normals);
-    mesh.texture_coordinates = std::move(flat.texture_coordinates);
-    mesh.colors = std::move(flat.colors);
+    select_vertices(mesh, corners);
+    mesh.normals = std::move(normals);
 }
 
 void normalize_normals(Mesh& mesh, Import& import) {
@@ -175,10 +216,9 @@ bool usable(const V3f& position) {
 }
 
 std::optional<Mesh> finish_mesh(Mesh mesh, Import& import) {
-    assert(mesh.normals.empty() || mesh.normals.size() == mesh.positions.size());
-    assert(mesh.texture_coordinates.empty() ||
-           mesh.texture_coordinates.size() == mesh.positions.size());
-    assert(mesh.colors.empty() || mesh.colors.size() == mesh.positions.size());
+    for_each_attribute(mesh, [&]([[maybe_unused]] const auto& attribute) {
+        assert(attribute.empty() || attribute.size() == mesh.positions.size());
+    });
     drop_bad_triangles(mesh, import);
     if (mesh.triangles.empty()) {
         return std::nullopt;
@@ -186,6 +226,7 @@ std::optional<Mesh> finish_mesh(Mesh mesh, Import& import) {
     keep_used_vertices(mesh);
     clean_texture_coordinates(mesh, import);
     clean_colors(mesh);
+    normalize_tangents(mesh);
     if (mesh.normals.empty()) {
         make_flat(mesh);
     } else {

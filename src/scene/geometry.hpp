@@ -10,9 +10,10 @@ namespace balcony::scene {
 
 /// Converts a mesh from a file, with arbitrary numbers, into one that satisfies the invariants of
 /// Mesh: skips triangles with an index out of range or a vertex that is not finite or too large,
-/// and unused vertices; adds flat normals to a mesh without normals; normalises normals, replacing
-/// those of length 0 by that of the faces. Warns with counts and the mesh's name. Normals and
-/// texture coordinates and colours must be empty or one per vertex. Nothing if no triangle remains.
+/// triangles without area, and unused vertices; adds flat normals to a mesh without normals;
+/// normalises normals and tangents, replacing normals of length 0 by that of the faces. Warns with
+/// counts and the mesh's name. Attributes of vertices must be empty or one per vertex. Nothing if
+/// no triangle remains.
 [[nodiscard]] std::optional<Mesh> finish_mesh(Mesh mesh, Import& import);
 
 /// A colour as formats of vertex colours store it, clamped to 0 .. 1, as linear light.

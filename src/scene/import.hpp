@@ -30,6 +30,7 @@ struct Import {
     Scene scene;
     Diagnostics diagnostics;
     std::size_t further_warnings = 0;
+    std::size_t triangles_without_area = 0;  ///< Skipped.
 
     static constexpr std::size_t max_warnings = 50;
 

@@ -79,6 +79,10 @@ void read(Import& import) {
     std::vector<fs::path>& files = import.scene.files;
     std::sort(files.begin(), files.end());
     files.erase(std::unique(files.begin(), files.end()), files.end());
+    if (import.triangles_without_area > 0) {
+        import.warn(fmt::format("{} without area skipped",
+                                counted(import.triangles_without_area, "triangle")));
+    }
     if (import.further_warnings > 0) {
         import.diagnostics.push_back(warning(
             fmt::format("{} more like these", counted(import.further_warnings, "warning"))));

@@ -6,8 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <set>
+#include <string>
 
 #include <nlohmann/json.hpp>
+
+#include "scene/gltf/write_material.hpp"
 
 namespace balcony::scene {
 
@@ -22,6 +26,7 @@ using scene::Mesh;
 using scene::V2f;
 using scene::V3d;
 using scene::V3f;
+using scene::V4f;
 
 // Numbers of the glTF 2.0 specification.
 constexpr int component_float = 5126;
@@ -61,7 +66,7 @@ public:
     std::vector<std::uint8_t> write() {
         add_textures();
         for (const Material& material : scene_.materials) {
-            add_material(material);
+            append("materials", gltf_material(material, extensions_));
         }
         for (const Mesh& mesh : scene_.meshes) {
             add_mesh(mesh);
@@ -72,6 +77,9 @@ public:
         }
         for (const Light& light : scene_.lights) {
             roots.push_back(add_light(light));
+        }
+        if (!extensions_.empty()) {
+            document_["extensionsUsed"] = extensions_;
         }
         document_["scenes"] = json::array({{{"name", scene_.name}, {"nodes", roots}}});
         return container();
@@ -118,43 +126,21 @@ private:
         }
     }
 
-    void add_material(const Material& material) {
-        json surface = {
-            {"baseColorFactor",
-             {material.base_color.x, material.base_color.y, material.base_color.z, material.alpha}},
-            {"metallicFactor", material.metallic},
-            {"roughnessFactor", material.roughness}};
-        if (material.base_color_texture.valid()) {
-            surface["baseColorTexture"] = {{"index", material.base_color_texture.value()}};
-        }
-        if (material.metallic_roughness_texture.valid()) {
-            surface["metallicRoughnessTexture"] = {
-                {"index", material.metallic_roughness_texture.value()}};
-        }
-        json written = {{"name", material.name}, {"pbrMetallicRoughness", surface}};
-        if (material.emission != scene::Color3f(0.0F)) {
-            written["emissiveFactor"] = {material.emission.x, material.emission.y,
-                                         material.emission.z};
-        }
-        if (material.emission_texture.valid()) {
-            written["emissiveTexture"] = {{"index", material.emission_texture.value()}};
-        }
-        if (material.alpha_mode == scene::AlphaMode::mask) {
-            written["alphaMode"] = "MASK";
-            written["alphaCutoff"] = material.alpha_cutoff;
-        } else if (material.alpha_mode == scene::AlphaMode::blend) {
-            written["alphaMode"] = "BLEND";
-        }
-        if (material.double_sided) {
-            written["doubleSided"] = true;
-        }
-        append("materials", std::move(written));
-    }
-
     std::vector<V3f> turned_directions(const std::vector<V3f>& directions) const {
         std::vector<V3f> turned(directions.size());
         for (std::size_t i = 0; i < directions.size(); ++i) {
             turned_.multDirMatrix(directions[i], turned[i]);
+        }
+        return turned;
+    }
+
+    std::vector<V4f> turned_tangents(const std::vector<V4f>& tangents) const {
+        std::vector<V4f> turned;
+        turned.reserve(tangents.size());
+        for (const V4f& tangent : tangents) {
+            V3f direction;
+            turned_.multDirMatrix(V3f(tangent.x, tangent.y, tangent.z), direction);
+            turned.emplace_back(direction.x, direction.y, direction.z, tangent.w);
         }
         return turned;
     }
@@ -174,14 +160,22 @@ private:
             attributes["NORMAL"] =
                 append("accessors", accessor(turned_directions(mesh.normals), "VEC3"));
         }
-        if (!mesh.texture_coordinates.empty()) {
-            assert(mesh.texture_coordinates.size() == mesh.positions.size());
-            attributes["TEXCOORD_0"] =
-                append("accessors", accessor(mesh.texture_coordinates, "VEC2"));
+        if (!mesh.tangents.empty()) {
+            assert(mesh.tangents.size() == mesh.positions.size());
+            attributes["TANGENT"] =
+                append("accessors", accessor(turned_tangents(mesh.tangents), "VEC4"));
+        }
+        for (std::size_t set = 0; set < mesh.texture_coordinates.size(); ++set) {
+            const std::vector<V2f>& coordinates = mesh.texture_coordinates[set];
+            if (!coordinates.empty()) {
+                assert(coordinates.size() == mesh.positions.size());
+                attributes["TEXCOORD_" + std::to_string(set)] =
+                    append("accessors", accessor(coordinates, "VEC2"));
+            }
         }
         if (!mesh.colors.empty()) {
             assert(mesh.colors.size() == mesh.positions.size());
-            attributes["COLOR_0"] = append("accessors", accessor(mesh.colors, "VEC3"));
+            attributes["COLOR_0"] = append("accessors", accessor(mesh.colors, "VEC4"));
         }
         const std::size_t bytes = mesh.triangles.size() * sizeof(mesh.triangles[0]);
         const std::size_t view =
@@ -229,7 +223,7 @@ private:
         }
         json& lights = document_["extensions"]["KHR_lights_punctual"]["lights"];
         lights.push_back(std::move(written));
-        document_["extensionsUsed"] = json::array({"KHR_lights_punctual"});
+        extensions_.insert("KHR_lights_punctual");
 
         V3d position;
         turned_.multDirMatrix(light.position, position);
@@ -288,6 +282,7 @@ private:
     const scene::Scene& scene_;
     M44d turned_;
     json document_;
+    std::set<std::string> extensions_;
     std::vector<std::uint8_t> binary_;
 };
 

@@ -51,10 +51,10 @@ TEST(Model, HasASurfaceWithNormalsAndParameters) {
     ASSERT_EQ(parts.size(), 3U);
     const scene::Mesh& surface = *parts.at("surface");
     ASSERT_EQ(surface.normals.size(), surface.positions.size());
-    ASSERT_EQ(surface.texture_coordinates.size(), surface.positions.size());
+    ASSERT_EQ(surface.texture_coordinates[0].size(), surface.positions.size());
     for (std::size_t i = 0; i < surface.positions.size(); ++i) {
         const V3f& p = surface.positions[i];
-        const auto& uv = surface.texture_coordinates[i];
+        const auto& uv = surface.texture_coordinates[0][i];
         EXPECT_NEAR(p.length(), 2.0, 1e-5);
         EXPECT_NEAR(std::abs(surface.normals[i].dot(p)), 2.0, 1e-4);
         EXPECT_NEAR(p.z, 2.0 * std::sin(uv.y), 1e-5);

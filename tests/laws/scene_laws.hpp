@@ -22,15 +22,20 @@ inline bool is_light(const scene::Color3f& color) {
            is_within(scene::V3d(color), scene::max_quantity);
 }
 
+inline bool is_part(float value) { return value >= 0.0F && value <= 1.0F; }
+
 /// The promise that a mesh breaks; empty if it breaks none.
 inline std::string broken_law(const scene::Mesh& mesh, const scene::Scene& scene) {
     const std::size_t count = mesh.positions.size();
     if (mesh.triangles.empty()) {
         return "a mesh has no triangles";
     }
-    if (mesh.normals.size() != count ||
-        (!mesh.texture_coordinates.empty() && mesh.texture_coordinates.size() != count)) {
-        return "a mesh has normals or texture coordinates for some vertices only";
+    const auto fits = [count](const auto& attribute) {
+        return attribute.empty() || attribute.size() == count;
+    };
+    if (mesh.normals.size() != count || !fits(mesh.tangents) || !fits(mesh.colors) ||
+        !std::all_of(mesh.texture_coordinates.begin(), mesh.texture_coordinates.end(), fits)) {
+        return "a mesh has normals, coordinates or colours for some vertices only";
     }
     if (!mesh.material.valid() || mesh.material.value() >= scene.materials.size()) {
         return "a mesh has no material";
@@ -50,16 +55,21 @@ inline std::string broken_law(const scene::Mesh& mesh, const scene::Scene& scene
             return "a normal is not of unit length";
         }
     }
-    for (const scene::V2f& point : mesh.texture_coordinates) {
-        if (!std::isfinite(point.x) || !std::isfinite(point.y)) {
-            return "a texture coordinate is not finite";
+    for (const auto& coordinates : mesh.texture_coordinates) {
+        for (const scene::V2f& point : coordinates) {
+            if (!std::isfinite(point.x) || !std::isfinite(point.y)) {
+                return "a texture coordinate is not finite";
+            }
         }
     }
-    if (!mesh.colors.empty() && mesh.colors.size() != count) {
-        return "a mesh has colours for some vertices only";
+    for (const scene::V4f& tangent : mesh.tangents) {
+        const float length = scene::V3f(tangent.x, tangent.y, tangent.z).length();
+        if (length != 0.0F && !(std::abs(length - 1.0F) < 1e-5F)) {
+            return "a tangent is neither of unit length nor 0";
+        }
     }
-    for (const scene::Color3f& color : mesh.colors) {
-        if (!is_light(color) || !is_within(scene::V3d(color), 1.0)) {
+    for (const scene::Color4f& color : mesh.colors) {
+        if (!is_part(color.r) || !is_part(color.g) || !is_part(color.b) || !is_part(color.a)) {
             return "a colour is out of range";
         }
     }
@@ -104,15 +114,28 @@ inline std::string broken_law(const scene::Light& light) {
 }
 
 inline std::string broken_law(const scene::Material& material, const scene::Scene& scene) {
-    const auto is_part = [](float value) { return value >= 0.0F && value <= 1.0F; };
-    if (!is_light(material.base_color) || !is_light(material.emission) ||
-        !is_part(material.alpha) || !is_part(material.metallic) || !is_part(material.roughness)) {
-        return "a material is out of range";
+    for (const scene::Color3f& color :
+         {material.base_color, material.emission, material.specular_color, material.absorption,
+          material.sheen_color}) {
+        if (!is_light(color)) {
+            return "a material's colour is out of range";
+        }
     }
-    for (const scene::TextureIndex texture :
-         {material.base_color_texture, material.emission_texture,
-          material.metallic_roughness_texture}) {
-        if (texture.valid() && texture.value() >= scene.textures.size()) {
+    for (const float part : {material.alpha, material.metallic, material.roughness,
+                             material.specular, material.transmission, material.clearcoat,
+                             material.clearcoat_roughness, material.sheen_roughness}) {
+        if (!is_part(part)) {
+            return "a material is out of range";
+        }
+    }
+    if (!(material.ior >= 1.0F && double{material.ior} <= scene::max_refraction_index) ||
+        !(std::abs(double{material.normal_scale}) <= scene::max_quantity)) {
+        return "a material's index of refraction or its normal map is out of range";
+    }
+    for (const auto texture : scene::texture_uses) {
+        const scene::TextureUse& use = material.*texture;
+        if (use.valid() && (use.index.value() >= scene.textures.size() || use.channel > 3 ||
+                            use.coordinates >= scene::max_coordinate_sets)) {
             return "a material has a texture out of range";
         }
     }

@@ -33,7 +33,7 @@ scene::Scene busy_scene() {
     add(scene, parallelogram({-2.0F, -2.0F, -4.0F}, {2.0F, 0.0F, 1.0F}, {0.0F, 3.0F, 0.5F}),
         mirror);
     scene::Material textured = white();
-    textured.base_color_texture =
+    textured.base_color_texture.index =
         add_texture(scene, encode_png(64, 64, 3, [](int x, int y) {
                         const auto c = static_cast<std::uint8_t>(x * 4 ^ y * 3);
                         return std::vector<std::uint8_t>{c, static_cast<std::uint8_t>(255 - c), 90};

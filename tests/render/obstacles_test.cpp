@@ -160,10 +160,12 @@ TEST(Obstacles, AreOpaque) {
     grid.alpha_cutoff = 0.5F;
     scene::Scene scene;
     // Left half there, right half cut out.
-    grid.base_color_texture = test::add_texture(
+    grid.base_color_texture.index = test::add_texture(
         scene, test::encode_png(8, 8, 4, [](int x, int) -> std::vector<std::uint8_t> {
             return {255, 255, 255, static_cast<std::uint8_t>(x < 4 ? 255 : 0)};
         }));
+    grid.opacity_texture = grid.base_color_texture;
+    grid.opacity_texture.channel = 3;
     add(scene, wall(-2.0F, 1.0F), glass);
     add(scene, wall(-3.0F, 1.0F), grid);
     const Obstacles found = obstacles(

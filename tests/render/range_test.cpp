@@ -206,12 +206,12 @@ TEST(Range, ScenesWhoseIndicesLeadNowhereAreErrors) {
     EXPECT_FALSE(refused([](scene::Scene&) {}));
     EXPECT_TRUE(refused([](scene::Scene& s) { s.meshes[0].triangles[1][2] = 4; }));
     EXPECT_TRUE(refused([](scene::Scene& s) { s.meshes[0].normals.pop_back(); }));
-    EXPECT_TRUE(refused([](scene::Scene& s) { s.meshes[0].texture_coordinates.pop_back(); }));
+    EXPECT_TRUE(refused([](scene::Scene& s) { s.meshes[0].texture_coordinates[1].resize(1); }));
     EXPECT_TRUE(refused([](scene::Scene& s) { s.meshes[0].material = {}; }));
     EXPECT_TRUE(refused([](scene::Scene& s) { s.instances[0].mesh = scene::MeshIndex(1); }));
     EXPECT_TRUE(refused([](scene::Scene& s) { s.instances[0].object = 1; }));
-    EXPECT_TRUE(
-        refused([](scene::Scene& s) { s.materials[0].emission_texture = scene::TextureIndex(0); }));
+    EXPECT_TRUE(refused(
+        [](scene::Scene& s) { s.materials[0].emission_texture.index = scene::TextureIndex(0); }));
 }
 
 TEST(Range, ProbesNameWhatIsLeftOut) {

@@ -102,7 +102,7 @@ camera::Camera orthographic(const View& view, Axes axes) {
 scene::Mesh parallelogram(V3f corner, V3f right, V3f up) {
     scene::Mesh mesh;
     mesh.positions = {corner, corner + right, corner + right + up, corner + up};
-    mesh.texture_coordinates = {{0.0F, 1.0F}, {1.0F, 1.0F}, {1.0F, 0.0F}, {0.0F, 0.0F}};
+    mesh.texture_coordinates[0] = {{0.0F, 1.0F}, {1.0F, 1.0F}, {1.0F, 0.0F}, {0.0F, 0.0F}};
     mesh.normals.assign(4, right.cross(up).normalized());
     mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
     return mesh;

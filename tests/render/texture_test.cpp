@@ -25,7 +25,7 @@ Pixel checker(int x, int y) { return (x + y) % 2 == 0 ? Pixel{255, 255, 255} : P
 scene::Scene textured_wall(std::vector<std::uint8_t> png, float half = 1.0F) {
     scene::Scene scene;
     scene::Material material = white();
-    material.base_color_texture = add_texture(scene, std::move(png));
+    material.base_color_texture.index = add_texture(scene, std::move(png));
     add(scene, wall(0.0F, half), material);
     return scene;
 }
@@ -72,8 +72,10 @@ TEST(Texture, VertexColorsAreAFactor) {
     scene::Scene scene;
     add(scene, wall(-2.0F, 1.0F), white());
     scene.materials[0].base_color = Color3f(0.5F);
-    scene.meshes[0].colors = {
-        Color3f(0.0F), {1.0F, 0.0F, 0.0F}, {1.0F, 1.0F, 0.0F}, {0.0F, 1.0F, 0.0F}};
+    scene.meshes[0].colors = {{0.0F, 0.0F, 0.0F, 1.0F},
+                              {1.0F, 0.0F, 0.0F, 1.0F},
+                              {1.0F, 1.0F, 0.0F, 1.0F},
+                              {0.0F, 1.0F, 0.0F, 1.0F}};
     const Rendered picture =
         render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)), request(16, 16, "preview"));
     for (const std::size_t y : {2U, 12U}) {
@@ -135,7 +137,7 @@ TEST(Texture, FootprintsInAMirrorAreThoseOfTheReflectedRays) {
     scene::Material screen;
     screen.base_color = Color3f(0.0F);
     screen.emission = Color3f(1.0F);
-    screen.emission_texture = add_texture(scene, encode_png(512, 512, 3, checker));
+    screen.emission_texture.index = add_texture(scene, encode_png(512, 512, 3, checker));
     add(scene, wall(3.0F, 2.0F), screen);
     const Rendered picture =
         render(scene, orthographic(unaligned_view()), request(16, 16, "direct"));
@@ -150,6 +152,8 @@ TEST(Texture, AlphaCutsOut) {
     }));
     scene.materials[0].alpha_mode = scene::AlphaMode::mask;
     scene.materials[0].alpha_cutoff = 0.5F;
+    scene.materials[0].opacity_texture = scene.materials[0].base_color_texture;
+    scene.materials[0].opacity_texture.channel = 3;
     const std::uint32_t behind = add(scene, wall(-1.0F, 1.0F), white());
     const Rendered picture =
         render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)), request(64, 64, "preview"));
@@ -161,7 +165,7 @@ TEST(Texture, AlphaCutsOut) {
 TEST(Texture, CoordinatesThatAreNoNumbersAreHarmless) {
     scene::Scene scene = textured_wall(encode_png(64, 64, 3, checker));
     for (const float bad : {std::nanf(""), HUGE_VALF, 1e30F}) {
-        for (Imath::V2f& point : scene.meshes[0].texture_coordinates) {
+        for (Imath::V2f& point : scene.meshes[0].texture_coordinates[0]) {
             point = Imath::V2f(bad, -bad) * (point.x - 0.5F);
         }
         const Rendered picture =

@@ -170,7 +170,7 @@ TEST_F(GltfGeometry, TextureCoordinatesKeepTheTopLeftCorner) {
     const auto scene = load_glb(gltf);
     ASSERT_TRUE(scene) << said(scene);
     const Mesh& mesh = scene->meshes[0];
-    EXPECT_EQ(mesh.texture_coordinates, (std::vector<V2f>{{0, 0}, {1, 0}, {0, 1}}));
+    EXPECT_EQ(mesh.texture_coordinates[0], (std::vector<V2f>{{0, 0}, {1, 0}, {0, 1}}));
     EXPECT_EQ(mesh.positions[0], V3f(0, 0, 0));
 }
 
@@ -180,7 +180,7 @@ TEST_F(GltfGeometry, IntegerTextureCoordinatesAreNormalized) {
         gltf.add_shorts({0, 65535, 65535, 0, 0, 0}, 2, true);
     const auto scene = load_glb(gltf);
     ASSERT_TRUE(scene) << said(scene);
-    EXPECT_EQ(scene->meshes[0].texture_coordinates, (std::vector<V2f>{{0, 1}, {1, 0}, {0, 0}}));
+    EXPECT_EQ(scene->meshes[0].texture_coordinates[0], (std::vector<V2f>{{0, 1}, {1, 0}, {0, 0}}));
 }
 
 TEST_F(GltfGeometry, StrideAndOffsetAreFollowed) {

@@ -83,19 +83,20 @@ TEST_F(GltfMaterials, TexturesAreFilesOrBytes) {
         {{"uri", "data:image/png;base64,QUJD"}}};
     gltf.json["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}}};
     gltf.json["textures"] = {{{"source", 0}, {"sampler", 0}}, {{"source", 1}}, {{"source", 2}}};
+    gltf.primitive(0)["attributes"]["TEXCOORD_0"] = gltf.add_floats({0, 0, 1, 0, 0, 1}, 2);
     const auto scene = load_glb(gltf);
     ASSERT_TRUE(scene) << said(scene);
     const Material& material = scene->materials[0];
-    const Texture& wood = scene->textures[material.base_color_texture.value()];
+    const Texture& wood = scene->textures[material.base_color_texture.index.value()];
     EXPECT_EQ(wood.file, directory / "wood.png");
     EXPECT_TRUE(wood.bytes.empty());
     EXPECT_EQ(wood.wrap_u, Wrap::clamp);
     EXPECT_EQ(wood.wrap_v, Wrap::mirror);
-    const Texture& shine = scene->textures[material.metallic_roughness_texture.value()];
+    const Texture& shine = scene->textures[material.roughness_texture.index.value()];
     EXPECT_EQ(shine.bytes, (std::vector<std::uint8_t>{0x34, 0x12, 0x78, 0x56}));
     EXPECT_EQ(shine.wrap_u, Wrap::repeat);
     EXPECT_TRUE(shine.file.empty());
-    const Texture& glow = scene->textures[material.emission_texture.value()];
+    const Texture& glow = scene->textures[material.emission_texture.index.value()];
     EXPECT_EQ(glow.bytes, (std::vector<std::uint8_t>{'A', 'B', 'C'}));
     EXPECT_TRUE(scene.diagnostics.empty()) << said(scene);
 }
@@ -117,7 +118,8 @@ TEST_F(GltfMaterials, MissingTextureKeepsTheFactor) {
     EXPECT_EQ(scene->materials[0].base_color, Color3f(0.5F, 0.25F, 0.0F));
 }
 
-TEST_F(GltfMaterials, TextureTransformAndSetApplyToTheMesh) {
+// The use of a texture maps the coordinates of the file to the place that the extension states.
+TEST_F(GltfMaterials, TextureTransformIsTranslationTimesRotationTimesScale) {
     write("wood.png", "");
     // Half the size, a quarter turn counter-clockwise on the image, then to the right by 0.1.
     Gltf gltf = with_material({{"pbrMetallicRoughness",
@@ -135,20 +137,74 @@ TEST_F(GltfMaterials, TextureTransformAndSetApplyToTheMesh) {
     gltf.primitive(0)["attributes"]["TEXCOORD_1"] = gltf.add_floats({0, 0, 1, 0, 0, 1}, 2);
     const auto scene = load_glb(gltf);
     ASSERT_TRUE(scene) << said(scene);
-    const auto& coordinates = scene->meshes[0].texture_coordinates;
+    const TextureUse& use = scene->materials[0].base_color_texture;
+    const auto& coordinates = scene->meshes[0].texture_coordinates[use.coordinates];
     constexpr float single_rounding = 1e-6F;
-    EXPECT_TRUE(coordinates[0].equalWithAbsError(V2f(0.1F, 0.0F), single_rounding));
-    EXPECT_TRUE(coordinates[1].equalWithAbsError(V2f(0.1F, -0.5F), single_rounding));
-    EXPECT_TRUE(coordinates[2].equalWithAbsError(V2f(0.6F, 0.0F), single_rounding));
+    const V2f expected[] = {{0.1F, 0.0F}, {0.1F, -0.5F}, {0.6F, 0.0F}};
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_TRUE(use.place(coordinates[i]).equalWithAbsError(expected[i], single_rounding)) << i;
+    }
+    EXPECT_TRUE(scene.diagnostics.empty()) << said(scene);
+}
+
+TEST_F(GltfMaterials, AMeshHasTheCoordinatesThatItsTexturesUse) {
+    write("wood.png", "");
+    Gltf gltf = with_material(
+        {{"name", "wall"},
+         {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}, {"texCoord", 2}}}}},
+         {"normalTexture", {{"index", 0}}},
+         {"emissiveTexture", {{"index", 0}, {"texCoord", 1}}}});
+    gltf.json["images"] = {{{"uri", "wood.png"}}};
+    gltf.json["textures"] = {{{"source", 0}}};
+    for (const char* set : {"TEXCOORD_0", "TEXCOORD_1", "TEXCOORD_2"}) {
+        const auto number = static_cast<float>(set[9] - '0');
+        gltf.primitive(0)["attributes"][set] = gltf.add_floats({number, 0, 0, 1, 1, 0}, 2);
+    }
+    const auto scene = load_glb(gltf);
+    ASSERT_TRUE(scene) << said(scene);
+    const Material& material = scene->materials[0];
+    const Mesh& mesh = scene->meshes[0];
+    const auto first = [&](const TextureUse& use) {
+        return mesh.texture_coordinates[use.coordinates][0];
+    };
+    EXPECT_EQ(first(material.base_color_texture), V2f(2.0F, 0.0F));
+    EXPECT_EQ(first(material.emission_texture), V2f(1.0F, 0.0F));
+    EXPECT_FALSE(material.normal_texture.valid());
+    EXPECT_TRUE(says(scene,
+                     "material 'wall': its 'normalTexture' is skipped: it uses TEXCOORD_0, and a "
+                     "material has at most 2 sets"));
+}
+
+TEST_F(GltfMaterials, MissingCoordinatesAreReported) {
+    write("wood.png", "");
+    Gltf gltf = with_material({{"normalTexture", {{"index", 0}, {"texCoord", 1}}}});
+    gltf.json["images"] = {{{"uri", "wood.png"}}};
+    gltf.json["textures"] = {{{"source", 0}}};
+    const auto scene = load_glb(gltf);
+    ASSERT_TRUE(scene) << said(scene);
+    EXPECT_TRUE(says(scene, "mesh 'mesh' has no TEXCOORD_1, which the textures of its material"));
+}
+
+TEST_F(GltfMaterials, VertexColorsHaveAlpha) {
+    Gltf gltf = one_triangle();
+    gltf.primitive(0)["attributes"]["COLOR_0"] =
+        gltf.add_floats({1, 0, 0, 0.25, 0, 1, 0, 0.5, 0, 0, 1, 7}, 4);
+    const auto scene = load_glb(gltf);
+    ASSERT_TRUE(scene) << said(scene);
+    EXPECT_EQ(scene->meshes[0].colors,
+              (std::vector<Color4f>{{1, 0, 0, 0.25F}, {0, 1, 0, 0.5F}, {0, 0, 1, 1}}));
 }
 
 TEST_F(GltfMaterials, UnsupportedFeaturesAreReported) {
-    Gltf gltf = with_material({{"name", "wall"}, {"normalTexture", {{"index", 0}}}});
-    gltf.json["extensionsUsed"] = {"KHR_materials_clearcoat", "KHR_lights_punctual"};
+    Gltf gltf = with_material(
+        {{"name", "wall"},
+         {"extensions",
+          {{"KHR_materials_clearcoat", {{"clearcoatNormalTexture", {{"index", 0}}}}}}}});
+    gltf.json["extensionsUsed"] = {"KHR_materials_iridescence", "KHR_lights_punctual"};
     const auto scene = load_glb(gltf);
     ASSERT_TRUE(scene) << said(scene);
-    EXPECT_TRUE(says(scene, "material 'wall': normal maps are not supported"));
-    EXPECT_TRUE(says(scene, "extensions that are not supported: 'KHR_materials_clearcoat'\n"));
+    EXPECT_TRUE(says(scene, "material 'wall': the normal map of its clearcoat is not supported"));
+    EXPECT_TRUE(says(scene, "extensions that are not supported: 'KHR_materials_iridescence'\n"));
 }
 
 TEST_F(GltfMaterials, ABadMaterialIsReplaced) {

@@ -16,7 +16,8 @@ Gltf triangle_row(std::size_t count) {
     Gltf gltf;
     std::vector<float> positions;
     for (std::size_t i = 0; i < 3 * count; ++i) {
-        positions.insert(positions.end(), {static_cast<float>(i), static_cast<float>(i % 3), 0.0F});
+        positions.insert(positions.end(),
+                         {static_cast<float>(i), static_cast<float>(i % 3 * (i % 3)), 0.0F});
     }
     const std::size_t accessor = gltf.add_floats(positions, 3);
     gltf.json["meshes"] = {{{"primitives", {{{"attributes", {{"POSITION", accessor}}}}}}}};
@@ -93,7 +94,7 @@ TEST_F(Limits, SharedVerticesAreNotCopied) {
     for (std::size_t i = 0; i < scene->meshes.size(); ++i) {
         const float first = 3.0F * static_cast<float>(i);
         EXPECT_EQ(scene->meshes[i].positions,
-                  (std::vector<V3f>{{first, 0, 0}, {first + 1, 1, 0}, {first + 2, 2, 0}}));
+                  (std::vector<V3f>{{first, 0, 0}, {first + 1, 1, 0}, {first + 2, 4, 0}}));
     }
 }
 
@@ -155,8 +156,8 @@ TEST_F(Limits, TexturesThatShowAnImageInOneWayAreOne) {
     ASSERT_TRUE(scene) << said(scene);
     const Material& material = scene->materials[0];
     EXPECT_EQ(scene->textures.size(), 2U);
-    EXPECT_EQ(material.base_color_texture, material.metallic_roughness_texture);
-    EXPECT_NE(material.base_color_texture, material.emission_texture);
+    EXPECT_EQ(material.base_color_texture.index, material.metallic_texture.index);
+    EXPECT_NE(material.base_color_texture.index, material.emission_texture.index);
 }
 
 TEST_F(Limits, ABufferFileIsReadOnce) {
@@ -225,10 +226,7 @@ TEST_F(Limits, LightsBeyondTheRangeAreLeftOut) {
 TEST_F(Limits, MaterialsBeyondTheRangeAreReplaced) {
     for (const Json& material :
          {Json{{"pbrMetallicRoughness", {{"baseColorFactor", {1e300, 0, 0, 1}}}}},
-          Json{{"emissiveFactor", {0, -1, 0}}},
-          Json{{"emissiveFactor", {1e20, 0, 0}},
-               {"extensions",
-                {{"KHR_materials_emissive_strength", {{"emissiveStrength", 1e20}}}}}}}) {
+          Json{{"emissiveFactor", {0, -1, 0}}}}) {
         Gltf gltf = one_triangle();
         gltf.json["materials"] = {material};
         gltf.primitive(0)["material"] = 0;
@@ -246,7 +244,7 @@ TEST_F(Limits, VerticesOfObjBeyondTheRangeAreLeftOut) {
     ASSERT_TRUE(scene) << said(scene);
     EXPECT_EQ(scene->triangle_count(), 1U);
     EXPECT_TRUE(says(scene, "1 face skipped because of a vertex that is not finite or too large"));
-    EXPECT_TRUE(load_obj(near + "v 1e12 0 0\nf 1 2 4\n"));
+    EXPECT_TRUE(load_obj(near + "v 0 1e12 0\nf 1 2 4\n"));
 }
 
 // 4096 instances of 2^16 vertices have their exact box, one more has that of the mesh's box.

@@ -42,7 +42,7 @@ TEST_F(Obj, BottomLeftIsTurnedToTopLeft) {
         const V2f expected = mesh.positions[i] == V3f(0, 0, 0)   ? V2f(0.0F, 0.0F)
                              : mesh.positions[i] == V3f(1, 0, 0) ? V2f(1.0F, 1.0F)
                                                                  : V2f(0.5F, 0.75F);
-        EXPECT_EQ(mesh.texture_coordinates[i], expected);
+        EXPECT_EQ(mesh.texture_coordinates[0][i], expected);
     }
 }
 
@@ -182,7 +182,9 @@ TEST_F(Obj, VertexColorsBecomeLinear) {
         const Color3f expected = at.x > 0.0F   ? Color3f(1.0F, 0.21404114F, 0.0F)
                                  : at.y > 0.0F ? Color3f(1.0F, 0.0F, 0.0F)
                                                : Color3f(1.0F);
-        EXPECT_NEAR((mesh.colors[i] - expected).length(), 0.0F, 1e-6F) << i;
+        const Color3f color(mesh.colors[i].r, mesh.colors[i].g, mesh.colors[i].b);
+        EXPECT_NEAR((color - expected).length(), 0.0F, 1e-6F) << i;
+        EXPECT_EQ(mesh.colors[i].a, 1.0F);
     }
 }
 

@@ -99,9 +99,11 @@ TEST_F(Ply, BinaryIsReadInBothByteOrders) {
         const Mesh& mesh = scene->meshes[0];
         EXPECT_EQ(scene->bounds().max, V3f(2.5F, 1.5F, -1.0F));
         EXPECT_NEAR((mesh.normals[0] - V3f(0.0F, 0.6F, 0.8F)).length(), 0.0F, 1e-6F);
-        EXPECT_EQ(mesh.texture_coordinates[0], V2f(0.25F, 0.75F));
+        EXPECT_EQ(mesh.texture_coordinates[0][0], V2f(0.25F, 0.75F));
         // 128 / 255 in sRGB.
-        EXPECT_NEAR((mesh.colors[0] - Color3f(1.0F, 0.21586050F, 0.0F)).length(), 0.0F, 1e-6F);
+        EXPECT_NEAR(mesh.colors[0].r, 1.0F, 1e-6F);
+        EXPECT_NEAR(mesh.colors[0].g, 0.21586050F, 1e-6F);
+        EXPECT_EQ(mesh.colors[0].b, 0.0F);
     }
 }
 

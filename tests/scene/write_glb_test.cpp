@@ -122,8 +122,8 @@ TEST(WriteGlb, KeepsALightsColorAndCandela) {
 
 TEST(WriteGlb, KeepsColorsForOurOwnReader) {
     scene::Scene scene = small_scene();
-    const std::vector<Color3f> colors{
-        {1.0F, 0.5F, 0.0F}, {0.25F, 1.0F, 0.0F}, {0.0F, 0.0F, 0.125F}};
+    const std::vector<Color4f> colors{
+        {1.0F, 0.5F, 0.0F, 1.0F}, {0.25F, 1.0F, 0.0F, 0.5F}, {0.0F, 0.0F, 0.125F, 0.0F}};
     scene.meshes[0].colors = colors;
     const auto read = load("colors.glb", to_glb(scene));
     ASSERT_TRUE(read);

@@ -130,7 +130,7 @@ void add_surface(ProjectionObject& object, double aspect, Mesh& mesh) {
             if (point) {
                 mesh.positions.emplace_back(point->position);
                 mesh.normals.emplace_back(point->normal);
-                mesh.texture_coordinates.emplace_back(point->parameters);
+                mesh.texture_coordinates[0].emplace_back(point->parameters);
             }
         }
     }

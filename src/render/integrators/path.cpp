@@ -78,7 +78,7 @@ public:
         : tracer_(traced),
           settings_(&settings),
           footprint_scale_(1.0F / std::sqrt(static_cast<float>(settings.samples))),
-          textured_(traced.textured) {}
+          textured_(traced.materials.has_textures()) {}
 
     void trace(std::span<const CameraRay> rays, std::span<Seen> seen) override {
         start(rays, seen);

@@ -39,7 +39,7 @@ double brightness(const SceneTracer& tracer, const V3f& to_viewer, const Interac
 class BrightnessGrid {
 public:
     BrightnessGrid(const TracedScene& traced, const rays::CompiledPicture& picture)
-        : tracer_(traced), rays_(picture), textured_(traced.textured) {}
+        : tracer_(traced), rays_(picture), textured_(traced.materials.has_textures()) {}
 
     void add(std::size_t layer, const rays::Tile& points) {
         rays_.find_rays(layer, points, found_);

@@ -229,7 +229,7 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
         // Only textures need footprints.
         Result<rays::CompiledPicture> compiled = rays::compile(
             picture, static_cast<double>(film.width), static_cast<double>(film.height),
-            {.axes = traced.scene->axes, .footprints = traced.textured});
+            {.axes = traced.scene->axes, .footprints = traced.materials.has_textures()});
         if (!compiled) {
             return std::move(compiled.diagnostics);
         }

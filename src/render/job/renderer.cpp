@@ -23,10 +23,9 @@ Result<Renderer> Renderer::make(std::shared_ptr<const scene::Scene> scene) {
     SurfaceFinder surfaces(*scene);
     LightSet lights(*scene);
     const Preparation preparation{build_seconds, watch.seconds() - build_seconds};
-    const bool textured =
-        std::any_of(scene->materials.begin(), scene->materials.end(), has_textures);
+    MaterialSet materials(*scene, *textures);
     TracedScene traced{std::move(scene), std::move(*accelerator), std::move(surfaces),
-                       lights,           std::move(textures),     textured};
+                       lights,           std::move(textures),     std::move(materials)};
     return {Renderer(std::make_shared<const State>(State{std::move(traced), preparation})),
             std::move(warnings)};
 }

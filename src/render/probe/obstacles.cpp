@@ -25,7 +25,7 @@ public:
                 const TextureLibrary& textures)
         : accelerator_(accelerator),
           surfaces_(scene),
-          textures_(textures),
+          materials_(scene, textures),
           cache_(textures.thread_cache()) {}
 
     [[nodiscard]] std::optional<Obstacle> operator()(const V3d& from, const V3d& to) const {
@@ -65,13 +65,12 @@ private:
     }
 
     [[nodiscard]] bool is_opaque(const Surface& surface) const {
-        const TextureFootprint place{surface.texture_point, V2f(0.0F), V2f(0.0F)};
-        return look_up_opacity(*surface.material, textures_, place, cache_) >= 1.0F;
+        return materials_.opacity(surface.in_mesh, cache_) >= 1.0F;
     }
 
     const embree::Accelerator& accelerator_;
     SurfaceFinder surfaces_;
-    const TextureLibrary& textures_;
+    MaterialSet materials_;
     TextureLibrary::ThreadCache cache_;
 };
 

@@ -4,51 +4,174 @@
 #include "render/shading/appearance.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace balcony::render {
 
 namespace {
 
-float opacity_of(const scene::Material& material, float texture_alpha) {
-    const float alpha = std::clamp(material.alpha * texture_alpha, 0.0F, 1.0F);
+using Imath::Color4f;
+using scene::Material;
+using scene::TextureUse;
+
+float opacity_of(const Material& material, float alpha) {
+    const float opacity = std::clamp(material.alpha * alpha, 0.0F, 1.0F);
     switch (material.alpha_mode) {
         case scene::AlphaMode::opaque: return 1.0F;
-        case scene::AlphaMode::mask: return alpha >= material.alpha_cutoff ? 1.0F : 0.0F;
-        case scene::AlphaMode::blend: return alpha;
+        case scene::AlphaMode::mask: return opacity >= material.alpha_cutoff ? 1.0F : 0.0F;
+        case scene::AlphaMode::blend: return opacity;
     }
     return 1.0F;
 }
 
-}  // namespace
-
-bool has_textures(const scene::Material& material) {
-    return material.base_color_texture.valid() || material.emission_texture.valid() ||
-           material.metallic_roughness_texture.valid();
-}
-
-Appearance look_up(const scene::Material& material, const TextureLibrary& textures,
-                   const TextureFootprint& footprint, TextureLibrary::ThreadCache cache) {
-    const auto texel = [&](scene::TextureIndex texture, TextureEncoding encoding) {
-        return textures.look_up(texture, encoding, footprint, cache);
-    };
-    const Imath::Color4f base = texel(material.base_color_texture, TextureEncoding::srgb);
-    const Imath::Color4f emission = texel(material.emission_texture, TextureEncoding::srgb);
-    const Imath::Color4f surface =
-        texel(material.metallic_roughness_texture, TextureEncoding::linear);
+Appearance constant_part(const Material& material) {
     Appearance found;
-    found.base_color = material.base_color * Color3f(base.r, base.g, base.b);
-    found.emission = material.emission * Color3f(emission.r, emission.g, emission.b);
-    found.opacity = opacity_of(material, base.a);
-    found.metallic = std::clamp(material.metallic * surface.b, 0.0F, 1.0F);
-    found.roughness = std::clamp(material.roughness * surface.g, 0.0F, 1.0F);
+    found.base_color = material.base_color;
+    found.emission = material.emission;
+    found.opacity = opacity_of(material, 1.0F);
+    found.metallic = material.metallic;
+    found.roughness = material.roughness;
+    found.ior = material.ior;
+    found.specular = material.specular;
+    found.specular_color = material.specular_color;
+    found.transmission = material.transmission;
+    found.thin_walled = material.thin_walled;
+    found.absorption = material.absorption;
+    found.clearcoat = material.clearcoat;
+    found.clearcoat_roughness = material.clearcoat_roughness;
+    found.sheen_color = material.sheen_color;
+    found.sheen_roughness = material.sheen_roughness;
+    found.unlit = material.unlit;
     return found;
 }
 
-float look_up_opacity(const scene::Material& material, const TextureLibrary& textures,
-                      const TextureFootprint& footprint, TextureLibrary::ThreadCache cache) {
-    return opacity_of(
-        material,
-        textures.look_up(material.base_color_texture, TextureEncoding::srgb, footprint, cache).a);
+// Looks up the textures of a material at a point. Uses that share texels come one after the other,
+// so that the image is looked up once.
+class Texels {
+public:
+    Texels(const TextureLibrary& textures, TextureLibrary::ThreadCache cache,
+           const MeshPoint& point, const TriangleFootprint& footprint)
+        : textures_(textures), cache_(cache), point_(point), footprint_(footprint) {}
+
+    [[nodiscard]] Color3f color(const TextureUse& use) {
+        const Color4f& texel = look_up(use);
+        return {texel.r, texel.g, texel.b};
+    }
+
+    [[nodiscard]] float number(const TextureUse& use) {
+        const Color4f& texel = look_up(use);
+        return std::array{texel.r, texel.g, texel.b, texel.a}[use.channel];
+    }
+
+    void multiply(const TextureUse& use, Color3f& factor) {
+        if (use.valid()) {
+            factor *= color(use);
+        }
+    }
+
+    void multiply(const TextureUse& use, float& factor) {
+        if (use.valid()) {
+            factor = std::clamp(factor * number(use), 0.0F, 1.0F);
+        }
+    }
+
+private:
+    const Color4f& look_up(const TextureUse& use) {
+        if (last_ == nullptr || !last_->shares_texels(use)) {
+            texel_ = textures_.look_up(use.index, use.encoding,
+                                       point_.texture_footprint(use, footprint_), cache_);
+            last_ = &use;
+        }
+        return texel_;
+    }
+
+    const TextureLibrary& textures_;
+    TextureLibrary::ThreadCache cache_;
+    const MeshPoint& point_;
+    const TriangleFootprint& footprint_;
+    const TextureUse* last_ = nullptr;
+    Color4f texel_{1.0F, 1.0F, 1.0F, 1.0F};
+};
+
+void look_up_textures(const Material& material, Texels& texels, Appearance& found, float& alpha) {
+    texels.multiply(material.base_color_texture, found.base_color);
+    texels.multiply(material.opacity_texture, alpha);
+    texels.multiply(material.roughness_texture, found.roughness);
+    texels.multiply(material.metallic_texture, found.metallic);
+    texels.multiply(material.emission_texture, found.emission);
+    texels.multiply(material.specular_texture, found.specular);
+    texels.multiply(material.specular_color_texture, found.specular_color);
+    texels.multiply(material.transmission_texture, found.transmission);
+    texels.multiply(material.clearcoat_texture, found.clearcoat);
+    texels.multiply(material.clearcoat_roughness_texture, found.clearcoat_roughness);
+    texels.multiply(material.sheen_color_texture, found.sheen_color);
+    texels.multiply(material.sheen_roughness_texture, found.sheen_roughness);
+}
+
+// glTF 2.0, section 3.9.3: texels from 0 to 1 stand for components from -1 to 1.
+V3f mapped_normal(const Material& material, const Color3f& texel) {
+    const V3f normal = 2.0F * texel - V3f(1.0F);
+    return {material.normal_scale * normal.x, material.normal_scale * normal.y, normal.z};
+}
+
+bool uses_textures(const Material& material) {
+    return std::any_of(scene::texture_uses.begin(), scene::texture_uses.end(),
+                       [&](const auto use) { return (material.*use).valid(); });
+}
+
+}  // namespace
+
+MaterialSet::MaterialSet(const scene::Scene& scene, const TextureLibrary& textures)
+    : scene_(&scene), textures_(&textures) {
+    prepared_.reserve(scene.materials.size());
+    for (const Material& material : scene.materials) {
+        prepared_.push_back({constant_part(material), uses_textures(material)});
+        has_textures_ = has_textures_ || prepared_.back().has_textures;
+    }
+}
+
+Appearance MaterialSet::look_up(Surface& surface, const PositionDifferentials& moved,
+                                const V3f& to_viewer, TextureLibrary::ThreadCache cache) const {
+    const MeshPoint& point = surface.in_mesh;
+    const Prepared& prepared = prepared_[point.mesh->material.value()];
+    if (!prepared.has_textures && point.mesh->colors.empty()) {
+        return prepared.constant;
+    }
+    Appearance found = prepared.constant;
+    const Material& material = *surface.material;
+    const Color4f tint = point.color();
+    found.base_color *= Color3f(tint.r, tint.g, tint.b);
+    float alpha = tint.a;
+    if (prepared.has_textures) {
+        const TriangleFootprint footprint = surface.triangle_footprint(moved);
+        Texels texels(*textures_, cache, point, footprint);
+        look_up_textures(material, texels, found, alpha);
+        if (material.normal_texture.valid()) {
+            surface.map_normal(mapped_normal(material, texels.color(material.normal_texture)),
+                               material.normal_texture, to_viewer);
+        }
+    }
+    found.opacity = opacity_of(material, alpha);
+    return found;
+}
+
+Color3f MaterialSet::emission(const MeshPoint& point, TextureLibrary::ThreadCache cache) const {
+    const Material& material = scene_->materials[point.mesh->material.value()];
+    Color3f found = material.emission;
+    const TriangleFootprint footprint;
+    Texels(*textures_, cache, point, footprint).multiply(material.emission_texture, found);
+    return found;
+}
+
+float MaterialSet::opacity(const MeshPoint& point, TextureLibrary::ThreadCache cache) const {
+    const Material& material = scene_->materials[point.mesh->material.value()];
+    if (material.alpha_mode == scene::AlphaMode::opaque) {
+        return 1.0F;
+    }
+    float alpha = point.color().a;
+    const TriangleFootprint footprint;
+    Texels(*textures_, cache, point, footprint).multiply(material.opacity_texture, alpha);
+    return opacity_of(material, alpha);
 }
 
 }  // namespace balcony::render

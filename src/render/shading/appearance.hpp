@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// glTF 2.0's metallic-roughness material at a point.
+// glTF 2.0's metallic-roughness material with its extensions at a point.
+
+#include <vector>
 
 #include <Imath/ImathColor.h>
 #include <Imath/ImathVec.h>
 
 #include "balcony/scene.hpp"
+#include "render/shading/surface.hpp"
 #include "render/textures/texture_library.hpp"
 
 namespace balcony::render {
@@ -35,15 +38,34 @@ struct Appearance {
     bool unlit = false;  ///< The base colour is shown as it is, without light.
 };
 
-[[nodiscard]] bool has_textures(const scene::Material& material);
+/// The materials of a scene, prepared for look-ups.
+class MaterialSet {
+public:
+    MaterialSet(const scene::Scene& scene, const TextureLibrary& textures);
 
-[[nodiscard]] Appearance look_up(const scene::Material& material, const TextureLibrary& textures,
-                                 const TextureFootprint& footprint,
-                                 TextureLibrary::ThreadCache cache);
+    /// Some material has a texture, so footprints matter.
+    [[nodiscard]] bool has_textures() const { return has_textures_; }
 
-/// The opacity only, after the alpha mask and according to the mode.
-[[nodiscard]] float look_up_opacity(const scene::Material& material, const TextureLibrary& textures,
-                                    const TextureFootprint& footprint,
-                                    TextureLibrary::ThreadCache cache);
+    /// The appearance at a surface, whose normal it bends by the normal map. `moved` is the
+    /// footprint of the ray, whose direction is that to the viewer reversed.
+    [[nodiscard]] Appearance look_up(Surface& surface, const PositionDifferentials& moved,
+                                     const V3f& to_viewer, TextureLibrary::ThreadCache cache) const;
+
+    /// The emission only.
+    [[nodiscard]] Color3f emission(const MeshPoint& point, TextureLibrary::ThreadCache cache) const;
+    /// The opacity only, after the alpha mask and according to the mode.
+    [[nodiscard]] float opacity(const MeshPoint& point, TextureLibrary::ThreadCache cache) const;
+
+private:
+    struct Prepared {
+        Appearance constant;  // Without textures and colours of vertices.
+        bool has_textures = false;
+    };
+
+    const scene::Scene* scene_;
+    const TextureLibrary* textures_;
+    std::vector<Prepared> prepared_;  // By material.
+    bool has_textures_ = false;
+};
 
 }  // namespace balcony::render

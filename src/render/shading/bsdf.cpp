@@ -74,7 +74,7 @@ V3f sample_facet(const V3f& to_viewer, float alpha, float u, float v) {
 }  // namespace
 
 bool may_be_mirror(const scene::Material& material) {
-    return material.roughness < mirror_roughness || material.metallic_roughness_texture.valid();
+    return material.roughness < mirror_roughness || material.roughness_texture.valid();
 }
 
 // Reflectance at normal incidence: 4 %, for an index of refraction of 1.5, or the metal's colour.

@@ -16,7 +16,8 @@ bool holds_together(const scene::Mesh& mesh) {
     const auto fits = [vertices](const auto& values) {
         return values.empty() || values.size() == vertices;
     };
-    return fits(mesh.normals) && fits(mesh.texture_coordinates) && fits(mesh.colors) &&
+    return fits(mesh.normals) && fits(mesh.tangents) && fits(mesh.colors) &&
+           std::all_of(mesh.texture_coordinates.begin(), mesh.texture_coordinates.end(), fits) &&
            std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& triangle) {
                return std::all_of(triangle.begin(), triangle.end(),
                                   [&](std::uint32_t vertex) { return vertex < vertices; });
@@ -26,6 +27,12 @@ bool holds_together(const scene::Mesh& mesh) {
 template <class Index, class Element>
 bool leads_into(Index index, const std::vector<Element>& elements) {
     return index.value() < elements.size();
+}
+
+bool is_usable(const scene::TextureUse& use, const scene::Scene& scene) {
+    constexpr std::uint8_t channels = 4;
+    return !use.valid() || (leads_into(use.index, scene.textures) && use.channel < channels &&
+                            use.coordinates < scene::max_coordinate_sets);
 }
 
 }  // namespace
@@ -44,10 +51,8 @@ Diagnostics check(const scene::Scene& scene) {
         }
     }
     for (const scene::Material& material : scene.materials) {
-        for (const scene::TextureIndex texture :
-             {material.base_color_texture, material.emission_texture,
-              material.metallic_roughness_texture}) {
-            if (texture.valid() && !leads_into(texture, scene.textures)) {
+        for (const auto texture : scene::texture_uses) {
+            if (!is_usable(material.*texture, scene)) {
                 found.push_back(
                     error(fmt::format("material '{}' refers to a missing texture", material.name)));
             }

@@ -9,19 +9,16 @@ namespace balcony::render {
 
 Interaction SceneTracer::interaction(const Ray& ray, const embree::Hit& hit) const {
     Interaction found{traced_->surfaces.find(hit, ray.direction), {}, {}};
-    TextureFootprint footprint{found.surface.texture_point, V2f(0.0F), V2f(0.0F)};
-    if (traced_->textured) {
+    if (traced_->materials.has_textures()) {
         found.moved = found.surface.transfer(ray);
-        footprint = found.surface.texture_footprint(found.moved);
     }
-    found.appearance = look_up(*found.surface.material, *traced_->textures, footprint, cache_);
-    found.appearance.base_color *= found.surface.color;
+    found.appearance =
+        traced_->materials.look_up(found.surface, found.moved, -ray.direction, cache_);
     return found;
 }
 
 Color3f SceneTracer::emission(const embree::Hit& hit) const {
-    const TextureFootprint point{traced_->surfaces.texture_point(hit), V2f(0.0F), V2f(0.0F)};
-    return look_up(traced_->surfaces.material(hit), *traced_->textures, point, cache_).emission;
+    return traced_->materials.emission(traced_->surfaces.mesh_point(hit), cache_);
 }
 
 embree::Ray SceneTracer::shadow_ray(const Surface& surface, const V3f& to_light, float distance,
@@ -43,8 +40,7 @@ float SceneTracer::transmittance(const Surface& surface, const V3f& to_light, fl
 }
 
 float SceneTracer::opacity(const embree::Hit& hit) const {
-    const TextureFootprint point{traced_->surfaces.texture_point(hit), V2f(0.0F), V2f(0.0F)};
-    return look_up_opacity(traced_->surfaces.material(hit), *traced_->textures, point, cache_);
+    return traced_->materials.opacity(traced_->surfaces.mesh_point(hit), cache_);
 }
 
 }  // namespace balcony::render

@@ -23,7 +23,7 @@ struct TracedScene {
     SurfaceFinder surfaces;
     LightSet lights;
     std::unique_ptr<const TextureLibrary> textures;
-    bool textured = false;  ///< Some material has a texture, so footprints matter.
+    MaterialSet materials;
 };
 
 /// The first surface on a ray.

@@ -64,6 +64,7 @@ void set_normal(const std::array<Corner, 3>& corners, const V3f& to_viewer, Surf
     if (!(unit.length2() > 0.0F)) {
         return;
     }
+    surface.mesh_normal = unit;
     const float side = unit.dot(surface.geometric_normal) < 0.0F ? -1.0F : 1.0F;
     surface.smooth_normal = bent_towards(side * unit, to_viewer);
     surface.normal = surface.smooth_normal;
@@ -76,6 +77,44 @@ void set_normal(const std::array<Corner, 3>& corners, const V3f& to_viewer, Surf
 bool is_finite(const V2f& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
 }  // namespace
+
+std::array<V2f, 2> MeshPoint::texture_edges(const scene::TextureUse& use) const {
+    const std::vector<V2f>& coordinates = mesh->texture_coordinates[use.coordinates];
+    if (coordinates.empty()) {
+        return {V2f(0.0F), V2f(0.0F)};
+    }
+    const auto& corners = mesh->triangles[triangle];
+    const V2f& first = coordinates[corners[0]];
+    return {use.difference(coordinates[corners[1]] - first),
+            use.difference(coordinates[corners[2]] - first)};
+}
+
+TextureFootprint MeshPoint::texture_footprint(const scene::TextureUse& use,
+                                              const TriangleFootprint& footprint) const {
+    const std::vector<V2f>& coordinates = mesh->texture_coordinates[use.coordinates];
+    const V2f first = coordinates.empty() ? V2f(0.0F) : coordinates[mesh->triangles[triangle][0]];
+    const auto [edge_1, edge_2] = texture_edges(use);
+    const auto in_texture = [&](const V2f& along) {
+        const V2f slope = along.x * edge_1 + along.y * edge_2;
+        // A footprint that covers many repetitions is clamped, for numerical safety, without
+        // visible effect.
+        constexpr float widest = 64.0F;
+        const float width = std::max(std::abs(slope.x), std::abs(slope.y));
+        return !is_finite(slope) ? V2f(0.0F, 0.0F)
+                                 : slope * (width > widest ? widest / width : 1.0F);
+    };
+    return {use.place(first) + u * edge_1 + v * edge_2, in_texture(footprint.along_x),
+            in_texture(footprint.along_y)};
+}
+
+scene::Color4f MeshPoint::color() const {
+    if (mesh->colors.empty()) {
+        return {1.0F, 1.0F, 1.0F, 1.0F};
+    }
+    const auto& corners = mesh->triangles[triangle];
+    return (1.0F - u - v) * mesh->colors[corners[0]] + u * mesh->colors[corners[1]] +
+           v * mesh->colors[corners[2]];
+}
 
 V3f Surface::start(const V3f& direction) const {
     return position +
@@ -95,21 +134,39 @@ PositionDifferentials Surface::transfer(const Ray& ray) const {
     return {on_plane(d.origin_x, d.direction_x), on_plane(d.origin_y, d.direction_y)};
 }
 
-TextureFootprint Surface::texture_footprint(const PositionDifferentials& moved) const {
+TriangleFootprint Surface::triangle_footprint(const PositionDifferentials& moved) const {
     const V3f across = edge_1.cross(edge_2);
     const float square = across.length2();
-    const auto in_texture = [&](const V3f& along) {
-        const float u = along.cross(edge_2).dot(across) / square;
-        const float v = edge_1.cross(along).dot(across) / square;
-        const V2f slope = u * texture_edge_1 + v * texture_edge_2;
-        // A footprint that covers many repetitions is clamped, for numerical safety, without
-        // visible effect.
-        constexpr float widest = 64.0F;
-        const float width = std::max(std::abs(slope.x), std::abs(slope.y));
-        return !is_finite(slope) ? V2f(0.0F, 0.0F)
-                                 : slope * (width > widest ? widest / width : 1.0F);
+    const auto on_triangle = [&](const V3f& along) {
+        return V2f(along.cross(edge_2).dot(across), edge_1.cross(along).dot(across)) / square;
     };
-    return {texture_point, in_texture(moved.along_x), in_texture(moved.along_y)};
+    return {on_triangle(moved.along_x), on_triangle(moved.along_y)};
+}
+
+// The tangent points to the right of the image, the bitangent to its top, where v is least. Both
+// are the derivatives of the position by the image's coordinates, perpendicular to the normal.
+void Surface::map_normal(const V3f& in_tangent_space, const scene::TextureUse& use,
+                         const V3f& to_viewer) {
+    V3f right(tangent.x, tangent.y, tangent.z);
+    float handedness = tangent.w;
+    if (right == V3f(0.0F)) {
+        const auto [along_1, along_2] = in_mesh.texture_edges(use);
+        const float area = along_1.x * along_2.y - along_1.y * along_2.x;
+        right = (along_2.y * edge_1 - along_1.y * edge_2) / area;
+        const V3f down = (along_1.x * edge_2 - along_2.x * edge_1) / area;
+        handedness = mesh_normal.cross(right).dot(down) > 0.0F ? -1.0F : 1.0F;
+    }
+    right = (right - right.dot(mesh_normal) * mesh_normal).normalized();
+    const V3f up = handedness * mesh_normal.cross(right);
+    const V3f mapped =
+        (in_tangent_space.x * right + in_tangent_space.y * up + in_tangent_space.z * mesh_normal)
+            .normalized();
+    // Without coordinates there is no tangent; nothing is mapped then.
+    if (!std::isfinite(mapped.length2()) || !(mapped.length2() > 0.0F)) {
+        return;
+    }
+    const float side = mesh_normal.dot(geometric_normal) < 0.0F ? -1.0F : 1.0F;
+    normal = bent_towards(side * mapped, to_viewer);
 }
 
 SurfaceFinder::SurfaceFinder(const scene::Scene& scene) : scene_(&scene) {
@@ -119,37 +176,37 @@ SurfaceFinder::SurfaceFinder(const scene::Scene& scene) : scene_(&scene) {
         const Imath::M33d linear(m[0][0], m[0][1], m[0][2], m[1][0], m[1][1], m[1][2], m[2][0],
                                  m[2][1], m[2][2]);
         placements_.push_back({Imath::M44f(m), Imath::M33f(linear.inverse().transposed()),
-                               linear.determinant() < 0.0});
+                               linear.determinant() < 0.0 ? -1.0F : 1.0F});
     }
 }
 
-const scene::Mesh& SurfaceFinder::mesh(const embree::Hit& hit) const {
-    return scene_->meshes[scene_->instances[hit.instance].mesh.value()];
+MeshPoint SurfaceFinder::mesh_point(const embree::Hit& hit) const {
+    return {&scene_->meshes[scene_->instances[hit.instance].mesh.value()], hit.triangle, hit.u,
+            hit.v};
 }
 
-const scene::Material& SurfaceFinder::material(const embree::Hit& hit) const {
-    return scene_->materials[mesh(hit).material.value()];
-}
-
-V2f SurfaceFinder::texture_point(const embree::Hit& hit) const {
-    const scene::Mesh& m = mesh(hit);
-    if (m.texture_coordinates.empty()) {
-        return {0.0F, 0.0F};
-    }
-    const auto& triangle = m.triangles[hit.triangle];
-    return (1.0F - hit.u - hit.v) * m.texture_coordinates[triangle[0]] +
-           hit.u * m.texture_coordinates[triangle[1]] + hit.v * m.texture_coordinates[triangle[2]];
+// The bitangent is mirrored with the placement, which its formula by normal and tangent is not.
+V4f SurfaceFinder::placed_tangent(const MeshPoint& point, const Placement& placement) {
+    const auto& corners = point.mesh->triangles[point.triangle];
+    const V4f& first = point.mesh->tangents[corners[0]];
+    const V4f sum = (1.0F - point.u - point.v) * first +
+                    point.u * point.mesh->tangents[corners[1]] +
+                    point.v * point.mesh->tangents[corners[2]];
+    V3f placed;
+    placement.world_from_mesh.multDirMatrix(V3f(sum.x, sum.y, sum.z), placed);
+    return {placed.x, placed.y, placed.z, placement.side * first.w};
 }
 
 Surface SurfaceFinder::find(const embree::Hit& hit, const V3f& direction) const {
-    const scene::Mesh& m = mesh(hit);
+    Surface surface;
+    surface.in_mesh = mesh_point(hit);
+    const scene::Mesh& m = *surface.in_mesh.mesh;
     const Placement& placement = placements_[hit.instance];
     const auto& triangle = m.triangles[hit.triangle];
     const V3f p0 = placed(m.positions[triangle[0]], placement.world_from_mesh);
     const V3f p1 = placed(m.positions[triangle[1]], placement.world_from_mesh);
     const V3f p2 = placed(m.positions[triangle[2]], placement.world_from_mesh);
 
-    Surface surface;
     surface.edge_1 = p1 - p0;
     surface.edge_2 = p2 - p0;
     surface.position = p0 + hit.u * surface.edge_1 + hit.v * surface.edge_2;
@@ -159,15 +216,11 @@ Surface SurfaceFinder::find(const embree::Hit& hit, const V3f& direction) const 
                      std::max({max_coordinate(p0), max_coordinate(p1), max_coordinate(p2),
                                max_coordinate(surface.edge_1), max_coordinate(surface.edge_2)});
 
-    surface.geometric_normal = surface.edge_1.cross(surface.edge_2).normalized();
-    if (surface.geometric_normal.dot(direction) > 0.0F) {
-        surface.geometric_normal = -surface.geometric_normal;
-        surface.entering = placement.mirrors;
-    } else {
-        surface.entering = !placement.mirrors;
-    }
-    surface.smooth_normal = surface.geometric_normal;
-    surface.normal = surface.geometric_normal;
+    const V3f outside = placement.side * surface.edge_1.cross(surface.edge_2).normalized();
+    surface.entering = outside.dot(direction) <= 0.0F;
+    surface.geometric_normal = surface.entering ? outside : -outside;
+    surface.normal = surface.smooth_normal = surface.geometric_normal;
+    surface.mesh_normal = outside;
     surface.rounding_out = V3f(0.0F);
     if (!m.normals.empty()) {
         const std::array<Corner, 3> corners{
@@ -176,18 +229,8 @@ Surface SurfaceFinder::find(const embree::Hit& hit, const V3f& direction) const 
             Corner{p2, m.normals[triangle[2]] * placement.normal_from_mesh, hit.v}};
         set_normal(corners, -direction, surface);
     }
-    if (!m.texture_coordinates.empty()) {
-        const V2f t0 = m.texture_coordinates[triangle[0]];
-        surface.texture_edge_1 = m.texture_coordinates[triangle[1]] - t0;
-        surface.texture_edge_2 = m.texture_coordinates[triangle[2]] - t0;
-        surface.texture_point =
-            t0 + hit.u * surface.texture_edge_1 + hit.v * surface.texture_edge_2;
-    } else {
-        surface.texture_point = surface.texture_edge_1 = surface.texture_edge_2 = V2f(0.0F);
-    }
-    if (!m.colors.empty()) {
-        surface.color = (1.0F - hit.u - hit.v) * m.colors[triangle[0]] +
-                        hit.u * m.colors[triangle[1]] + hit.v * m.colors[triangle[2]];
+    if (!m.tangents.empty()) {
+        surface.tangent = placed_tangent(surface.in_mesh, placement);
     }
     surface.material = &scene_->materials[m.material.value()];
     surface.object = scene_->instances[hit.instance].object;

@@ -4,6 +4,7 @@
 
 // The surface at the hit of a ray, and the ray's footprint on it.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -19,6 +20,7 @@ namespace balcony::render {
 
 using Imath::V2f;
 using Imath::V3f;
+using Imath::V4f;
 
 /// The change of a ray from a pixel to its right (x) and lower (y) neighbour: the ray differentials
 /// of Igehy, "Tracing Ray Differentials" (1999).
@@ -40,6 +42,26 @@ struct PositionDifferentials {
     V3f along_x{0.0F}, along_y{0.0F};
 };
 
+/// A footprint in barycentric coordinates: the shares of the second and third vertex.
+struct TriangleFootprint {
+    V2f along_x{0.0F}, along_y{0.0F};
+};
+
+/// A point of a triangle of a mesh.
+struct MeshPoint {
+    const scene::Mesh* mesh = nullptr;
+    std::uint32_t triangle = 0;
+    float u = 0.0F, v = 0.0F;  ///< The shares of its second and third vertex.
+
+    /// The vectors in the image, from the first vertex to the others; 0 without coordinates.
+    [[nodiscard]] std::array<V2f, 2> texture_edges(const scene::TextureUse& use) const;
+    /// The footprint in the image of a use of a texture; a point if the triangle's is one.
+    [[nodiscard]] TextureFootprint texture_footprint(const scene::TextureUse& use,
+                                                     const TriangleFootprint& footprint = {}) const;
+    /// The vertices' colour, or white.
+    [[nodiscard]] scene::Color4f color() const;
+};
+
 /// The maximum number of transparent surfaces that a ray passes; the next one is treated as opaque.
 inline constexpr std::size_t max_crossings = 64;
 
@@ -52,13 +74,13 @@ struct Surface {
     V3f smooth_normal;     ///< Unit, interpolated from the corners, on the same side and seen from
                            ///< the ray.
     V3f normal;            ///< The same, bent by the normal map: for shading.
-    bool entering = true;  ///< Whether the ray comes from outside, according to the winding.
+    V3f mesh_normal;       ///< Unit, interpolated from the corners, as the mesh has it.
     V3f edge_1, edge_2;    ///< Of the triangle, from its first vertex.
-    V2f texture_point;
-    V2f texture_edge_1, texture_edge_2;
-    scene::Color3f color{1.0F, 1.0F, 1.0F};  ///< Of the mesh, a factor of the base colour.
-    float offset = 0.0F;  ///< A distance from the surface larger than any rounding error.
-    V3f rounding_out;     ///< From the position to the smooth surface that the normals describe.
+    V4f tangent{0.0F};     ///< Of the mesh, in the world; 0 if it has none.
+    bool entering = true;  ///< The ray comes from the side that the winding of the mesh faces.
+    float offset = 0.0F;   ///< A distance from the surface larger than any rounding error.
+    V3f rounding_out;      ///< From the position to the smooth surface that the normals describe.
+    MeshPoint in_mesh;
     const scene::Material* material = nullptr;
     std::uint32_t object = 0;
 
@@ -70,7 +92,12 @@ struct Surface {
     /// The intersections of the neighbouring pixels' rays with the plane of the triangle, as
     /// differences.
     [[nodiscard]] PositionDifferentials transfer(const Ray& ray) const;
-    [[nodiscard]] TextureFootprint texture_footprint(const PositionDifferentials& position) const;
+    /// The footprint on the triangle.
+    [[nodiscard]] TriangleFootprint triangle_footprint(const PositionDifferentials& moved) const;
+    /// Sets the normal for shading from a normal in the tangent space of a use of a texture, whose
+    /// z is the mesh's normal: (0, 0, 1) changes nothing. `to_viewer` is the reversed ray.
+    void map_normal(const V3f& in_tangent_space, const scene::TextureUse& use,
+                    const V3f& to_viewer);
 };
 
 /// Computes surfaces from hits.
@@ -79,18 +106,17 @@ public:
     explicit SurfaceFinder(const scene::Scene& scene);
 
     [[nodiscard]] Surface find(const embree::Hit& hit, const V3f& direction) const;
-    /// Only the texture coordinates of a hit.
-    [[nodiscard]] V2f texture_point(const embree::Hit& hit) const;
-    [[nodiscard]] const scene::Material& material(const embree::Hit& hit) const;
+    /// Only where a hit is in its mesh.
+    [[nodiscard]] MeshPoint mesh_point(const embree::Hit& hit) const;
 
 private:
     struct Placement {
         Imath::M44f world_from_mesh;
         Imath::M33f normal_from_mesh;
-        bool mirrors = false;  // The winding is reversed.
+        float side = 1.0F;  // -1 if the placement mirrors, which reverses the winding.
     };
 
-    [[nodiscard]] const scene::Mesh& mesh(const embree::Hit& hit) const;
+    [[nodiscard]] static V4f placed_tangent(const MeshPoint& point, const Placement& placement);
 
     const scene::Scene* scene_;
     std::vector<Placement> placements_;  // By instance.

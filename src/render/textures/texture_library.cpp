@@ -62,15 +62,13 @@ TextureLibrary::TextureLibrary(const scene::Scene& scene, Diagnostics& warnings)
     system_->attribute("automip", 1);
     system_->attribute("accept_untiled", 1);
     system_->attribute("accept_unmipped", 1);
-    const auto use = [&](scene::TextureIndex index, TextureEncoding encoding) {
-        if (index.valid()) {
-            open(scene.textures[index.value()], encoding, index.value(), warnings);
-        }
-    };
     for (const scene::Material& material : scene.materials) {
-        use(material.base_color_texture, TextureEncoding::srgb);
-        use(material.emission_texture, TextureEncoding::srgb);
-        use(material.metallic_roughness_texture, TextureEncoding::linear);
+        for (const auto texture : scene::texture_uses) {
+            const scene::TextureUse& use = material.*texture;
+            if (use.valid()) {
+                open(scene.textures[use.index.value()], use.encoding, use.index.value(), warnings);
+            }
+        }
     }
 }
 

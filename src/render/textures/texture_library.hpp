@@ -27,7 +27,7 @@ namespace balcony::render {
 inline constexpr float texture_cache_megabytes = 1024.0F;
 inline constexpr int max_open_images = 8;
 
-enum class TextureEncoding : std::uint8_t { linear, srgb };
+using scene::TextureEncoding;
 
 /// The source of a texture's pixels for the cache's reader, and the reader's error.
 struct TextureSource {

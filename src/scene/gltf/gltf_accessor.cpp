@@ -5,6 +5,9 @@
 #include <array>
 #include <cassert>
 #include <cstring>
+#include <limits>
+#include <type_traits>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -58,30 +61,27 @@ T value_at(const std::uint8_t* bytes) {
 
 // glTF 2.0, section 3.11: the integers of a normalised accessor represent value / maximum, and the
 // most negative one also represents -1.
-float decode(const std::uint8_t* bytes, std::size_t component, bool normalized) {
-    const auto scaled = [&](auto value, float maximum) {
-        const auto number = static_cast<float>(value);
+template <class Stored>
+float number_of(Stored value, bool normalized) {
+    const auto number = static_cast<float>(value);
+    if constexpr (std::is_integral_v<Stored>) {
+        constexpr auto maximum = static_cast<float>(std::numeric_limits<Stored>::max());
         return normalized ? std::max(number / maximum, -1.0F) : number;
-    };
-    switch (static_cast<Component>(component)) {
-        case Component::signed_byte: return scaled(value_at<std::int8_t>(bytes), 127.0F);
-        case Component::unsigned_byte: return scaled(value_at<std::uint8_t>(bytes), 255.0F);
-        case Component::signed_short: return scaled(value_at<std::int16_t>(bytes), 32767.0F);
-        case Component::unsigned_short: return scaled(value_at<std::uint16_t>(bytes), 65535.0F);
-        case Component::unsigned_int: return scaled(value_at<std::uint32_t>(bytes), 4294967295.0F);
-        case Component::single_float: break;
     }
-    return value_at<float>(bytes);
+    return number;
 }
 
-std::uint32_t decode_integer(const std::uint8_t* bytes, std::size_t component) {
+// Calls an action with a value of the component type.
+template <class Action>
+void with_component(std::size_t component, Action action) {
     switch (static_cast<Component>(component)) {
-        case Component::unsigned_byte: return value_at<std::uint8_t>(bytes);
-        case Component::unsigned_short: return value_at<std::uint16_t>(bytes);
-        case Component::unsigned_int: return value_at<std::uint32_t>(bytes);
-        default: break;
+        case Component::signed_byte: return action(std::int8_t{});
+        case Component::unsigned_byte: return action(std::uint8_t{});
+        case Component::signed_short: return action(std::int16_t{});
+        case Component::unsigned_short: return action(std::uint16_t{});
+        case Component::unsigned_int: return action(std::uint32_t{});
+        case Component::single_float: return action(float{});
     }
-    throw PartError{"its indices are not unsigned integers"};
 }
 
 }  // namespace
@@ -108,12 +108,13 @@ void GltfAccessor::place(std::span<const std::uint8_t> bytes, std::size_t offset
 }
 
 void GltfAccessor::replace(const GltfAccessor& indices, const GltfAccessor& values) {
-    for (std::size_t i = 0; i < indices.count(); ++i) {
-        const std::size_t element = indices.integer(i);
-        if (element >= count_) {
+    std::vector<std::uint32_t> elements(indices.count());
+    indices.read_integers(elements);
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        if (elements[i] >= count_) {
             throw PartError{"a sparse accessor replaces an element past its end"};
         }
-        replaced_[element] = values.at(i);
+        replaced_[elements[i]] = values.at(i);
     }
 }
 
@@ -129,13 +130,34 @@ const std::uint8_t* GltfAccessor::at(std::size_t element) const {
     return bytes_.empty() ? zero.data() : bytes_.data() + element * stride_;
 }
 
-float GltfAccessor::number(std::size_t element, std::size_t component) const {
-    assert(component < components_);
-    return decode(at(element) + component * component_size_, component_, normalized_);
+template <class Stored>
+void GltfAccessor::read_as(std::span<const std::uint32_t> elements, float* numbers) const {
+    for (const std::uint32_t element : elements) {
+        const std::uint8_t* const bytes = at(element);
+        for (std::size_t c = 0; c < components_; ++c) {
+            *numbers++ = number_of(value_at<Stored>(bytes + c * sizeof(Stored)), normalized_);
+        }
+    }
 }
 
-std::uint32_t GltfAccessor::integer(std::size_t element) const {
-    return decode_integer(at(element), component_);
+void GltfAccessor::read(std::span<const std::uint32_t> elements, float* numbers) const {
+    with_component(component_, [&](auto stored) { read_as<decltype(stored)>(elements, numbers); });
+}
+
+template <class Stored>
+void GltfAccessor::read_as(std::span<std::uint32_t> integers) const {
+    if constexpr (std::is_unsigned_v<Stored>) {
+        for (std::size_t i = 0; i < integers.size(); ++i) {
+            integers[i] = value_at<Stored>(at(i));
+        }
+    } else {
+        throw PartError{"its indices are not unsigned integers"};
+    }
+}
+
+void GltfAccessor::read_integers(std::span<std::uint32_t> integers) const {
+    assert(integers.size() == count_);
+    with_component(component_, [&](auto stored) { read_as<decltype(stored)>(integers); });
 }
 
 // The location of an accessor's parts is in the file's JSON.

@@ -28,14 +28,19 @@ public:
     [[nodiscard]] bool is_normalized() const { return normalized_; }
     [[nodiscard]] std::size_t element_size() const { return component_size_ * components_; }
 
-    /// A component of an element; normalised integers in 0 .. 1 or -1 .. 1.
-    [[nodiscard]] float number(std::size_t element, std::size_t component) const;
+    /// The components of the elements with these indices, one element after the other; normalised
+    /// integers in 0 .. 1 or -1 .. 1.
+    void read(std::span<const std::uint32_t> elements, float* numbers) const;
 
-    /// An element of unsigned scalars. Throws PartError if they are not unsigned.
-    [[nodiscard]] std::uint32_t integer(std::size_t element) const;
+    /// All elements, which are unsigned scalars. Throws PartError if they are not unsigned.
+    void read_integers(std::span<std::uint32_t> integers) const;
 
 private:
     [[nodiscard]] const std::uint8_t* at(std::size_t element) const;
+    template <class Stored>
+    void read_as(std::span<const std::uint32_t> elements, float* numbers) const;
+    template <class Stored>
+    void read_as(std::span<std::uint32_t> integers) const;
 
     std::span<const std::uint8_t> bytes_;
     std::size_t count_;

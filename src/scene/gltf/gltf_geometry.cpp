@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -9,22 +10,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "scene/geometry.hpp"
 #include "scene/gltf/gltf_reader.hpp"
 
 namespace balcony::scene {
 
 namespace {
-
-// glTF 2.0, section 5.24.4.
-enum class Mode : std::uint8_t {
-    points = 0,
-    lines = 1,
-    line_strip = 3,
-    triangles = 4,
-    triangle_strip = 5,
-    triangle_fan = 6,
-};
 
 // glTF 2.0, section 3.5.3: matrices have no perspective. Writers may round the values 0 and 1.
 M44d affine(M44d matrix) {
@@ -117,24 +107,19 @@ void check_placement(const Box3f& box, const M44d& world_from_mesh) {
     }
 }
 
-Box3f box_of(const Mesh& mesh) {
-    Box3f box;
-    for (const V3f& position : mesh.positions) {
-        box.extendBy(position);
-    }
-    return box;
-}
-
 std::string node_name(const Json& node, std::size_t index) {
     const std::string name = text_in(node, "name");
     return name.empty() ? fmt::format("node {}", index) : name;
 }
 
-bool is_read(const std::string& extension) {
-    static const std::set<std::string> known{"KHR_lights_punctual",
-                                             "KHR_materials_emissive_strength",
-                                             "KHR_texture_transform", "KHR_mesh_quantization"};
-    return known.contains(extension);
+bool is_read(std::string_view extension) {
+    constexpr std::array<std::string_view, 4> others{"EXT_texture_webp", "KHR_lights_punctual",
+                                                     "KHR_mesh_quantization",
+                                                     "KHR_texture_transform"};
+    const auto materials = gltf_material_extensions();
+    return std::find(others.begin(), others.end(), extension) != others.end() ||
+           std::any_of(materials.begin(), materials.end(),
+                       [&](const GltfMaterialExtension& known) { return known.name == extension; });
 }
 
 std::vector<std::string> unread_extensions(const Json& root, const char* list) {
@@ -171,19 +156,17 @@ void read_gltf(Import& import) {
 }
 
 // Each byte of a file may be a separate index, and small files may share more than that; small
-// models may have more instances than bytes. An image may have two textures of its
-// own, and is copied for each.
+// models may have more instances than bytes.
 GltfReader::GltfReader(GltfDocument& document, Import& import)
     : document_(document),
       root_(document.root()),
       import_(import),
       scene_(import.scene),
+      materials_(document, import),
       corners_(document.size() + (std::size_t{1} << 22U),
                "the file's meshes have more corners than a file of its size may have"),
       instances_(std::clamp<std::size_t>(document.size(), 1U << 16U, 1U << 22U),
-                 "the file has more instances than a file of its size may have"),
-      image_bytes_(2 * document.size(),
-                   "the file's images have more bytes than a file of its size may have") {}
+                 "the file has more instances than a file of its size may have") {}
 
 void GltfReader::read() {
     std::vector<Node> pending;
@@ -276,159 +259,6 @@ void GltfReader::place_mesh(const Json& node, std::size_t node_index, const M44d
     for (const MeshIndex part : parts) {
         scene_.instances.push_back({part, world_from_node, object});
     }
-}
-
-const std::vector<MeshIndex>& GltfReader::meshes(std::size_t gltf_mesh) {
-    const auto [known, is_new] = meshes_.try_emplace(gltf_mesh);
-    if (is_new) {
-        const Json& mesh = element(root_, "meshes", gltf_mesh);
-        const std::string name = text_in(mesh, "name", fmt::format("mesh {}", gltf_mesh));
-        for (std::size_t i = 0; i < array_size(mesh, "primitives"); ++i) {
-            try {
-                read_primitive(mesh["primitives"][i], name, known->second);
-            } catch (const PartError& fault) {
-                import_.warn(fmt::format("mesh {}: primitive {} is skipped: {}", in_quotes(name), i,
-                                         fault.reason));
-            }
-        }
-    }
-    return known->second;
-}
-
-void GltfReader::read_primitive(const Json& primitive, const std::string& name,
-                                std::vector<MeshIndex>& made) {
-    const std::size_t mode = count_in(primitive, "mode", static_cast<std::size_t>(Mode::triangles));
-    if (mode == static_cast<std::size_t>(Mode::points)) {
-        ++dropped_points_;
-        return;
-    }
-    if (mode <= static_cast<std::size_t>(Mode::line_strip)) {
-        ++dropped_lines_;
-        return;
-    }
-    if (member(member(primitive, "extensions"), "KHR_draco_mesh_compression").is_object() &&
-        !index_in(member(primitive, "attributes"), "POSITION")) {
-        throw PartError{"it is compressed with Draco"};
-    }
-    const GltfMaterial& shaded = material(index_in(primitive, "material"));
-    Mesh mesh = read_mesh(primitive, mode, shaded);
-    mesh.name = name;
-    mesh.material = shaded.index;
-    if (auto finished = finish_mesh(std::move(mesh), import_)) {
-        boxes_.push_back(box_of(*finished));
-        scene_.meshes.push_back(std::move(*finished));
-        made.emplace_back(scene_.meshes.size() - 1);
-    }
-}
-
-// Only the vertices used by the triangles: primitives may share accessors much larger than they
-// need.
-Mesh GltfReader::read_mesh(const Json& primitive, std::size_t mode, const GltfMaterial& shaded) {
-    const Json& attributes = member(primitive, "attributes");
-    const auto position = index_in(attributes, "POSITION");
-    if (!position) {
-        throw PartError{"it has no positions"};
-    }
-    const GltfAccessor& positions = document_.accessor(*position, 3);
-    const auto attribute = [&](const std::string& key,
-                               std::size_t components) -> const GltfAccessor* {
-        const auto index = index_in(attributes, key);
-        if (!index) {
-            return nullptr;
-        }
-        const GltfAccessor& found = document_.accessor(*index, components);
-        if (found.count() != positions.count()) {
-            throw PartError{fmt::format("it has {} and {} of another attribute",
-                                        counted(positions.count(), "position"), found.count())};
-        }
-        return &found;
-    };
-    const GltfAccessor* const normals = attribute("NORMAL", 3);
-    const GltfAccessor* const coordinates =
-        attribute(fmt::format("TEXCOORD_{}", shaded.texture_coordinate_set), 2);
-
-    // COLOR_0 may have alpha, which is not used.
-    const auto color = index_in(attributes, "COLOR_0");
-    const bool has_alpha = color && text_in(element(root_, "accessors", *color), "type") == "VEC4";
-    const GltfAccessor* const colors = attribute("COLOR_0", has_alpha ? 4 : 3);
-
-    Mesh mesh;
-    mesh.triangles = read_triangles(primitive, mode, positions.count());
-    for (const std::uint32_t vertex : number_vertices(mesh.triangles, positions.count())) {
-        const auto vector = [vertex](const GltfAccessor& from) {
-            return V3f(from.number(vertex, 0), from.number(vertex, 1), from.number(vertex, 2));
-        };
-        mesh.positions.push_back(vector(positions));
-        if (normals != nullptr) {
-            mesh.normals.push_back(vector(*normals));
-        }
-        if (colors != nullptr) {
-            const V3f color_factor = vector(*colors);
-            mesh.colors.emplace_back(color_factor);
-        }
-        if (coordinates != nullptr) {
-            mesh.texture_coordinates.push_back(
-                V2f(coordinates->number(vertex, 0), coordinates->number(vertex, 1)) *
-                shaded.texture_transform);
-        }
-    }
-    return mesh;
-}
-
-// Numbers the vertices in the order of their first use; an index out of range remains out of range.
-std::vector<std::uint32_t> GltfReader::number_vertices(
-    std::vector<std::array<std::uint32_t, 3>>& triangles, std::size_t count) {
-    constexpr std::uint32_t none = 0xffffffffU;
-    std::vector<std::uint32_t> used;
-    vertex_numbers_.resize(std::max(vertex_numbers_.size(), count), none);
-    for (auto& triangle : triangles) {
-        for (std::uint32_t& vertex : triangle) {
-            if (vertex >= count) {
-                vertex = none;
-                continue;
-            }
-            std::uint32_t& number = vertex_numbers_[vertex];
-            if (number == none) {
-                number = static_cast<std::uint32_t>(used.size());
-                used.push_back(vertex);
-            }
-            vertex = number;
-        }
-    }
-    for (const std::uint32_t vertex : used) {
-        vertex_numbers_[vertex] = none;
-    }
-    return used;
-}
-
-std::vector<std::array<std::uint32_t, 3>> GltfReader::read_triangles(const Json& primitive,
-                                                                     std::size_t mode,
-                                                                     std::size_t vertices) {
-    const auto accessor = index_in(primitive, "indices");
-    const GltfAccessor* const indices = accessor ? &document_.accessor(*accessor, 1) : nullptr;
-    const std::size_t count = indices != nullptr ? indices->count() : vertices;
-    corners_.take(count);
-    const auto index = [&](std::size_t i) {
-        return indices != nullptr ? indices->integer(i) : static_cast<std::uint32_t>(i);
-    };
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-    const std::size_t step = mode == static_cast<std::size_t>(Mode::triangles) ? 3 : 1;
-    for (std::size_t i = 0; i + 2 < count; i += step) {
-        switch (static_cast<Mode>(std::min<std::size_t>(mode, 255))) {
-            case Mode::triangles:
-                triangles.push_back({index(i), index(i + 1), index(i + 2)});
-                break;
-            case Mode::triangle_strip:
-                // Every second triangle of a strip is reversed to face the same side.
-                triangles.push_back({index(i), index(i + 1 + i % 2), index(i + 2 - i % 2)});
-                break;
-            case Mode::triangle_fan:
-                triangles.push_back({index(i + 1), index(i + 2), index(0)});
-                break;
-            default: throw PartError{fmt::format("its mode {} is unknown", mode)};
-        }
-    }
-    return triangles;
 }
 
 void GltfReader::warn_of_what_is_not_read() {

@@ -106,6 +106,11 @@ float quantity_in(const Json& value, std::string_view key, float fallback) {
     return to_quantity(number_in(value, key, double{fallback}), key);
 }
 
+float signed_quantity_in(const Json& value, std::string_view key, float fallback) {
+    const double number = number_in(value, key, double{fallback});
+    return std::copysign(to_quantity(std::abs(number), key), static_cast<float>(number));
+}
+
 Color3f to_color(const std::array<double, 3>& numbers, std::string_view key) {
     return {to_quantity(numbers[0], key), to_quantity(numbers[1], key),
             to_quantity(numbers[2], key)};

@@ -49,6 +49,8 @@ struct PartError {
 /// Quantities of light are in 0 .. max_quantity; a PartError names the key of an invalid one.
 [[nodiscard]] float to_quantity(double number, std::string_view key);
 [[nodiscard]] float quantity_in(const Json& value, std::string_view key, float fallback);
+/// The same for a quantity that may be negative.
+[[nodiscard]] float signed_quantity_in(const Json& value, std::string_view key, float fallback);
 [[nodiscard]] Color3f to_color(const std::array<double, 3>& numbers, std::string_view key);
 [[nodiscard]] Color3f color_in(const Json& value, std::string_view key, const Color3f& fallback);
 /// A colour times an intensity.

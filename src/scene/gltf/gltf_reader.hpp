@@ -11,16 +11,9 @@
 #include <Imath/ImathMatrix.h>
 
 #include "scene/gltf/gltf_document.hpp"
+#include "scene/gltf/gltf_materials.hpp"
 
 namespace balcony::scene {
-
-/// A material with its texture coordinate set: a Mesh has only one set, which is chosen and
-/// transformed (KHR_texture_transform) when a mesh is made for the material.
-struct GltfMaterial {
-    MaterialIndex index;
-    std::size_t texture_coordinate_set = 0;
-    Imath::M33f texture_transform;
-};
 
 /// Makes a Scene from a glTF document: only the parts that the nodes of its scene use.
 class GltfReader {
@@ -34,35 +27,24 @@ private:
         std::size_t index = 0;
         M44d world_from_parent;
     };
-    struct TextureUse {
-        TextureIndex index;
-        std::size_t set = 0;
-        Imath::M33f transform;
-    };
 
     // gltf_geometry.cpp
     [[nodiscard]] std::vector<std::size_t> root_nodes() const;
     void read_node(const Node& node, std::vector<Node>& pending);
     void place_mesh(const Json& node, std::size_t node_index, const M44d& world_from_node);
+    void warn_of_what_is_not_read();
+
+    // gltf_meshes.cpp
     const std::vector<MeshIndex>& meshes(std::size_t gltf_mesh);
     void read_primitive(const Json& primitive, const std::string& name,
                         std::vector<MeshIndex>& made);
     [[nodiscard]] Mesh read_mesh(const Json& primitive, std::size_t mode,
-                                 const GltfMaterial& material);
+                                 const GltfMaterial& material, const std::string& name);
     [[nodiscard]] std::vector<std::array<std::uint32_t, 3>> read_triangles(const Json& primitive,
                                                                            std::size_t mode,
                                                                            std::size_t vertices);
     std::vector<std::uint32_t> number_vertices(std::vector<std::array<std::uint32_t, 3>>& triangles,
                                                std::size_t count);
-    void warn_of_what_is_not_read();
-
-    // gltf_materials.cpp
-    const GltfMaterial& material(std::optional<std::size_t> gltf_material);
-    GltfMaterial read_material(const Json& json);
-    void choose_texture_coordinates(const std::vector<TextureUse>& uses, GltfMaterial& made);
-    TextureUse texture_use(const Json& owner, const char* key, const std::string& material_name);
-    TextureIndex texture(const Json& texture, const std::string& material_name);
-    void read_image(const Json& image, Texture& texture);
 
     // gltf_lights.cpp
     void place_light(const Json& node, const M44d& world_from_node);
@@ -70,23 +52,14 @@ private:
     // gltf_cameras.cpp
     void place_camera(const Json& node, const M44d& world_from_node);
 
-    struct Image {
-        std::size_t image = 0;
-        Wrap wrap_u = Wrap::repeat;
-        Wrap wrap_v = Wrap::repeat;
-        auto operator<=>(const Image&) const = default;
-    };
-
     GltfDocument& document_;
     const Json& root_;
     Import& import_;
     Scene& scene_;
+    GltfMaterials materials_;
     Budget corners_;
     Budget instances_;
-    Budget image_bytes_;
     std::map<std::size_t, std::vector<MeshIndex>> meshes_;
-    std::map<std::optional<std::size_t>, GltfMaterial> materials_;
-    std::map<Image, TextureIndex> textures_;
     std::vector<Box3f> boxes_;                   // Of the scene's meshes.
     std::vector<std::uint32_t> vertex_numbers_;  // Scratch of number_vertices.
     std::set<std::size_t> visited_nodes_;

@@ -61,16 +61,18 @@ Mesh merged(const FaceSet& set, std::span<const std::uint32_t> faces) {
     mesh.positions.reserve(count);
     mesh.normals.reserve(count);
     mesh.colors.reserve(set.colors.empty() ? 0 : count);
-    mesh.texture_coordinates.reserve(has_coordinates ? count : 0);
+    std::vector<V2f>& coordinates = mesh.texture_coordinates[0];
+    coordinates.reserve(has_coordinates ? count : 0);
     for (const auto& [position, coordinate, normal] : vertices.triples()) {
         mesh.positions.push_back(set.positions[position]);
         mesh.normals.push_back(set.normals[normal]);
         if (!set.colors.empty()) {
-            mesh.colors.push_back(set.colors[position]);
+            const Color3f& color = set.colors[position];
+            mesh.colors.emplace_back(color.x, color.y, color.z, 1.0F);
         }
         if (has_coordinates) {
-            mesh.texture_coordinates.push_back(
-                coordinate == no_index ? V2f(0.0F) : set.texture_coordinates[coordinate]);
+            coordinates.push_back(coordinate == no_index ? V2f(0.0F)
+                                                         : set.texture_coordinates[coordinate]);
         }
     }
     return mesh;

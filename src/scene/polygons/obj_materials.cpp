@@ -154,14 +154,18 @@ MaterialIndex ObjMaterials::add_to_scene(const std::string& name) {
     if (found != sources_.end()) {
         const Source& source = found->second;
         material = source.material;
-        material.base_color_texture = add_texture(source, source.color_map);
-        material.emission_texture = add_texture(source, source.emission_map);
+        material.base_color_texture.index = add_texture(source, source.color_map);
+        material.emission_texture.index = add_texture(source, source.emission_map);
         // If the opacity map is the colour's own image, its alpha channel is the opacity.
         const bool same = parse_map(source.opacity_map).file == parse_map(source.color_map).file;
         const bool has_opacity_map = !source.opacity_map.empty();
         if (has_opacity_map && !same) {
             import_.warn(fmt::format("material {}: separate opacity maps are not supported",
                                      in_quotes(name)));
+        }
+        if (has_opacity_map && same) {
+            material.opacity_texture = material.base_color_texture;
+            material.opacity_texture.channel = 3;
         }
         const bool blends = material.alpha < 1.0F || (has_opacity_map && same);
         material.alpha_mode = blends ? AlphaMode::blend : AlphaMode::opaque;

@@ -1,0 +1,112 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/budget.hpp"
+#include "scene/gltf/gltf_document.hpp"
+
+namespace balcony::scene {
+
+/// The textures of a file, each made when a material first uses it.
+class GltfTextures {
+public:
+    GltfTextures(const GltfDocument& document, Import& import);
+
+    /// Textures with the same image and sampler are one. Invalid, after a warning, if its file is
+    /// missing. Throws PartError if it cannot be used.
+    TextureIndex texture(std::size_t gltf_texture, const std::string& material_name);
+
+private:
+    void read_image(const Json& image, Texture& texture);
+
+    struct Image {
+        std::size_t image = 0;
+        Wrap wrap_u = Wrap::repeat;
+        Wrap wrap_v = Wrap::repeat;
+        auto operator<=>(const Image&) const = default;
+    };
+
+    const GltfDocument& document_;
+    Import& import_;
+    Budget image_bytes_;
+    std::map<Image, TextureIndex> textures_;
+};
+
+/// A material, and what a mesh needs for it.
+struct GltfMaterial {
+    MaterialIndex index;
+    /// The numbers of the TEXCOORD attributes that become the mesh's texture coordinates.
+    std::vector<std::size_t> coordinate_sets;
+    bool has_textures = false;
+    bool has_normal_map = false;
+};
+
+/// Reads one material.
+class GltfMaterialReader {
+public:
+    GltfMaterialReader(GltfTextures& textures, Import& import)
+        : textures_(textures), import_(import) {}
+
+    /// Throws PartError if the core of the material is invalid; an extension or a texture that is
+    /// invalid is skipped with a warning.
+    void read(const Json& json);
+
+    /// Reads a texture's use, such as the "normalTexture" of its owner. It remains without texture
+    /// if there is none, or after a warning.
+    void read_texture(const Json& owner, std::string_view key, TextureUse& use);
+    /// The same of a texture of single numbers.
+    void read_texture(const Json& owner, std::string_view key, std::uint8_t channel,
+                      TextureUse& use);
+
+    /// Warns of a property of the material.
+    void warn(std::string_view reason);
+
+    Material material;
+    std::vector<std::size_t> coordinate_sets;
+
+private:
+    void read_factors(const Json& json);
+    void read_extensions(const Json& json);
+    [[nodiscard]] std::uint8_t number_of_set(std::size_t gltf_set);
+
+    GltfTextures& textures_;
+    Import& import_;
+};
+
+/// An extension of materials that is read.
+struct GltfMaterialExtension {
+    std::string_view name;
+    /// Adds to the reader's material. Throws PartError if a member is invalid.
+    void (*read)(const Json& extension, GltfMaterialReader& reader);
+};
+
+[[nodiscard]] std::span<const GltfMaterialExtension> gltf_material_extensions();
+
+/// A number that is clamped to 0 .. 1.
+[[nodiscard]] float unit_interval_in(const Json& value, std::string_view key, float fallback);
+
+/// The materials of a file, each made when a mesh first uses it.
+class GltfMaterials {
+public:
+    GltfMaterials(const GltfDocument& document, Import& import);
+
+    /// The material with an index, or glTF's default material.
+    const GltfMaterial& material(std::optional<std::size_t> gltf_material);
+
+private:
+    [[nodiscard]] GltfMaterial make(const Json& json);
+
+    const Json& root_;
+    Import& import_;
+    GltfTextures textures_;
+    std::map<std::optional<std::size_t>, GltfMaterial> materials_;
+};
+
+}  // namespace balcony::scene
