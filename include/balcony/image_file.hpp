@@ -46,6 +46,8 @@ public:
     [[nodiscard]] std::size_t channels() const;
     /// Whether the file holds floats, which are linear light, rather than integers.
     [[nodiscard]] bool is_float() const;
+    /// Whether the values are whole numbers of 8 bits, which can be read as they are.
+    [[nodiscard]] bool has_bytes() const;
     /// The channel of straight alpha, if any.
     [[nodiscard]] std::optional<std::size_t> unassociated_alpha() const;
 
@@ -53,6 +55,9 @@ public:
     /// nothing on success, otherwise the reason, as for open().
     [[nodiscard]] std::optional<Diagnostic> read_rows(std::size_t begin, std::size_t end,
                                                       std::span<float> values);
+    /// The same from 0 to 255; values of more than 8 bits are rounded.
+    [[nodiscard]] std::optional<Diagnostic> read_rows(std::size_t begin, std::size_t end,
+                                                      std::span<std::uint8_t> values);
 
 private:
     struct State;

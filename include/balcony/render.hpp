@@ -91,18 +91,30 @@ struct Settings {
 
 // ---------------------------------------------------------------------------------- renderer
 
+/// The default limit for the texels of all textures, in bytes, and the least that makes sense.
+inline constexpr std::size_t default_texture_memory = std::size_t{1} << 30;
+inline constexpr std::size_t min_texture_memory = std::size_t{1} << 26;
+
+struct RendererSettings {
+    /// If all textures fit, they are held in memory; otherwise, the smaller ones are, and the
+    /// others go through a cache.
+    std::size_t texture_memory = default_texture_memory;
+};
+
 /// A scene prepared for tracing. Immutable; any number of jobs may use it at the same time.
 class Renderer {
 public:
     struct Preparation {
         double build_seconds = 0.0;  ///< Build time of the acceleration structure.
         double texture_seconds = 0.0;
+        std::size_t texture_bytes = 0;  ///< Of the textures that are held in memory.
     };
 
-    /// Builds the acceleration structure and opens the textures. A texture that cannot be read is
+    /// Builds the acceleration structure and decodes the textures. A texture that cannot be read is
     /// a warning, and its material uses the constant factor. An object beyond the range that
     /// floats can trace is skipped with a warning. A scene with invalid indices is an error.
-    [[nodiscard]] static Result<Renderer> make(std::shared_ptr<const scene::Scene> scene);
+    [[nodiscard]] static Result<Renderer> make(std::shared_ptr<const scene::Scene> scene,
+                                               const RendererSettings& settings = {});
 
     [[nodiscard]] const Preparation& preparation() const;
 

@@ -107,6 +107,23 @@ std::string tga(std::size_t width, std::size_t height) {
 
 }  // namespace
 
+TEST_F(Images, BytesAreTheFloatsTimes255) {
+    for (const std::string ending : endings) {
+        Result<ImageFile> opened = ImageFile::open(image("image." + ending));
+        ASSERT_TRUE(opened) << ending;
+        EXPECT_EQ(opened->has_bytes(), ending != "exr" && ending != "hdr") << ending;
+        if (!opened->has_bytes()) {
+            continue;
+        }
+        const std::vector<float> floats = rows_of(*opened, 3, 20);
+        std::vector<std::uint8_t> bytes(floats.size());
+        EXPECT_FALSE(opened->read_rows(3, 20, bytes)) << ending;
+        for (std::size_t i = 0; i < floats.size(); ++i) {
+            ASSERT_NEAR(255.0F * floats[i], bytes[i], 1e-4F) << ending << ' ' << i;
+        }
+    }
+}
+
 TEST_F(Images, TheFirstBytesTellTheFormat) {
     for (const std::string ending : endings) {
         const std::filesystem::path file = image("image." + ending);

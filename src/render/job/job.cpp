@@ -279,7 +279,7 @@ Result<Summary> Job::run(std::span<const std::uint32_t> passes, const ProgressCa
     }
     try {
         Run run(state_->parts, *state_->film, passes, progress, std::move(stop));
-        return {run(), state_->parts.traced.textures->failures()};
+        return {run(), state_->parts.traced.textures->warnings()};
     } catch (const std::bad_alloc&) {
         return out_of_memory();
     }

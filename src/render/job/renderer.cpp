@@ -5,13 +5,21 @@
 #include <cassert>
 #include <iterator>
 
+#include <fmt/format.h>
+
 #include "render/job/renderer_state.hpp"
 #include "render/job/stopwatch.hpp"
 
 namespace balcony::render {
 
-Result<Renderer> Renderer::make(std::shared_ptr<const scene::Scene> scene) {
+Result<Renderer> Renderer::make(std::shared_ptr<const scene::Scene> scene,
+                                const RendererSettings& settings) {
     assert(scene);
+    if (settings.texture_memory < min_texture_memory) {
+        return error(fmt::format("{:.3g} MiB are too little memory for textures",
+                                 static_cast<double>(settings.texture_memory) / 0x1p20),
+                     {}, fmt::format("give at least {} MiB", min_texture_memory >> 20U));
+    }
     const Stopwatch watch;
     Result<embree::Accelerator> accelerator = embree::Accelerator::build(*scene);
     if (!accelerator) {
@@ -19,10 +27,13 @@ Result<Renderer> Renderer::make(std::shared_ptr<const scene::Scene> scene) {
     }
     Diagnostics warnings = std::move(accelerator.diagnostics);
     const double build_seconds = watch.seconds();
-    auto textures = std::make_unique<const TextureLibrary>(*scene, warnings);
+    auto textures =
+        std::make_unique<const TextureLibrary>(*scene, settings.texture_memory, warnings);
+    textures->read_all();
     SurfaceFinder surfaces(*scene);
     LightSet lights(*scene);
-    const Preparation preparation{build_seconds, watch.seconds() - build_seconds};
+    const Preparation preparation{build_seconds, watch.seconds() - build_seconds,
+                                  textures->held_bytes()};
     MaterialSet materials(*scene, *textures);
     TracedScene traced{std::move(scene), std::move(*accelerator), std::move(surfaces),
                        lights,           std::move(textures),     std::move(materials)};

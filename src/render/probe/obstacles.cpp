@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "balcony/probe.hpp"
+#include "balcony/render.hpp"
 #include "render/embree/accelerator.hpp"
 #include "render/job/camera_rays.hpp"
 #include "render/shading/appearance.hpp"
@@ -84,7 +85,7 @@ Result<std::vector<std::optional<Obstacle>>> find_obstacles(const scene::Scene& 
         return accelerator.diagnostics;
     }
     Diagnostics warnings = accelerator.diagnostics;
-    const TextureLibrary textures(scene, warnings);
+    const TextureLibrary textures(scene, default_texture_memory, warnings);
     const SightTracer look(scene, *accelerator, textures);
     std::vector<std::optional<Obstacle>> found;
     found.reserve(lines.size());
@@ -92,8 +93,8 @@ Result<std::vector<std::optional<Obstacle>>> find_obstacles(const scene::Scene& 
         found.push_back(
             look(turned(line.from, axes, scene.axes), turned(line.to, axes, scene.axes)));
     }
-    const Diagnostics failures = textures.failures();
-    warnings.insert(warnings.end(), failures.begin(), failures.end());
+    const Diagnostics of_textures = textures.warnings();
+    warnings.insert(warnings.end(), of_textures.begin(), of_textures.end());
     return {std::move(found), std::move(warnings)};
 }
 

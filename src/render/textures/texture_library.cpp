@@ -3,155 +3,187 @@
 
 #include "render/textures/texture_library.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include <OpenImageIO/imagecache.h>
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include "render/job/fork_and_join.hpp"
 
 namespace balcony::render {
 
 namespace {
 
-constexpr int texture_channels = 4;
-constexpr int tile_side = 64;
+// A texture of the scene as a material uses it.
+struct Use {
+    std::size_t texture = 0;
+    TextureEncoding encoding = TextureEncoding::linear;
+    auto operator<=>(const Use&) const = default;
+};
 
-OIIO::TextureOpt::Wrap to_wrap(scene::Wrap wrap) {
-    switch (wrap) {
-        case scene::Wrap::repeat: return OIIO::TextureOpt::WrapPeriodic;
-        case scene::Wrap::clamp: return OIIO::TextureOpt::WrapClamp;
-        case scene::Wrap::mirror: return OIIO::TextureOpt::WrapMirror;
-    }
-    return OIIO::TextureOpt::WrapPeriodic;
-}
-
-// Reads an image into the cache once, from top to bottom, before tiles are requested in any
-// order: most formats can only be decoded from the top. False if a part cannot be read.
-bool read_through(OIIO::ImageCache& cache, OIIO::ustring name) {
-    OIIO::ImageCache::ImageHandle* const image = cache.get_image_handle(name);
-    OIIO::ImageSpec spec;
-    if (!cache.get_imagespec(image, nullptr, spec)) {
-        return false;
-    }
-    // One tile loads its whole row of tiles.
-    for (int y = 0; y < spec.height; y += tile_side) {
-        OIIO::ImageCache::Tile* const tile = cache.get_tile(image, nullptr, 0, 0, 0, y, 0);
-        if (tile == nullptr) {
-            return false;
+// Each once, in the order of the textures.
+std::vector<Use> uses_of(const scene::Scene& scene) {
+    std::vector<Use> uses;
+    for (const scene::Material& material : scene.materials) {
+        for (const auto texture : scene::texture_uses) {
+            const scene::TextureUse& use = material.*texture;
+            if (use.valid()) {
+                uses.push_back({use.index.value(), use.encoding});
+            }
         }
-        cache.release_tile(tile);
     }
-    return true;
+    std::sort(uses.begin(), uses.end());
+    uses.erase(std::unique(uses.begin(), uses.end()), uses.end());
+    return uses;
 }
 
-Diagnostic unreadable(const TextureSource& source) {
-    const Diagnostic reason = source.failure.value_or(Diagnostic{});
-    return warning(fmt::format("texture '{}' cannot be read{}{}", source.texture->name,
+// The use of a texture, and the memory that it takes as a whole.
+struct Sized {
+    Use use;
+    std::size_t bytes = 0;
+};
+
+// Which textures fit: all, or the smaller ones within a part of the memory. The textures that are
+// held come first. Returns their number.
+std::size_t choose_held(std::vector<Sized>& textures, std::size_t memory, std::size_t part) {
+    std::stable_sort(textures.begin(), textures.end(),
+                     [](const Sized& a, const Sized& b) { return a.bytes < b.bytes; });
+    const auto fitting = [&](std::size_t limit) {
+        std::size_t count = 0;
+        for (std::size_t left = limit; count < textures.size() && textures[count].bytes <= left;
+             ++count) {
+            left -= textures[count].bytes;
+        }
+        return count;
+    };
+    return fitting(memory) == textures.size() ? textures.size() : fitting(part);
+}
+
+Diagnostic unreadable(const scene::Texture& texture, const Diagnostic& reason) {
+    return warning(fmt::format("texture '{}' cannot be read{}{}", texture.name,
                                reason.message.empty() ? "" : ": ", reason.message),
                    {},
                    reason.remedy.empty() ? "its material is rendered with its constant factors"
                                          : reason.remedy);
 }
 
+Diagnostic not_finite(const scene::Texture& texture) {
+    return warning(fmt::format("texture '{}' contains values that are not finite; they are read as "
+                               "0",
+                               texture.name),
+                   {}, "export the image again");
+}
+
+// Beyond this, a float cannot distinguish the texels of an image.
+bool in_range(const Imath::V2f& v) {
+    constexpr float farthest = MipPyramid::max_coordinate;
+    return std::abs(v.x) < farthest && std::abs(v.y) < farthest;
+}
+
+std::optional<Diagnostic> problem_of(const HeldTexture& held) {
+    if (!held.was_read()) {
+        return std::nullopt;
+    }
+    return held.failure()    ? std::optional(unreadable(held.texture(), *held.failure()))
+           : held.repaired() ? std::optional(not_finite(held.texture()))
+                             : std::nullopt;
+}
+
+std::optional<Diagnostic> problem_of(const TextureCache::Entry& cached) {
+    const TextureSource& source = cached.source();
+    return cached.failed()
+               ? std::optional(unreadable(*source.texture, source.failure.value_or(Diagnostic{})))
+           : source.repaired ? std::optional(not_finite(*source.texture))
+                             : std::nullopt;
+}
+
 }  // namespace
 
-TextureLibrary::TextureLibrary(const scene::Scene& scene, Diagnostics& warnings)
-    : entries_(scene.textures.size()), system_(OIIO::TextureSystem::create(false)) {
-    system_->attribute("max_memory_MB", texture_cache_megabytes);
-    system_->attribute("max_open_files", max_open_images);
-    system_->attribute("autotile", tile_side);
-    system_->attribute("automip", 1);
-    system_->attribute("accept_untiled", 1);
-    system_->attribute("accept_unmipped", 1);
-    for (const scene::Material& material : scene.materials) {
-        for (const auto texture : scene::texture_uses) {
-            const scene::TextureUse& use = material.*texture;
-            if (use.valid()) {
-                open(scene.textures[use.index.value()], use.encoding, use.index.value(), warnings);
-            }
+TextureLibrary::TextureLibrary(const scene::Scene& scene, std::size_t memory, Diagnostics& warnings)
+    : entries_(scene.textures.size()) {
+    std::vector<Sized> textures;
+    for (const Use& use : uses_of(scene)) {
+        const scene::Texture& texture = scene.textures[use.texture];
+        const Result<TextureReader> opened = TextureReader::open(texture, use.encoding);
+        if (opened) {
+            textures.push_back({use, MipPyramid::bytes(*opened)});
+        } else {
+            warnings.push_back(unreadable(texture, opened.diagnostics.front()));
+        }
+    }
+    const std::size_t for_cache = memory / 4;
+    const std::size_t held = choose_held(textures, memory, memory - for_cache);
+    if (held < textures.size()) {
+        cache_ = std::make_unique<TextureCache>(for_cache);
+    }
+    for (std::size_t i = 0; i < textures.size(); ++i) {
+        const Use& use = textures[i].use;
+        const scene::Texture& texture = scene.textures[use.texture];
+        Entry& entry = entries_[use.texture][static_cast<std::size_t>(use.encoding)];
+        if (i < held) {
+            entry.held = std::make_unique<const HeldTexture>(texture, use.encoding);
+            held_bytes_ += textures[i].bytes;
+        } else {
+            entry.cached =
+                cache_->add(texture, use.encoding,
+                            fmt::format("{}:{}", use.texture, static_cast<int>(use.encoding)));
         }
     }
 }
 
-void TextureLibrary::open(const scene::Texture& texture, TextureEncoding encoding,
-                          std::size_t index, Diagnostics& warnings) {
-    Entry& entry = entries_[index][static_cast<std::size_t>(encoding)];
-    if (entry.source.texture != nullptr) {
-        return;
+void TextureLibrary::read_all() const {
+    std::vector<const HeldTexture*> held;
+    for (const std::array<Entry, 2>& pair : entries_) {
+        for (const Entry& entry : pair) {
+            if (entry.held) {
+                held.push_back(entry.held.get());
+            }
+        }
     }
-    entry.source.texture = &texture;
-    entry.source.encoding = encoding;
-    entry.wrap_u = to_wrap(texture.wrap_u);
-    entry.wrap_v = to_wrap(texture.wrap_v);
-
-    // The cache identifies images by name.
-    const OIIO::ustring name(fmt::format("{}:{}", index, static_cast<int>(encoding)));
-    OIIO::ImageSpec config;
-    void* const source = &entry.source;
-    config.attribute("balcony:source", OIIO::TypeDesc::PTR, &source);
-    system_->imagecache()->add_file(name, make_texture_input, &config);
-    OIIO::TextureSystem::TextureHandle* handle = system_->get_texture_handle(name);
-    int found = 0;
-    if (handle == nullptr ||
-        !system_->get_texture_info(handle, nullptr, 0, OIIO::ustring("channels"),
-                                   OIIO::TypeDesc::INT, &found)) {
-        static_cast<void>(system_->geterror());
-        warnings.push_back(unreadable(entry.source));
-        return;
-    }
-    entry.handle = handle;
-    entry.name = name;
+    fork_and_join::before_all();
+    tbb::parallel_for(std::size_t{0}, held.size(), [&](std::size_t i) {
+        fork_and_join::before_each();
+        static_cast<void>(held[i]->pyramid());
+        fork_and_join::after_each();
+    });
+    fork_and_join::after_all();
 }
 
 Imath::Color4f TextureLibrary::look_up(scene::TextureIndex texture, TextureEncoding encoding,
                                        const TextureFootprint& footprint, ThreadCache cache) const {
-    Imath::Color4f color(1.0F, 1.0F, 1.0F, 1.0F);
-    if (!texture.valid()) {
-        return color;
+    const Imath::Color4f white(1.0F, 1.0F, 1.0F, 1.0F);
+    if (!texture.valid() || !in_range(footprint.at)) {
+        return white;
     }
+    const bool filtered = in_range(footprint.along_x) && in_range(footprint.along_y);
+    const TextureFootprint usable =
+        filtered ? footprint : TextureFootprint{footprint.at, Imath::V2f(0.0F), Imath::V2f(0.0F)};
     const Entry& entry = entries_[texture.value()][static_cast<std::size_t>(encoding)];
-    if (entry.handle == nullptr) {
-        return color;
+    if (entry.held) {
+        const MipPyramid* pyramid = entry.held->pyramid();
+        return pyramid != nullptr ? pyramid->mean(usable) : white;
     }
-    std::call_once(entry.read, [&] {
-        if (!read_through(*system_->imagecache(), entry.name)) {
-            static_cast<void>(system_->imagecache()->geterror());
-            entry.failed.store(true, std::memory_order_release);
-        }
-    });
-    if (entry.failed.load(std::memory_order_relaxed)) {
-        return color;
+    if (entry.cached) {
+        return cache_->mean(*entry.cached, usable, cache).value_or(white);
     }
-    // Beyond this, a float cannot distinguish the texels of an image.
-    constexpr float farthest = 1e6F;
-    if (!(std::abs(footprint.at.x) < farthest && std::abs(footprint.at.y) < farthest)) {
-        return color;
-    }
-    OIIO::TextureOpt options;
-    options.swrap = entry.wrap_u;
-    options.twrap = entry.wrap_v;
-    options.mipmode = OIIO::TextureOpt::MipModeAniso;
-    options.interpmode = OIIO::TextureOpt::InterpBilinear;
-    options.anisotropic = 16;
-    if (!system_->texture(entry.handle, cache, options, footprint.at.x, footprint.at.y,
-                          footprint.along_x.x, footprint.along_x.y, footprint.along_y.x,
-                          footprint.along_y.y, texture_channels, &color.r)) {
-        static_cast<void>(system_->geterror());
-        entry.failed.store(true, std::memory_order_release);
-        return {1.0F, 1.0F, 1.0F, 1.0F};
-    }
-    return color;
+    return white;
 }
 
-Diagnostics TextureLibrary::failures() const {
-    Diagnostics warnings;
+Diagnostics TextureLibrary::warnings() const {
+    Diagnostics found;
     for (const std::array<Entry, 2>& pair : entries_) {
         for (const Entry& entry : pair) {
-            if (entry.failed.load(std::memory_order_acquire) && !entry.reported.exchange(true)) {
-                warnings.push_back(unreadable(entry.source));
+            const std::optional<Diagnostic> problem = entry.held     ? problem_of(*entry.held)
+                                                      : entry.cached ? problem_of(*entry.cached)
+                                                                     : std::nullopt;
+            if (problem && !entry.reported.exchange(true)) {
+                found.push_back(*problem);
             }
         }
     }
-    return warnings;
+    return found;
 }
 
 }  // namespace balcony::render

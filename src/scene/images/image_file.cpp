@@ -4,6 +4,7 @@
 #include "balcony/image_file.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <exception>
 #include <new>
 #include <utility>
@@ -141,15 +142,16 @@ struct ImageFile::State {
     }
 
     // Reads the rows of tiles that contain the rows [begin, end), and copies the latter.
-    [[nodiscard]] bool read_tiles(int begin, int end, std::span<float> values) const {
+    template <class Value>
+    [[nodiscard]] bool read_tiles(int begin, int end, std::span<Value> values) const {
         const int top = begin - begin % spec.tile_height;
         const int tile_rows = (end - top + spec.tile_height - 1) / spec.tile_height;
         const int bottom = std::min(top + tile_rows * spec.tile_height, spec.height);
         const auto row =
             static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(channels());
-        std::vector<float> tiles(row * static_cast<std::size_t>(bottom - top));
+        std::vector<Value> tiles(row * static_cast<std::size_t>(bottom - top));
         if (!input->read_tiles(0, 0, spec.x, spec.x + spec.width, spec.y + top, spec.y + bottom,
-                               spec.z, spec.z + 1, 0, channels(), OIIO::TypeDesc::FLOAT,
+                               spec.z, spec.z + 1, 0, channels(), OIIO::BaseTypeFromC<Value>::value,
                                tiles.data())) {
             return false;
         }
@@ -158,12 +160,20 @@ struct ImageFile::State {
         return true;
     }
 
-    [[nodiscard]] bool read_scanlines(int begin, int end, std::span<float> values) const {
+    template <class Value>
+    [[nodiscard]] bool read_scanlines(int begin, int end, std::span<Value> values) const {
         return input->read_scanlines(0, 0, spec.y + begin, spec.y + end, spec.z, 0, channels(),
-                                     OIIO::TypeDesc::FLOAT, values.data());
+                                     OIIO::BaseTypeFromC<Value>::value, values.data());
     }
 
-    [[nodiscard]] std::optional<Diagnostic> read(int begin, int end, std::span<float> values) {
+    template <class Value>
+    [[nodiscard]] std::optional<Diagnostic> read(std::size_t first_row, std::size_t end_row,
+                                                 std::span<Value> values) {
+        assert(first_row <= end_row && end_row <= static_cast<std::size_t>(spec.height) &&
+               values.size() == (end_row - first_row) * static_cast<std::size_t>(spec.width) *
+                                    static_cast<std::size_t>(channels()));
+        const int begin = static_cast<int>(first_row);
+        const int end = static_cast<int>(end_row);
         const bool tiled = spec.tile_width > 0;
         // Readers that rewind by themselves open a file on disk.
         if (begin < next_row && !tiled) {
@@ -234,12 +244,16 @@ std::optional<std::size_t> ImageFile::unassociated_alpha() const {
                : std::nullopt;
 }
 
+bool ImageFile::has_bytes() const { return state_->spec.format == OIIO::TypeDesc::UINT8; }
+
 std::optional<Diagnostic> ImageFile::read_rows(std::size_t begin, std::size_t end,
                                                std::span<float> values) {
-    assert(begin <= end && end <= height() &&
-           values.size() == (end - begin) * width() * channels());
-    return guarded(
-        [&] { return state_->read(static_cast<int>(begin), static_cast<int>(end), values); });
+    return guarded([&] { return state_->read(begin, end, values); });
+}
+
+std::optional<Diagnostic> ImageFile::read_rows(std::size_t begin, std::size_t end,
+                                               std::span<std::uint8_t> values) {
+    return guarded([&] { return state_->read(begin, end, values); });
 }
 
 }  // namespace balcony::scene

@@ -1,0 +1,65 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// A texture in memory: an image and its halvings down to one texel, after Williams, "Pyramidal
+// Parametrics" (1983).
+
+#include <cstddef>
+#include <variant>
+#include <vector>
+
+#include <Imath/ImathColor.h>
+
+#include "balcony/base.hpp"
+#include "balcony/scene.hpp"
+#include "render/textures/byte_scale.hpp"
+#include "render/textures/texture_footprint.hpp"
+#include "render/textures/texture_reader.hpp"
+
+namespace balcony::render {
+
+/// Immutable; look-ups may come from any number of threads.
+class MipPyramid {
+public:
+    /// Reads the image and computes its halvings, each from the one before by the mean over the
+    /// area of each texel, in linear colours. An image of 8 bits stays one of 8 bits, with each
+    /// texel rounded once; other images have half floats. An error is that of the reader.
+    [[nodiscard]] static Result<MipPyramid> read(TextureReader& image, scene::Wrap wrap_u,
+                                                 scene::Wrap wrap_v);
+    /// The memory that the pyramid of an image takes, in bytes.
+    [[nodiscard]] static std::size_t bytes(const TextureReader& image);
+
+    /// The mean over a footprint: red, green, blue, alpha. Texels are interpolated linearly, and
+    /// so are neighbouring levels. An elongated footprint is the mean of up to max_probes places
+    /// along its longer axis; one that is longer still is widened. All numbers must be within
+    /// max_coordinate.
+    [[nodiscard]] Imath::Color4f mean(const TextureFootprint& footprint) const;
+
+    static constexpr int max_probes = 16;
+    static constexpr float max_coordinate = 1e6F;
+
+private:
+    struct Level {
+        int width = 0;
+        int height = 0;
+        std::size_t first = 0;  // The index of its first texel.
+    };
+
+    MipPyramid(const TextureReader& image, scene::Wrap wrap_u, scene::Wrap wrap_v);
+
+    [[nodiscard]] static std::vector<Level> levels_of(const TextureReader& image);
+    template <class Codec>
+    [[nodiscard]] std::optional<Diagnostic> fill(TextureReader& image, const Codec& codec);
+    template <class Codec>
+    [[nodiscard]] Imath::Color4f mean(const TextureFootprint& footprint, const Codec& codec) const;
+
+    std::vector<Level> levels_;
+    scene::Wrap wrap_u_;
+    scene::Wrap wrap_v_;
+    const ByteScale* color_;
+    const ByteScale* alpha_;
+    std::variant<std::vector<ByteTexel>, std::vector<HalfTexel>> texels_;  // Of all levels.
+};
+
+}  // namespace balcony::render
