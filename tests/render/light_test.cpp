@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "render/shading/bsdf.hpp"
 #include "support.hpp"
 
 namespace balcony::render::test {
@@ -18,13 +19,18 @@ constexpr float pi = std::numbers::pi_v<float>;
 // A float's relative rounding, times the few dozen roundings of a shading formula.
 constexpr float rounding = 64.0F * 6e-8F;
 
-// White, without highlight: what is left is Lambert's law times what Fresnel lets through.
 scene::Material matt() { return white(); }
 
-// 1 - Fresnel for light and viewer straight on, and the highlight of a surface of roughness 1.
-constexpr float matt_diffuse = 0.96F / pi;
-constexpr float matt_highlight = 0.04F / (4.0F * pi);
-constexpr float matt_straight_on = matt_diffuse + matt_highlight;
+// What a grey matt surface reflects where light and viewer are straight on, by its BSDF, whose laws
+// have tests of their own.
+float straight_on(float grey) {
+    const V3f up(0.0F, 0.0F, 1.0F);
+    Appearance appearance;
+    appearance.base_color = Color3f(grey);
+    return Bsdf(appearance, up, up).eval(up, up).x;
+}
+
+const float matt_straight_on = straight_on(1.0F);
 
 scene::Light lamp_at(double x, double y, double z, float candela = 1.0F) {
     scene::Light light;
@@ -198,8 +204,7 @@ TEST(Light, AmbientLightAndDefaultLight) {
     asked.ambient = Color3f(0.3F);
     EXPECT_NEAR(radiance_at(scene, 0.0, 0.0, asked), 0.15F, rounding);
     scene.default_light = true;
-    EXPECT_NEAR(radiance_at(scene, 0.0, 0.0), pi * (0.5F * matt_diffuse + matt_highlight),
-                rounding);
+    EXPECT_NEAR(radiance_at(scene, 0.0, 0.0), pi * straight_on(0.5F), rounding);
 }
 
 // A mirror in the plane z = -x turns rays along -z to -x... the glowing wall stands there.

@@ -3,6 +3,8 @@
 
 // The lights of the scene with sharp shadows, ambient light without shadows, and mirrors.
 
+#include "render/integrators/direct.hpp"
+
 #include <algorithm>
 
 #include "render/integrators/ray_tree.hpp"
@@ -18,8 +20,14 @@ constexpr float min_weight = 1.0F / 512.0F;
 
 float largest(const Color3f& color) { return std::max({color.x, color.y, color.z}); }
 
-Bsdf bsdf_at(const Interaction& at) {
-    return {at.appearance, at.surface.normal, at.surface.geometric_normal};
+bool is_mirror(const Appearance& appearance) { return appearance.roughness < mirror_roughness; }
+
+Bsdf bsdf_at(const Interaction& at, const V3f& geometric_normal) {
+    Appearance appearance = at.appearance;
+    if (is_mirror(appearance)) {
+        appearance.roughness = 0.0F;
+    }
+    return {appearance, at.surface.normal, geometric_normal};
 }
 
 class Direct final : public RayTree {
@@ -30,7 +38,7 @@ private:
     [[nodiscard]] Shaded shade(const Ray& ray, const Interaction& at) const override {
         // A facet of a coarse mesh that faces away from a light is lit if the smooth surface is:
         // the shadow ray decides.
-        const Bsdf bsdf(at.appearance, at.surface.normal, at.surface.normal);
+        const Bsdf bsdf = bsdf_at(at, at.surface.normal);
         return {at.appearance.emission, *settings().ambient * bsdf.ambient_reflectance(),
                 reflected_light(ray, at.surface, bsdf)};
     }
@@ -61,7 +69,8 @@ private:
         if (!is_mirror(at.appearance) || arriving.reflections >= settings().mirror_depth) {
             return std::nullopt;
         }
-        const auto sample = bsdf_at(at).sample_mirror(-arriving.ray.direction);
+        const auto sample =
+            bsdf_at(at, at.surface.geometric_normal).sample_mirror(-arriving.ray.direction);
         if (!sample) {
             return std::nullopt;
         }
@@ -80,6 +89,10 @@ private:
 };
 
 }  // namespace
+
+bool may_be_mirror(const scene::Material& material) {
+    return material.roughness < mirror_roughness || material.roughness_texture.valid();
+}
 
 std::unique_ptr<Integrator> make_direct(const TracedScene& traced, const Settings& settings) {
     return std::make_unique<Direct>(traced, settings);

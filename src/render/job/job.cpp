@@ -14,12 +14,12 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "render/integrators/direct.hpp"
 #include "render/job/ambient.hpp"
 #include "render/job/fork_and_join.hpp"
 #include "render/job/renderer_state.hpp"
 #include "render/job/stopwatch.hpp"
 #include "render/job/tile_worker.hpp"
-#include "render/shading/bsdf.hpp"
 
 namespace balcony::render {
 

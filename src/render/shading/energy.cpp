@@ -1,0 +1,94 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "render/shading/energy.hpp"
+
+#include <cmath>
+
+#include "render/shading/microfacets.hpp"
+
+namespace balcony::render {
+
+namespace {
+
+// The widths of the tables are evenly spaced by their fourth root.
+constexpr std::size_t width_count = 40;
+
+float root(float alpha) { return std::sqrt(std::sqrt(alpha)); }
+
+template <typename Entry>
+Entry between(const Entry& a, const Entry& b, float t) {
+    return {a.scale + t * (b.scale - a.scale), a.single + t * (b.single - a.single),
+            a.single_edge + t * (b.single_edge - a.single_edge),
+            a.all_edge + t * (b.all_edge - a.all_edge)};
+}
+
+// The mean of schlick(), weighted by the cosine.
+constexpr float mean_schlick = 1.0F / 21.0F;
+
+}  // namespace
+
+LayerEnergies::Row LayerEnergies::make_row(float alpha) {
+    const GgxTransport transport = ggx_transport(alpha);
+    ByCosine one;
+    one.fill(1.0F);
+    const ByCosine scale = balance(transport.reflected, one);
+    Row row{};
+    for (std::size_t i = 0; i < cosine_count; ++i) {
+        const Entry entry{scale[i], transport.reflected(i, one), transport.edge(i, one),
+                          scale[i] * transport.edge(i, scale)};
+        row.by_cosine[i] = entry;
+        const float weight = cosine_weights()[i];
+        row.mean.single += weight * entry.single;
+        row.mean.single_edge += weight * entry.single_edge;
+        row.mean.all_edge += weight * entry.all_edge;
+    }
+    return row;
+}
+
+const std::vector<LayerEnergies::Row>& LayerEnergies::rows() {
+    static const std::vector<Row> made = [] {
+        std::vector<Row> all;
+        for (std::size_t i = 0; i < width_count; ++i) {
+            const float fraction = static_cast<float>(i) / static_cast<float>(width_count - 1);
+            const float smallest = root(min_alpha);
+            all.push_back(make_row(square(square(smallest + fraction * (1.0F - smallest)))));
+        }
+        return all;
+    }();
+    return made;
+}
+
+LayerEnergies::LayerEnergies(float alpha) {
+    if (alpha < min_alpha) {
+        return;
+    }
+    static const float smallest = root(min_alpha);
+    static const float nodes_per_root = (width_count - 1) / (1.0F - smallest);
+    const TablePosition at = table_position((root(alpha) - smallest) * nodes_per_root, width_count);
+    lower_ = &rows()[at.node];
+    fraction_ = at.fraction;
+}
+
+LayerEnergy LayerEnergies::at(float cosine) const {
+    if (lower_ == nullptr) {
+        const float edge = schlick(cosine);
+        return {1.0F, 1.0F, edge, 1.0F, edge};
+    }
+    const TablePosition at = position_of_cosine(cosine);
+    const Entry* const lower = &lower_[0].by_cosine[at.node];
+    const Entry* const upper = &lower_[1].by_cosine[at.node];
+    const Entry entry = between(between(lower[0], lower[1], at.fraction),
+                                between(upper[0], upper[1], at.fraction), fraction_);
+    return {entry.scale, entry.single, entry.single_edge, 1.0F, entry.all_edge};
+}
+
+LayerEnergy LayerEnergies::mean() const {
+    if (lower_ == nullptr) {
+        return {1.0F, 1.0F, mean_schlick, 1.0F, mean_schlick};
+    }
+    const Entry entry = between(lower_[0].mean, lower_[1].mean, fraction_);
+    return {entry.scale, entry.single, entry.single_edge, 1.0F, entry.all_edge};
+}
+
+}  // namespace balcony::render

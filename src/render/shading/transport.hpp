@@ -1,0 +1,70 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The light that a layer carries between directions, as matrices over a grid of cosines: what the
+// tables of energy.hpp are made of.
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace balcony::render {
+
+/// Where a value lies between the nodes of a table.
+struct TablePosition {
+    std::size_t node;  ///< The lower one.
+    float fraction;    ///< From it to the next.
+};
+
+/// `position` counts nodes from the first of `count`; beyond them it is moved to the nearest.
+[[nodiscard]] inline TablePosition table_position(float position, std::size_t count) {
+    const float last = static_cast<float>(count - 1);
+    const float inside = position > 0.0F ? std::fmin(position, last) : 0.0F;
+    const auto node = static_cast<std::size_t>(std::fmin(inside, last - 1.0F));
+    return {node, inside - static_cast<float>(node)};
+}
+
+/// The cosines of the tables: narrow where they are small, since there the masking of a smooth
+/// layer changes within its width.
+inline constexpr std::size_t cosine_count = 48;
+
+[[nodiscard]] inline TablePosition position_of_cosine(float cosine) {
+    return table_position(std::sqrt(std::sqrt(std::fmax(cosine, 0.0F))) * (cosine_count - 1),
+                          cosine_count);
+}
+
+using ByCosine = std::array<float, cosine_count>;
+
+[[nodiscard]] const ByCosine& table_cosines();
+/// How much of a function's mean, weighted by the cosine, each node holds.
+[[nodiscard]] const ByCosine& cosine_weights();
+[[nodiscard]] float cosine_mean(const ByCosine& function);
+
+/// A linear map of functions of the cosine. An entry is the part of even light, seen from the
+/// cosine of the row, that comes from around the cosine of the column.
+class Transport {
+public:
+    Transport() : entries_(cosine_count * cosine_count, 0.0F) {}
+
+    void add(std::size_t viewer, float light, float part);
+    [[nodiscard]] float operator()(std::size_t viewer, const ByCosine& light) const;
+
+private:
+    std::vector<float> entries_;
+};
+
+/// What a GGX layer reflects by single scattering.
+struct GgxTransport {
+    Transport reflected;  ///< With a reflectance of 1.
+    Transport edge;       ///< With the reflectance schlick(cosine).
+};
+
+[[nodiscard]] GgxTransport ggx_transport(float alpha);
+
+/// The positive function c for which c(viewer) · transport(viewer, c) is the target.
+[[nodiscard]] ByCosine balance(const Transport& transport, const ByCosine& target);
+
+}  // namespace balcony::render

@@ -1,0 +1,121 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// The samples of a BSDF against its density.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "bsdf_support.hpp"
+#include "statistics.hpp"
+
+namespace balcony::render::test {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+struct SphereCells {
+    static constexpr std::size_t rows = 24;
+    static constexpr std::size_t columns = 24;
+
+    static std::size_t cell(const V3f& v) {
+        const double angle = std::atan2(double{v.y}, double{v.x}) / (2.0 * pi) + 0.5;
+        const auto row = static_cast<std::size_t>(0.5 * (double{v.z} + 1.0) * rows);
+        const auto column = static_cast<std::size_t>(angle * columns);
+        return std::min(row, rows - 1) * columns + std::min(column, columns - 1);
+    }
+
+    // The integral of a density over each cell.
+    static std::vector<double> integrate(const Bsdf& bsdf, const V3f& to_viewer) {
+        constexpr std::size_t fine = 40;
+        std::vector<double> integrals(rows * columns);
+        for (std::size_t j = 0; j < rows * fine; ++j) {
+            const double z = 2.0 * (static_cast<double>(j) + 0.5) / (rows * fine) - 1.0;
+            for (std::size_t i = 0; i < columns * fine; ++i) {
+                const double angle =
+                    2.0 * pi * ((static_cast<double>(i) + 0.5) / (columns * fine) - 0.5);
+                const double radius = std::sqrt(1.0 - z * z);
+                const V3f light(static_cast<float>(radius * std::cos(angle)),
+                                static_cast<float>(radius * std::sin(angle)),
+                                static_cast<float>(z));
+                integrals[j / fine * columns + i / fine] += double{bsdf.pdf(to_viewer, light)};
+            }
+        }
+        for (double& integral : integrals) {
+            integral *= 4.0 * pi / (rows * columns * fine * fine);
+        }
+        return integrals;
+    }
+};
+
+double sum(const std::vector<double>& values) {
+    double total = 0.0;
+    for (const double value : values) {
+        total += value;
+    }
+    return total;
+}
+
+TEST(BsdfSampling, FollowsTheDensity) {
+    constexpr int draws = 200000;
+    unsigned seed = 10;
+    for (const NamedAppearance& material : all_kinds()) {
+        const Bsdf bsdf = flat(material);
+        for (const float cosine : {0.15F, 0.7F}) {
+            const V3f viewer = at_cosine(cosine);
+            Directions random(++seed);
+            std::vector<double> expected = SphereCells::integrate(bsdf, viewer);
+            std::vector<double> counts(expected.size());
+            double others = 0.0;
+            for (int draw = 0; draw < draws; ++draw) {
+                const auto sample = bsdf.sample(viewer, random.numbers());
+                if (sample && !sample->delta) {
+                    counts[SphereCells::cell(sample->to_light)] += 1.0;
+                } else {
+                    others += 1.0;
+                }
+            }
+            const double found = sum(expected);
+            // The midpoint rule's error at the horizon and at the peak of roughness 0.3, found by
+            // halving the cells.
+            constexpr double quadrature = 3e-3;
+            EXPECT_LE(found, 1.0 + quadrature) << material.name << " " << cosine;
+            if (others == draws) {
+                EXPECT_EQ(found, 0.0) << material.name << " " << cosine;
+                continue;
+            }
+            for (double& value : expected) {
+                value *= draws;
+            }
+            expected.push_back(std::max(1.0 - found, 0.0) * draws);
+            counts.push_back(others);
+            EXPECT_GT(chi_square_probability(counts, expected), significance)
+                << material.name << " " << cosine;
+        }
+    }
+}
+
+TEST(BsdfSampling, WeightsAreTheReflectedLightOverTheDensity) {
+    Directions random(7);
+    for (int trial = 0; trial < 20000; ++trial) {
+        const Bsdf bsdf = flat(random.material());
+        const V3f viewer = random.above({0.0F, 0.0F, 1.0F}, 0.01F);
+        const auto sample = bsdf.sample(viewer, random.numbers());
+        if (!sample || sample->delta) {
+            continue;
+        }
+        const Bsdf::Value value = bsdf.evaluate(viewer, sample->to_light);
+        EXPECT_EQ(value.pdf, sample->pdf);
+        EXPECT_NEAR(sample->weight.y, value.reflected.y / value.pdf,
+                    1e-6F * std::max(sample->weight.y, 1.0F));
+        EXPECT_NEAR(sample->to_light.length(), 1.0F, 1e-6F);
+        EXPECT_NEAR(sample->facet_normal.length(), 1.0F, 1e-6F);
+    }
+}
+
+}  // namespace
+}  // namespace balcony::render::test

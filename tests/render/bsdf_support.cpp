@@ -1,0 +1,111 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "bsdf_support.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <numbers>
+
+namespace balcony::render::test {
+
+namespace {
+
+constexpr Color3f gold(0.9F, 0.5F, 0.2F);
+
+float radical_inverse(std::uint32_t base, std::size_t index) {
+    double result = 0.0;
+    double digit = 1.0;
+    for (; index > 0; index /= base) {
+        digit /= base;
+        result += digit * static_cast<double>(index % base);
+    }
+    return std::min(static_cast<float>(result), std::nextafter(1.0F, 0.0F));
+}
+
+}  // namespace
+
+Appearance dielectric(float roughness, const Color3f& color) {
+    Appearance made;
+    made.base_color = color;
+    made.emission = Color3f(0.0F);
+    made.roughness = roughness;
+    return made;
+}
+
+Appearance metal(float roughness, const Color3f& color) {
+    Appearance made = dielectric(roughness, color);
+    made.metallic = 1.0F;
+    return made;
+}
+
+std::vector<NamedAppearance> all_kinds() {
+    std::vector<NamedAppearance> all;
+    for (const float roughness : {0.0F, 0.3F, 0.6F, 1.0F}) {
+        const std::string suffix = " " + std::to_string(roughness);
+        all.push_back({"dielectric" + suffix, dielectric(roughness, gold)});
+        all.push_back({"metal" + suffix, metal(roughness, gold)});
+        Appearance both = dielectric(roughness, gold);
+        both.metallic = 0.4F;
+        both.ior = 1.8F;
+        both.specular = 0.7F;
+        both.specular_color = Color3f(0.5F, 1.0F, 2.0F);
+        all.push_back({"both" + suffix, both});
+    }
+    return all;
+}
+
+Bsdf flat(const NamedAppearance& material) {
+    const V3f up(0.0F, 0.0F, 1.0F);
+    return {material.appearance, up, up, material.entering};
+}
+
+Bsdf flat(const Appearance& appearance) { return flat(NamedAppearance{{}, appearance}); }
+
+V3f at_cosine(float cosine) { return {std::sqrt(1.0F - cosine * cosine), 0.0F, cosine}; }
+
+float brightest(const Color3f& color) { return std::max({color.x, color.y, color.z}); }
+
+V3f Directions::on_sphere() {
+    const float z = 2.0F * uniform() - 1.0F;
+    const float angle = 2.0F * std::numbers::pi_v<float> * uniform();
+    const float radius = std::sqrt(std::max(1.0F - z * z, 0.0F));
+    return V3f(radius * std::cos(angle), radius * std::sin(angle), z).normalized();
+}
+
+V3f Directions::above(const V3f& normal, float min_cosine) {
+    for (;;) {
+        if (const V3f v = on_sphere(); v.dot(normal) > min_cosine) {
+            return v;
+        }
+    }
+}
+
+NamedAppearance Directions::material() {
+    // 0, 1 or between, each as often.
+    const auto part = [this] { return std::clamp(3.0F * uniform() - 1.0F, 0.0F, 1.0F); };
+    const auto color = [&] { return Color3f(part(), part(), part()); };
+    Appearance made;
+    made.base_color = color();
+    made.emission = Color3f(0.0F);
+    made.metallic = part();
+    made.roughness = part();
+    made.ior = 1.0F + 2.0F * part();
+    made.specular = part();
+    made.specular_color = 3.0F * color();
+    return {"random", made};
+}
+
+Color3f albedo(const Bsdf& bsdf, const V3f& to_viewer, std::size_t samples) {
+    Color3f total(0.0F);
+    for (std::size_t i = 0; i < samples; ++i) {
+        const V3f point((static_cast<float>(i) + 0.5F) / static_cast<float>(samples),
+                        radical_inverse(2, i), radical_inverse(3, i));
+        if (const auto sample = bsdf.sample(to_viewer, point)) {
+            total += sample->weight / static_cast<float>(samples);
+        }
+    }
+    return total;
+}
+
+}  // namespace balcony::render::test
