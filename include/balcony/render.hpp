@@ -68,9 +68,17 @@ struct BounceLimits {
     std::size_t transmission = 12;
 };
 
+/// How `path` finds the light of lamps with an extent. All give the same mean; each method alone
+/// is noisy where the other is not.
+enum class LampSampling : std::uint8_t {
+    both,      ///< Multiple importance sampling.
+    lamps,     ///< By directions to the lamps.
+    surfaces,  ///< By directions that a surface scatters light to.
+};
+
 struct Settings {
     std::size_t samples = 16;  ///< Rays per pixel: the number of passes.
-    std::string integrator = "direct";
+    std::string integrator = "path";
     std::size_t threads = 0;  ///< 0 for all of the machine.
     double time = 0.0;        ///< The value of t in the camera's formulas.
     /// Radiance from all directions, without shadows. If empty, it follows the light of the scene:
@@ -84,6 +92,7 @@ struct Settings {
     SamplingSettings sampling{};
     std::size_t mirror_depth = 8;  ///< The maximum number of reflections of `direct`.
     BounceLimits bounces{};        ///< Of `path`.
+    LampSampling lamp_sampling = LampSampling::both;  ///< Of `path`.
     /// The largest contribution of indirect light to a sample of `path`, in each channel; 0 is no
     /// limit. A limit removes bright specks, and with them some of the light.
     float clamp_indirect = 0.0F;

@@ -27,7 +27,10 @@ class Options(support.CommandTest):
         self.refuses("--exposure", "nan", "inf", "-inf", "1e9", "bright", "+-1", "++1")
         self.refuses("--time", "nan", "inf", "1e999", "noon")
         self.refuses("--ambient", "nan", "inf", "-0.1", "1e39")
-        self.refuses("--integrator", "path", "Direct", "0")
+        self.refuses("--integrator", "paths", "Direct", "0")
+        self.refuses("--bounces", "-1", "129", "many", "diffuse", "mirror=2", "diffuse=2,",
+                     "glossy=-1", "=3")
+        self.refuses("--clamp", "-1", "nan", "none")
 
     def test_sizes(self):
         self.refuses("--size", "0x0", "10x", "x10", "-5", "1e3", "10x10x10", "1000001", "0", "10*10",

@@ -347,15 +347,7 @@ void add_picture_options(CLI::App& command, RenderOptions& options) {
                      "its aspect ratio)");
     add_fit_option(command, options.size);
     add_sampling_options(command, options.sampling);
-    std::vector<std::string> integrators;
-    for (const render::IntegratorInfo& row : render::integrators()) {
-        integrators.push_back(fmt::format("{} ({})", row.name, row.meaning));
-    }
-    command
-        .add_option("--integrator", options.integrator,
-                    fmt::format("{}", fmt::join(integrators, " or ")))
-        ->type_name("NAME")
-        ->capture_default_str();
+    add_integrator_options(command, options.integrator);
     command
         .add_option(
             "--exposure", options.exposure,

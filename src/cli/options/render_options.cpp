@@ -49,14 +49,6 @@ std::optional<render::Color3f> read_background(const std::string& text, Diagnost
     return color;
 }
 
-void check_integrator(const std::string& text, Diagnostics& diagnostics) {
-    std::vector<std::string> names;
-    for (const render::IntegratorInfo& integrator : render::integrators()) {
-        names.emplace_back(integrator.name);
-    }
-    check_name("--integrator", text, names, diagnostics);
-}
-
 }  // namespace
 
 render::Settings read_settings(const RenderOptions& options, Diagnostics& diagnostics) {
@@ -71,8 +63,7 @@ render::Settings read_settings(const RenderOptions& options, Diagnostics& diagno
             render::Color3f(read_number("--ambient", options.ambient, 0.0F, brightest,
                                         "give auto, or a number of at least 0", diagnostics));
     }
-    check_integrator(options.integrator, diagnostics);
-    settings.integrator = options.integrator;
+    read_integrator(options.integrator, settings, diagnostics);
     settings.background = read_background(options.background, diagnostics);
     return settings;
 }

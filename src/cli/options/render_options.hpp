@@ -9,6 +9,7 @@
 #include "balcony/render.hpp"
 #include "cli/options/common_options.hpp"
 #include "cli/options/film_options.hpp"
+#include "cli/options/integrator_options.hpp"
 #include "cli/options/sampling_options.hpp"
 
 namespace balcony::cli {
@@ -21,7 +22,7 @@ struct RenderOptions {
     SizeWords size;
     SamplingWords sampling;
     std::vector<std::string> set;
-    std::string integrator = "direct";
+    IntegratorWords integrator;
     std::string background = "transparent";
     std::string threads = "0";
     std::string time = "0";

@@ -108,6 +108,8 @@ private:
                                                        const BsdfSample& sample) const;
     void count_bounce(Path& path, BsdfLobe lobe) const;
     [[nodiscard]] bool survives(Path& path) const;
+    [[nodiscard]] float lamp_weight(float pdf_of_lamp, float pdf_of_surface) const;
+    [[nodiscard]] float scattered_weight(float pdf_of_surface, float pdf_of_lamp) const;
     void add(Seen& seen, const Color3f& light, std::size_t bounces) const;
 
     SceneTracer tracer_;
@@ -240,7 +242,8 @@ bool PathTracer::advance(Path& path, Seen& seen) {
     const V3f for_light(path.sampler.next(), at_light.x, at_light.y);
     const Imath::V2f at_lobe = path.sampler.next_pair();
     const V3f for_lobe(path.sampler.next(), at_lobe.x, at_lobe.y);
-    const bool ends = path.bounces.all >= settings_->bounces.all && bsdf.is_rough();
+    const bool ends = path.bounces.all >= settings_->bounces.all && bsdf.is_rough() &&
+                      settings_->lamp_sampling != LampSampling::surfaces;
     light(path, at, point, bsdf, for_light, ends);
     return !ends && scatter(path, at, point, bsdf, for_lobe);
 }
@@ -257,7 +260,7 @@ void PathTracer::add_distant_light(const Path& path, Seen& seen) const {
     const Color3f arriving = lights.radiance_from(path.ray.direction);
     const float weight =
         path.pdf > 0.0F
-            ? power_heuristic(path.pdf, lights.pdf_of_distant(path.from, path.ray.direction))
+            ? scattered_weight(path.pdf, lights.pdf_of_distant(path.from, path.ray.direction))
             : 1.0F;
     add(seen, weight * path.throughput * arriving, path.bounces.all);
     if (seen_directly) {
@@ -279,6 +282,26 @@ void PathTracer::add_emission(const Path& path, const Interaction& at, Seen& see
     add(seen, weight * path.throughput * emitted, path.bounces.all);
 }
 
+// The weight of a direction to a lamp.
+float PathTracer::lamp_weight(float pdf_of_lamp, float pdf_of_surface) const {
+    switch (settings_->lamp_sampling) {
+        case LampSampling::both: return power_heuristic(pdf_of_lamp, pdf_of_surface);
+        case LampSampling::lamps: return 1.0F;
+        case LampSampling::surfaces: return 0.0F;
+    }
+    return 0.0F;
+}
+
+// The weight of a direction that a surface has scattered light to, and in which a lamp was found.
+float PathTracer::scattered_weight(float pdf_of_surface, float pdf_of_lamp) const {
+    switch (settings_->lamp_sampling) {
+        case LampSampling::both: return power_heuristic(pdf_of_surface, pdf_of_lamp);
+        case LampSampling::lamps: return pdf_of_lamp > 0.0F ? 0.0F : 1.0F;
+        case LampSampling::surfaces: return 1.0F;
+    }
+    return 0.0F;
+}
+
 // Chooses a light and adds what arrives from it, if nothing is in its way. `alone` says that no
 // other method samples light at this surface.
 void PathTracer::light(const Path& path, const Interaction& at, const LitPoint& point,
@@ -295,7 +318,7 @@ void PathTracer::light(const Path& path, const Interaction& at, const LitPoint& 
     if (sample->emitter.any()) {
         arriving *= tracer_.emission(sample->emitter);
     }
-    const float weight = sample->delta || alone ? 1.0F : power_heuristic(sample->pdf, value.pdf);
+    const float weight = sample->delta || alone ? 1.0F : lamp_weight(sample->pdf, value.pdf);
     const Color3f unshadowed = weight / sample->pdf * path.throughput * value.reflected * arriving;
     if (is_black(unshadowed)) {
         return;
