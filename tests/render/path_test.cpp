@@ -131,7 +131,7 @@ TEST(Path, MoreBouncesAddLight) {
         Request asked = traced(16, 16, 64);
         asked.bounces = {bounces, bounces, bounces, bounces};
         const float now = mean(render(scene, camera, asked).film).y;
-        EXPECT_GT(now, 1.05F * before) << bounces;
+        EXPECT_GT(now, 1.01F * before) << bounces;
         before = now;
     }
 }

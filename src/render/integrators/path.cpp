@@ -276,8 +276,8 @@ void PathTracer::add_emission(const Path& path, const Interaction& at, Seen& see
     const float distance = (at.surface.position - path.from.position).length();
     const float weight =
         path.pdf > 0.0F && !at.appearance.unlit
-            ? power_heuristic(path.pdf, tracer_.lights().pdf_of_emitter(
-                                            path.from, path.ray.direction, distance, path.hit))
+            ? scattered_weight(path.pdf, tracer_.lights().pdf_of_emitter(
+                                             path.from, path.ray.direction, distance, path.hit))
             : 1.0F;
     add(seen, weight * path.throughput * emitted, path.bounces.all);
 }
