@@ -104,7 +104,8 @@ TEST(Path, SamplingLampsOrSurfacesOrBothConvergesToOnePicture) {
     }
 }
 
-TEST(Path, BothMethodsTogetherAreLessNoisyThanEach) {
+// The power heuristic is never much worse than the better method: Veach 1997, section 9.2.
+TEST(Path, BothMethodsTogetherAreAboutAsGoodAsTheBetterOne) {
     const scene::Scene scene = room(0.2F);
     const camera::Camera camera = pinhole(view_down_z(0.0, 0.0, 1.2));
     const auto noise = [&](LampSampling sampling) {
@@ -119,8 +120,8 @@ TEST(Path, BothMethodsTogetherAreLessNoisyThanEach) {
         return variance;
     };
     const double both = noise(LampSampling::both);
-    EXPECT_LT(both, noise(LampSampling::lamps));
-    EXPECT_LT(both, noise(LampSampling::surfaces));
+    EXPECT_LT(both, 1.1 * noise(LampSampling::lamps));
+    EXPECT_LT(both, 0.8 * noise(LampSampling::surfaces));
 }
 
 TEST(Path, MoreBouncesAddLight) {
