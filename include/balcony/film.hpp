@@ -8,6 +8,7 @@
 // tile, so that tiles may have different numbers of samples, and so that a stopped render
 // can continue. Films are plain data owned by the caller; a job (render.hpp) adds passes to them.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -21,6 +22,7 @@
 
 #include "balcony/base.hpp"
 #include "balcony/display_file.hpp"
+#include "balcony/layers.hpp"
 
 namespace balcony::render {
 
@@ -28,6 +30,7 @@ using Imath::Color3f;
 using Imath::Color4f;
 using Color4d = Imath::Color4<double>;
 using Imath::V2f;
+using Imath::V3d;
 using Imath::V3f;
 
 // -------------------------------------------------------------------------------------- film
@@ -51,14 +54,15 @@ struct FilmLayout {
     std::size_t width = 1280;  ///< Of the picture, in pixels: 1 to 2^20.
     std::size_t height = 720;
     std::optional<Region> window{};  ///< The data window; by default the whole picture.
-    bool data_layers = true;         ///< Include Film::layers, 79 bytes per pixel.
+    bool data_layers = true;         ///< Include default_layers(), 79 bytes per pixel.
+    LayerSet layers{};               ///< Further layers; LayerInfo::bytes per pixel.
     bool second_moment = false;      ///< Include Film::sum_of_squares, 32 bytes per pixel.
 };
 
 /// Data of each pixel's centre, unfiltered, row by row from the window's top left. If
 /// several layers of a picture are visible, the front one with a coverage of at least one half
 /// applies. World coordinates are those of the scene, even if the camera has other axes. Unless
-/// noted, a value is 0 where there is no ray or nothing was hit.
+/// noted, a value is 0 where there is no ray or nothing was hit. All but `valid` may be empty.
 struct DataLayers {
     std::vector<float> ray_length;      ///< From origin to hit; infinite where nothing was hit.
     std::vector<V3f> position;          ///< Position of the hit.
@@ -70,6 +74,54 @@ struct DataLayers {
     std::vector<V2f> parameters;        ///< (u, v) of the eye object.
     std::vector<std::uint8_t> valid;    ///< 1 where there is a ray.
     std::vector<std::uint16_t> layer;   ///< Index into Film::picture_layers plus 1.
+    /// How large the camera shows the place of the hit: pixels per scene unit, on a plane across
+    /// the ray; the geometric mean over its directions.
+    std::vector<float> magnification;
+};
+
+/// The running mean of a value over the samples of a pixel, with its spread.
+struct Moments {
+    V3f mean{0.0F};
+    V3f squares{0.0F};  ///< The sum of the squared differences from the mean.
+
+    /// The sample with number `count`, from 1: Welford, "Note on a Method for Calculating Corrected
+    /// Sums of Squares and Products" (1962).
+    void add(const V3f& sample, std::uint32_t count) {
+        const V3f difference = sample - mean;
+        mean += difference / static_cast<float>(count);
+        squares += difference * (sample - mean);
+    }
+};
+
+/// The shares of a pixel that the most visible objects (or materials) cover.
+struct Matte {
+    struct Entry {
+        std::uint32_t id = 0;   ///< Index into Film::objects (or materials) plus 1; 0 if unused.
+        float coverage = 0.0F;  ///< The sum over the samples.
+    };
+    static constexpr std::size_t ranks = 6;
+    std::array<Entry, ranks> entries;  ///< In no order.
+
+    /// Adds the coverage of one sample. Of more than six ids, the one with the least is lost.
+    void add(std::uint32_t id, float coverage);
+};
+
+/// Of each pixel, from all passes, filtered like the picture. If several camera layers contribute,
+/// each has the weight that it has in blend mode normal. Vectors may be empty.
+struct MeanLayers {
+    std::vector<V3d> emission;  ///< Sums of light that came from its source to the camera directly.
+    std::vector<V3d> direct;    ///< Sums of light that one surface reflected or refracted.
+    /// Of the first surface with a non-zero opacity; 0 where there is none.
+    std::vector<Moments> albedo;
+    std::vector<Moments> normal;
+    std::vector<Moments> position;
+    std::vector<Matte> objects;
+    std::vector<Matte> materials;
+
+    [[nodiscard]] bool any() const {
+        return !(emission.empty() && direct.empty() && albedo.empty() && normal.empty() &&
+                 position.empty() && objects.empty() && materials.empty());
+    }
 };
 
 /// The tiles of a picture: a grid from its top left. Those at the right and bottom border may be
@@ -97,7 +149,12 @@ struct Film {
     std::optional<Color3f> background{};
     Color3f ambient{0.0F};  ///< The ambient radiance: what mirrors reflect without a background.
 
+    LayerSet layer_set;                ///< The layers that an EXR file of the film has.
     std::optional<DataLayers> layers;  ///< Filled by pass 0; absent unless requested.
+    MeanLayers means;
+    /// After denoise(): the sums as they were rendered, while `sum` is that of the denoised
+    /// picture.
+    std::vector<Color4d> noisy;
 
     /// The first pass in the sums. A film that starts at a pass other than 0 contains a later part
     /// of the same render, and its data layers remain empty.
@@ -107,6 +164,7 @@ struct Film {
     std::vector<std::uint32_t> passes;
 
     std::vector<std::string> objects;         ///< Names, by object id minus 1.
+    std::vector<std::string> materials;       ///< Names, by material id minus 1.
     std::vector<std::string> picture_layers;  ///< Names of the picture's camera layers.
 
     /// The tiles that the window touches, row by row; only their pixels inside the window are used.
@@ -128,14 +186,17 @@ struct Film {
     [[nodiscard]] Color4f pixel(std::size_t x, std::size_t y) const;
     [[nodiscard]] Color4f light(std::size_t x, std::size_t y) const;  ///< Without display colours.
     [[nodiscard]] Color4f display_color(std::size_t x, std::size_t y) const;  ///< Only these.
+    /// light() as it was rendered, whether the film is denoised or not.
+    [[nodiscard]] Color4f rendered_light(std::size_t x, std::size_t y) const;
     /// The light of surfaces, without what mirrors reflect of the background.
     [[nodiscard]] Color4f surface_light(std::size_t x, std::size_t y) const;
     /// The unbiased estimate of the variance of one sample, by channel; the variance of
-    /// surface_light() is this divided by the number of samples. Needs sum_of_squares; 0 below two
-    /// samples.
+    /// surface_light() as rendered is this divided by the number of samples. Needs sum_of_squares;
+    /// 0 below two samples.
     [[nodiscard]] Color4d variance(std::size_t x, std::size_t y) const;
 
 private:
+    [[nodiscard]] Color4f with_mirrored(const Color4f& own, std::size_t x, std::size_t y) const;
     [[nodiscard]] Color4f mean(const std::vector<Color4d>& sums, std::size_t x,
                                std::size_t y) const;
     [[nodiscard]] std::size_t tile_columns() const;
@@ -200,8 +261,8 @@ struct DisplayOptions {
                                                        const DisplayFormat& format,
                                                        const DisplayOptions& options = {});
 
-/// Linear floats, every layer in one part, names as in docs/rendering.md, over the film's
-/// background. The display window is the picture, the data window that of the film.
+/// Linear floats, every layer in one part, names as in docs/layers.md, over the film's background.
+/// The display window is the picture, the data window that of the film.
 [[nodiscard]] Diagnostics write_exr(const Film& film, const std::filesystem::path& file);
 
 /// By the file extension, .exr or that of a format for display, to which the options apply.

@@ -252,23 +252,22 @@ TEST_F(Output, ExrHoldsEveryLayerUnderItsName) {
         {"position.Z", [&](std::size_t i) { return layers.position[i].z; }},
         {"normal.Y", [&](std::size_t i) { return layers.normal[i].y; }},
         {"albedo.G", [&](std::size_t i) { return layers.albedo[i].y; }},
-        {"object.ID", [&](std::size_t i) { return static_cast<float>(layers.object[i]); }},
+        {"object.X", [&](std::size_t i) { return static_cast<float>(layers.object[i]); }},
         {"origin.X", [&](std::size_t i) { return layers.origin[i].x; }},
         {"direction.Z", [&](std::size_t i) { return layers.direction[i].z; }},
         {"parameters.U", [&](std::size_t i) { return layers.parameters[i].x; }},
+        {"parameters.A", [&](std::size_t i) { return static_cast<float>(layers.valid[i]); }},
+        {"samples.X", [](std::size_t) { return 3.0F; }},
         {"valid.A", [&](std::size_t i) { return static_cast<float>(layers.valid[i]); }},
-        {"layer.ID", [&](std::size_t i) { return static_cast<float>(layers.layer[i]); }},
+        {"layer.X", [&](std::size_t i) { return static_cast<float>(layers.layer[i]); }},
     };
-    EXPECT_EQ(channels.size(), 25U);
+    EXPECT_EQ(channels.size(), 27U);
     for (const auto& [name, value] : expected) {
         const auto found = std::find(channels.begin(), channels.end(), name);
         ASSERT_NE(found, channels.end()) << name;
         const auto c = static_cast<std::size_t>(found - channels.begin());
         for (std::size_t i = 0; i < 37 * 83; ++i) {
-            // An id is an integer, which OpenImageIO scales to 0 .. 1.
-            const float read =
-                values[i * channels.size() + c] * (name.ends_with(".ID") ? 4294967295.0F : 1.0F);
-            ASSERT_EQ(read, value(i)) << name << ' ' << i;
+            ASSERT_EQ(values[i * channels.size() + c], value(i)) << name << ' ' << i;
         }
     }
     const OIIO::ParamValue* names = spec.find_attribute("objects");
@@ -279,7 +278,7 @@ TEST_F(Output, ExrHoldsEveryLayerUnderItsName) {
 
 TEST_F(Output, ExrWithoutLayersHasOnlyThePicture) {
     Film film = two_objects().film;
-    film.layers.reset();
+    film.layer_set = {};
     ASSERT_TRUE(write(film, folder_ / "picture.EXR").empty());
     std::vector<std::string> channels;
     static_cast<void>(read(folder_ / "picture.EXR", &channels));

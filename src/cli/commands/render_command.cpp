@@ -63,11 +63,13 @@ struct Request {
     std::optional<double> exposure;  ///< Chosen automatically if empty.
     render::ViewTransform view;
     PictureSize size;
+    render::LayerSet layers;
 };
 
 Request read_request(const RenderOptions& options, Diagnostics& diagnostics) {
     Request request{read_settings(options, diagnostics), read_exposure(options, diagnostics),
-                    read_view(options, diagnostics), read_size(options.size, diagnostics)};
+                    read_view(options, diagnostics), read_size(options.size, diagnostics),
+                    read_layers(options.film, diagnostics)};
     if (options.camera.empty() && !options.set.empty()) {
         diagnostics.push_back(
             error("--set needs a camera whose parameter it sets", {}, "add --camera FILE"));
@@ -194,7 +196,10 @@ RenderReport render_picture(const RenderOptions& options, const Request& request
         }
     }
     Result<render::Film> film =
-        render::make_film({.width = width, .height = height, .data_layers = format == nullptr});
+        render::make_film({.width = width,
+                           .height = height,
+                           .data_layers = false,
+                           .layers = format == nullptr ? request.layers : render::LayerSet{}});
     if (!film) {
         return fail(std::move(outcome), ExitCode::bad_input, film.diagnostics);
     }

@@ -5,7 +5,21 @@
 
 namespace balcony::cli {
 
+render::LayerSet read_layers(const FilmOptions& options, Diagnostics& diagnostics) {
+    const Result<render::LayerSet> layers = render::find_layers(options.layers);
+    for (const Diagnostic& found : layers.diagnostics) {
+        diagnostics.push_back(error("--layers: " + found.message, {}, found.remedy));
+    }
+    return layers.value.value_or(render::LayerSet{});
+}
+
 void add_film_options(CLI::App& command, FilmOptions& options) {
+    command
+        .add_option("--layers", options.layers,
+                    "layers of an EXR file beside the picture: default, all, none, or names "
+                    "separated by commas, such as default,direct,indirect (see docs/layers.md)")
+        ->type_name("LIST")
+        ->capture_default_str();
     command.add_flag("--no-dither", options.no_dither,
                      "round the colours of files with 8 bits instead of dithering them");
 }

@@ -4,11 +4,12 @@
 #include "balcony/film.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <new>
 
 #include <OpenImageIO/sysutil.h>
 #include <fmt/format.h>
+
+#include "render/film/layer_rows.hpp"
 
 namespace balcony::render {
 
@@ -16,13 +17,29 @@ namespace {
 
 constexpr std::size_t max_side = std::size_t{1} << 20;
 
-constexpr std::size_t layer_bytes = sizeof(float) + 4 * sizeof(V3f) + sizeof(Color3f) +
-                                    sizeof(std::uint32_t) + sizeof(V2f) + sizeof(std::uint8_t) +
-                                    sizeof(std::uint16_t);
+// All layers that the film stores.
+LayerSet layers_of(const FilmLayout& layout) {
+    LayerSet wanted = layout.layers;
+    if (layout.data_layers) {
+        wanted.insert(default_layers());
+    }
+    wanted = with_needs(wanted);
+    if (layout.second_moment) {
+        wanted.insert(LayerId::variance);
+    }
+    return wanted;
+}
+
+bool at_center(const LayerInfo& layer) {
+    return layer.sampling == LayerSampling::center && layer.bytes > 0;
+}
 
 double film_bytes(const FilmLayout& layout, const Region& window) {
-    const std::size_t pixel_bytes = sizeof(Color4d) + (layout.second_moment ? sizeof(Color4d) : 0) +
-                                    (layout.data_layers ? layer_bytes : 0);
+    const LayerSet stored = layers_of(layout);
+    std::size_t pixel_bytes = sizeof(Color4d);
+    for (const LayerInfo& layer : layers()) {
+        pixel_bytes += stored.contains(layer.id) ? layer.bytes : 0;
+    }
     return static_cast<double>(window.width) * static_cast<double>(window.height) *
            static_cast<double>(pixel_bytes);
 }
@@ -61,19 +78,17 @@ Diagnostics check(const FilmLayout& layout, const Region& window) {
     return {};
 }
 
-DataLayers empty_layers(std::size_t pixels) {
-    DataLayers layers;
-    layers.ray_length.assign(pixels, std::numeric_limits<float>::infinity());
-    layers.position.assign(pixels, V3f(0.0F));
-    layers.normal.assign(pixels, V3f(0.0F));
-    layers.albedo.assign(pixels, Color3f(0.0F));
-    layers.object.assign(pixels, 0);
-    layers.origin.assign(pixels, V3f(0.0F));
-    layers.direction.assign(pixels, V3f(0.0F));
-    layers.parameters.assign(pixels, V2f(0.0F));
-    layers.valid.assign(pixels, 0);
-    layers.layer.assign(pixels, 0);
-    return layers;
+void allocate_layers(Film& film, LayerSet stored) {
+    const auto is_stored = [&](const LayerRow& row) { return stored.contains(row.info.id); };
+    if (std::any_of(layer_rows().begin(), layer_rows().end(),
+                    [&](const LayerRow& row) { return is_stored(row) && at_center(row.info); })) {
+        film.layers.emplace().valid.assign(film.window.size(), 0);
+    }
+    for (const LayerRow& row : layer_rows()) {
+        if (is_stored(row)) {
+            row.allocate(film);
+        }
+    }
 }
 
 Color4f without_alpha(const Color3f& color) { return {color.x, color.y, color.z, 0.0F}; }
@@ -103,7 +118,14 @@ std::size_t Film::tile_of(std::size_t x, std::size_t y) const {
 Color4f Film::surface_light(std::size_t x, std::size_t y) const { return mean(sum, x, y); }
 
 Color4f Film::light(std::size_t x, std::size_t y) const {
-    const Color4f own = surface_light(x, y);
+    return with_mirrored(surface_light(x, y), x, y);
+}
+
+Color4f Film::rendered_light(std::size_t x, std::size_t y) const {
+    return noisy.empty() ? light(x, y) : with_mirrored(mean(noisy, x, y), x, y);
+}
+
+Color4f Film::with_mirrored(const Color4f& own, std::size_t x, std::size_t y) const {
     return background ? own : own + mean(mirrored, x, y) * without_alpha(ambient);
 }
 
@@ -131,7 +153,7 @@ Color4d Film::variance(std::size_t x, std::size_t y) const {
     if (n < 2.0) {
         return Color4d(0.0);
     }
-    const Color4d& total = sum[index(x, y)];
+    const Color4d& total = (noisy.empty() ? sum : noisy)[index(x, y)];
     const Color4d& squares = sum_of_squares[index(x, y)];
     const auto channel = [n](double s, double s2) {
         return std::max((s2 - s * s / n) / (n - 1.0), 0.0);
@@ -151,12 +173,11 @@ Result<Film> make_film(const FilmLayout& layout) {
         film.height = layout.height;
         film.window = window;
         film.sum.assign(window.size(), Color4d(0.0));
-        if (layout.second_moment) {
-            film.sum_of_squares.assign(window.size(), Color4d(0.0));
-        }
+        film.layer_set = layout.layers;
         if (layout.data_layers) {
-            film.layers = empty_layers(window.size());
+            film.layer_set.insert(default_layers());
         }
+        allocate_layers(film, layers_of(layout));
         film.passes.assign(film.tile_count(), 0);
         return film;
     } catch (const std::bad_alloc&) {

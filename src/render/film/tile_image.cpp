@@ -10,20 +10,69 @@ namespace balcony::render {
 namespace {
 
 void write_data(DataLayers& layers, std::size_t at, const PointData& data) {
-    layers.valid[at] = 1;
-    layers.layer[at] = data.layer;
-    layers.origin[at] = V3f(data.origin);
-    layers.direction[at] = V3f(data.direction);
-    layers.parameters[at] = data.parameters;
+    const auto set = [at](auto& values, const auto& value) {
+        if (!values.empty()) {
+            values[at] = value;
+        }
+    };
+    set(layers.valid, std::uint8_t{1});
+    set(layers.layer, data.layer);
+    set(layers.origin, V3f(data.origin));
+    set(layers.direction, V3f(data.direction));
+    set(layers.parameters, data.parameters);
     const VisibleSurface& visible = data.visible;
     if (visible.any) {
         const double length = (Imath::V3d(visible.position) - data.origin).dot(data.direction);
-        layers.ray_length[at] = static_cast<float>(std::max(length, 0.0));
-        layers.position[at] = visible.position;
-        layers.normal[at] = visible.normal;
-        layers.albedo[at] = visible.albedo;
-        layers.object[at] = visible.object;
+        set(layers.ray_length, static_cast<float>(std::max(length, 0.0)));
+        set(layers.position, visible.position);
+        set(layers.normal, visible.normal);
+        set(layers.albedo, visible.albedo);
+        set(layers.object, visible.object);
+        set(layers.magnification, data.magnification);
     }
+}
+
+// The sample with number `count`, from 1.
+void add_means(MeanLayers& means, std::size_t at, std::uint32_t count,
+               std::span<const Contribution> contributions) {
+    Color3f emission(0.0F);
+    Color3f direct(0.0F);
+    V3f albedo(0.0F);
+    V3f normal(0.0F);
+    V3f position(0.0F);
+    for (const Contribution& one : contributions) {
+        emission += one.weight * one.parts.emission;
+        direct += one.weight * one.parts.direct;
+        const VisibleSurface& visible = one.visible;
+        if (!visible.any) {
+            continue;
+        }
+        albedo += one.weight * visible.albedo;
+        normal += one.weight * visible.normal;
+        position += one.weight * visible.position;
+        const auto cover = [&](std::vector<Matte>& mattes, std::uint32_t id) {
+            if (!mattes.empty()) {
+                mattes[at].add(id, one.weight * one.alpha);
+            }
+        };
+        cover(means.objects, visible.object);
+        cover(means.materials, visible.material);
+    }
+    const auto sum = [at](std::vector<V3d>& sums, const V3f& value) {
+        if (!sums.empty()) {
+            sums[at] += V3d(value);
+        }
+    };
+    sum(means.emission, emission);
+    sum(means.direct, direct);
+    const auto average = [&](std::vector<Moments>& moments, const V3f& value) {
+        if (!moments.empty()) {
+            moments[at].add(value, count);
+        }
+    };
+    average(means.albedo, albedo);
+    average(means.normal, normal);
+    average(means.position, position);
 }
 
 }  // namespace
@@ -49,6 +98,9 @@ void add_pass(Film& film, std::size_t tile, const TileImage& image) {
         }
         if (with_data && image.data[i].valid) {
             write_data(*film.layers, at, image.data[i]);
+        }
+        if (!image.contributions.empty()) {
+            add_means(film.means, at, film.passes[tile] + 1, image.contributions[i]);
         }
     });
     ++film.passes[tile];

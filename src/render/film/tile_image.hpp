@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <Imath/ImathVec.h>
@@ -20,7 +21,8 @@ struct VisibleSurface {
     V3f position{0.0F};
     V3f normal{0.0F};
     Color3f albedo{0.0F};
-    std::uint32_t object = 0;  ///< Index into Scene::objects plus 1.
+    std::uint32_t object = 0;    ///< Index into Scene::objects plus 1.
+    std::uint32_t material = 0;  ///< Index into Scene::materials plus 1.
 };
 
 /// Parts of the radiance by how often their light was scattered, that is, reflected or refracted by
@@ -38,7 +40,33 @@ struct PointData {
     Imath::V3d origin;
     Imath::V3d direction;
     V2f parameters;
+    float magnification = 0.0F;  ///< 0 if unknown.
     VisibleSurface visible;
+};
+
+/// What a camera layer contributes to a point, for the layers that are means over the passes.
+struct Contribution {
+    float weight = 0.0F;  ///< Of the camera layer at the point, from 0 to 1.
+    float alpha = 0.0F;   ///< Of what it shows there.
+    LightParts parts;
+    VisibleSurface visible;
+};
+
+/// A list of contributions for each pixel.
+class Contributions {
+public:
+    [[nodiscard]] bool empty() const { return ends_.empty(); }
+    void add(const Contribution& one) { all_.push_back(one); }
+    /// The following ones are of the next pixel.
+    void end_pixel() { ends_.push_back(all_.size()); }
+    [[nodiscard]] std::span<const Contribution> operator[](std::size_t i) const {
+        const std::size_t begin = i == 0 ? 0 : ends_[i - 1];
+        return std::span(all_).subspan(begin, ends_[i] - begin);
+    }
+
+private:
+    std::vector<Contribution> all_;
+    std::vector<std::size_t> ends_;
 };
 
 /// A sample of each pixel of a region, row by row.
@@ -48,6 +76,7 @@ struct TileImage {
     std::vector<PointData> data{};    ///< Empty if not requested.
     std::vector<Color4f> display{};   ///< Empty if not requested.
     std::vector<Color4f> mirrored{};  ///< Empty if not requested.
+    Contributions contributions{};    ///< Empty if not requested.
 };
 
 /// Calls visit(i, x, y) for each pixel (x, y) of a region, which is number i row by row.

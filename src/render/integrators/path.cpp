@@ -215,8 +215,7 @@ bool PathTracer::advance(Path& path, Seen& seen) {
     const Appearance& appearance = at.appearance;
     const bool seen_directly = path.bounces.all == 0;
     if (seen_directly && !seen.visible.any && appearance.opacity > 0.0F) {
-        seen.visible = {true, at.surface.position, at.surface.normal, appearance.base_color,
-                        at.surface.object + 1};
+        seen.visible = tracer_.visible(at);
     }
     if (appearance.opacity < 1.0F && path.crossings < max_crossings &&
         path.sampler.next() >= appearance.opacity) {

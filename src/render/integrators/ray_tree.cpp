@@ -60,8 +60,7 @@ void RayTree::follow(const Branch& branch, const embree::Hit& hit, Seen& seen) {
     if (seen_directly) {
         seen.radiance.a += branch.weight.x * opacity;
         if (!seen.visible.any) {
-            seen.visible = {true, at.surface.position, at.surface.normal, at.appearance.base_color,
-                            at.surface.object + 1};
+            seen.visible = tracer_.visible(at);
         }
     }
     const Shaded shaded = shade(branch.ray, at);

@@ -20,6 +20,9 @@ using Imath::V3d;
 [[nodiscard]] bool traceable(const rays::RayBatch& rays, std::size_t i);
 /// 0 where a parameter is not finite.
 [[nodiscard]] V2f parameters(const rays::RayBatch& rays, std::size_t i);
+/// The number of pixels per unit of length at a point of the ray, on a plane across it; the
+/// geometric mean over its directions. 0 without footprints, or where it is not finite.
+[[nodiscard]] float magnification(const rays::RayBatch& rays, std::size_t i, const V3d& point);
 /// The ray's change over a fraction of a pixel; 0 along x or y where it is not finite.
 [[nodiscard]] RayDifferentials differentials(const rays::RayBatch& rays, std::size_t i,
                                              double part);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "render/job/layer_weights.hpp"
+
 namespace balcony::render {
 
 namespace {
@@ -70,6 +72,8 @@ struct Compositor::Work {
     TileCoverages coverages;
     std::vector<std::vector<Drawn>> layers;  // By camera layer; empty if it is invisible.
     std::vector<PointData> data;             // Empty if not requested.
+    // What the rays see, by camera layer; empty if not requested.
+    std::vector<std::vector<Contribution>> seen;
 };
 
 /// What covers the elements that are still to be traced, by point.
@@ -89,9 +93,13 @@ Compositor::Compositor(const rays::CompiledPicture& picture, PictureRays rays, T
 TileImage Compositor::sample(const TilePoints& points, const Region& counted,
                              const Wanted& wanted) {
     const std::size_t size = points.size();
-    Work work{points, counted, rays_.coverages(points.grid),
+    Work work{points,
+              counted,
+              rays_.coverages(points.grid),
               std::vector<std::vector<Drawn>>(picture_->layers().size()),
-              std::vector<PointData>(wanted.data ? size : 0)};
+              std::vector<PointData>(wanted.data ? size : 0),
+              std::vector<std::vector<Contribution>>(
+                  wanted.contributions ? picture_->layers().size() : 0)};
     Veil veil{Mask(size, 0), std::vector<float>(size, 1.0F)};
     trace(picture_->elements(), veil, work);
     const Blender blend(work.coverages, work.layers);
@@ -111,7 +119,24 @@ TileImage Compositor::sample(const TilePoints& points, const Region& counted,
         invalid_pixels_ +=
             points.pass == 0 && all.presence <= 0.0F && counted.contains(x, y) ? 1 : 0;
     });
+    if (wanted.contributions) {
+        image.contributions = contributions(work);
+    }
     return image;
+}
+
+Contributions Compositor::contributions(const Work& work) const {
+    const LayerWeights weights(work.coverages, work.layers);
+    Contributions found;
+    for (std::size_t i = 0; i < work.points.size(); ++i) {
+        weights.at(picture_->elements(), i, [&](std::size_t layer, float weight) {
+            Contribution one = work.seen[layer][i];
+            one.weight = weight;
+            found.add(one);
+        });
+        found.end_pixel();
+    }
+    return found;
 }
 
 // From front to back; marks in the veil what each element hides.
@@ -177,9 +202,15 @@ void Compositor::trace_layer(const Element& element, const Veil& veil, Work& wor
     RayCounts& count = counts_[layer];
     std::vector<Drawn>& drawn = work.layers[layer];
     drawn.resize(points.size());
+    if (!work.seen.empty()) {
+        work.seen[layer].resize(points.size());
+    }
     tracer_.trace(points, rays, wanted, [&](std::size_t i, const Seen& seen) {
         drawn[i] = {seen.radiance, Color4f(0.0F), seen.mirrored, 1.0F};
         count.hits += seen.visible.any && work.counts(i) ? 1 : 0;
+        if (!work.seen.empty()) {
+            work.seen[layer][i] = {1.0F, seen.radiance.a, seen.parts, seen.visible};
+        }
         if (!work.data.empty() && !work.data[i].valid &&
             veil.share[i] * work.coverages.coverage(element, i) >= 0.5F) {
             work.data[i] = {true,
@@ -187,6 +218,7 @@ void Compositor::trace_layer(const Element& element, const Veil& veil, Work& wor
                             rays.all.origin(i),
                             rays.all.direction(i),
                             parameters(rays.all, i),
+                            magnification(rays.all, i, V3d(seen.visible.position)),
                             seen.visible};
         }
     });

@@ -29,6 +29,7 @@ public:
         bool data = false;
         bool display = false;
         bool mirrored = false;
+        bool contributions = false;
     };
 
     /// One sample at each point. Only points in the region `counted` are counted.
@@ -46,6 +47,7 @@ private:
     struct Work;
     struct Veil;
 
+    [[nodiscard]] Contributions contributions(const Work& work) const;
     void trace(const std::vector<Element>& elements, Veil& veil, Work& work);
     void trace_group(const Element& element, Veil& veil, Work& work);
     void trace_layer(const Element& element, const Veil& veil, Work& work);

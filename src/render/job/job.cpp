@@ -14,6 +14,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "render/film/layer_rows.hpp"
 #include "render/integrators/direct.hpp"
 #include "render/job/ambient.hpp"
 #include "render/job/fork_and_join.hpp"
@@ -71,7 +72,10 @@ Diagnostics check(const Settings& settings) {
 // Whether the sizes of a film's vectors match its window.
 bool holds_together(const Film& film) {
     const std::size_t pixels = film.window.size();
-    const bool layers = !film.layers || film.layers->valid.size() == pixels;
+    const bool layers =
+        std::all_of(layer_rows().begin(), layer_rows().end(), [&film](const LayerRow& row) {
+            return !film.layer_set.contains(row.info.id) || row.complete(film);
+        });
     const auto fits = [pixels](const std::vector<Color4d>& sums) {
         return sums.empty() || sums.size() == pixels;
     };
@@ -226,16 +230,21 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
     try {
         const TracedScene& traced = renderer.state_->traced;
         const Stopwatch watch;
-        // Only textures need footprints.
+        const bool with_magnification = film.layers && !film.layers->magnification.empty();
         Result<rays::CompiledPicture> compiled = rays::compile(
             picture, static_cast<double>(film.width), static_cast<double>(film.height),
-            {.axes = traced.scene->axes, .footprints = traced.materials.has_textures()});
+            {.axes = traced.scene->axes,
+             .footprints = traced.materials.has_textures() || with_magnification});
         if (!compiled) {
             return std::move(compiled.diagnostics);
         }
         film.objects.clear();
         for (const scene::Object& object : traced.scene->objects) {
             film.objects.push_back(object.name);
+        }
+        film.materials.clear();
+        for (const scene::Material& material : traced.scene->materials) {
+            film.materials.push_back(material.name);
         }
         film.picture_layers.clear();
         for (const rays::CompiledPicture::CameraLayer& layer : compiled->layers()) {

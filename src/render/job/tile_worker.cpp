@@ -70,7 +70,8 @@ void TileWorker::render(std::size_t tile) {
     const Region region = traced_part(film_->tile(tile), film_->window);
     const Compositor::Wanted wanted{.data = pass == 0 && film_->layers.has_value(),
                                     .display = !film_->display.empty(),
-                                    .mirrored = !film_->mirrored.empty()};
+                                    .mirrored = !film_->mirrored.empty(),
+                                    .contributions = film_->means.any()};
     add_pass(*film_, tile,
              compositor_.sample(points_of(region, pass, offset(pass), *film_, settings_->time),
                                 film_->window, wanted));

@@ -7,6 +7,16 @@
 
 namespace balcony::render {
 
+VisibleSurface SceneTracer::visible(const Interaction& at) const {
+    const auto material = at.surface.material - traced_->scene->materials.data();
+    return {true,
+            at.surface.position,
+            at.surface.normal,
+            at.appearance.base_color,
+            at.surface.object + 1,
+            static_cast<std::uint32_t>(material) + 1};
+}
+
 Interaction SceneTracer::interaction(const Ray& ray, const embree::Hit& hit) const {
     Interaction found{traced_->surfaces.find(hit, ray.direction), {}, {}};
     if (traced_->materials.has_textures()) {

@@ -9,6 +9,7 @@
 
 #include "balcony/scene.hpp"
 #include "render/embree/accelerator.hpp"
+#include "render/film/tile_image.hpp"
 #include "render/shading/appearance.hpp"
 #include "render/shading/lights.hpp"
 #include "render/shading/surface.hpp"
@@ -45,6 +46,9 @@ public:
         return traced_->accelerator.intersect(
             {.origin = ray.origin, .direction = ray.direction, .time = ray.time});
     }
+
+    /// What the layers show of a surface.
+    [[nodiscard]] VisibleSurface visible(const Interaction& at) const;
 
     /// The surface at a hit of the ray.
     [[nodiscard]] Interaction interaction(const Ray& ray, const embree::Hit& hit) const;
