@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "scene/gltf/gltf_json.hpp"
+#include "scene/part_error.hpp"
 
 namespace balcony::scene {
 

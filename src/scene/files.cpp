@@ -94,9 +94,21 @@ std::vector<std::uint8_t> read_bytes(const fs::path& file) {
 }
 
 fs::path Import::beside(const fs::path& other, std::string_view written) {
+    if (written.find("://") != std::string_view::npos) {
+        throw PartError{fmt::format("{} is an address, which is not opened", in_quotes(written)),
+                        "download it into the folder of the scene, and name the file"};
+    }
     std::string portable(written);
     std::replace(portable.begin(), portable.end(), '\\', '/');
-    return scene.files.emplace_back((other.parent_path() / fs::path(portable)).lexically_normal());
+    fs::path named = (other.parent_path() / fs::path(portable)).lexically_normal();
+    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    const fs::path inside = named.lexically_relative(folder.lexically_normal());
+    if (inside.empty() || *inside.begin() == "..") {
+        throw PartError{
+            fmt::format("{} is outside the folder of the scene", in_quotes(named.string())),
+            "copy it into that folder, and name it there"};
+    }
+    return scene.files.emplace_back(std::move(named));
 }
 
 }  // namespace balcony::scene

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "balcony/scene.hpp"
+#include "scene/part_error.hpp"
 
 namespace balcony::scene {
 
@@ -42,6 +43,8 @@ struct Import {
     /// The bytes of the file. Throws ReadError if it cannot be read.
     [[nodiscard]] std::vector<std::uint8_t> bytes() const;
     /// The path of a file of this scene that `other` names, relative to the folder of that file.
+    /// Throws PartError unless it is in the folder of the scene or below: a scene that was
+    /// downloaded must not show other files of the machine.
     [[nodiscard]] std::filesystem::path beside(const std::filesystem::path& other,
                                                std::string_view written);
 };

@@ -185,6 +185,70 @@ TEST_F(BadFiles, ExternalBuffer) {
     EXPECT_TRUE(fails(load(directory / "scene.gltf"), "it contains 20 of "));
 }
 
+// A scene cannot name files outside its folder, however they are written.
+TEST_F(BadFiles, FilesOutsideTheFolderAreNotRead) {
+    std::filesystem::create_directories(directory / "scene" / "maps");
+    write("secret.bin", std::string(64, 'x'));
+    write("scene/maps/inside.png", "");
+    Gltf gltf = one_triangle();
+    gltf.json["materials"] = {{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
+    gltf.json["textures"] = {{{"source", 0}}};
+    gltf.primitive(0)["material"] = 0;
+    gltf.primitive(0)["attributes"]["TEXCOORD_0"] = gltf.add_floats({0, 0, 1, 0, 0, 1}, 2);
+    const auto load_with_image = [&](const std::string& uri) {
+        gltf.json["images"] = {{{"uri", uri}}};
+        return load(write("scene/scene.glb", gltf.glb()));
+    };
+    const std::string absolute = (directory / "secret.bin").string();
+    for (const std::string& uri :
+         {std::string("../secret.bin"), std::string("..\\secret.bin"), absolute,
+          std::string("maps/../../secret.bin"), std::string("%2e%2e/secret.bin"),
+          "file://" + absolute, std::string("https://example.org/a.png")}) {
+        const auto scene = load_with_image(uri);
+        ASSERT_TRUE(scene) << uri;
+        EXPECT_TRUE(scene->textures.empty()) << uri;
+        EXPECT_TRUE(says(scene, uri.find("://") != std::string::npos
+                                    ? "is an address, which is not opened"
+                                    : "is outside the folder of the scene"))
+            << uri;
+        EXPECT_TRUE(says(scene, "into")) << "a remedy";
+    }
+    for (const std::string uri :
+         {"maps/inside.png", "maps/../maps/inside.png", "./maps/inside.png"}) {
+        const auto scene = load_with_image(uri);
+        ASSERT_TRUE(scene) << uri;
+        EXPECT_EQ(scene->textures.size(), 1U) << uri << said(scene);
+    }
+
+    Json json = one_triangle().json;
+    json["buffers"] = {{{"uri", "../secret.bin"}, {"byteLength", 64}}};
+    const auto no_geometry = load(write("scene/scene.gltf", json.dump()));
+    EXPECT_TRUE(fails(no_geometry, "is outside the folder of the scene"));
+    EXPECT_TRUE(says(no_geometry, "copy it into that folder"));
+
+    write("secret.mtl", "newmtl m\nKd 1 0 0\n");
+    const auto obj = load(
+        write("scene/scene.obj", "mtllib ../secret.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+    ASSERT_TRUE(obj) << said(obj);
+    EXPECT_TRUE(says(obj, "material library skipped: '"));
+    EXPECT_TRUE(says(obj, "is outside the folder of the scene"));
+}
+
+TEST_F(BadFiles, TrianglesWithoutAreaAreCounted) {
+    const auto scene = load_obj(
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nv 0 0 0\nf 1 2 3\nf 1 2 4\nf 1 5 3\n");
+    ASSERT_TRUE(scene) << said(scene);
+    EXPECT_EQ(scene->triangle_count(), 1U);
+    EXPECT_TRUE(says(scene, "2 triangles without area skipped"));
+}
+
+// However small a triangle is, it is one.
+TEST_F(BadFiles, TinyTrianglesHaveArea) {
+    const auto scene = load_obj("v 0 0 0\nv 1e-30 0 0\nv 0 1e-30 0\nf 1 2 3\n");
+    ASSERT_TRUE(scene) << said(scene);
+    EXPECT_EQ(scene->meshes[0].normals[0], V3f(0, 0, 1));
+}
+
 TEST_F(BadFiles, NodeTransforms) {
     Gltf gltf = one_triangle();
     Json matrix = Json::array();

@@ -188,6 +188,107 @@ TEST_F(Obj, VertexColorsBecomeLinear) {
     }
 }
 
+// The material of a library.
+class Mtl : public SceneFiles {
+protected:
+    [[nodiscard]] Result<Scene> load_with(const std::string& statements) const {
+        write("a.mtl", "newmtl m\n" + statements);
+        write("t.png", "");
+        write("u.png", "");
+        return load_obj("mtllib a.mtl\n" + std::string(square) + "usemtl m\nf 1 2 3\n");
+    }
+    [[nodiscard]] Material material(const std::string& statements) const {
+        const auto scene = load_with(statements);
+        EXPECT_TRUE(scene) << said(scene);
+        EXPECT_TRUE(scene.diagnostics.empty()) << said(scene);
+        return scene ? material_of(*scene, 0) : Material();
+    }
+};
+
+TEST_F(Mtl, ThePbrExtensionIsRead) {
+    const Material m = material("Pr 0.25\nPm 0.5\nPc 0.75\nPcr 0.125\nPs 0.5\nNi 1.25\n");
+    EXPECT_EQ(m.roughness, 0.25F);
+    EXPECT_EQ(m.metallic, 0.5F);
+    EXPECT_EQ(m.clearcoat, 0.75F);
+    EXPECT_EQ(m.clearcoat_roughness, 0.125F);
+    EXPECT_EQ(m.sheen_color, Color3f(0.5F));
+    EXPECT_EQ(m.ior, 1.25F);
+}
+
+// Models 3, 5 and 8 reflect Ks at normal incidence; 0 and 1 have no highlight.
+TEST_F(Mtl, IlluminationModelsReflect) {
+    const Color3f ks(0.5F, 0.25F, 1.0F);
+    for (const char* model : {"3", "5", "8"}) {
+        const Material mirror =
+            material(std::string("Kd 0 0 0\nKs 0.5 0.25 1\nillum ") + model + "\n");
+        const float from_front = std::pow((mirror.ior - 1.0F) / (mirror.ior + 1.0F), 2.0F);
+        EXPECT_TRUE((from_front * mirror.specular_color).equalWithAbsError(ks, 1e-6F)) << model;
+    }
+    EXPECT_EQ(material("illum 3\n").roughness, 0.0F) << "reflections are sharp";
+    EXPECT_GT(material("illum 3\nNs 100\n").roughness, 0.3F);
+    EXPECT_EQ(material("illum 1\n").specular, 0.0F);
+    EXPECT_EQ(material("illum 2\nKs 0.5 0.5 0.5\n").specular_color, Color3f(1.0F));
+}
+
+TEST_F(Mtl, IlluminationModelsTransmit) {
+    const Material glass = material("Kd 0 0 0\nTf 1 0.5 0.25\nNi 1.33\nillum 7\n");
+    EXPECT_EQ(glass.transmission, 1.0F);
+    EXPECT_FALSE(glass.thin_walled);
+    EXPECT_EQ(glass.base_color, Color3f(1.0F, 0.5F, 0.25F));
+    EXPECT_EQ(glass.ior, 1.33F);
+    EXPECT_EQ(glass.roughness, 0.0F);
+    const Material pane = material("d 0.25\nillum 4\n");
+    EXPECT_EQ(pane.transmission, 0.75F);
+    EXPECT_TRUE(pane.thin_walled);
+    EXPECT_EQ(pane.alpha_mode, AlphaMode::opaque) << "its d is not a cut-out";
+    const Material blended = material("d 0.25\nillum 9\n");
+    EXPECT_EQ(blended.transmission, 0.0F);
+    EXPECT_EQ(blended.alpha, 0.25F);
+}
+
+TEST_F(Mtl, MapsHaveTheirMeaning) {
+    const Material m = material(
+        "map_Kd t.png\nmap_Ke t.png\nmap_d -imfchan g u.png\nmap_Pr u.png\nmap_Pm u.png\n"
+        "norm -bm 0.5 t.png\n");
+    EXPECT_EQ(m.base_color, Color3f(1.0F)) << "without Kd, the map alone";
+    EXPECT_EQ(m.emission, Color3f(1.0F));
+    EXPECT_EQ(m.metallic, 1.0F);
+    EXPECT_EQ(m.base_color_texture.encoding, TextureEncoding::srgb);
+    EXPECT_EQ(m.roughness_texture.encoding, TextureEncoding::linear);
+    EXPECT_EQ(m.opacity_texture.channel, 1);
+    EXPECT_EQ(m.alpha_mode, AlphaMode::blend);
+    EXPECT_NE(m.opacity_texture.index, m.base_color_texture.index);
+    EXPECT_EQ(m.normal_scale, 0.5F);
+    EXPECT_EQ(material("map_Kd t.png\nmap_d t.png\n").opacity_texture.channel, 3);
+}
+
+// OBJ's (u, v), with v up, becomes offset + scale (u, v).
+TEST_F(Mtl, MapsAreMovedAndScaled) {
+    const TextureUse use = material("map_Kd -s 2 3 1 -o 0.25 0.5 t.png\n").base_color_texture;
+    for (const V2f& at : {V2f(0.0F, 0.0F), V2f(0.5F, 0.25F)}) {
+        const V2f placed = use.place({at.x, 1.0F - at.y});
+        EXPECT_EQ(placed, V2f(0.25F + 2.0F * at.x, 1.0F - (0.5F + 3.0F * at.y)));
+    }
+}
+
+TEST_F(Mtl, WhatIsIgnoredIsReported) {
+    const auto scene = load_with("map_Bump t.png\nmap_Ns t.png\n");
+    ASSERT_TRUE(scene) << said(scene);
+    EXPECT_TRUE(says(scene, "material 'm': 'map_Bump' is not supported"));
+    EXPECT_TRUE(says(scene, "a normal map is stated by 'norm'"));
+    EXPECT_TRUE(says(scene, "material 'm': 'map_Ns' is not supported"));
+}
+
+TEST_F(Mtl, StatementsOutOfRangeAreReported) {
+    const auto scene = load_with("Ke 1e40 0 0\nKd -1 0 0\n");
+    ASSERT_TRUE(scene) << said(scene);
+    EXPECT_EQ(material_of(*scene, 0).emission, Color3f(0.0F));
+    EXPECT_TRUE(
+        says(scene, "material 'm': 'Ke' is ignored: its numbers are missing or out of range"));
+    EXPECT_TRUE(
+        says(scene, "material 'm': 'Kd' is ignored: its numbers are missing or out of range"));
+}
+
 TEST_F(Obj, FilesOfTheSceneAreNamed) {
     write("a.mtl", "newmtl m\nmap_Kd lost.png\n");
     const auto scene = load_obj("mtllib a.mtl\n" + std::string(square) + "usemtl m\nf 1 2 3\n");

@@ -3,6 +3,8 @@
 
 #include "scene/gltf/gltf_document.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstring>
 #include <memory>
 
@@ -78,12 +80,18 @@ GlbChunks split_glb(Bytes bytes, const std::string& name) {
     return chunks;
 }
 
-int base64_digit(char digit) {
+// The value of each character as a digit of base 64, or no_digit.
+constexpr std::uint8_t no_digit = 64;
+constexpr std::array<std::uint8_t, 256> base64_digits = [] {
     constexpr std::string_view digits =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    const std::size_t value = digits.find(digit);
-    return value == std::string_view::npos ? -1 : static_cast<int>(value);
-}
+    std::array<std::uint8_t, 256> values{};
+    values.fill(no_digit);
+    for (std::size_t i = 0; i < digits.size(); ++i) {
+        values[static_cast<unsigned char>(digits[i])] = static_cast<std::uint8_t>(i);
+    }
+    return values;
+}();
 
 }  // namespace
 
@@ -93,22 +101,22 @@ std::vector<std::uint8_t> decode_data_uri(std::string_view uri) {
     if (!uri.starts_with("data:") || at == std::string_view::npos) {
         throw PartError{"its data URI is not in base 64"};
     }
-    std::vector<std::uint8_t> bytes;
+    std::string_view digits = uri.substr(at + marker.size());
+    digits = digits.substr(0, digits.find('='));
+    std::vector<std::uint8_t> bytes(digits.size() / 4 * 3 + digits.size() % 4 * 3 / 4);
+    auto next = bytes.begin();
     std::uint32_t bits = 0;
     unsigned held = 0;
-    for (const char digit : uri.substr(at + marker.size())) {
-        if (digit == '=') {
-            break;
-        }
-        const int value = base64_digit(digit);
-        if (value < 0) {
+    for (const char digit : digits) {
+        const std::uint8_t value = base64_digits[static_cast<unsigned char>(digit)];
+        if (value == no_digit) {
             throw PartError{"its data URI is not in base 64"};
         }
-        bits = bits << 6U | static_cast<std::uint32_t>(value);
+        bits = bits << 6U | value;
         held += 6;
         if (held >= 8) {
             held -= 8;
-            bytes.push_back(static_cast<std::uint8_t>(bits >> held & 0xffU));
+            *next++ = static_cast<std::uint8_t>(bits >> held & 0xffU);
         }
     }
     return bytes;
@@ -142,7 +150,7 @@ GltfDocument::GltfDocument(Import& import) : import_(import) {
     is_binary_ = begins_with(all, "glTF");
     if (is_binary_) {
         const GlbChunks chunks = split_glb(all, name);
-        parse({chunks.json.begin(), chunks.json.end()});
+        parse(chunks.json);
         read_buffers(chunks.binary);
         return;
     }
@@ -152,22 +160,22 @@ GltfDocument::GltfDocument(Import& import) : import_(import) {
                               begins_with(all, "{") ? "it looks like JSON: name it .gltf"
                                                     : "export it again as binary glTF (.glb)")};
     }
-    parse({bytes_.begin(), bytes_.end()});
+    parse(all);
     read_buffers({});
 }
 
-void GltfDocument::parse(std::string text) {
+void GltfDocument::parse(Bytes text) {
     const std::string name = in_quotes(import_.file.string());
     try {
-        root_ = Json::parse(text);
+        root_ = Json::parse(text.data(), text.data() + text.size());
     } catch (const Json::exception& failure) {
         // The exception for a number too large for a double has no position.
         const auto* syntax = dynamic_cast<const Json::parse_error*>(&failure);
         const std::size_t end = syntax != nullptr ? std::min(syntax->byte, text.size()) : 0;
         const std::string reason = failure.what();
         const std::size_t expected = reason.rfind("; expected ");
-        const auto source =
-            std::make_shared<const SourceText>(import_.file.string(), std::move(text));
+        const auto source = std::make_shared<const SourceText>(
+            import_.file.string(), std::string(text.begin(), text.end()));
         throw ReadError{
             error(fmt::format("the JSON of {} is broken", name),
                   syntax != nullptr ? SourceSpan{source, end > 0 ? end - 1 : 0, end} : SourceSpan{},
@@ -185,7 +193,7 @@ void GltfDocument::parse(std::string text) {
 }
 
 // A file used by several buffers is read once.
-GltfDocument::Bytes GltfDocument::buffer_bytes(const std::string& uri) {
+GltfDocument::Bytes GltfDocument::buffer_bytes(std::string_view uri) {
     if (uri.starts_with("data:")) {
         return embedded_.emplace_back(decode_data_uri(uri));
     }
@@ -202,7 +210,7 @@ void GltfDocument::read_buffers(Bytes binary) {
     const std::size_t count = array_size(root_, "buffers");
     for (std::size_t i = 0; i < count; ++i) {
         const Json& buffer = root_["buffers"][i];
-        const std::string uri = text_in(buffer, "uri");
+        const std::string_view uri = text_view_in(buffer, "uri");
         const bool is_in_file = !uri.empty() && !uri.starts_with("data:");
         const std::string what =
             is_in_file ? in_quotes(decode_percent(uri)) : fmt::format("buffer {}", i);
@@ -218,7 +226,7 @@ void GltfDocument::read_buffers(Bytes binary) {
         } catch (const PartError& fault) {
             throw ReadError{
                 error(fmt::format("{} of {} cannot be used: {}", what, name, fault.reason), {},
-                      "copy or export the file again")};
+                      fault.remedy.empty() ? "copy or export the file again" : fault.remedy)};
         } catch (ReadError& fault) {
             fault.diagnostic.message += fmt::format(", which contains the geometry of {}", name);
             throw;

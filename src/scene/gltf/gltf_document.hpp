@@ -41,9 +41,9 @@ public:
 private:
     using Bytes = std::span<const std::uint8_t>;
 
-    void parse(std::string text);
+    void parse(Bytes text);
     void read_buffers(Bytes binary_chunk);
-    [[nodiscard]] Bytes buffer_bytes(const std::string& uri);
+    [[nodiscard]] Bytes buffer_bytes(std::string_view uri);
     [[nodiscard]] GltfAccessor read_accessor(const Json& json);
 
     Import& import_;

@@ -129,9 +129,13 @@ Color3f scaled(const Color3f& color, float intensity, std::string_view key) {
     return {channel(color.x), channel(color.y), channel(color.z)};
 }
 
+std::string_view text_view_in(const Json& value, std::string_view key) {
+    const auto* text = member(value, key).get_ptr<const Json::string_t*>();
+    return text != nullptr ? std::string_view(*text) : std::string_view();
+}
+
 std::string text_in(const Json& value, std::string_view key, std::string_view fallback) {
-    const Json& text = member(value, key);
-    return text.is_string() ? text.get<std::string>() : std::string(fallback);
+    return std::string(member(value, key).is_string() ? text_view_in(value, key) : fallback);
 }
 
 bool flag_in(const Json& value, std::string_view key) {

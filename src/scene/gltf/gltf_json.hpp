@@ -15,16 +15,11 @@
 #include <nlohmann/json.hpp>
 
 #include "balcony/scene.hpp"
+#include "scene/part_error.hpp"
 
 namespace balcony::scene {
 
 using Json = nlohmann::json;
-
-/// The reason why a part of a file (a mesh, a texture, a light) cannot be used. The reader of the
-/// part converts it into a warning that names the part, and continues without it.
-struct PartError {
-    std::string reason;
-};
 
 /// Null if the value is not an object or has no such member.
 [[nodiscard]] const Json& member(const Json& value, std::string_view key);
@@ -56,6 +51,8 @@ struct PartError {
 /// A colour times an intensity.
 [[nodiscard]] Color3f scaled(const Color3f& color, float intensity, std::string_view key);
 
+/// A text, which may be long, in place.
+[[nodiscard]] std::string_view text_view_in(const Json& value, std::string_view key);
 [[nodiscard]] std::string text_in(const Json& value, std::string_view key,
                                   std::string_view fallback = {});
 [[nodiscard]] bool flag_in(const Json& value, std::string_view key);

@@ -4,6 +4,7 @@
 #include "scene/gltf/gltf_materials.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -82,8 +83,9 @@ void GltfMaterialReader::read_extensions(const Json& json) {
     }
 }
 
-void GltfMaterialReader::warn(std::string_view reason) {
-    import_.warn(fmt::format("material {}: {}", in_quotes(material.name), reason));
+void GltfMaterialReader::warn(std::string_view reason, std::string remedy) {
+    import_.warn(fmt::format("material {}: {}", in_quotes(material.name), reason),
+                 std::move(remedy));
 }
 
 GltfMaterials::GltfMaterials(const GltfDocument& document, Import& import)

@@ -66,7 +66,7 @@ public:
                       TextureUse& use);
 
     /// Warns of a property of the material.
-    void warn(std::string_view reason);
+    void warn(std::string_view reason, std::string remedy = {});
 
     Material material;
     std::vector<std::size_t> coordinate_sets;

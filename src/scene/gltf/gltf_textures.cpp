@@ -88,7 +88,7 @@ TextureIndex GltfTextures::texture(std::size_t gltf_texture, const std::string& 
 }
 
 void GltfTextures::read_image(const Json& image, Texture& texture) {
-    const std::string uri = text_in(image, "uri");
+    const std::string_view uri = text_view_in(image, "uri");
     if (const auto view = index_in(image, "bufferView")) {
         const auto bytes = document_.view(*view);
         image_bytes_.take(bytes.size());
@@ -128,7 +128,7 @@ void GltfMaterialReader::read_texture(const Json& owner, std::string_view key, T
         }
         use = read;
     } catch (const PartError& fault) {
-        warn(fmt::format("its '{}' is skipped: {}", key, fault.reason));
+        warn(fmt::format("its '{}' is skipped: {}", key, fault.reason), fault.remedy);
     }
 }
 

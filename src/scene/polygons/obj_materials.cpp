@@ -3,8 +3,7 @@
 
 #include "scene/polygons/obj_materials.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <array>
 #include <map>
 #include <set>
 
@@ -16,68 +15,26 @@ namespace balcony::scene {
 
 namespace {
 
-void read_color(std::string_view arguments, Color3f& color) {
-    Color3f read(0.0F);
-    if (!to_float(take_word(arguments), read.x)) {
-        return;
-    }
-    // A single number is a grey.
-    if (!to_float(take_word(arguments), read.y) || !to_float(take_word(arguments), read.z)) {
-        read = Color3f(read.x);
-    }
-    constexpr auto maximum = static_cast<float>(max_quantity);
-    color = {std::clamp(read.x, 0.0F, maximum), std::clamp(read.y, 0.0F, maximum),
-             std::clamp(read.z, 0.0F, maximum)};
-}
-
-void read_unit_interval(std::string_view arguments, float& value) {
-    float read = 0.0F;
-    if (to_float(take_word(arguments), read)) {
-        value = std::clamp(read, 0.0F, 1.0F);
-    }
-}
-
-// A Phong exponent n has the highlight width of a microfacet surface with alpha = sqrt(2 / (n + 2))
-// (Walter and others 2007), and glTF's alpha is the square of its roughness.
-float roughness_of_exponent(float exponent) {
-    return std::pow(2.0F / (std::max(exponent, 0.0F) + 2.0F), 0.25F);
-}
-
-struct Map {
-    std::string_view file;
-    Wrap wrap = Wrap::repeat;
+// Maps that pictures would need, and what to do instead.
+struct UnreadMap {
+    std::string_view keyword;
+    std::string_view remedy;
 };
 
-// "-clamp on -s 1 1 1 wood grain.png": options with their arguments, then a name to the line's end.
-Map parse_map(std::string_view arguments) {
-    static const std::map<std::string_view, int> options{
-        {"-blendu", 1}, {"-blendv", 1}, {"-boost", 1},   {"-mm", 2},   {"-texres", 1},
-        {"-clamp", 1},  {"-bm", 1},     {"-imfchan", 1}, {"-type", 1}, {"-cc", 1}};
-    Map map;
-    for (;;) {
-        std::string_view rest = arguments;
-        const std::string_view word = take_word(rest);
-        if (word == "-o" || word == "-s" || word == "-t") {
-            // One to three numbers.
-            float number = 0.0F;
-            for (std::string_view ahead = rest;
-                 to_float(take_word(ahead), number) && !ahead.empty();) {
-                rest = ahead;
-            }
-        } else if (const auto option = options.find(word); option != options.end()) {
-            for (int i = 0; i < option->second; ++i) {
-                const std::string_view value = take_word(rest);
-                map.wrap = word == "-clamp" && value == "on" ? Wrap::clamp : map.wrap;
-            }
-        } else {
-            arguments.remove_prefix(static_cast<std::size_t>(
-                word.empty() ? static_cast<std::ptrdiff_t>(arguments.size())
-                             : word.data() - arguments.data()));
-            map.file = arguments;
-            return map;
-        }
-        arguments = rest;
-    }
+constexpr std::array unread_maps{
+    UnreadMap{"map_Bump", "heights are not supported; a normal map is stated by 'norm'"},
+    UnreadMap{"map_bump", "heights are not supported; a normal map is stated by 'norm'"},
+    UnreadMap{"bump", "heights are not supported; a normal map is stated by 'norm'"},
+    UnreadMap{"disp", "apply the displacement to the mesh before exporting it"},
+    UnreadMap{"decal", "paint it into the image of 'map_Kd'"},
+    UnreadMap{"map_Ns", "a map of the roughness is stated by 'map_Pr'"},
+    UnreadMap{"map_Ks", ""}};
+
+// A place (u, v) counts v from the bottom of the image, a TextureUse from its top.
+void set_transform(const MtlMapArguments& map, TextureUse& use) {
+    use.u_axis = V2f(map.scale.x, 0.0F);
+    use.v_axis = V2f(0.0F, map.scale.y);
+    use.offset = V2f(map.offset.x, 1.0F - map.scale.y - map.offset.y);
 }
 
 }  // namespace
@@ -86,9 +43,13 @@ ObjMaterials::ObjMaterials(const std::vector<std::string>& libraries, Import& im
     : import_(import) {
     std::set<std::filesystem::path> read;
     for (const std::string& library : libraries) {
-        const std::filesystem::path file = import.beside(import.file, library);
-        if (read.insert(file).second) {
-            read_library(file);
+        try {
+            const std::filesystem::path file = import.beside(import.file, library);
+            if (read.insert(file).second) {
+                read_library(file);
+            }
+        } catch (const PartError& fault) {
+            import.warn(fmt::format("material library skipped: {}", fault.reason), fault.remedy);
         }
     }
 }
@@ -115,35 +76,11 @@ void ObjMaterials::read_library(const std::filesystem::path& file) {
             source = &sources_.insert_or_assign(std::string(arguments), Source()).first->second;
             source->material.name = arguments;
             source->library = file;
-        } else if (source != nullptr) {
-            read_line(*source, keyword, arguments);
+        } else if (source != nullptr && !read_statement(keyword, arguments, source->material)) {
+            import_.warn(
+                fmt::format("material {}: '{}' is ignored: its numbers are missing or out of range",
+                            in_quotes(source->material.name), keyword));
         }
-    }
-}
-
-void ObjMaterials::read_line(Source& source, std::string_view keyword, std::string_view arguments) {
-    Material& material = source.material;
-    float number = 0.0F;
-    if (keyword == "Kd") {
-        read_color(arguments, material.base_color);
-    } else if (keyword == "Ke") {
-        read_color(arguments, material.emission);
-    } else if (keyword == "d") {
-        read_unit_interval(arguments, material.alpha);
-    } else if (keyword == "Tr" && to_float(take_word(arguments), number)) {
-        material.alpha = std::clamp(1.0F - number, 0.0F, 1.0F);
-    } else if (keyword == "Pr") {
-        read_unit_interval(arguments, material.roughness);
-    } else if (keyword == "Pm") {
-        read_unit_interval(arguments, material.metallic);
-    } else if (keyword == "Ns" && to_float(take_word(arguments), number)) {
-        material.roughness = roughness_of_exponent(number);
-    } else if (keyword == "map_Kd") {
-        source.color_map = arguments;
-    } else if (keyword == "map_Ke") {
-        source.emission_map = arguments;
-    } else if (keyword == "map_d") {
-        source.opacity_map = arguments;
     }
 }
 
@@ -153,21 +90,9 @@ MaterialIndex ObjMaterials::add_to_scene(const std::string& name) {
     material.name = name;
     if (found != sources_.end()) {
         const Source& source = found->second;
-        material = source.material;
-        material.base_color_texture.index = add_texture(source, source.color_map);
-        material.emission_texture.index = add_texture(source, source.emission_map);
-        // If the opacity map is the colour's own image, its alpha channel is the opacity.
-        const bool same = parse_map(source.opacity_map).file == parse_map(source.color_map).file;
-        const bool has_opacity_map = !source.opacity_map.empty();
-        if (has_opacity_map && !same) {
-            import_.warn(fmt::format("material {}: separate opacity maps are not supported",
-                                     in_quotes(name)));
-        }
-        if (has_opacity_map && same) {
-            material.opacity_texture = material.base_color_texture;
-            material.opacity_texture.channel = 3;
-        }
-        const bool blends = material.alpha < 1.0F || (has_opacity_map && same);
+        material = to_material(source.material);
+        add_maps(source, material);
+        const bool blends = material.alpha < 1.0F || material.opacity_texture.valid();
         material.alpha_mode = blends ? AlphaMode::blend : AlphaMode::opaque;
     } else if (!name.empty()) {
         const auto near = nearest_source(name);
@@ -190,12 +115,51 @@ std::optional<std::string> ObjMaterials::nearest_source(const std::string& name)
     return nearest_name(name, names);
 }
 
-TextureIndex ObjMaterials::add_texture(const Source& source, const std::string& written) {
-    const Map map = parse_map(written);
+void ObjMaterials::add_maps(const Source& source, Material& material) {
+    const auto& maps = source.material.maps;
+    for (const MtlMap& known : mtl_maps()) {
+        const auto written = maps.find(known.keyword);
+        if (written == maps.end()) {
+            continue;
+        }
+        const MtlMapArguments map = parse_map(written->second);
+        TextureUse& use = material.*known.use;
+        use.index = add_texture(source, map);
+        use.channel = map.channel.value_or(use.channel);
+        set_transform(map, use);
+        if (known.keyword == "norm") {
+            material.normal_scale = map.multiplier;
+        }
+    }
+    // If the opacity map is the colour's own image, its alpha channel is the opacity.
+    if (material.opacity_texture.valid() &&
+        material.opacity_texture.index == material.base_color_texture.index) {
+        constexpr std::uint8_t alpha = 3;
+        material.opacity_texture = material.base_color_texture;
+        material.opacity_texture.channel = alpha;
+    }
+    for (const UnreadMap& unread : unread_maps) {
+        if (maps.contains(unread.keyword)) {
+            import_.warn(fmt::format("material {}: '{}' is not supported", in_quotes(material.name),
+                                     unread.keyword),
+                         std::string(unread.remedy));
+        }
+    }
+}
+
+TextureIndex ObjMaterials::add_texture(const Source& source, const MtlMapArguments& map) {
     if (map.file.empty()) {
         return {};
     }
-    const std::filesystem::path file = import_.beside(source.library, map.file);
+    std::filesystem::path file;
+    try {
+        file = import_.beside(source.library, map.file);
+    } catch (const PartError& fault) {
+        import_.warn(fmt::format("material {}: its texture is skipped: {}",
+                                 in_quotes(source.material.name), fault.reason),
+                     fault.remedy);
+        return {};
+    }
     const auto [known, is_new] = textures_.try_emplace({file, map.wrap});
     if (!is_new && known->second.valid()) {
         return known->second;

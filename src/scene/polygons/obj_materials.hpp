@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "scene/import.hpp"
+#include "scene/polygons/mtl.hpp"
 
 namespace balcony::scene {
 
@@ -25,17 +26,14 @@ public:
 
 private:
     struct Source {
-        Material material;
-        std::string color_map;  // The arguments of map_Kd as written.
-        std::string emission_map;
-        std::string opacity_map;
+        MtlMaterial material;
         std::filesystem::path library;
     };
 
     void read_library(const std::filesystem::path& file);
-    static void read_line(Source& source, std::string_view keyword, std::string_view arguments);
     [[nodiscard]] std::optional<std::string> nearest_source(const std::string& name) const;
-    TextureIndex add_texture(const Source& source, const std::string& map);
+    void add_maps(const Source& source, Material& material);
+    TextureIndex add_texture(const Source& source, const MtlMapArguments& map);
 
     Import& import_;
     std::map<std::string, Source, std::less<>>
