@@ -47,7 +47,7 @@ class Room:
              "--bounces", str(self.options.bounces), "--samples", str(samples), "--seed", str(seed),
              "--filter", "blackman-harris", "--size", self.options.size, "--json",
              "-o", str(output)], check=True, capture_output=True, text=True)
-        return json.loads(facts.stdout)["trace_seconds"]
+        return json.loads(facts.stdout)["seconds"]
 
     def cycles(self, samples, output=None):
         """The seconds of each render, by the list of sample counts."""

@@ -14,6 +14,11 @@ import sys
 import time
 
 import bpy
+import numpy
+
+# Blender 3.4's importer of glTF uses a name that numpy 1.24 has removed.
+if not hasattr(numpy, "bool"):
+    numpy.bool = bool
 
 
 def load(scene_file):
@@ -43,7 +48,6 @@ def set_up(scene, settings):
     scene.render.resolution_x = settings["width"]
     scene.render.resolution_y = settings["height"]
     scene.render.resolution_percentage = 100
-    scene.render.use_persistent_data = True
     scene.render.image_settings.file_format = "OPEN_EXR"
     scene.render.image_settings.color_depth = "32"
     scene.render.threads_mode = "FIXED"
