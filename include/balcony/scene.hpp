@@ -6,11 +6,12 @@
 //
 // Axes and units are the file's own. All colours are linear Rec. 709; textures are decoded to
 // linear by the renderer, according to their encoding. A scene is plain data that may be shared
-// between threads.
+// between threads. What moves in it is in motion.hpp.
 
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -212,6 +213,8 @@ struct Camera {
     double near = 0.0;           ///< Scene units along `forward`: what is nearer is not visible.
 };
 
+struct Motion;
+
 struct Scene {
     std::string name;    ///< The file it came from, for messages.
     std::string format;  ///< "glTF 2.0 binary", "Wavefront OBJ", ...
@@ -225,6 +228,9 @@ struct Scene {
     std::vector<Light> lights;
     std::vector<Camera> cameras;
     std::vector<std::filesystem::path> files;  ///< That load() read or looked for.
+    double time = 0.0;                         ///< In seconds, when instances, lights and cameras
+                                               ///< stand where they do.
+    std::shared_ptr<const Motion> motion;      ///< What moves; null if nothing does.
     bool default_light = false;  ///< The file has no light: use a light at the ray origin.
 
     [[nodiscard]] std::size_t triangle_count() const;  ///< Counts each instance.

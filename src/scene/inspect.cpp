@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "scene/placement.hpp"
+
 namespace balcony::scene {
 
 std::size_t Scene::triangle_count() const {
@@ -29,14 +31,6 @@ std::array<V3f, 8> corners_of(const Box3f& box) {
         corners[i] = V3f(side(0), side(1), side(2));
     }
     return corners;
-}
-
-Box3f box_of(std::span<const V3f> points, const M44d& world_from_mesh = {}) {
-    Box3f box;
-    for (const V3f& point : points) {
-        box.extendBy(V3f(V3d(point) * world_from_mesh));
-    }
-    return box;
 }
 
 }  // namespace

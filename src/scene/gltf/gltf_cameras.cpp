@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "scene/gltf/gltf_reader.hpp"
+#include "scene/placement.hpp"
 
 namespace balcony::scene {
 
@@ -42,31 +43,6 @@ void read_orthographic(const Json& json, Camera& camera) {
     camera.aspect = positive_in(json, "xmag") / camera.half_height;
 }
 
-// The camera looks along its node's -z, with +y up. It ignores the node's scale.
-void place(Camera& camera, const M44d& world_from_node) {
-    const auto turned = [&](const V3d& axis) {
-        V3d direction;
-        world_from_node.multDirMatrix(axis, direction);
-        return direction;
-    };
-    camera.position = V3d(0.0) * world_from_node;
-    camera.forward = turned(V3d(0.0, 0.0, -1.0)).normalized();
-    const V3d up = turned(V3d(0.0, 1.0, 0.0));
-    camera.up = (up - up.dot(camera.forward) * camera.forward).normalized();
-    camera.right = camera.forward.cross(camera.up);
-    if (!(camera.right.length() > 0.5)) {
-        throw PartError{"its node's transform gives it no direction"};
-    }
-    if (world_from_node.determinant() < 0.0) {
-        camera.right = -camera.right;
-    }
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!(std::abs(camera.position[axis]) <= max_coordinate)) {
-            throw PartError{fmt::format("it is further than {:g} from the origin", max_coordinate)};
-        }
-    }
-}
-
 }  // namespace
 
 void GltfReader::place_camera(const Json& node, const M44d& world_from_node) {
@@ -90,7 +66,9 @@ void GltfReader::place_camera(const Json& node, const M44d& world_from_node) {
                               : read_orthographic(projection, camera);
         const double near = number_in(projection, "znear", 0.0);
         camera.near = std::isfinite(near) ? std::clamp(near, 0.0, max_coordinate) : 0.0;
-        place(camera, world_from_node);
+        if (auto fault = place(camera, world_from_node)) {
+            throw PartError{std::move(*fault)};
+        }
         scene_.cameras.push_back(std::move(camera));
     } catch (const PartError& fault) {
         import_.warn(fmt::format("camera {} is skipped: {}", in_quotes(camera.name), fault.reason));

@@ -6,111 +6,15 @@
 #include <cmath>
 #include <iterator>
 
-#include <Imath/ImathQuat.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "scene/gltf/gltf_reader.hpp"
+#include "scene/placement.hpp"
 
 namespace balcony::scene {
 
 namespace {
-
-// glTF 2.0, section 3.5.3: matrices have no perspective. Writers may round the values 0 and 1.
-M44d affine(M44d matrix) {
-    constexpr double rounding = 1e-6;
-    const bool is_affine =
-        std::abs(matrix[0][3]) <= rounding && std::abs(matrix[1][3]) <= rounding &&
-        std::abs(matrix[2][3]) <= rounding && std::abs(matrix[3][3] - 1.0) <= rounding;
-    if (!is_affine) {
-        throw PartError{"its 'matrix' is not affine: the last row must be 0, 0, 0, 1"};
-    }
-    matrix[0][3] = matrix[1][3] = matrix[2][3] = 0.0;
-    matrix[3][3] = 1.0;
-    return matrix;
-}
-
-// A node's own transform. glTF stores matrices for column vectors column by column, which read row
-// by row is the matrix for row vectors.
-M44d local_transform(const Json& node) {
-    M44d local;
-    if (!member(node, "matrix").is_null()) {
-        const auto numbers = numbers_in(node, "matrix", std::vector<double>(16, 0.0));
-        for (std::size_t i = 0; i < 16; ++i) {
-            local[static_cast<int>(i / 4)][i % 4] = numbers[i];
-        }
-        return affine(local);
-    }
-    const auto scale = numbers_in(node, "scale", {1.0, 1.0, 1.0});
-    const auto rotation = numbers_in(node, "rotation", {0.0, 0.0, 0.0, 1.0});
-    const auto translation = numbers_in(node, "translation", {0.0, 0.0, 0.0});
-    const Imath::Quatd turn(rotation[3], rotation[0], rotation[1], rotation[2]);
-    if (!(turn.length() > 0.0 && std::isfinite(turn.length()))) {
-        throw PartError{"its 'rotation' has length 0"};
-    }
-    local.setScale(V3d(scale[0], scale[1], scale[2]));
-    M44d moved;
-    moved.setTranslation(V3d(translation[0], translation[1], translation[2]));
-    return local * turn.normalized().toMatrix44() * moved;
-}
-
-bool finite(const M44d& matrix) {
-    const double* numbers = matrix.getValue();
-    return std::all_of(numbers, numbers + 16, [](double number) { return std::isfinite(number); });
-}
-
-// Whether a matrix is not singular: relative to the lengths of its rows, so that units do not
-// matter.
-bool invertible(const M44d& matrix) {
-    const V3d x(matrix[0][0], matrix[0][1], matrix[0][2]);
-    const V3d y(matrix[1][0], matrix[1][1], matrix[1][2]);
-    const V3d z(matrix[2][0], matrix[2][1], matrix[2][2]);
-    constexpr double flattest = 1e-12;
-    return std::abs(x.cross(y).dot(z)) > flattest * x.length() * y.length() * z.length();
-}
-
-// Whether the linear part of an affine matrix is within max_scale.
-bool scale_fits(const M44d& matrix) {
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column) {
-            if (!(std::abs(matrix[row][column]) <= max_scale)) {
-                return false;
-            }
-        }
-    }
-    return true;
-}
-
-bool is_within_range(const V3d& point) {
-    const auto fits = [](double value) { return std::abs(value) <= max_coordinate; };
-    return fits(point.x) && fits(point.y) && fits(point.z);
-}
-
-// Throws PartError unless a mesh with these bounds can be placed with this matrix.
-void check_placement(const Box3f& box, const M44d& world_from_mesh) {
-    if (!invertible(world_from_mesh)) {
-        throw PartError{"its transform is singular"};
-    }
-    if (!scale_fits(world_from_mesh) || !scale_fits(world_from_mesh.inverse())) {
-        throw PartError{
-            fmt::format("its transform scales beyond {:g} .. {:g}", 1.0 / max_scale, max_scale)};
-    }
-    for (unsigned corner = 0; corner < 8; ++corner) {
-        const auto side = [&](unsigned axis) {
-            const V3f& end = (corner >> axis & 1U) != 0 ? box.max : box.min;
-            return double{end[static_cast<int>(axis)]};
-        };
-        if (!is_within_range(V3d(side(0), side(1), side(2)) * world_from_mesh)) {
-            throw PartError{
-                fmt::format("it reaches further than {:g} from the origin", max_coordinate)};
-        }
-    }
-}
-
-std::string node_name(const Json& node, std::size_t index) {
-    const std::string name = text_in(node, "name");
-    return name.empty() ? fmt::format("node {}", index) : name;
-}
 
 bool is_read(std::string_view extension) {
     constexpr std::array<std::string_view, 4> others{"EXT_texture_webp", "KHR_lights_punctual",
@@ -163,6 +67,7 @@ GltfReader::GltfReader(GltfDocument& document, Import& import)
       import_(import),
       scene_(import.scene),
       materials_(document, import),
+      animations_(document, import),
       corners_(document.size() + (std::size_t{1} << 22U),
                "the file's meshes have more corners than a file of its size may have"),
       instances_(std::clamp<std::size_t>(document.size(), 1U << 16U, 1U << 22U),
@@ -171,7 +76,7 @@ GltfReader::GltfReader(GltfDocument& document, Import& import)
 void GltfReader::read() {
     std::vector<Node> pending;
     for (const std::size_t root : root_nodes()) {
-        pending.push_back({root, M44d()});
+        pending.push_back({root, M44d(), {}});
     }
     std::reverse(pending.begin(), pending.end());
     while (!pending.empty()) {
@@ -179,6 +84,7 @@ void GltfReader::read() {
         pending.pop_back();
         read_node(node, pending);
     }
+    animations_.finish();
     warn_of_what_is_not_read();
 }
 
@@ -220,13 +126,17 @@ void GltfReader::read_node(const Node& visit, std::vector<Node>& pending) {
         if (!visited_nodes_.insert(visit.index).second) {
             throw PartError{"it has more than one parent, or is its own parent"};
         }
-        const M44d world_from_node = local_transform(node) * visit.world_from_parent;
-        if (!finite(world_from_node)) {
+        const NodeIndex moving =
+            animations_.visit(visit.index, visit.moving_parent, visit.world_from_parent);
+        const M44d world_from_node = moving.valid()
+                                         ? animations_.world_from_node(moving)
+                                         : local_transform(node) * visit.world_from_parent;
+        if (!is_finite(world_from_node)) {
             throw PartError{"its transform is not finite"};
         }
         const std::vector<std::size_t> children = indices_in(node, "children");
         for (auto child = children.rbegin(); child != children.rend(); ++child) {
-            pending.push_back({*child, world_from_node});
+            pending.push_back({*child, world_from_node, moving});
         }
         place_light(node, world_from_node);
         place_camera(node, world_from_node);
@@ -246,7 +156,9 @@ void GltfReader::place_mesh(const Json& node, std::size_t node_index, const M44d
         return;
     }
     for (const MeshIndex part : parts) {
-        check_placement(boxes_[part.value()], world_from_node);
+        if (auto fault = fault_of_placement(boxes_[part.value()], world_from_node)) {
+            throw PartError{std::move(*fault)};
+        }
     }
     instances_.take(parts.size());
     skinned_ += member(node, "skin").is_null() ? 0 : 1;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "scene/gltf/gltf_reader.hpp"
+#include "scene/placement.hpp"
 
 namespace balcony::scene {
 
@@ -26,22 +27,12 @@ LightKind kind_of(const std::string& type) {
     throw PartError{fmt::format("its type {} is unknown", in_quotes(type))};
 }
 
-// KHR_lights_punctual: a light is at its node's origin and shines along the node's -z; the
-// node's scale changes neither its intensity nor its range.
+// KHR_lights_punctual: the node's scale changes neither a light's intensity nor its range.
 Light read_light(const Json& json, const M44d& world_from_node) {
     Light light;
     light.kind = kind_of(text_in(json, "type"));
-    light.position = V3d(0.0) * world_from_node;
-    V3d direction;
-    world_from_node.multDirMatrix(V3d(0.0, 0.0, -1.0), direction);
-    if (!(direction.length() > 0.0 && std::isfinite(direction.length()))) {
-        throw PartError{"its node's transform gives it no direction"};
-    }
-    light.direction = direction.normalized();
-    for (const double coordinate : {light.position.x, light.position.y, light.position.z}) {
-        if (std::abs(coordinate) > max_coordinate) {
-            throw PartError{fmt::format("it is further than {:g} from the origin", max_coordinate)};
-        }
+    if (auto fault = place(light, world_from_node)) {
+        throw PartError{std::move(*fault)};
     }
     light.intensity = scaled(color_in(json, "color", Color3f(1.0F)),
                              quantity_in(json, "intensity", 1.0F), "intensity");

@@ -9,6 +9,7 @@
 
 #include "scene/geometry.hpp"
 #include "scene/gltf/gltf_reader.hpp"
+#include "scene/placement.hpp"
 
 namespace balcony::scene {
 
@@ -23,14 +24,6 @@ enum class Mode : std::uint8_t {
     triangle_strip = 5,
     triangle_fan = 6,
 };
-
-Box3f box_of(const Mesh& mesh) {
-    Box3f box;
-    for (const V3f& position : mesh.positions) {
-        box.extendBy(position);
-    }
-    return box;
-}
 
 // The attributes of a primitive, all with as many elements as it has positions.
 class Attributes {
@@ -130,7 +123,7 @@ void GltfReader::read_primitive(const Json& primitive, const std::string& name,
     Mesh mesh = read_mesh(primitive, mode, shaded, name);
     mesh.material = shaded.index;
     if (auto finished = finish_mesh(std::move(mesh), import_)) {
-        boxes_.push_back(box_of(*finished));
+        boxes_.push_back(box_of(finished->positions));
         scene_.meshes.push_back(std::move(*finished));
         made.emplace_back(scene_.meshes.size() - 1);
     }

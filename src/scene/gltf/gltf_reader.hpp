@@ -10,6 +10,7 @@
 
 #include <Imath/ImathMatrix.h>
 
+#include "scene/gltf/gltf_animations.hpp"
 #include "scene/gltf/gltf_document.hpp"
 #include "scene/gltf/gltf_materials.hpp"
 
@@ -26,6 +27,8 @@ private:
     struct Node {
         std::size_t index = 0;
         M44d world_from_parent;
+        NodeIndex moving_parent;
+        NodeIndex moving_parent;
     };
 
     // gltf_geometry.cpp
@@ -57,6 +60,7 @@ private:
     Import& import_;
     Scene& scene_;
     GltfMaterials materials_;
+    GltfAnimations animations_;
     Budget corners_;
     Budget instances_;
     std::map<std::size_t, std::vector<MeshIndex>> meshes_;

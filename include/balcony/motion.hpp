@@ -1,0 +1,137 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Motion: what moves in a scene, and the scene at any time.
+//
+//     Result<Scene> scene = load("clock.glb");        // as it stands at time 0
+//     Diagnostics found = move_to(*scene, 2.5);       // as it stands after 2.5 seconds
+//     Movement blurred = movement(*scene, 0.02);      // how it moves from 2.49 to 2.51 seconds
+//
+// A scene in which nothing moves has no Motion and pays nothing for this.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <Imath/ImathQuat.h>
+
+#include "balcony/scene.hpp"
+
+namespace balcony::scene {
+
+using Imath::Quatd;
+
+// ------------------------------------------------------------------------- quantities by time
+
+enum class Interpolation : std::uint8_t { step, linear, cubic_spline };
+
+/// Numbers that change with time. Before the first key and after the last one they stay the same.
+struct Track {
+    Interpolation interpolation = Interpolation::linear;
+    std::size_t width = 1;      ///< How many numbers there are at a time.
+    std::vector<double> times;  ///< Of the keys, in seconds: finite, increasing, at least one.
+    /// `width` numbers for each key. In a cubic spline three times as many: the derivatives by time
+    /// before the key, the numbers at the key, the derivatives after it.
+    std::vector<float> values;
+};
+
+/// The numbers of a track at a time, `width` of them: glTF 2.0, appendix C.
+void evaluate(const Track& track, double time, std::span<double> numbers);
+/// The same for a unit quaternion (x, y, z, w), whose linear interpolation is spherical.
+[[nodiscard]] Quatd evaluate_rotation(const Track& track, double time);
+
+// --------------------------------------------------------------------------- what can move
+
+using TrackIndex = StrongIndex<struct TrackTag>;
+using NodeIndex = StrongIndex<struct NodeTag>;
+
+/// A node of the file that moves, by itself or with a node above it.
+struct Node {
+    NodeIndex parent;          ///< An earlier node; invalid if no node above this one moves.
+    M44d world_from_parent{};  ///< If there is no parent in motion.
+    M44d parent_from_node{};   ///< If none of the three tracks is valid.
+    V3d translation{0.0};      ///< Where one of the tracks is not valid, these apply.
+    Quatd rotation{};
+    V3d scale{1.0};
+    TrackIndex translation_track, rotation_track, scale_track;
+};
+
+/// Parts of the scene that hang on nodes.
+struct MovingInstance {
+    std::size_t instance = 0;  ///< Index into Scene::instances.
+    NodeIndex node;
+};
+struct MovingLight {
+    std::size_t light = 0;  ///< Index into Scene::lights.
+    NodeIndex node;
+};
+struct MovingCamera {
+    std::size_t camera = 0;  ///< Index into Scene::cameras.
+    NodeIndex node;
+};
+
+/// An animation of the file. All of them play at the same time; what two of them move follows the
+/// first.
+struct Animation {
+    std::string name;
+    double duration = 0.0;     ///< Seconds: the time of the last key.
+    std::size_t channels = 0;  ///< The number of quantities that follow it.
+};
+
+/// What moves in a scene, and how.
+struct Motion {
+    std::vector<Animation> animations;
+    std::vector<Track> tracks;
+    std::vector<Node> nodes;  ///< Parents come first.
+    std::vector<MovingInstance> instances;
+    std::vector<MovingLight> lights;
+    std::vector<MovingCamera> cameras;
+};
+
+/// A scale, then a rotation, then a translation, as glTF's nodes have them.
+[[nodiscard]] M44d transform_of(const V3d& translation, const Quatd& rotation, const V3d& scale);
+
+/// Where a node stands.
+[[nodiscard]] M44d world_from_node(const Motion& motion, NodeIndex node, double time);
+
+// ----------------------------------------------------------------------- a scene at a time
+
+/// Moves instances, lights and cameras to where they stand at a time, which becomes
+/// Scene::time. What cannot stand there (a transform that is singular or beyond the limits of a
+/// scene) keeps its place with a warning that names it. Does not change scenes without motion, but
+/// for their time.
+Diagnostics move_to(Scene& scene, double time);
+
+/// The places of an instance at equal steps of time, the first and the last one at the ends of the
+/// interval. Between them, the elements of the matrices change linearly.
+struct InstanceSteps {
+    std::size_t instance = 0;  ///< Index into Scene::instances.
+    std::vector<M44d> world_from_mesh;
+};
+
+/// A light at equal steps of time.
+struct LightSteps {
+    std::size_t light = 0;  ///< Index into Scene::lights.
+    std::vector<V3d> positions;
+    std::vector<V3d> directions;  ///< Unit.
+};
+
+/// How a scene moves during an interval: what does not move is not listed.
+struct Movement {
+    std::vector<InstanceSteps> instances;
+    std::vector<LightSteps> lights;
+};
+
+/// The largest number of steps, as Embree has it.
+inline constexpr std::size_t max_steps = 129;
+/// The number of steps is such that no vertex leaves its true path by more than this part of
+/// the size of its mesh in the world, or it is max_steps.
+inline constexpr double step_error = 1e-3;
+
+/// The movement in the interval of `duration` seconds with Scene::time in its middle.
+[[nodiscard]] Movement movement(const Scene& scene, double duration);
+
+}  // namespace balcony::scene

@@ -1,0 +1,216 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "scene/gltf/gltf_animations.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace balcony::scene {
+
+namespace {
+
+constexpr std::array property_names{"translation", "rotation", "scale"};
+constexpr std::array<std::size_t, property_names.size()> property_widths{3, 4, 3};
+
+Interpolation interpolation_of(const std::string& name) {
+    if (name == "LINEAR") {
+        return Interpolation::linear;
+    }
+    if (name == "STEP") {
+        return Interpolation::step;
+    }
+    if (name == "CUBICSPLINE") {
+        return Interpolation::cubic_spline;
+    }
+    throw PartError{fmt::format("its interpolation {} is unknown", in_quotes(name))};
+}
+
+// Names are optional in the format.
+std::string animation_name(const Json& animation, std::size_t index) {
+    const std::string name = text_in(animation, "name");
+    return name.empty() ? fmt::format("animation {}", index) : name;
+}
+
+}  // namespace
+
+// Accessors can share the bytes of a file, and nodes can share a chain of parents.
+GltfAnimations::GltfAnimations(GltfDocument& document, Import& import)
+    : document_(document),
+      import_(import),
+      numbers_(document.size() + (std::size_t{1} << 20U),
+               "the file's animations have more numbers than a file of its size may have"),
+      depths_(document.size() + (std::size_t{1} << 20U),
+              "the file's moving nodes are nested deeper than in a file of its size") {
+    for (std::size_t i = 0; i < array_size(document.root(), "animations"); ++i) {
+        read_animation(i);
+    }
+}
+
+void GltfAnimations::read_animation(std::size_t index) {
+    const Json& animation = member(document_.root(), "animations")[index];
+    const std::string name = animation_name(animation, index);
+    motion_.animations.push_back({name, 0.0, 0});
+    for (std::size_t i = 0; i < array_size(animation, "channels"); ++i) {
+        const Json& channel = animation["channels"][i];
+        try {
+            read_channel(animation, index, channel);
+        } catch (const PartError& fault) {
+            const Json& target = member(channel, "target");
+            import_.warn(
+                fmt::format("animation {}: channel {} ({}) is skipped: {}", in_quotes(name), i,
+                            printable(text_in(target, "path", "without a path")), fault.reason));
+        }
+    }
+}
+
+void GltfAnimations::read_channel(const Json& animation, std::size_t index, const Json& channel) {
+    const Json& target = member(channel, "target");
+    const auto node = index_in(target, "node");
+    // Extensions animate other things than nodes.
+    if (!node) {
+        return;
+    }
+    const std::string path = text_in(target, "path");
+    const auto* const found = std::find(property_names.begin(), property_names.end(), path);
+    if (found == property_names.end()) {
+        throw PartError{fmt::format("{} cannot be animated", in_quotes(path))};
+    }
+    const auto moved = static_cast<std::size_t>(found - property_names.begin());
+    const Json& moved_node = element(document_.root(), "nodes", *node);
+    if (!member(moved_node, "matrix").is_null()) {
+        throw PartError{fmt::format("its node {} has a matrix, which cannot be animated",
+                                    in_quotes(node_name(moved_node, *node)))};
+    }
+    const auto sampler = index_in(channel, "sampler");
+    if (!sampler) {
+        throw PartError{"it has no sampler"};
+    }
+    const TrackIndex made = track(animation, index, *sampler, property_widths[moved]);
+    TrackIndex& slot = moved_[*node][moved];
+    if (slot.valid()) {
+        throw PartError{fmt::format("animation {} moves the node {} already",
+                                    in_quotes(motion_.animations[animation_of_[slot]].name),
+                                    in_quotes(node_name(moved_node, *node)))};
+    }
+    slot = made;
+    Animation& followed = motion_.animations[index];
+    followed.duration = std::max(followed.duration, motion_.tracks[made.value()].times.back());
+    ++followed.channels;
+}
+
+TrackIndex GltfAnimations::track(const Json& animation, std::size_t index, std::size_t sampler,
+                                 std::size_t width) {
+    const auto known = tracks_.find({index, sampler});
+    if (known != tracks_.end()) {
+        if (motion_.tracks[known->second.value()].width != width) {
+            throw PartError{
+                fmt::format("its sampler {} is also that of another property", sampler)};
+        }
+        return known->second;
+    }
+    Track made = read_track(element(animation, "samplers", sampler), width);
+    const TrackIndex track(motion_.tracks.size());
+    motion_.tracks.push_back(std::move(made));
+    animation_of_[track] = index;
+    tracks_[{index, sampler}] = track;
+    return track;
+}
+
+// glTF 2.0, section 3.11.
+Track GltfAnimations::read_track(const Json& sampler, std::size_t width) {
+    Track track;
+    track.width = width;
+    track.interpolation = interpolation_of(text_in(sampler, "interpolation", "LINEAR"));
+    const auto input = index_in(sampler, "input");
+    const auto output = index_in(sampler, "output");
+    if (!input || !output) {
+        throw PartError{"its sampler has no 'input' or no 'output'"};
+    }
+    const GltfAccessor& times = document_.accessor(*input, 1);
+    const GltfAccessor& values = document_.accessor(*output, track.width);
+    const std::size_t rows = track.interpolation == Interpolation::cubic_spline ? 3 : 1;
+    if (times.count() == 0 || values.count() != rows * times.count()) {
+        throw PartError{fmt::format("it has {} and {} where {} are required",
+                                    counted(times.count(), "key"), counted(values.count(), "value"),
+                                    std::max<std::size_t>(rows * times.count(), 1))};
+    }
+    numbers_.take(times.count() + values.count() * track.width);
+    for (std::size_t key = 0; key < times.count(); ++key) {
+        const double time = times.number(key, 0);
+        if (!std::isfinite(time) || (key > 0 && !(time > track.times.back()))) {
+            throw PartError{fmt::format("its times do not increase at key {}", key)};
+        }
+        track.times.push_back(time);
+    }
+    for (std::size_t i = 0; i < values.count(); ++i) {
+        for (std::size_t component = 0; component < track.width; ++component) {
+            const float number = values.number(i, component);
+            if (!std::isfinite(number)) {
+                throw PartError{fmt::format("its value {} is not finite", i)};
+            }
+            track.values.push_back(number);
+        }
+    }
+    return track;
+}
+
+NodeIndex GltfAnimations::visit(std::size_t gltf_node, NodeIndex parent,
+                                const M44d& world_from_parent) {
+    hang_new_parts();
+    visited_ = {};
+    const auto moved = moved_.find(gltf_node);
+    if (moved == moved_.end() && !parent.valid()) {
+        return {};
+    }
+    const Json& json = member(document_.root(), "nodes")[gltf_node];
+    Node node{parent, world_from_parent, local_transform(json), {}, {}, {}, {}, {}, {}};
+    if (moved != moved_.end()) {
+        const GltfTransform rest(json);
+        node.translation = rest.translation;
+        node.rotation = rest.rotation;
+        node.scale = rest.scale;
+        node.translation_track = moved->second[0];
+        node.rotation_track = moved->second[1];
+        node.scale_track = moved->second[2];
+    }
+    const std::size_t depth = parent.valid() ? depth_[parent.value()] + 1 : 1;
+    depths_.take(depth);
+    motion_.nodes.push_back(node);
+    depth_.push_back(depth);
+    visited_ = NodeIndex(motion_.nodes.size() - 1);
+    return visited_;
+}
+
+M44d GltfAnimations::world_from_node(NodeIndex node) const {
+    return scene::world_from_node(motion_, node, 0.0);
+}
+
+void GltfAnimations::hang_new_parts() {
+    const Scene& scene = import_.scene;
+    if (visited_.valid()) {
+        for (std::size_t i = instances_; i < scene.instances.size(); ++i) {
+            motion_.instances.push_back({i, visited_});
+        }
+        for (std::size_t i = lights_; i < scene.lights.size(); ++i) {
+            motion_.lights.push_back({i, visited_});
+        }
+        for (std::size_t i = cameras_; i < scene.cameras.size(); ++i) {
+            motion_.cameras.push_back({i, visited_});
+        }
+    }
+    instances_ = scene.instances.size();
+    lights_ = scene.lights.size();
+    cameras_ = scene.cameras.size();
+}
+
+void GltfAnimations::finish() {
+    hang_new_parts();
+    if (!motion_.animations.empty()) {
+        import_.scene.motion = std::make_shared<const Motion>(std::move(motion_));
+    }
+}
+
+}  // namespace balcony::scene
