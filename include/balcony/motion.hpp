@@ -6,10 +6,11 @@
 //
 //     Result<Scene> scene = load("clock.glb");        // as it stands at time 0
 //     Diagnostics found = move_to(*scene, 2.5);       // as it stands after 2.5 seconds
-//     Movement blurred = movement(*scene, 0.02);      // how it moves from 2.49 to 2.51 seconds
+//     Movement blurred = movement(*scene, {2.49, 2.51});
 //
 // A scene in which nothing moves has no Motion and pays nothing for this.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -105,6 +106,20 @@ struct Motion {
 /// for their time.
 Diagnostics move_to(Scene& scene, double time);
 
+/// From one time to another, in seconds.
+struct TimeInterval {
+    double begin = 0.0;
+    double end = 0.0;
+
+    [[nodiscard]] double duration() const { return end - begin; }
+    /// The time after a part of the interval, from 0 to 1.
+    [[nodiscard]] double at(double part) const { return (1.0 - part) * begin + part * end; }
+    /// The part of the interval that is over at a time: 0 before it, 1 after it.
+    [[nodiscard]] double part_at(double time) const {
+        return time > begin ? std::min((time - begin) / duration(), 1.0) : 0.0;
+    }
+};
+
 /// The places of an instance at equal steps of time, the first and the last one at the ends of the
 /// interval. Between them, the elements of the matrices change linearly.
 struct InstanceSteps {
@@ -131,7 +146,8 @@ inline constexpr std::size_t max_steps = 129;
 /// the size of its mesh in the world, or it is max_steps.
 inline constexpr double step_error = 1e-3;
 
-/// The movement in the interval of `duration` seconds with Scene::time in its middle.
-[[nodiscard]] Movement movement(const Scene& scene, double duration);
+/// The movement of a scene during an interval. Nothing moves in an interval that is an instant, or
+/// not finite.
+[[nodiscard]] Movement movement(const Scene& scene, const TimeInterval& interval);
 
 }  // namespace balcony::scene

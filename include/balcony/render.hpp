@@ -28,6 +28,7 @@
 #include "balcony/film.hpp"
 #include "balcony/picture.hpp"
 #include "balcony/scene.hpp"
+#include "balcony/shutter.hpp"
 
 namespace balcony::render {
 
@@ -80,7 +81,8 @@ struct Settings {
     std::size_t samples = 16;  ///< Rays per pixel: the number of passes.
     std::string integrator = "path";
     std::size_t threads = 0;  ///< 0 for all of the machine.
-    double time = 0.0;        ///< The value of t in the camera's formulas.
+    double time = 0.0;        ///< Seconds: the value of t in the camera's formulas.
+    Shutter shutter{};
     /// Radiance from all directions, without shadows. If empty, it follows the light of the scene:
     /// of the places that a coarse grid of the picture's rays meets, a tenth of the median radiance
     /// that a white surface turned to the lights would have, or that the place emits; dark places
@@ -108,6 +110,8 @@ struct RendererSettings {
     /// If all textures fit, they are held in memory; otherwise, the smaller ones are, and the
     /// others go through a cache.
     std::size_t texture_memory = default_texture_memory;
+    /// When rays meet the scene, such as the exposure of a shutter; otherwise as it stands.
+    std::optional<scene::TimeInterval> interval{};
 };
 
 /// A scene prepared for tracing. Immutable; any number of jobs may use it at the same time.
@@ -122,6 +126,10 @@ public:
     /// Builds the acceleration structure and decodes the textures. A texture that cannot be read is
     /// a warning, and its material uses the constant factor. An object beyond the range that
     /// floats can trace is skipped with a warning. A scene with invalid indices is an error.
+    ///
+    /// A scene is traced as it stands at its time. With an interval of time, what moves during the
+    /// interval is where it stands at the time of each ray: before the interval as at its
+    /// beginning, after it as at its end.
     [[nodiscard]] static Result<Renderer> make(std::shared_ptr<const scene::Scene> scene,
                                                const RendererSettings& settings = {});
 

@@ -172,7 +172,7 @@ private:
     }
 
     void read_scene() {
-        Result<scene::Scene> loaded = load_scene(options_.scene);
+        Result<scene::Scene> loaded = load_scene(options_.scene, request_.cameras.time);
         add(loaded.diagnostics);
         scene_ = std::move(loaded.value);
         if (scene_) {

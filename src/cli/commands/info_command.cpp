@@ -3,10 +3,12 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "balcony/motion.hpp"
 #include "balcony/scene.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/options/scene_argument.hpp"
@@ -53,6 +55,20 @@ nlohmann::json cameras_json(const scene::Scene& scene) {
     return cameras;
 }
 
+std::vector<scene::Animation> animations_of(const scene::Scene& scene) {
+    return scene.motion ? scene.motion->animations : std::vector<scene::Animation>();
+}
+
+nlohmann::json animations_json(const scene::Scene& scene) {
+    nlohmann::json animations = nlohmann::json::array();
+    for (const scene::Animation& animation : animations_of(scene)) {
+        animations.push_back({{"name", animation.name},
+                              {"duration", animation.duration},
+                              {"channels", animation.channels}});
+    }
+    return animations;
+}
+
 nlohmann::json scene_json(const scene::Scene& scene) {
     const auto bounds = scene.bounds();
     nlohmann::json objects = nlohmann::json::array();
@@ -70,6 +86,7 @@ nlohmann::json scene_json(const scene::Scene& scene) {
         {"textures", scene.textures.size()},
         {"lights", scene.lights.size()},
         {"cameras", cameras_json(scene)},
+        {"animations", animations_json(scene)},
         {"bounds",
          {{bounds.min.x, bounds.min.y, bounds.min.z}, {bounds.max.x, bounds.max.y, bounds.max.z}}},
         {"objects", objects}};
@@ -99,6 +116,10 @@ std::string scene_text(const scene::Scene& scene, bool objects) {
     line("cameras", std::to_string(scene.cameras.size()));
     for (const scene::Camera& camera : scene.cameras) {
         text += fmt::format("  camera     {}\n", camera_text(camera));
+    }
+    for (const scene::Animation& animation : animations_of(scene)) {
+        text += fmt::format("  animation  {}, {:.4g} s\n", printable(animation.name),
+                            animation.duration);
     }
     if (objects) {
         for (std::size_t i = 0; i < scene.objects.size(); ++i) {

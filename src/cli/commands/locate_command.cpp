@@ -174,7 +174,7 @@ Result<Located> find_all(const LocateOptions& options, const PictureSize& size, 
     Diagnostics diagnostics;
     std::optional<scene::Scene> scene;
     if (!options.scene.empty()) {
-        Result<scene::Scene> loaded = load_scene(options.scene);
+        Result<scene::Scene> loaded = load_scene(options.scene, time);
         add_to(diagnostics, loaded.diagnostics);
         scene = std::move(loaded.value);
     }

@@ -143,17 +143,19 @@ RenderReport make_picture(RenderReport outcome, const RenderOptions& options,
     return outcome;
 }
 
-bool load(const std::string& name, Loaded& loaded, RenderReport& outcome) {
+bool load(const std::string& name, const render::Settings& settings, Loaded& loaded,
+          RenderReport& outcome) {
     if (loaded.renderer) {
         return true;
     }
-    auto scene = load_scene(name);
+    auto scene = load_scene(name, settings.time);
     add(outcome, scene.diagnostics);
     if (!scene) {
         return false;
     }
     loaded.scene = std::make_shared<const scene::Scene>(std::move(*scene));
-    auto renderer = render::Renderer::make(loaded.scene);
+    auto renderer = render::Renderer::make(loaded.scene,
+                                           {.interval = settings.shutter.exposure(settings.time)});
     add(outcome, renderer.diagnostics);
     loaded.renderer = std::move(renderer.value);
     return loaded.renderer.has_value();
@@ -170,7 +172,7 @@ RenderReport render_picture(const RenderOptions& options, const Request& request
         picture = load_picture(options.camera, options.set, loaded.cameras);
         add(outcome, picture.diagnostics);
     }
-    if (has_errors(outcome.diagnostics) || !load(target.scene, loaded, outcome)) {
+    if (has_errors(outcome.diagnostics) || !load(target.scene, request.settings, loaded, outcome)) {
         return fail(std::move(outcome), ExitCode::bad_input);
     }
     std::vector<fs::path> inputs = loaded.cameras.files();
@@ -405,6 +407,7 @@ void add_render_command(CLI::App& app, ExitCode& code) {
             ->type_name("FILE[:NAME]");
         add_set_option(command, options.set);
         add_time_option(command, options.time);
+        add_shutter_options(command, options.shutter);
         command
             .add_option_function<std::string>(
                 "-o,--output", [&options](const std::string& file) { options.output = file; },

@@ -111,7 +111,10 @@ void add_fit_option(CLI::App& command, SizeWords& words) {
 }
 
 void add_time_option(CLI::App& command, std::string& time) {
-    command.add_option("--time", time, "value of t in the camera's formulas")
+    command
+        .add_option("--time", time,
+                    "the time in seconds: of the scene's animations, and t in the camera's "
+                    "formulas")
         ->type_name("T")
         ->capture_default_str();
 }

@@ -11,6 +11,7 @@
 #include "cli/options/film_options.hpp"
 #include "cli/options/integrator_options.hpp"
 #include "cli/options/sampling_options.hpp"
+#include "cli/options/shutter_options.hpp"
 
 namespace balcony::cli {
 
@@ -26,6 +27,7 @@ struct RenderOptions {
     std::string background = "transparent";
     std::string threads = "0";
     std::string time = "0";
+    ShutterWords shutter;
     std::string exposure = "auto";
     std::string ambient = "auto";
     std::string view = std::string(render::name_of(render::ViewTransform::neutral));

@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "balcony/lang.hpp"
+#include "balcony/motion.hpp"
 
 namespace balcony::cli {
 
@@ -23,7 +26,7 @@ bool is_scene_file(std::string_view name) {
                        [name](std::string_view extension) { return name.ends_with(extension); });
 }
 
-Result<scene::Scene> load_scene(const std::string& name) {
+Result<scene::Scene> load_scene(const std::string& name, double time) {
     const auto& built_in = lang::built_in_cameras();
     std::error_code ignored;
     const bool is_built_in = std::find(built_in.begin(), built_in.end(), name) != built_in.end() &&
@@ -35,7 +38,12 @@ Result<scene::Scene> load_scene(const std::string& name) {
                         "the cameras in the file, balcony explain {0} describes one",
                         name));
     }
-    return scene::load(name);
+    Result<scene::Scene> scene = scene::load(name);
+    if (scene) {
+        Diagnostics moved = scene::move_to(*scene, time);
+        std::move(moved.begin(), moved.end(), std::back_inserter(scene.diagnostics));
+    }
+    return scene;
 }
 
 }  // namespace balcony::cli

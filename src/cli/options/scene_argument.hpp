@@ -15,7 +15,8 @@ namespace balcony::cli {
 /// Whether a file name has the extension of a scene.
 [[nodiscard]] bool is_scene_file(std::string_view name);
 
-/// Loads the scene of a command. A camera in its place gives a specific error.
-[[nodiscard]] Result<scene::Scene> load_scene(const std::string& name);
+/// Loads the scene of a command as it stands at a time in seconds. A camera in its place gives a
+/// specific error.
+[[nodiscard]] Result<scene::Scene> load_scene(const std::string& name, double time = 0.0);
 
 }  // namespace balcony::cli

@@ -15,6 +15,7 @@
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
 
+#include "render/shading/motion_steps.hpp"
 #include "render/shading/scene_check.hpp"
 
 namespace balcony::render::embree {
@@ -136,22 +137,30 @@ std::optional<double> reach_into(const scene::M44d& world_from_mesh) {
     return reach >= min_reach ? std::optional(reach) : std::nullopt;
 }
 
-// A mesh as triangles, with its positions transformed by a matrix if one is given.
+// A mesh as triangles, with its positions transformed by matrices at equal steps of time, if any
+// are given.
 Geometry make_triangles(RTCDevice device, const scene::Scene& scene, const scene::Mesh& mesh,
-                        const scene::M44d* world_from_mesh) {
+                        std::span<const scene::M44d> world_from_mesh) {
     Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
-    auto* positions = static_cast<V3f*>(
-        rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                sizeof(V3f), mesh.positions.size()));
+    const auto steps = static_cast<unsigned>(std::max<std::size_t>(world_from_mesh.size(), 1));
+    rtcSetGeometryTimeStepCount(geometry.get(), steps);
+    for (unsigned step = 0; step < steps; ++step) {
+        auto* positions = static_cast<V3f*>(
+            rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, step, RTC_FORMAT_FLOAT3,
+                                    sizeof(V3f), mesh.positions.size()));
+        if (positions == nullptr) {
+            return {};
+        }
+        std::transform(mesh.positions.begin(), mesh.positions.end(), positions, [&](const V3f& p) {
+            return world_from_mesh.empty() ? p : V3f(scene::V3d(p) * world_from_mesh[step]);
+        });
+    }
     auto* triangles = static_cast<std::array<std::uint32_t, 3>*>(
         rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                 sizeof(mesh.triangles[0]), mesh.triangles.size()));
-    if (positions == nullptr || triangles == nullptr) {
+    if (triangles == nullptr) {
         return {};
     }
-    std::transform(mesh.positions.begin(), mesh.positions.end(), positions, [&](const V3f& p) {
-        return world_from_mesh != nullptr ? V3f(scene::V3d(p) * *world_from_mesh) : p;
-    });
     std::copy(mesh.triangles.begin(), mesh.triangles.end(), triangles);
     if (scene.materials[mesh.material.value()].alpha_mode != scene::AlphaMode::opaque) {
         rtcSetGeometryOccludedFilterFunction(geometry.get(), pass_transparent);
@@ -168,18 +177,28 @@ BuiltScene make_scene(RTCDevice device) {
     return built;
 }
 
-Geometry make_instance(RTCDevice device, RTCScene mesh, const scene::M44d& world_from_mesh) {
-    Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE));
-    rtcSetGeometryInstancedScene(geometry.get(), mesh);
-    // The columns of a matrix for column vectors, which are the rows of Imath's matrix.
+// The columns of a matrix for column vectors, which are the rows of Imath's matrix.
+std::array<float, 16> columns_of(const scene::M44d& matrix) {
     std::array<float, 16> columns{};
     for (int row = 0; row < 4; ++row) {
         for (int column = 0; column < 4; ++column) {
             columns[static_cast<std::size_t>(4 * row + column)] =
-                static_cast<float>(world_from_mesh[row][column]);
+                static_cast<float>(matrix[row][column]);
         }
     }
-    rtcSetGeometryTransform(geometry.get(), 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, columns.data());
+    return columns;
+}
+
+// A shared mesh, placed by matrices at equal steps of time.
+Geometry make_instance(RTCDevice device, RTCScene mesh,
+                       std::span<const scene::M44d> world_from_mesh) {
+    Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE));
+    rtcSetGeometryInstancedScene(geometry.get(), mesh);
+    rtcSetGeometryTimeStepCount(geometry.get(), static_cast<unsigned>(world_from_mesh.size()));
+    for (unsigned step = 0; step < world_from_mesh.size(); ++step) {
+        rtcSetGeometryTransform(geometry.get(), step, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR,
+                                columns_of(world_from_mesh[step]).data());
+    }
     rtcCommitGeometry(geometry.get());
     return geometry;
 }
@@ -187,22 +206,26 @@ Geometry make_instance(RTCDevice device, RTCScene mesh, const scene::M44d& world
 // How an instance is built: it is skipped, copied into world space, or placed by a matrix.
 enum class Use : std::uint8_t { none, copied, placed };
 
-// A mesh with one instance is copied into world space, which is faster to trace.
-std::vector<Use> choose_uses(const scene::Scene& scene) {
+// A mesh with one instance that stands still is copied into world space, which is faster to trace.
+std::vector<Use> choose_uses(const scene::Scene& scene, const MotionSteps& motion) {
     std::vector<std::size_t> counts(scene.meshes.size());
     std::vector<Use> uses(scene.instances.size(), Use::none);
     for (std::size_t i = 0; i < uses.size(); ++i) {
         const scene::Instance& instance = scene.instances[i];
         const scene::Mesh& mesh = scene.meshes[instance.mesh.value()];
-        if (can_be_traced(mesh, instance.world_from_mesh)) {
+        const auto steps = motion.matrices(i);
+        if (std::all_of(steps.begin(), steps.end(), [&](const scene::M44d& world_from_mesh) {
+                return can_be_traced(mesh, world_from_mesh);
+            })) {
             uses[i] = Use::copied;
             ++counts[instance.mesh.value()];
         }
     }
     for (std::size_t i = 0; i < uses.size(); ++i) {
-        const scene::Instance& instance = scene.instances[i];
-        if (uses[i] == Use::copied && counts[instance.mesh.value()] > 1 &&
-            reach_into(instance.world_from_mesh)) {
+        const auto steps = motion.matrices(i);
+        const bool is_shared = counts[scene.instances[i].mesh.value()] > 1 || steps.size() > 1;
+        if (uses[i] == Use::copied && is_shared &&
+            std::all_of(steps.begin(), steps.end(), reach_into)) {
             uses[i] = Use::placed;
         }
     }
@@ -308,32 +331,37 @@ struct Accelerator::State {
     BuiltScene world;
     float reach = max_coordinate;
 
-    void place(const scene::Scene& scene, const scene::Instance& instance, unsigned id);
-    void copy(const scene::Scene& scene, const scene::Instance& instance, unsigned id);
+    void place(const scene::Scene& scene, const MotionSteps& motion, std::size_t instance);
+    void copy(const scene::Scene& scene, const MotionSteps& motion, std::size_t instance);
     [[nodiscard]] bool traceable(const Ray& ray) const;
 };
 
-void Accelerator::State::place(const scene::Scene& scene, const scene::Instance& instance,
-                               unsigned id) {
-    BuiltScene& mesh = meshes[instance.mesh.value()];
+void Accelerator::State::place(const scene::Scene& scene, const MotionSteps& motion,
+                               std::size_t instance) {
+    const scene::MeshIndex index = scene.instances[instance].mesh;
+    BuiltScene& mesh = meshes[index.value()];
     if (!mesh) {
         mesh = make_scene(device.get());
         if (const Geometry triangles =
-                make_triangles(device.get(), scene, scene.meshes[instance.mesh.value()], nullptr)) {
+                make_triangles(device.get(), scene, scene.meshes[index.value()], {})) {
             rtcAttachGeometry(mesh.get(), triangles.get());
         }
         rtcCommitScene(mesh.get());
     }
-    const Geometry placed = make_instance(device.get(), mesh.get(), instance.world_from_mesh);
-    rtcAttachGeometryByID(world.get(), placed.get(), id);
-    reach = std::min(reach, static_cast<float>(*reach_into(instance.world_from_mesh)));
+    const auto steps = motion.matrices(instance);
+    const Geometry placed = make_instance(device.get(), mesh.get(), steps);
+    rtcAttachGeometryByID(world.get(), placed.get(), static_cast<unsigned>(instance));
+    for (const scene::M44d& world_from_mesh : steps) {
+        reach = std::min(reach, static_cast<float>(*reach_into(world_from_mesh)));
+    }
 }
 
-void Accelerator::State::copy(const scene::Scene& scene, const scene::Instance& instance,
-                              unsigned id) {
-    if (const Geometry triangles = make_triangles(
-            device.get(), scene, scene.meshes[instance.mesh.value()], &instance.world_from_mesh)) {
-        rtcAttachGeometryByID(world.get(), triangles.get(), id);
+void Accelerator::State::copy(const scene::Scene& scene, const MotionSteps& motion,
+                              std::size_t instance) {
+    const scene::Mesh& mesh = scene.meshes[scene.instances[instance].mesh.value()];
+    if (const Geometry triangles =
+            make_triangles(device.get(), scene, mesh, motion.matrices(instance))) {
+        rtcAttachGeometryByID(world.get(), triangles.get(), static_cast<unsigned>(instance));
     }
 }
 
@@ -344,7 +372,7 @@ bool Accelerator::State::traceable(const Ray& ray) const {
            ray.time >= 0.0F && ray.time <= 1.0F;
 }
 
-Result<Accelerator> Accelerator::build(const scene::Scene& scene) {
+Result<Accelerator> Accelerator::build(const scene::Scene& scene, const scene::Movement& movement) {
     if (Diagnostics broken = check(scene); !broken.empty()) {
         return broken;
     }
@@ -357,17 +385,17 @@ Result<Accelerator> Accelerator::build(const scene::Scene& scene) {
 
     state->world = make_scene(state->device.get());
     state->meshes.resize(scene.meshes.size());
-    const std::vector<Use> uses = choose_uses(scene);
+    const MotionSteps motion(scene, movement);
+    const std::vector<Use> uses = choose_uses(scene, motion);
     for (std::size_t i = 0; i < uses.size(); ++i) {
         const scene::Instance& instance = scene.instances[i];
-        const auto id = static_cast<unsigned>(i);
         if (uses[i] == Use::none || scene.meshes[instance.mesh.value()].triangles.empty()) {
             continue;
         }
         if (uses[i] == Use::placed) {
-            state->place(scene, instance, id);
+            state->place(scene, motion, i);
         } else {
-            state->copy(scene, instance, id);
+            state->copy(scene, motion, i);
         }
     }
     rtcCommitScene(state->world.get());

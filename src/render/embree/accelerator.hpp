@@ -15,6 +15,7 @@
 #include <Imath/ImathVec.h>
 
 #include "balcony/base.hpp"
+#include "balcony/motion.hpp"
 #include "balcony/scene.hpp"
 
 namespace balcony::render::embree {
@@ -71,8 +72,10 @@ public:
 
     /// Builds the structure. An instance that Embree cannot handle (without a finite affine matrix,
     /// or with a vertex beyond max_coordinate) is skipped with a warning that names its object; a
-    /// scene with invalid indices and a lack of memory are errors.
-    [[nodiscard]] static Result<Accelerator> build(const scene::Scene& scene);
+    /// scene with invalid indices and a lack of memory are errors. What moves is where it stands at
+    /// the time of a ray, from 0 to 1 over the interval of the movement.
+    [[nodiscard]] static Result<Accelerator> build(const scene::Scene& scene,
+                                                   const scene::Movement& movement = {});
 
     /// The largest absolute coordinate of a ray's origin: max_coordinate, or less if a shared
     /// mesh is placed by a matrix that shrinks it.

@@ -39,7 +39,9 @@ double brightness(const SceneTracer& tracer, const V3f& to_viewer, const Interac
 class BrightnessGrid {
 public:
     BrightnessGrid(const TracedScene& traced, const rays::CompiledPicture& picture)
-        : tracer_(traced), rays_(picture), textured_(traced.materials.has_textures()) {}
+        : tracer_(traced),
+          rays_(picture, traced.interval),
+          textured_(traced.materials.has_textures()) {}
 
     void add(std::size_t layer, const rays::Tile& points) {
         rays_.find_rays(layer, points, found_);
@@ -47,7 +49,7 @@ public:
             if (found_.valid[i] == 0) {
                 continue;
             }
-            Ray ray{found_.rays[i].origin, found_.rays[i].direction};
+            Ray ray{found_.rays[i].origin, found_.rays[i].direction, {}, found_.rays[i].time};
             if (textured_) {
                 ray.differentials = differentials(found_.all, i, points.step);
             }

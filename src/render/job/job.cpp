@@ -60,6 +60,10 @@ Diagnostics check(const Settings& settings) {
         !is_finite(settings.background.value_or(Color3f(0.0F)))) {
         found.push_back(error("time, ambient light and background must be finite numbers"));
     }
+    if (!(settings.shutter.duration >= 0.0) || !std::isfinite(settings.shutter.duration)) {
+        found.push_back(error("the shutter is open for a time that is not a number of seconds", {},
+                              "give a duration of at least 0"));
+    }
     if (find_integrator(settings.integrator) == nullptr) {
         found.push_back(unknown("integrator", settings.integrator, integrators()));
     }

@@ -3,6 +3,8 @@
 
 #include "render/job/picture_rays.hpp"
 
+#include <limits>
+
 #include "render/job/stopwatch.hpp"
 
 namespace balcony::render {
@@ -31,10 +33,12 @@ void PictureRays::find_rays(std::size_t layer, const rays::Tile& points, TileRay
     picture_->layers()[layer].rays.run(points, scratch_, rays.all);
     rays.valid.assign(count, 0);
     rays.rays.resize(count);
+    const auto time = static_cast<float>(interval_.part_at(points.time));
     for (std::size_t i = 0; i < count; ++i) {
         if (traceable(rays.all, i)) {
             rays.valid[i] = 1;
-            rays.rays[i] = {V3f(rays.all.origin(i)), V3f(rays.all.direction(i))};
+            rays.rays[i] = {V3f(rays.all.origin(i)), V3f(rays.all.direction(i)),
+                            std::numeric_limits<float>::infinity(), time};
         }
     }
     seconds_ += watch.seconds();

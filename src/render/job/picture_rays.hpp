@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "balcony/film.hpp"
+#include "balcony/motion.hpp"
 #include "balcony/rays.hpp"
 #include "render/job/camera_rays.hpp"
 
@@ -47,7 +48,9 @@ private:
 /// Runs the programs of a picture; belongs to one thread.
 class PictureRays {
 public:
-    explicit PictureRays(const rays::CompiledPicture& picture) : picture_(&picture) {}
+    /// The interval is that of the times of rays.
+    PictureRays(const rays::CompiledPicture& picture, const scene::TimeInterval& interval)
+        : picture_(&picture), interval_(interval) {}
 
     [[nodiscard]] TileCoverages coverages(const rays::Tile& points);
     /// Fills `rays`, whose memory is used again.
@@ -58,6 +61,7 @@ public:
 
 private:
     const rays::CompiledPicture* picture_;
+    scene::TimeInterval interval_;
     rays::Scratch scratch_;
     double seconds_ = 0.0;
 };

@@ -21,7 +21,10 @@ Result<Renderer> Renderer::make(std::shared_ptr<const scene::Scene> scene,
                      {}, fmt::format("give at least {} MiB", min_texture_memory >> 20U));
     }
     const Stopwatch watch;
-    Result<embree::Accelerator> accelerator = embree::Accelerator::build(*scene);
+    const scene::TimeInterval times =
+        settings.interval.value_or(scene::TimeInterval{scene->time, scene->time});
+    const scene::Movement movement = scene::movement(*scene, times);
+    Result<embree::Accelerator> accelerator = embree::Accelerator::build(*scene, movement);
     if (!accelerator) {
         return std::move(accelerator.diagnostics);
     }
@@ -30,13 +33,18 @@ Result<Renderer> Renderer::make(std::shared_ptr<const scene::Scene> scene,
     auto textures =
         std::make_unique<const TextureLibrary>(*scene, settings.texture_memory, warnings);
     textures->read_all();
-    SurfaceFinder surfaces(*scene);
+    SurfaceFinder surfaces(*scene, movement);
     LightSet lights(*scene);
     const Preparation preparation{build_seconds, watch.seconds() - build_seconds,
                                   textures->held_bytes()};
     MaterialSet materials(*scene, *textures);
-    TracedScene traced{std::move(scene), std::move(*accelerator), std::move(surfaces),
-                       lights,           std::move(textures),     std::move(materials)};
+    TracedScene traced{std::move(scene),
+                       std::move(*accelerator),
+                       std::move(surfaces),
+                       lights,
+                       std::move(textures),
+                       std::move(materials),
+                       times};
     return {Renderer(std::make_shared<const State>(State{std::move(traced), preparation})),
             std::move(warnings)};
 }

@@ -61,7 +61,7 @@ TileWorker::TileWorker(const JobParts& parts, Film& film)
     : settings_(&parts.settings),
       film_(&film),
       filter_(find_pixel_filter(parts.settings.sampling.filter)),
-      compositor_(parts.picture, PictureRays(parts.picture),
+      compositor_(parts.picture, PictureRays(parts.picture, parts.traced.interval),
                   TileTracer(parts.traced, parts.settings, parts.integrator)) {}
 
 void TileWorker::render(std::size_t tile) {
@@ -72,9 +72,10 @@ void TileWorker::render(std::size_t tile) {
                                     .display = !film_->display.empty(),
                                     .mirrored = !film_->mirrored.empty(),
                                     .contributions = film_->means.any()};
+    const double time = settings_->shutter.moment(settings_->time, pass_moment(pass));
     add_pass(*film_, tile,
-             compositor_.sample(points_of(region, pass, offset(pass), *film_, settings_->time),
-                                film_->window, wanted));
+             compositor_.sample(points_of(region, pass, offset(pass), *film_, time), film_->window,
+                                wanted));
     seconds_ += watch.seconds();
 }
 

@@ -94,4 +94,10 @@ Imath::V2d pass_offset(const PixelFilter& filter, std::size_t pass) {
     return {at(1.0 / plastic), at(1.0 / (plastic * plastic))};
 }
 
+double pass_moment(std::size_t pass) {
+    constexpr double golden = 0.61803398874989484820;
+    const double value = 0.5 + static_cast<double>(pass) * golden;
+    return value - std::floor(value);
+}
+
 }  // namespace balcony::render

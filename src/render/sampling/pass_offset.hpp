@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The sample positions of a pass in the pixels.
+// The place of a pass in the pixels and in the exposure.
 
 #include <cstddef>
 #include <string_view>
@@ -25,5 +25,8 @@ struct PixelFilter {
 /// with the density of the filter. Multiples of 2^-30, so that a picture point is the same number
 /// in every tile.
 [[nodiscard]] Imath::V2d pass_offset(const PixelFilter& filter, std::size_t pass);
+
+/// A number from 0 to 1 for Shutter::moment: 1/2 in pass 0, then a low-discrepancy sequence.
+[[nodiscard]] double pass_moment(std::size_t pass);
 
 }  // namespace balcony::render

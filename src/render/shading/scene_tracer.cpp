@@ -18,7 +18,7 @@ VisibleSurface SceneTracer::visible(const Interaction& at) const {
 }
 
 Interaction SceneTracer::interaction(const Ray& ray, const embree::Hit& hit) const {
-    Interaction found{traced_->surfaces.find(hit, ray.direction), {}, {}};
+    Interaction found{traced_->surfaces.find(hit, ray.direction, ray.time), {}, {}};
     if (traced_->materials.has_textures()) {
         found.moved = found.surface.transfer(ray);
     }

@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 
+#include "balcony/motion.hpp"
 #include "balcony/scene.hpp"
 #include "render/embree/accelerator.hpp"
 #include "render/film/tile_image.hpp"
@@ -25,6 +26,7 @@ struct TracedScene {
     LightSet lights;
     std::unique_ptr<const TextureLibrary> textures;
     MaterialSet materials;
+    scene::TimeInterval interval{};  ///< The times of rays from 0 to 1.
 };
 
 /// The first surface on a ray.

@@ -7,6 +7,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+
+#include "render/shading/motion_steps.hpp"
 
 namespace balcony::render {
 
@@ -169,7 +172,8 @@ void Surface::map_normal(const V3f& in_tangent_space, const scene::TextureUse& u
     normal = bent_towards(side * mapped, to_viewer);
 }
 
-SurfaceFinder::SurfaceFinder(const scene::Scene& scene) : scene_(&scene) {
+SurfaceFinder::SurfaceFinder(const scene::Scene& scene, const scene::Movement& movement)
+    : scene_(&scene) {
     placements_.reserve(scene.instances.size());
     for (const scene::Instance& instance : scene.instances) {
         const scene::M44d& m = instance.world_from_mesh;
@@ -178,6 +182,27 @@ SurfaceFinder::SurfaceFinder(const scene::Scene& scene) : scene_(&scene) {
         placements_.push_back({Imath::M44f(m), Imath::M33f(linear.inverse().transposed()),
                                linear.determinant() < 0.0 ? -1.0F : 1.0F});
     }
+    for (const scene::InstanceSteps& steps : movement.instances) {
+        std::vector<Imath::M44f>& matrices = moving_[static_cast<std::uint32_t>(steps.instance)];
+        for (const scene::M44d& world_from_mesh : steps.world_from_mesh) {
+            matrices.emplace_back(world_from_mesh);
+        }
+    }
+}
+
+// As Embree places it: the elements of the matrix change linearly from step to step.
+SurfaceFinder::Placement SurfaceFinder::placement_at(std::uint32_t instance, float time) const {
+    const auto moving = moving_.find(instance);
+    if (moving == moving_.end()) {
+        return placements_[instance];
+    }
+    const std::vector<Imath::M44f>& steps = moving->second;
+    const BetweenSteps place(time, steps.size());
+    const Imath::M44f m =
+        steps[place.before] * (1.0F - place.part) + steps[place.before + 1] * place.part;
+    const Imath::M33f linear(m[0][0], m[0][1], m[0][2], m[1][0], m[1][1], m[1][2], m[2][0], m[2][1],
+                             m[2][2]);
+    return {m, linear.inverse().transposed(), linear.determinant() < 0.0F ? -1.0F : 1.0F};
 }
 
 MeshPoint SurfaceFinder::mesh_point(const embree::Hit& hit) const {
@@ -197,11 +222,15 @@ V4f SurfaceFinder::placed_tangent(const MeshPoint& point, const Placement& place
     return {placed.x, placed.y, placed.z, placement.side * first.w};
 }
 
-Surface SurfaceFinder::find(const embree::Hit& hit, const V3f& direction) const {
+Surface SurfaceFinder::find(const embree::Hit& hit, const V3f& direction, float time) const {
     Surface surface;
     surface.in_mesh = mesh_point(hit);
     const scene::Mesh& m = *surface.in_mesh.mesh;
-    const Placement& placement = placements_[hit.instance];
+    std::optional<Placement> moved;
+    if (!moving_.empty()) {
+        moved = placement_at(hit.instance, time);
+    }
+    const Placement& placement = moved ? *moved : placements_[hit.instance];
     const auto& triangle = m.triangles[hit.triangle];
     const V3f p0 = placed(m.positions[triangle[0]], placement.world_from_mesh);
     const V3f p1 = placed(m.positions[triangle[1]], placement.world_from_mesh);

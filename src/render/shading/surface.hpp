@@ -7,11 +7,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 #include <Imath/ImathMatrix.h>
 #include <Imath/ImathVec.h>
 
+#include "balcony/motion.hpp"
 #include "balcony/scene.hpp"
 #include "render/embree/accelerator.hpp"
 #include "render/textures/texture_library.hpp"
@@ -103,9 +105,11 @@ struct Surface {
 /// Computes surfaces from hits.
 class SurfaceFinder {
 public:
-    explicit SurfaceFinder(const scene::Scene& scene);
+    explicit SurfaceFinder(const scene::Scene& scene, const scene::Movement& movement = {});
 
-    [[nodiscard]] Surface find(const embree::Hit& hit, const V3f& direction) const;
+    /// The surface at the hit of a ray with a direction and a time.
+    [[nodiscard]] Surface find(const embree::Hit& hit, const V3f& direction,
+                               float time = 0.0F) const;
     /// Only where a hit is in its mesh.
     [[nodiscard]] MeshPoint mesh_point(const embree::Hit& hit) const;
 
@@ -117,9 +121,12 @@ private:
     };
 
     [[nodiscard]] static V4f placed_tangent(const MeshPoint& point, const Placement& placement);
+    [[nodiscard]] Placement placement_at(std::uint32_t instance, float time) const;
 
     const scene::Scene* scene_;
     std::vector<Placement> placements_;  // By instance.
+    // Of the instances that move, at equal steps of time.
+    std::unordered_map<std::uint32_t, std::vector<Imath::M44f>> moving_;
 };
 
 }  // namespace balcony::render

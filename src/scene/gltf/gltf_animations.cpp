@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -32,6 +33,15 @@ Interpolation interpolation_of(const std::string& name) {
 std::string animation_name(const Json& animation, std::size_t index) {
     const std::string name = text_in(animation, "name");
     return name.empty() ? fmt::format("animation {}", index) : name;
+}
+
+// All numbers of an accessor.
+std::vector<float> all_of(const GltfAccessor& accessor) {
+    std::vector<std::uint32_t> elements(accessor.count());
+    std::iota(elements.begin(), elements.end(), 0U);
+    std::vector<float> numbers(accessor.count() * accessor.components());
+    accessor.read(elements, numbers.data());
+    return numbers;
 }
 
 }  // namespace
@@ -138,20 +148,18 @@ Track GltfAnimations::read_track(const Json& sampler, std::size_t width) {
                                     std::max<std::size_t>(rows * times.count(), 1))};
     }
     numbers_.take(times.count() + values.count() * track.width);
-    for (std::size_t key = 0; key < times.count(); ++key) {
-        const double time = times.number(key, 0);
+    const std::vector<float> seconds = all_of(times);
+    for (std::size_t key = 0; key < seconds.size(); ++key) {
+        const double time = seconds[key];
         if (!std::isfinite(time) || (key > 0 && !(time > track.times.back()))) {
             throw PartError{fmt::format("its times do not increase at key {}", key)};
         }
         track.times.push_back(time);
     }
-    for (std::size_t i = 0; i < values.count(); ++i) {
-        for (std::size_t component = 0; component < track.width; ++component) {
-            const float number = values.number(i, component);
-            if (!std::isfinite(number)) {
-                throw PartError{fmt::format("its value {} is not finite", i)};
-            }
-            track.values.push_back(number);
+    track.values = all_of(values);
+    for (std::size_t i = 0; i < track.values.size(); ++i) {
+        if (!std::isfinite(track.values[i])) {
+            throw PartError{fmt::format("its value {} is not finite", i / width)};
         }
     }
     return track;

@@ -28,7 +28,6 @@ private:
         std::size_t index = 0;
         M44d world_from_parent;
         NodeIndex moving_parent;
-        NodeIndex moving_parent;
     };
 
     // gltf_geometry.cpp

@@ -68,11 +68,11 @@ private:
 };
 
 // The most keys that a track has within an interval.
-std::size_t keys_within(const Motion& motion, double begin, double end) {
+std::size_t keys_within(const Motion& motion, const TimeInterval& interval) {
     std::size_t most = 0;
     for (const Track& track : motion.tracks) {
-        const auto first = std::upper_bound(track.times.begin(), track.times.end(), begin);
-        const auto last = std::lower_bound(first, track.times.end(), end);
+        const auto first = std::upper_bound(track.times.begin(), track.times.end(), interval.begin);
+        const auto last = std::lower_bound(first, track.times.end(), interval.end);
         most = std::max(most, static_cast<std::size_t>(last - first));
     }
     return most;
@@ -100,15 +100,8 @@ std::string not_moved(std::string_view what, const std::string& name, double tim
                        fault);
 }
 
-// The interval of a shutter.
-struct Interval {
-    double begin = 0.0;
-    double duration = 0.0;
-    [[nodiscard]] double at(double part) const { return begin + part * duration; }
-};
-
 InstanceSteps steps_of(const Scene& scene, const MovingInstance& moving, const Box3f& box,
-                       const Interval& interval, std::size_t pieces) {
+                       const TimeInterval& interval, std::size_t pieces) {
     const M44d& now = scene.instances[moving.instance].world_from_mesh;
     const auto at = [&](double part) {
         const M44d placed = world_from_node(*scene.motion, moving.node, interval.at(part));
@@ -122,7 +115,7 @@ InstanceSteps steps_of(const Scene& scene, const MovingInstance& moving, const B
     return {moving.instance, equal_steps(at, distance, step_error * diagonal.length(), pieces)};
 }
 
-LightSteps steps_of(const Scene& scene, const MovingLight& moving, const Interval& interval) {
+LightSteps steps_of(const Scene& scene, const MovingLight& moving, const TimeInterval& interval) {
     LightSteps steps{moving.light, {}, {}};
     for (std::size_t i = 0; i < max_steps; ++i) {
         const double part = static_cast<double>(i) / static_cast<double>(max_steps - 1);
@@ -197,13 +190,12 @@ Diagnostics move_to(Scene& scene, double time) {
     return found;
 }
 
-Movement movement(const Scene& scene, double duration) {
+Movement movement(const Scene& scene, const TimeInterval& interval) {
     Movement found;
-    if (!scene.motion || !(duration > 0.0)) {
+    if (!scene.motion || !(interval.duration() > 0.0) || !std::isfinite(interval.duration())) {
         return found;
     }
-    const Interval interval{scene.time - 0.5 * duration, duration};
-    const std::size_t pieces = keys_within(*scene.motion, interval.begin, interval.at(1.0)) + 1;
+    const std::size_t pieces = keys_within(*scene.motion, interval) + 1;
     Boxes boxes(scene);
     for (const MovingInstance& moving : scene.motion->instances) {
         InstanceSteps steps =

@@ -1,0 +1,69 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "cli/options/shutter_options.hpp"
+
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
+
+#include "balcony/names.hpp"
+#include "cli/options/option_values.hpp"
+
+namespace balcony::cli {
+
+namespace {
+
+constexpr double longest = 1e9;
+
+// Seconds, as a number or, as photographers write them, as a fraction: 1/50.
+std::optional<double> seconds_of(std::string_view text) {
+    const std::size_t slash = text.find('/');
+    const auto above = number_of<double>(text.substr(0, slash));
+    const auto below = slash == std::string_view::npos ? std::optional(1.0)
+                                                       : number_of<double>(text.substr(slash + 1));
+    if (!above || !below || !(*above >= 0.0) || !(*below > 0.0) || !(*above / *below <= longest)) {
+        return std::nullopt;
+    }
+    return *above / *below;
+}
+
+}  // namespace
+
+void add_shutter_options(CLI::App& command, ShutterWords& words) {
+    command
+        .add_option("--shutter", words.duration,
+                    "motion blur: how long the shutter is open, in seconds, such as 0.02 or 1/50, "
+                    "with --time in the middle")
+        ->type_name("SECONDS")
+        ->capture_default_str();
+    std::vector<std::string> shapes;
+    for (const std::string& name : render::shutter_shape_names()) {
+        shapes.push_back(
+            fmt::format("{} ({})", name, meaning_of(*render::find_shutter_shape(name))));
+    }
+    command
+        .add_option("--shutter-shape", words.shape,
+                    fmt::format("how the shutter moves: {}", fmt::join(shapes, " or ")))
+        ->type_name("NAME")
+        ->capture_default_str();
+}
+
+render::Shutter read_shutter(const ShutterWords& words, Diagnostics& diagnostics) {
+    const auto duration = seconds_of(words.duration);
+    if (!duration) {
+        refuse(diagnostics, "--shutter", words.duration,
+               "give seconds from 0, such as 0.02 or 1/50");
+    }
+    const auto shape = render::find_shutter_shape(words.shape);
+    if (!shape) {
+        refuse(diagnostics, "--shutter-shape", words.shape,
+               suggestion(words.shape, render::shutter_shape_names(), "the shapes are"));
+    }
+    return {duration.value_or(0.0), shape.value_or(render::ShutterShape::box)};
+}
+
+}  // namespace balcony::cli

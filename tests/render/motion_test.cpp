@@ -1,0 +1,282 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Pictures of moving scenes against the formulas of their blur.
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "balcony/motion.hpp"
+#include "support.hpp"
+
+namespace balcony::render::test {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// A Fibonacci number of passes: the moments of the passes are then nearly equal steps. Any part of
+// the exposure has the right number of them but for less than two.
+constexpr std::size_t passes = 233;
+constexpr double moments = 2.0 / passes;
+
+/// Where a node is at the keys 0 and 1, in seconds.
+struct Turned {
+    V3d from{0.0}, to{0.0};               ///< Translation.
+    double from_angle = 0, to_angle = 0;  ///< About `axis`.
+    V3d axis{0.0, 0.0, 1.0};
+};
+
+/// Lets the last instance of a scene move, from where it is.
+void set_in_motion(scene::Scene& scene, const Turned& turned) {
+    auto motion = std::make_shared<scene::Motion>();
+    const auto numbers = [](const V3d& v) {
+        return std::vector<float>{static_cast<float>(v.x), static_cast<float>(v.y),
+                                  static_cast<float>(v.z)};
+    };
+    scene::Track moves{scene::Interpolation::linear, 3, {0.0, 1.0}, numbers(turned.from)};
+    const std::vector<float> to = numbers(turned.to);
+    moves.values.insert(moves.values.end(), to.begin(), to.end());
+    scene::Track turns{scene::Interpolation::linear, 4, {0.0, 1.0}, {}};
+    for (const double angle : {turned.from_angle, turned.to_angle}) {
+        const std::vector<float> axis = numbers(turned.axis * std::sin(0.5 * angle));
+        turns.values.insert(turns.values.end(), axis.begin(), axis.end());
+        turns.values.push_back(static_cast<float>(std::cos(0.5 * angle)));
+    }
+    motion->tracks = {moves, turns};
+    scene::Node node;
+    node.world_from_parent = scene.instances.back().world_from_mesh;
+    node.translation_track = scene::TrackIndex(0);
+    node.rotation_track = scene::TrackIndex(1);
+    motion->nodes = {node};
+    motion->instances = {{scene.instances.size() - 1, scene::NodeIndex(0)}};
+    motion->animations = {{"test", 1.0, 2}};
+    scene.motion = std::move(motion);
+}
+
+/// A picture with the shutter open from 0 to 1 seconds.
+Film exposed(scene::Scene scene, const camera::Picture& camera, Request request,
+             ShutterShape shape = ShutterShape::box) {
+    request.time = 0.5;
+    request.shutter = {1.0, shape};
+    EXPECT_TRUE(scene::move_to(scene, request.time).empty());
+    const Result<Renderer> renderer =
+        Renderer::make(std::make_shared<scene::Scene>(std::move(scene)),
+                       RendererSettings{.interval = request.shutter.exposure(request.time)});
+    EXPECT_TRUE(renderer) << to_text(renderer.diagnostics);
+    Result<Film> film = make_film(request.layout);
+    const Result<Summary> summary = render::render(*renderer, camera, request, *film);
+    EXPECT_TRUE(summary && summary.diagnostics.empty()) << to_text(summary.diagnostics);
+    return std::move(*film);
+}
+
+double red(const Film& film, std::size_t x, std::size_t y = 0) {
+    return static_cast<double>(film.pixel(x, y).r);
+}
+
+/// The part of a shutter's light that comes before a part of the exposure.
+double before(ShutterShape shape, double part) {
+    const double s = std::clamp(part, 0.0, 1.0);
+    if (shape == ShutterShape::box) {
+        return s;
+    }
+    if (s > 0.5) {
+        return 1.0 - before(shape, 1.0 - s);
+    }
+    return s < 0.25 ? 8.0 / 3.0 * s * s : 1.0 / 6.0 + 4.0 / 3.0 * (s - 0.25);
+}
+
+/// A strip across a picture of one row, which the pixel filter does not leave.
+scene::Mesh bar(float z, float half_width) {
+    return parallelogram({-half_width, -9.0F, z}, {2.0F * half_width, 0.0F, 0.0F},
+                         {0.0F, 18.0F, 0.0F});
+}
+
+/// The picture's x of the middle of a pixel, from -1 to 1.
+double across(std::size_t x, std::size_t width) {
+    return 2.0 * (static_cast<double>(x) + 0.5) / static_cast<double>(width) - 1.0;
+}
+
+constexpr std::size_t wide = 512;
+// The filter reaches 1.5 pixels to both sides, and no light changes faster than by 4/3 per unit.
+constexpr double filter = 1.5 * 2.0 / wide * 4.0 / 3.0;
+
+Request strip(std::string integrator = "preview") {
+    Request made = request(wide, 1, std::move(integrator), passes);
+    return made;
+}
+
+}  // namespace
+
+// A square of width 1/2 that moves by 1: a point of its way is covered while the square passes.
+TEST(Motion, TranslationBlursByTheShutter) {
+    for (const ShutterShape shape : {ShutterShape::box, ShutterShape::trapezoid}) {
+        scene::Scene scene;
+        add(scene, bar(0.0F, 0.25F), white());
+        set_in_motion(scene, {{-0.5, 0, 0}, {0.5, 0, 0}});
+        const Film film = exposed(scene, orthographic(view_down_z(0, 0, 2)), strip(), shape);
+        for (std::size_t x = 0; x < wide; ++x) {
+            // The middle of the square is at s - 1/2.
+            const double at = across(x, wide) + 0.5;
+            const double expected = before(shape, at + 0.25) - before(shape, at - 0.25);
+            ASSERT_NEAR(red(film, x), expected, moments + filter) << name_of(shape) << ' ' << x;
+        }
+    }
+}
+
+// A wedge that turns about its tip: a point is covered while the wedge passes its direction.
+TEST(Motion, RotationFollowsTheArc) {
+    constexpr double half_wedge = 0.2;
+    constexpr double turn = 1.2;
+    scene::Scene scene;
+    scene::Mesh wedge;
+    const auto reach = static_cast<float>(1.2 * std::tan(half_wedge));
+    wedge.positions = {{0, 0, 0}, {1.2F, -reach, 0}, {1.2F, reach, 0}};
+    wedge.normals.assign(3, {0, 0, 1});
+    wedge.triangles = {{0, 1, 2}};
+    add(scene, wedge, white());
+    Turned turned;
+    turned.from_angle = -turn;
+    turned.to_angle = turn;
+    set_in_motion(scene, turned);
+    constexpr std::size_t side = 128;
+    const Film film =
+        exposed(scene, orthographic(view_down_z(0, 0, 2)), request(side, side, "preview", passes));
+    std::size_t seen = 0;
+    for (std::size_t y = 0; y < side; ++y) {
+        for (std::size_t x = 0; x < side; ++x) {
+            const double px = across(x, side);
+            const double py = -across(y, side);
+            const double radius = std::hypot(px, py);
+            const double angle = std::atan2(py, px);
+            if (radius < 0.5 || radius > 0.95) {
+                continue;
+            }
+            ++seen;
+            const double first = std::clamp(angle - half_wedge, -turn, turn);
+            const double last = std::clamp(angle + half_wedge, -turn, turn);
+            const double pixel = 1.5 * 2.0 / side / radius;  // In radians.
+            ASSERT_NEAR(red(film, x, y), (last - first) / (2.0 * turn),
+                        moments + pixel / (2.0 * turn) + scene::step_error)
+                << x << ' ' << y;
+        }
+    }
+    EXPECT_GT(seen, 1000U);
+}
+
+// A wall that turns about the vertical axis is seen at cos(angle), by its normal at each time.
+TEST(Motion, NormalsTurn) {
+    scene::Scene scene;
+    add(scene, wall(0.0F, 9.0F), white());
+    constexpr double turn = 1.0;
+    set_in_motion(scene, {{}, {}, -turn, turn, {0.0, 1.0, 0.0}});
+    const Film film = exposed(scene, orthographic(view_down_z(0, 0, 5)), strip());
+    EXPECT_NEAR(red(film, wide / 2), std::sin(turn) / turn, moments);
+}
+
+// The shadow of a square between a lamp and a wall, seen from behind the square.
+TEST(Motion, ShadowsMove) {
+    scene::Scene scene;
+    scene::Light lamp;
+    lamp.kind = scene::LightKind::directional;
+    lamp.intensity = scene::Color3f(static_cast<float>(pi));
+    scene.lights = {lamp};
+    scene::Material rough = white();
+    rough.metallic = 0.0F;
+    add(scene, wall(0.0F, 9.0F), rough);
+    add(scene, bar(2.0F, 0.25F), white());
+    set_in_motion(scene, {{-0.5, 0, 0}, {0.5, 0, 0}});
+    const Film film = exposed(scene, orthographic(view_down_z(0, 0, 1)), strip("direct"));
+    const double lit = red(film, 0);
+    EXPECT_GT(lit, 0.5);
+    for (std::size_t x = 0; x < wide; ++x) {
+        const double at = across(x, wide) + 0.5;
+        const double shadow =
+            before(ShutterShape::box, at + 0.25) - before(ShutterShape::box, at - 0.25);
+        ASSERT_NEAR(red(film, x) / lit, 1.0 - shadow, moments + filter) << x;
+    }
+}
+
+// Shared meshes are placed by matrices, and those that Embree cannot invert are copied.
+TEST(Motion, AllWaysToPlaceAMeshMove) {
+    for (const double shrink : {1.0, 1e-7}) {
+        scene::Scene scene;
+        scene::M44d small;
+        small.setScale(shrink);
+        scene::Mesh mesh = bar(0.0F, static_cast<float>(0.25 / shrink));
+        for (V3f& position : mesh.positions) {
+            position.y /= static_cast<float>(shrink);
+        }
+        add(scene, mesh, white(), small);
+        scene::M44d aside = small;
+        aside[3][0] = 50.0;
+        scene.instances.insert(scene.instances.begin(), {scene::MeshIndex(0), aside, 0});
+        set_in_motion(scene, {{-0.5 / shrink, 0, 0}, {0.5 / shrink, 0, 0}});
+        const Film film = exposed(scene, orthographic(view_down_z(0, 0, 2)), strip());
+        EXPECT_NEAR(red(film, wide / 2), 0.5, moments + filter) << shrink;
+        EXPECT_NEAR(red(film, wide / 4), 0.25, moments + filter) << shrink;
+        EXPECT_EQ(red(film, 8), 0.0) << shrink;
+    }
+}
+
+TEST(Motion, AnInstantIsTheSceneAtThatTime) {
+    scene::Scene moving;
+    add(moving, wall(-1.0F, 2.0F), white());
+    add(moving, wall(0.0F, 0.5F), white());
+    set_in_motion(moving, {{-0.5, 0, 0}, {0.5, 0.25, 0}, 0.0, 2.0, {1.0, 2.0, 3.0}});
+    ASSERT_TRUE(scene::move_to(moving, 0.25).empty());
+    scene::Scene still = moving;
+    still.motion = nullptr;
+    const camera::Camera camera = pinhole(view_down_z(0, 0, 2));
+    Request wanted = request(64, 64, "preview", 4);
+    wanted.time = 0.25;
+    const Rendered a = render(moving, camera, wanted);
+    const Rendered b = render(still, camera, wanted);
+    EXPECT_EQ(a.film.sum, b.film.sum);
+    scene::Scene other = moving;
+    ASSERT_TRUE(scene::move_to(other, 0.5).empty());
+    EXPECT_NE(render(other, camera, wanted).film.sum, b.film.sum);
+}
+
+TEST(Motion, WhatStandsStillIsNotBlurred) {
+    scene::Scene scene;
+    add(scene, wall(0.0F, 0.5F), white());
+    const camera::Camera camera = pinhole(view_down_z(0, 0, 2));
+    const Request wanted = request(64, 64, "preview", 4);
+    EXPECT_EQ(exposed(scene, camera, wanted).sum, render(scene, camera, wanted).film.sum);
+}
+
+TEST(Motion, ThreadsDoNotMatter) {
+    scene::Scene scene;
+    add(scene, wall(-1.0F, 2.0F), white());
+    add(scene, wall(0.0F, 0.5F), white());
+    set_in_motion(scene, {{-0.5, 0, 0}, {0.5, 0.25, 0}, 0.0, 2.0, {1.0, 2.0, 3.0}});
+    Request wanted = request(130, 70, "preview", 8);
+    const camera::Camera camera = pinhole(view_down_z(0, 0, 2));
+    wanted.threads = 1;
+    const Film one = exposed(scene, camera, wanted);
+    wanted.threads = 3;
+    EXPECT_EQ(one.sum, exposed(scene, camera, wanted).sum);
+}
+
+TEST(Shutter, ShapesGiveMomentsAsOftenAsTheyCount) {
+    for (const ShutterShape shape : {ShutterShape::box, ShutterShape::trapezoid}) {
+        const Shutter shutter{4.0, shape};
+        EXPECT_DOUBLE_EQ(shutter.exposure(10.0).begin, 8.0);
+        EXPECT_DOUBLE_EQ(shutter.moment(10.0, 0.5), 10.0);
+        for (int i = 0; i <= 100; ++i) {
+            const double random = 0.01 * i;
+            const double part = (shutter.moment(10.0, random) - 8.0) / 4.0;
+            EXPECT_NEAR(before(shape, part), random, 1e-12) << name_of(shape);
+        }
+    }
+    EXPECT_EQ(Shutter{}.moment(0.1, 0.9), 0.1);
+}
+
+}  // namespace balcony::render::test
