@@ -57,6 +57,26 @@ def tiff():
     return b"II*\0" + struct.pack("<I", 12) + bytes((10, 20, 30, 40)) + directory
 
 
+def exr(value):
+    """2 x 2 pixels of one channel of floats, without compression."""
+
+    def attribute(name, kind, data):
+        return name + b"\0" + kind + b"\0" + struct.pack("<I", len(data)) + data
+
+    box = struct.pack("<4i", 0, 0, 1, 1)
+    header = b"\x76\x2f\x31\x01" + struct.pack("<I", 2) + b"".join((
+        attribute(b"channels", b"chlist", b"Y\0" + struct.pack("<iB3xii", 2, 0, 1, 1) + b"\0"),
+        attribute(b"compression", b"compression", b"\0"),
+        attribute(b"dataWindow", b"box2i", box), attribute(b"displayWindow", b"box2i", box),
+        attribute(b"lineOrder", b"lineOrder", b"\0"),
+        attribute(b"pixelAspectRatio", b"float", floats(1)),
+        attribute(b"screenWindowCenter", b"v2f", floats(0, 0)),
+        attribute(b"screenWindowWidth", b"float", floats(1)))) + b"\0"
+    rows = [struct.pack("<iI", y, 8) + floats(value, 1) for y in range(2)]
+    first = len(header) + 2 * 8
+    return header + struct.pack("<2Q", first, first + len(rows[0])) + b"".join(rows)
+
+
 class Scene:
     """A glTF document with its one buffer."""
 
@@ -79,6 +99,7 @@ class Scene:
     def document(self):
         positions = self.accessor(floats(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0), "VEC3", 5126, 4)
         normals = self.accessor(floats(*4 * (0, 0, 1)), "VEC3", 5126, 4)
+        tangents = self.accessor(floats(*4 * (1, 0, 0, -1)), "VEC4", 5126, 4)
         points = self.accessor(shorts(0, 0, 65535, 0, 65535, 65535, 0, 65535), "VEC2", 5123, 4,
                                normalized=True)
         indices = self.accessor(shorts(0, 1, 2, 0, 2, 3), "SCALAR", 5123, 6)
@@ -99,15 +120,32 @@ class Scene:
                 {"extensions": {"KHR_lights_punctual": {"light": 0}}}],
             "meshes": [
                 {"name": "m", "primitives": [{"indices": indices, "material": 0, "attributes": {
-                    "POSITION": positions, "NORMAL": normals, "TEXCOORD_0": points}}]},
+                    "POSITION": positions, "NORMAL": normals, "TEXCOORD_0": points,
+                    "TEXCOORD_1": points, "TANGENT": tangents, "COLOR_0": tangents}}]},
                 {"primitives": [{"mode": 5, "attributes": {"POSITION": positions}},
                                 {"mode": 6, "attributes": {"POSITION": len(self.accessors) - 1}}]}],
             "materials": [{
                 "pbrMetallicRoughness": {"baseColorFactor": [0.5, 1, 1, 0.5],
                                          "baseColorTexture": texture, "metallicFactor": 0.5},
                 "emissiveTexture": {"index": 1}, "emissiveFactor": [1, 0.5, 0],
+                "normalTexture": {"index": 1, "texCoord": 1, "scale": -0.5},
                 "alphaMode": "MASK", "alphaCutoff": 0.5,
-                "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 8}}}],
+                "extensions": {
+                    "KHR_materials_clearcoat": {
+                        "clearcoatFactor": 1, "clearcoatTexture": {"index": 0},
+                        "clearcoatRoughnessFactor": 0.5},
+                    "KHR_materials_emissive_strength": {"emissiveStrength": 8},
+                    "KHR_materials_ior": {"ior": 1.3},
+                    "KHR_materials_sheen": {
+                        "sheenColorFactor": [1, 0.5, 0], "sheenRoughnessTexture": {"index": 1}},
+                    "KHR_materials_specular": {
+                        "specularFactor": 0.5, "specularColorFactor": [2, 1, 0]},
+                    "KHR_materials_transmission": {
+                        "transmissionFactor": 0.5, "transmissionTexture": texture},
+                    "KHR_materials_unlit": {},
+                    "KHR_materials_volume": {
+                        "thicknessFactor": 1, "attenuationDistance": 0.5,
+                        "attenuationColor": [1, 0.5, 0]}}}],
             "textures": [{"source": 0, "sampler": 0}, {"source": 1}],
             "samplers": [{"wrapS": 33071, "wrapT": 33648}],
             "images": [{"bufferView": image}, {
@@ -152,12 +190,25 @@ f 1 2 \\
 #mtl
 newmtl red
 Kd 1 0 0
+Ks 0.5 0.5 0.5
 Ns 20
-map_Kd -clamp on -s 1 1 1 t.png
+illum 3
+map_Kd -clamp on -o 0.5 -s 1 1 1 t.png
+map_d -imfchan m t.png
+norm -bm 0.5 t.png
 newmtl blue
 Ke 0 0 3
+Tf 1 0.5 0
+Ni 1.3
+illum 7
 d 0.5
 Pr 0.2
+Pm 1
+Pc 1
+Pcr 0.5
+Ps 0.5
+map_Pr t.png
+bump t.png
 """
 
 
@@ -221,7 +272,7 @@ def main():
     (folder / "text.stl").write_bytes(b"stl:" + STL)
     (folder / "binary.stl").write_bytes(b"stl:" + stl())
     for name, image in (("png", png()), ("bmp", bmp()), ("tga", b"tga:" + tga()), ("hdr", hdr()),
-                        ("tiff", tiff())):
+                        ("tiff", tiff()), ("exr", exr(0.5)), ("nan.exr", exr(float("nan")))):
         (folder / f"image.{name}").write_bytes(image)
 
 
