@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "balcony/base.hpp"
+#include "balcony/environment.hpp"
 #include "balcony/film.hpp"
 #include "balcony/picture.hpp"
 #include "balcony/scene.hpp"
@@ -77,6 +78,16 @@ enum class LampSampling : std::uint8_t {
     surfaces,  ///< By directions that a surface scatters light to.
 };
 
+/// Light that is not part of the scene, for `path`.
+struct LightSettings {
+    /// If empty, a scene without any light gets one: a sky where the picture shows surfaces that
+    /// could see it, and otherwise a light at the eye.
+    std::optional<Environment> environment{};
+    /// The angular diameter of directional lights in radians, from 0 to pi; that of the scene's
+    /// lights if empty.
+    std::optional<double> sun_angle{};
+};
+
 struct Settings {
     std::size_t samples = 16;  ///< Rays per pixel: the number of passes.
     std::string integrator = "path";
@@ -86,11 +97,13 @@ struct Settings {
     /// Radiance from all directions, without shadows. If empty, it follows the light of the scene:
     /// of the places that a coarse grid of the picture's rays meets, a tenth of the median radiance
     /// that a white surface turned to the lights would have, or that the place emits; dark places
-    /// do not count. Where nothing is lit, it is 0.3.
+    /// do not count. Where nothing is lit, it is 0.3. For `path`, it is a constant environment, and
+    /// there is none if it is empty.
     std::optional<Color3f> ambient{};
     /// The colour behind the picture, as the display shows it: neither exposed nor part of the
     /// film's light. Linear, from 0 to 1; transparent if empty.
     std::optional<Color3f> background{};
+    LightSettings light{};
     SamplingSettings sampling{};
     std::size_t mirror_depth = 8;  ///< The maximum number of reflections of `direct`.
     BounceLimits bounces{};        ///< Of `path`.
@@ -172,6 +185,7 @@ struct Summary {
     std::vector<Layer> layers;         ///< The same per layer, from back to front.
     std::uint64_t invalid_pixels = 0;  ///< Pixel centres where nothing is drawn, counted in pass 0.
     std::uint64_t repaired = 0;        ///< Samples whose radiance was not finite, replaced by 0.
+    std::string light;                 ///< What lights the scene of `path`: "2 lamps, ...".
     Color3f ambient{0.0F};             ///< The ambient radiance, from the settings or chosen.
     std::size_t passes = 0;            ///< The number of passes that all tiles of the film have.
     bool interrupted = false;          ///< Stopped before all tiles had all passes.

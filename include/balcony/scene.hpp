@@ -184,6 +184,9 @@ inline constexpr std::array texture_uses{&Material::base_color_texture,
 
 enum class LightKind : std::uint8_t { point, spot, directional };
 
+/// The mean angular diameter of the sun: 0.533 degrees.
+inline constexpr float sun_angle = 9.3e-3F;
+
 /// KHR_lights_punctual. Intensity is in candela (point, spot) or lux (directional), by colour.
 struct Light {
     std::string name;
@@ -194,6 +197,9 @@ struct Light {
     float range = 0.0F;             ///< Scene units; 0 is unlimited.
     float inner_cone = 0.0F;        ///< Radians from the axis, full strength inside.
     float outer_cone = 0.7853982F;  ///< Radians from the axis, dark outside.
+    /// Of a directional light: the angular diameter of its disc in radians, that of the sun where
+    /// the file does not say. 0 casts sharp shadows.
+    float angle = sun_angle;
 };
 
 enum class Projection : std::uint8_t { perspective, orthographic };

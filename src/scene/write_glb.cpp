@@ -221,6 +221,9 @@ private:
             written["spot"] = {{"innerConeAngle", light.inner_cone},
                                {"outerConeAngle", light.outer_cone}};
         }
+        if (light.kind == LightKind::directional && light.angle != sun_angle) {
+            written["extras"] = {{"angle", light.angle}};
+        }
         json& lights = document_["extensions"]["KHR_lights_punctual"]["lights"];
         lights.push_back(std::move(written));
         extensions_.insert("KHR_lights_punctual");

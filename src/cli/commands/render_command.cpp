@@ -64,6 +64,7 @@ struct Request {
     render::ViewTransform view;
     PictureSize size;
     render::LayerSet layers;
+    Diagnostics warnings{};  ///< Of files that all pictures share.
 };
 
 Request read_request(const RenderOptions& options, Diagnostics& diagnostics) {
@@ -165,6 +166,7 @@ RenderReport render_picture(const RenderOptions& options, const Request& request
                             const SceneOutput& target, Loaded& loaded,
                             const OutdatedTest& is_outdated = {}) {
     RenderReport outcome;
+    add(outcome, request.warnings);
     // A camera loads fast, so its mistakes are reported before a large scene is read.
     Result<camera::Picture> picture;
     const bool of_file = !options.camera.empty() && !is_of_scene(options.camera);
@@ -332,11 +334,15 @@ ExitCode check_outputs(const RenderOptions& options, const std::vector<SceneOutp
 
 ExitCode render_command(const RenderOptions& options) {
     RenderReport outcome;
-    const Request request = read_request(options, outcome.diagnostics);
+    Request request = read_request(options, outcome.diagnostics);
     const std::vector<SceneOutput> targets = scene_outputs(options, outcome.diagnostics);
     outcome.code = check_outputs(options, targets, outcome.diagnostics);
     if (outcome.code != ExitCode::done) {
         return finish(outcome, options);
+    }
+    request.warnings = load_environment(options.light, request.settings);
+    if (has_errors(request.warnings)) {
+        return finish(fail(std::move(outcome), ExitCode::bad_input, request.warnings), options);
     }
     if (options.watch) {
         return watch(options, request, targets.front());
@@ -355,6 +361,7 @@ void add_picture_options(CLI::App& command, RenderOptions& options) {
     add_fit_option(command, options.size);
     add_sampling_options(command, options.sampling);
     add_integrator_options(command, options.integrator);
+    add_light_options(command, options.light);
     command
         .add_option(
             "--exposure", options.exposure,

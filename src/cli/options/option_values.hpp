@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include <Imath/ImathColor.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -40,6 +41,23 @@ template <class Number>
         }
     }
     return number;
+}
+
+/// One radiance value, or three separated by commas.
+[[nodiscard]] inline std::optional<Imath::Color3f> color_of(std::string_view text) {
+    const std::size_t first = text.find(',');
+    if (first == std::string_view::npos) {
+        const auto level = number_of<float>(text);
+        return level ? std::optional(Imath::Color3f(*level)) : std::nullopt;
+    }
+    const std::size_t second = text.find(',', first + 1);
+    if (second == std::string_view::npos) {
+        return std::nullopt;
+    }
+    const auto red = number_of<float>(text.substr(0, first));
+    const auto green = number_of<float>(text.substr(first + 1, second - first - 1));
+    const auto blue = number_of<float>(text.substr(second + 1));
+    return red && green && blue ? std::optional(Imath::Color3f(*red, *green, *blue)) : std::nullopt;
 }
 
 inline void refuse(Diagnostics& diagnostics, std::string_view option, std::string_view text,

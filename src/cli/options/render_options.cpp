@@ -16,24 +16,6 @@ namespace balcony::cli {
 
 namespace {
 
-/// One radiance value, or three separated by commas.
-std::optional<render::Color3f> color_of(std::string_view text) {
-    const std::size_t first = text.find(',');
-    if (first == std::string_view::npos) {
-        const auto level = number_of<float>(text);
-        return level ? std::optional(render::Color3f(*level)) : std::nullopt;
-    }
-    const std::size_t second = text.find(',', first + 1);
-    if (second == std::string_view::npos) {
-        return std::nullopt;
-    }
-    const auto red = number_of<float>(text.substr(0, first));
-    const auto green = number_of<float>(text.substr(first + 1, second - first - 1));
-    const auto blue = number_of<float>(text.substr(second + 1));
-    return red && green && blue ? std::optional(render::Color3f(*red, *green, *blue))
-                                : std::nullopt;
-}
-
 std::optional<render::Color3f> read_background(const std::string& text, Diagnostics& diagnostics) {
     if (text == "transparent") {
         return std::nullopt;
@@ -56,6 +38,7 @@ render::Settings read_settings(const RenderOptions& options, Diagnostics& diagno
     constexpr float brightest = std::numeric_limits<float>::max();
     render::Settings settings;
     read_sampling(options.sampling, settings, diagnostics);
+    read_light(options.light, settings, diagnostics);
     settings.threads = read_count("--threads", options.threads, 0, 1024, diagnostics);
     settings.time = read_number("--time", options.time, -any, any, "give a number", diagnostics);
     settings.shutter = read_shutter(options.shutter, diagnostics);

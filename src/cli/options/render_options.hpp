@@ -10,6 +10,7 @@
 #include "cli/options/common_options.hpp"
 #include "cli/options/film_options.hpp"
 #include "cli/options/integrator_options.hpp"
+#include "cli/options/light_options.hpp"
 #include "cli/options/sampling_options.hpp"
 #include "cli/options/shutter_options.hpp"
 
@@ -22,6 +23,7 @@ struct RenderOptions {
     std::optional<std::string> output;
     SizeWords size;
     SamplingWords sampling;
+    LightWords light;
     std::vector<std::string> set;
     IntegratorWords integrator;
     std::string background = "transparent";

@@ -89,12 +89,16 @@ void describe(RenderReport& report, const PictureOutput& output, const camera::P
                     {"compile_seconds", summary.compile_seconds},
                     {"camera_share", summary.camera_share},
                     {"ambient", summary.ambient.x},
+                    {"light", summary.light},
                     {"interrupted", summary.interrupted}};
     report.sentence = fmt::format(
         "{}{}: {} x {} pixels through '{}', {}, {} rays in {}\n",
         summary.interrupted ? "interrupted; the partial picture is " : "", printable(output.name()),
         film.width, film.height, picture.name(), counted(summary.passes, "pass", "passes"),
         count_text(static_cast<double>(summary.camera_rays)), duration_text(summary.seconds));
+    if (!summary.light.empty()) {
+        report.sentence += fmt::format("  lit by {}\n", printable(summary.light));
+    }
     report.sentence += layers_text(summary);
 }
 

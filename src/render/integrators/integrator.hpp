@@ -48,6 +48,9 @@ public:
 using IntegratorMaker = std::unique_ptr<Integrator> (*)(const TracedScene& traced,
                                                         const Settings& settings);
 
+/// Whether an integrator finds the light of an environment, so that ambient light is one.
+[[nodiscard]] bool traces_environment(std::string_view name);
+
 /// The maker of an integrator by its name; null if there is none.
 [[nodiscard]] IntegratorMaker find_integrator(std::string_view name);
 

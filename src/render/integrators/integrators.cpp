@@ -19,10 +19,11 @@ namespace {
 struct Row {
     IntegratorInfo info;
     IntegratorMaker make;
+    bool traces_environment = false;
 };
 
 constexpr std::array rows{
-    Row{{"path", "global illumination"}, make_path},
+    Row{{"path", "global illumination"}, make_path, true},
     Row{{"direct", "lights, sharp shadows, mirrors"}, make_direct},
     Row{{"preview", "lit from the eye"}, make_preview},
 };
@@ -37,10 +38,24 @@ constexpr auto infos = [] {
 
 std::span<const IntegratorInfo> integrators() { return infos; }
 
-IntegratorMaker find_integrator(std::string_view name) {
+namespace {
+
+const Row* find_row(std::string_view name) {
     const auto row = std::find_if(rows.begin(), rows.end(),
                                   [&](const Row& one) { return one.info.name == name; });
-    return row != rows.end() ? row->make : nullptr;
+    return row != rows.end() ? &*row : nullptr;
+}
+
+}  // namespace
+
+IntegratorMaker find_integrator(std::string_view name) {
+    const Row* const row = find_row(name);
+    return row != nullptr ? row->make : nullptr;
+}
+
+bool traces_environment(std::string_view name) {
+    const Row* const row = find_row(name);
+    return row != nullptr && row->traces_environment;
 }
 
 }  // namespace balcony::render

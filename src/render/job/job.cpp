@@ -6,6 +6,7 @@
 #include <cmath>
 #include <mutex>
 #include <new>
+#include <numbers>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,6 +19,7 @@
 #include "render/integrators/direct.hpp"
 #include "render/job/ambient.hpp"
 #include "render/job/fork_and_join.hpp"
+#include "render/job/lighting.hpp"
 #include "render/job/renderer_state.hpp"
 #include "render/job/stopwatch.hpp"
 #include "render/job/tile_worker.hpp"
@@ -63,6 +65,11 @@ Diagnostics check(const Settings& settings) {
     if (!(settings.shutter.duration >= 0.0) || !std::isfinite(settings.shutter.duration)) {
         found.push_back(error("the shutter is open for a time that is not a number of seconds", {},
                               "give a duration of at least 0"));
+    }
+    const double sun_angle = settings.light.sun_angle.value_or(0.0);
+    if (!(sun_angle >= 0.0 && sun_angle <= std::numbers::pi)) {
+        found.push_back(
+            error("the angle of suns is out of range", {}, "give radians from 0 to pi"));
     }
     if (find_integrator(settings.integrator) == nullptr) {
         found.push_back(unknown("integrator", settings.integrator, integrators()));
@@ -182,6 +189,7 @@ private:
         summary.invalid_pixels = counts.invalid_pixels;
         summary.repaired = counts.repaired;
         summary.ambient = *parts_.settings.ambient;
+        summary.light = parts_.light;
         summary.passes = fewest_passes();
         summary.interrupted = !complete;
         summary.seconds = watch_.seconds();
@@ -232,7 +240,7 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
                      "create the film with make_film()");
     }
     try {
-        const TracedScene& traced = renderer.state_->traced;
+        TracedScene traced = renderer.state_->traced;
         const Stopwatch watch;
         const bool with_magnification = film.layers && !film.layers->magnification.empty();
         Result<rays::CompiledPicture> compiled = rays::compile(
@@ -255,7 +263,13 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
             film.picture_layers.push_back(layer.name);
         }
         Settings complete = settings;
-        if (!complete.ambient) {
+        std::string light;
+        if (traces_environment(settings.integrator)) {
+            Lighting lighting = lighting_of(traced, *compiled, film, settings);
+            traced.lights = std::move(lighting.lights);
+            light = std::move(lighting.description);
+            complete.ambient = Color3f(0.0F);
+        } else if (!complete.ambient) {
             complete.ambient = ambient_of(traced, *compiled, film, settings.time);
         }
         film.background = complete.background;
@@ -270,8 +284,8 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
         }
         return Job(std::make_shared<const State>(
             State{renderer.state_,
-                  {traced, std::move(*compiled), complete, find_integrator(settings.integrator),
-                   watch.seconds()},
+                  {std::move(traced), std::move(*compiled), complete,
+                   find_integrator(settings.integrator), std::move(light), watch.seconds()},
                   &film}));
     } catch (const std::bad_alloc&) {
         return out_of_memory();

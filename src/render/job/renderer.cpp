@@ -31,10 +31,10 @@ Result<Renderer> Renderer::make(std::shared_ptr<const scene::Scene> scene,
     Diagnostics warnings = std::move(accelerator.diagnostics);
     const double build_seconds = watch.seconds();
     auto textures =
-        std::make_unique<const TextureLibrary>(*scene, settings.texture_memory, warnings);
+        std::make_shared<const TextureLibrary>(*scene, settings.texture_memory, warnings);
     textures->read_all();
     SurfaceFinder surfaces(*scene, movement);
-    LightSet lights(*scene);
+    LightSet lights(*scene, textures.get());
     const Preparation preparation{build_seconds, watch.seconds() - build_seconds,
                                   textures->held_bytes()};
     MaterialSet materials(*scene, *textures);

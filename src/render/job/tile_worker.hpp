@@ -5,6 +5,7 @@
 // One thread's part of a job.
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "balcony/render.hpp"
@@ -15,10 +16,11 @@ namespace balcony::render {
 
 /// Data shared by all threads of a job.
 struct JobParts {
-    const TracedScene& traced;
+    TracedScene traced;  ///< With the lights of the picture.
     rays::CompiledPicture picture;
     Settings settings;
     IntegratorMaker integrator;
+    std::string light;  ///< As Summary::light.
     double compile_seconds = 0.0;
 };
 

@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "render/film/luminance.hpp"
+#include "render/probe/closed_surface.hpp"
+#include "render/textures/texture_library.hpp"
 
 namespace balcony::render {
 
@@ -23,7 +25,7 @@ V3f placed(const V3f& p, const Imath::M44f& m) {
 bool emits(const scene::Material& material) {
     const Color3f& e = material.emission;
     const float largest = std::max({e.x, e.y, e.z});
-    return largest > 0.0F && std::isfinite(largest);
+    return largest > 0.0F && std::isfinite(largest) && !material.unlit;
 }
 
 EmissiveTriangles::EmissiveTriangles(const scene::Scene& scene) : scene_(&scene) {
@@ -31,11 +33,10 @@ EmissiveTriangles::EmissiveTriangles(const scene::Scene& scene) : scene_(&scene)
         const scene::Mesh& mesh = scene.meshes[instance.mesh.value()];
         return emits(scene.materials[mesh.material.value()]) ? mesh.triangles.size() : 0;
     };
-    std::size_t total = 0;
     for (const scene::Instance& instance : scene.instances) {
-        total += triangles(instance);
+        count_ += triangles(instance);
     }
-    run_length_ = std::max<std::size_t>(1, (total + max_runs - 1) / max_runs);
+    run_length_ = std::max<std::size_t>(1, (count_ + max_runs - 1) / max_runs);
     placements_.reserve(scene.instances.size());
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const std::size_t count = triangles(scene.instances[i]);
@@ -46,6 +47,7 @@ EmissiveTriangles::EmissiveTriangles(const scene::Scene& scene) : scene_(&scene)
                              static_cast<std::uint32_t>(std::min(run_length_, count - first))});
         }
     }
+    find_closed_objects();
 }
 
 std::optional<std::size_t> EmissiveTriangles::run_with(const embree::Hit& hit) const {
@@ -53,14 +55,74 @@ std::optional<std::size_t> EmissiveTriangles::run_with(const embree::Hit& hit) c
     return first == none ? std::nullopt : std::optional(first + hit.triangle / run_length_);
 }
 
-LightBounds EmissiveTriangles::bounds(const EmissiveRun& run) const {
-    const float emitted = luminance(material(run.instance).emission);
+// An object that is large compared to the scene may be a sky around everything else.
+void EmissiveTriangles::find_closed_objects() {
+    constexpr std::size_t max_triangles = 1'000'000;  // About a third of a second.
+    constexpr float small = 0.25F;
+    if (count_ == 0 || count_ > max_triangles) {
+        return;
+    }
+    const Imath::Box3f all = scene_->bounds();
+    std::vector<Imath::Box3f> boxes(scene_->objects.size());
+    std::vector<std::uint8_t> candidates(scene_->objects.size(), 0);
+    for (const EmissiveRun& run : runs_) {
+        const std::uint32_t object = scene_->instances[run.instance].object;
+        const scene::Material& surface = material(run.instance);
+        candidates[object] = surface.alpha_mode == scene::AlphaMode::opaque ? 1 : 0;
+        const WorldTriangle one = triangle(run.instance, run.first);
+        boxes[object].extendBy(one.corner);
+        boxes[object].extendBy(one.corner + one.edge_1);
+        boxes[object].extendBy(one.corner + one.edge_2);
+    }
+    for (std::uint32_t object = 0; object < candidates.size(); ++object) {
+        candidates[object] = candidates[object] != 0 &&
+                                     boxes[object].size().length() < small * all.size().length() &&
+                                     encloses_volume(*scene_, object)
+                                 ? 1
+                                 : 0;
+    }
+    for (std::size_t i = 0; i < placements_.size(); ++i) {
+        const scene::Instance& instance = scene_->instances[i];
+        if (candidates[instance.object] != 0) {
+            placements_[i].front = instance.world_from_mesh.determinant() < 0.0 ? -1.0F : 1.0F;
+        }
+    }
+}
+
+// The luminance that a triangle emits. The mean of a texture may miss what is between its samples,
+// so a part is certain.
+float EmissiveTriangles::emitted(const EmissiveRun& run, std::uint32_t triangle,
+                                 const TextureLibrary* textures) const {
+    constexpr float certain = 0.02F;
+    const scene::Material& surface = material(run.instance);
+    const scene::Mesh& mesh = scene_->meshes[scene_->instances[run.instance].mesh.value()];
+    const scene::TextureUse& texture = surface.emission_texture;
+    const float white = luminance(surface.emission);
+    if (textures == nullptr || !texture.valid() ||
+        mesh.texture_coordinates[texture.coordinates].empty()) {
+        return white;
+    }
+    const auto& corners = mesh.triangles[triangle];
+    const auto& coordinates = mesh.texture_coordinates[texture.coordinates];
+    const Imath::V2f at = texture.place(coordinates[corners[0]]);
+    const Imath::V2f edge_1 = texture.place(coordinates[corners[1]]) - at;
+    const Imath::V2f edge_2 = texture.place(coordinates[corners[2]]) - at;
+    const Imath::Color4f mean = textures->look_up(
+        texture.index, texture.encoding,
+        {at + (edge_1 + edge_2) / 3.0F, 0.5F * edge_1, 0.5F * edge_2}, textures->thread_cache());
+    const float found = luminance(surface.emission * Color3f(mean.r, mean.g, mean.b));
+    return certain * white + (1.0F - certain) * std::clamp(found, 0.0F, white);
+}
+
+LightBounds EmissiveTriangles::bounds(const EmissiveRun& run,
+                                      const TextureLibrary* textures) const {
+    const float front = placements_[run.instance].front;
     std::vector<LightBounds> all;
     all.reserve(run.count);
     for (std::uint32_t i = 0; i < run.count; ++i) {
         const WorldTriangle one = triangle(run.instance, run.first + i);
         const V3f across = one.across();
-        const float power = 0.5F * across.length() * emitted;
+        const float power = 0.5F * across.length() * emitted(run, run.first + i, textures);
         if (!(power > 0.0F) || !std::isfinite(power)) {
             continue;
         }
@@ -68,9 +130,9 @@ LightBounds EmissiveTriangles::bounds(const EmissiveRun& run) const {
         found.box.extendBy(one.corner);
         found.box.extendBy(one.corner + one.edge_1);
         found.box.extendBy(one.corner + one.edge_2);
-        found.axis = across.normalized();
+        found.axis = (front < 0.0F ? -across : across).normalized();
         found.cosine_falloff = 0.0F;
-        found.two_sided = true;
+        found.two_sided = front == 0.0F;
         found.power = power;
         all.push_back(found);
     }

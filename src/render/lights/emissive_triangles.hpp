@@ -47,12 +47,23 @@ public:
 
     [[nodiscard]] const std::vector<EmissiveRun>& runs() const { return runs_; }
 
+    [[nodiscard]] std::size_t count() const { return count_; }
+
     /// The run with a triangle; nothing if the triangle does not emit.
     [[nodiscard]] std::optional<std::size_t> run_with(const embree::Hit& hit) const;
 
     /// Of the triangles of a run. Triangles without an area, or with one that overflows, have no
     /// power.
-    [[nodiscard]] LightBounds bounds(const EmissiveRun& run) const;
+    [[nodiscard]] LightBounds bounds(const EmissiveRun& run,
+                                     const class TextureLibrary* textures) const;
+
+    /// Whether a triangle is a light in a direction to it. All are, from both sides, but for those
+    /// of closed objects from inside, where only they themselves could be lit.
+    [[nodiscard]] bool shines(std::uint32_t instance, const WorldTriangle& triangle,
+                              const V3f& direction) const {
+        const float front = placements_[instance].front;
+        return front == 0.0F || front * triangle.across().dot(direction) < 0.0F;
+    }
 
     [[nodiscard]] WorldTriangle triangle(std::uint32_t instance, std::uint32_t triangle) const;
 
@@ -64,9 +75,16 @@ private:
     struct Placement {
         Imath::M44f world_from_mesh;
         std::size_t first_run = none;  // None if the instance does not emit.
+        // 1 if WorldTriangle::across() points out of a closed object, -1 if into it, otherwise 0.
+        float front = 0.0F;
     };
 
+    void find_closed_objects();
+    [[nodiscard]] float emitted(const EmissiveRun& run, std::uint32_t triangle,
+                                const class TextureLibrary* textures) const;
+
     const scene::Scene* scene_;
+    std::size_t count_ = 0;
     std::size_t run_length_ = 1;
     std::vector<Placement> placements_;  // By instance.
     std::vector<EmissiveRun> runs_;

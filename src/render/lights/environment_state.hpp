@@ -2,14 +2,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
+#include <string>
+#include <vector>
+
 #include "balcony/environment.hpp"
 #include "render/lights/environment_map.hpp"
+#include "render/lights/sun.hpp"
 
 namespace balcony::render {
 
 struct Environment::State {
     std::shared_ptr<const EnvironmentMap> map;
-    double rotation = 0.0;  ///< Radians.
+    std::vector<Sun> suns{};    ///< In the directions of the map.
+    std::string description{};  ///< Completes "lit by": "a sky ...".
+    double rotation = 0.0;      ///< Radians.
     float strength = 1.0F;
 };
 

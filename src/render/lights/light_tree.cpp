@@ -115,7 +115,7 @@ float LightTree::probability(const V3f& position, const V3f& normal, std::size_t
     return probability;
 }
 
-float LightTree::irradiance(const V3f& position, const V3f& normal) const {
+float LightTree::illuminance(const V3f& position, const V3f& normal) const {
     if (empty()) {
         return 0.0F;
     }

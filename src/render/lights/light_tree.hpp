@@ -42,7 +42,7 @@ public:
                                     std::size_t light) const;
 
     /// An estimate of the light that arrives at a point from all lights.
-    [[nodiscard]] float irradiance(const Imath::V3f& position, const Imath::V3f& normal) const;
+    [[nodiscard]] float illuminance(const Imath::V3f& position, const Imath::V3f& normal) const;
 
     [[nodiscard]] bool empty() const { return nodes_.empty(); }
 

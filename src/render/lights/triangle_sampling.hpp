@@ -19,13 +19,14 @@ struct TriangleSample {
     float pdf = 0.0F;  ///< By solid angle.
 };
 
-/// A random point of a triangle. Nothing if it is seen edge-on, or if the triangle is degenerate.
+/// A random point of a triangle: evenly by solid angle if the triangle looks large, otherwise by
+/// area. Nothing if it is seen edge-on, or if the triangle is degenerate.
 [[nodiscard]] std::optional<TriangleSample> sample_triangle(const WorldTriangle& triangle,
                                                             const V3f& from,
                                                             const Imath::V2f& random);
 
 /// The density of sample_triangle() in a direction that meets the triangle at a distance.
-[[nodiscard]] float pdf_of_triangle(const WorldTriangle& triangle, const V3f& direction,
-                                    float distance);
+[[nodiscard]] float pdf_of_triangle(const WorldTriangle& triangle, const V3f& from,
+                                    const V3f& direction, float distance);
 
 }  // namespace balcony::render

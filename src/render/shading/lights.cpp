@@ -31,6 +31,10 @@ float rest_above(float random, float border) {
     return std::min((random - border) / (1.0F - border), largest);
 }
 
+// Of the light at the viewer: a white wall seen frontally has radiance 1.
+constexpr Color3f eye_irradiance(std::numbers::pi_v<float>, std::numbers::pi_v<float>,
+                                 std::numbers::pi_v<float>);
+
 // Whether the emission depends on the point of a triangle.
 bool varies(const scene::Material& material) {
     return material.emission_texture.valid() || material.alpha_mode != scene::AlphaMode::opaque;
@@ -40,7 +44,7 @@ bool varies(const scene::Material& material) {
 
 // The lights at finite distances: point and spot lights, then runs of emissive triangles.
 struct LightSet::Finite {
-    explicit Finite(const scene::Scene& scene) : triangles(scene) {
+    Finite(const scene::Scene& scene, const TextureLibrary* textures) : triangles(scene) {
         for (std::size_t i = 0; i < scene.lights.size(); ++i) {
             if (scene.lights[i].kind != scene::LightKind::directional) {
                 lamps.push_back(i);
@@ -52,7 +56,7 @@ struct LightSet::Finite {
             bounds.push_back(bounds_of(scene.lights[lamp], scene.meters_per_unit));
         }
         for (const EmissiveRun& run : triangles.runs()) {
-            bounds.push_back(triangles.bounds(run));
+            bounds.push_back(triangles.bounds(run, textures));
         }
         tree = std::make_unique<const LightTree>(bounds);
     }
@@ -62,27 +66,40 @@ struct LightSet::Finite {
     std::unique_ptr<const LightTree> tree;
 };
 
-LightSet::LightSet(const scene::Scene& scene)
+LightSet::LightSet(const scene::Scene& scene, const TextureLibrary* textures)
     : scene_(&scene),
-      finite_(std::make_shared<const Finite>(scene)),
-      distant_(std::make_shared<const DistantLights>(
-          scene, scene.default_light ? std::optional(Environment::constant(Color3f(1.0F)))
-                                     : std::nullopt)) {}
+      finite_(std::make_shared<const Finite>(scene, textures)),
+      distant_(std::make_shared<const DistantLights>(scene, std::nullopt, std::nullopt)) {}
 
-LightSet LightSet::with(const Environment& environment) const {
+LightSet LightSet::with(const std::optional<Environment>& environment,
+                        const std::optional<double>& sun_angle) const {
     LightSet made = *this;
-    made.distant_ = std::make_shared<const DistantLights>(*scene_, environment);
+    made.distant_ = std::make_shared<const DistantLights>(*scene_, environment, sun_angle);
     return made;
 }
 
-float LightSet::probability_of_distant(const LitPoint&) const {
+LightSet LightSet::lit_from_eye() const {
+    LightSet made = *this;
+    made.lit_from_eye_ = true;
+    return made;
+}
+
+std::size_t LightSet::emissive_triangles() const { return finite_->triangles.count(); }
+
+// Half evenly, since shadows are not known, and half by the light that would arrive without them.
+float LightSet::probability_of_distant(const LitPoint& point) const {
     if (distant_->empty() || finite_->tree->empty()) {
         return distant_->empty() ? 0.0F : 1.0F;
     }
-    return 0.5F;
+    const float distant = distant_->illuminance(point.normal);
+    const float all = distant + finite_->tree->illuminance(point.position, point.normal);
+    return 0.25F + 0.5F * (all > 0.0F && std::isfinite(all) ? distant / all : 0.5F);
 }
 
 std::optional<LightSample> LightSet::sample(const LitPoint& point, const V3f& random) const {
+    if (lit_from_eye_) {
+        return LightSample{point.to_viewer, 0.0F, eye_irradiance, 1.0F, true};
+    }
     const float distant = probability_of_distant(point);
     const bool chosen = random.x < distant;
     const float probability = chosen ? distant : 1.0F - distant;
@@ -127,9 +144,9 @@ std::optional<LightSample> LightSet::sample_finite(const LitPoint& point, const 
         static_cast<std::uint32_t>(random.y * static_cast<float>(run.count)), run.count - 1);
     const float within = random.y * static_cast<float>(run.count) - static_cast<float>(in_run);
     const std::uint32_t triangle = run.first + in_run;
-    const auto found = sample_triangle(triangles.triangle(run.instance, triangle), point.position,
-                                       V2f(within, random.z));
-    if (!found) {
+    const WorldTriangle shape = triangles.triangle(run.instance, triangle);
+    const auto found = sample_triangle(shape, point.position, V2f(within, random.z));
+    if (!found || !triangles.shines(run.instance, shape, found->direction)) {
         return std::nullopt;
     }
     const scene::Material& material = triangles.material(run.instance);
@@ -146,14 +163,14 @@ float LightSet::pdf_of_emitter(const LitPoint& point, const V3f& to_light, float
                                const embree::Hit& emitter) const {
     const EmissiveTriangles& triangles = finite_->triangles;
     const std::optional<std::size_t> run = triangles.run_with(emitter);
-    if (!run) {
+    const WorldTriangle shape = triangles.triangle(emitter.instance, emitter.triangle);
+    if (!run || !triangles.shines(emitter.instance, shape, to_light)) {
         return 0.0F;
     }
     const float probability =
         finite_->tree->probability(point.position, point.normal, finite_->lamps.size() + *run) /
         static_cast<float>(triangles.runs()[*run].count);
-    const float density =
-        pdf_of_triangle(triangles.triangle(emitter.instance, emitter.triangle), to_light, distance);
+    const float density = pdf_of_triangle(shape, point.position, to_light, distance);
     return (1.0F - probability_of_distant(point)) * probability * density;
 }
 
@@ -167,14 +184,15 @@ float LightSet::pdf_of_distant(const LitPoint& point, const V3f& direction) cons
 
 bool LightSet::has_distant() const { return distant_->has_radiance(); }
 
+bool LightSet::has_environment() const { return distant_->has_environment(); }
+
 std::size_t LightSet::size() const {
     return scene_->lights.size() + (scene_->default_light ? 1 : 0);
 }
 
 Illumination LightSet::arriving(std::size_t light, const LitPoint& point) const {
     if (scene_->default_light && light == 0) {
-        // Such that a white wall seen frontally has radiance 1.
-        return {point.to_viewer, 0.0F, Color3f(std::numbers::pi_v<float>)};
+        return {point.to_viewer, 0.0F, eye_irradiance};
     }
     return light_of(scene_->lights[light - (scene_->default_light ? 1 : 0)], point.position,
                     scene_->meters_per_unit);

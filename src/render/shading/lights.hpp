@@ -43,13 +43,23 @@ struct LightSample {
     embree::Hit emitter{};
 };
 
+class TextureLibrary;
+
 /// All lights of a scene, which must outlive the set. Copies share their data.
 class LightSet {
 public:
-    explicit LightSet(const scene::Scene& scene);
+    /// The textures tell how strong emissive triangles are; without them, textures count as white.
+    explicit LightSet(const scene::Scene& scene, const TextureLibrary* textures = nullptr);
 
-    /// The same with an environment.
-    [[nodiscard]] LightSet with(const Environment& environment) const;
+    /// The same with an environment, and with another angular diameter of directional lights, in
+    /// radians.
+    [[nodiscard]] LightSet with(const std::optional<Environment>& environment,
+                                const std::optional<double>& sun_angle = {}) const;
+
+    /// The same with a light at the viewer of each path, without falloff.
+    [[nodiscard]] LightSet lit_from_eye() const;
+
+    [[nodiscard]] std::size_t emissive_triangles() const;
 
     // --------------------------------------------------------- one light at a time, at random
 
@@ -72,6 +82,8 @@ public:
 
     /// Whether radiance_from() is not always 0.
     [[nodiscard]] bool has_distant() const;
+    /// Whether there is an environment, which fills the background of the picture.
+    [[nodiscard]] bool has_environment() const;
 
     // --------------------------------------------------- punctual lights and the default light
 
@@ -93,6 +105,7 @@ private:
     const scene::Scene* scene_;
     std::shared_ptr<const Finite> finite_;
     std::shared_ptr<const class DistantLights> distant_;
+    bool lit_from_eye_ = false;  // And by nothing else.
 };
 
 }  // namespace balcony::render

@@ -28,7 +28,8 @@ Interaction SceneTracer::interaction(const Ray& ray, const embree::Hit& hit) con
 }
 
 Color3f SceneTracer::emission(const embree::Hit& hit) const {
-    return traced_->materials.emission(traced_->surfaces.mesh_point(hit), cache_);
+    const MeshPoint point = traced_->surfaces.mesh_point(hit);
+    return traced_->materials.opacity(point, cache_) * traced_->materials.emission(point, cache_);
 }
 
 embree::Ray SceneTracer::shadow_ray(const Surface& surface, const V3f& to_light, float distance,

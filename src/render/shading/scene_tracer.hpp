@@ -18,13 +18,13 @@
 
 namespace balcony::render {
 
-/// A scene with the data needed to trace it. Immutable.
+/// A scene with the data needed to trace it. Immutable; copies share most of it.
 struct TracedScene {
     std::shared_ptr<const scene::Scene> scene;
     embree::Accelerator accelerator;
     SurfaceFinder surfaces;
     LightSet lights;
-    std::unique_ptr<const TextureLibrary> textures;
+    std::shared_ptr<const TextureLibrary> textures;
     MaterialSet materials;
     scene::TimeInterval interval{};  ///< The times of rays from 0 to 1.
 };
@@ -55,7 +55,7 @@ public:
     /// The surface at a hit of the ray.
     [[nodiscard]] Interaction interaction(const Ray& ray, const embree::Hit& hit) const;
 
-    /// What the material emits at a point of a triangle, unfiltered.
+    /// What the material emits at a point of a triangle, unfiltered, by its opacity.
     [[nodiscard]] Color3f emission(const embree::Hit& hit) const;
 
     /// The fraction of the light that reaches a surface from a direction and a distance.

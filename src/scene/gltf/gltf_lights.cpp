@@ -44,6 +44,10 @@ Light read_light(const Json& json, const M44d& world_from_node) {
     const double inner = number_in(spot, "innerConeAngle", 0.0);
     light.outer_cone = static_cast<float>(std::clamp(outer, 0.0, quarter));
     light.inner_cone = static_cast<float>(std::clamp(inner, 0.0, std::clamp(outer, 0.0, quarter)));
+    const Json& angle = member(member(json, "extras"), "angle");
+    if (angle.is_number()) {
+        light.angle = static_cast<float>(std::clamp(angle.get<double>(), 0.0, std::numbers::pi));
+    }
     return light;
 }
 

@@ -1,0 +1,84 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "render/job/lighting.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "render/job/coarse_rays.hpp"
+#include "render/shading/frame.hpp"
+
+namespace balcony::render {
+
+namespace {
+
+// Whether rays leave the scene: rays of the picture, or rays that surfaces scatter evenly.
+bool sees_sky(const TracedScene& traced, const rays::CompiledPicture& picture, const Film& film,
+              double time) {
+    constexpr double least = 0.02;  // The share of such rays in a room with a window.
+    const SceneTracer tracer(traced);
+    std::size_t rays = 0;
+    std::size_t escaped = 0;
+    for_each_coarse_ray(traced, picture, film, time, [&](const Ray& ray) {
+        const embree::Hit hit = tracer.nearest(ray);
+        ++rays;
+        if (!hit.any()) {
+            ++escaped;
+            return;
+        }
+        // Evenly distributed pairs: Roberts, "The Unreasonable Effectiveness of Quasirandom
+        // Sequences" (2018).
+        const auto number = [rays](double step) {
+            const double sum = step * static_cast<double>(rays);
+            return static_cast<float>(sum - std::floor(sum));
+        };
+        const Surface surface = tracer.interaction(ray, hit).surface;
+        const V3f direction =
+            Frame(surface.geometric_normal)
+                .to_world(sample_cosine(number(0.7548776662466927), number(0.5698402909980532)));
+        escaped +=
+            tracer.nearest({surface.start(direction), direction, {}, ray.time}).any() ? 0 : 1;
+    });
+    return static_cast<double>(escaped) >= least * static_cast<double>(rays);
+}
+
+std::string description_of(const LightSet& lights, const scene::Scene& scene) {
+    std::string text;
+    const auto add = [&text](std::size_t count, std::string_view one, std::string_view many) {
+        if (count > 0) {
+            text +=
+                fmt::format("{}{} {}", text.empty() ? "" : ", ", count, count == 1 ? one : many);
+        }
+    };
+    add(scene.lights.size(), "lamp", "lamps");
+    add(lights.emissive_triangles(), "emitting triangle", "emitting triangles");
+    return text;
+}
+
+}  // namespace
+
+Lighting lighting_of(const TracedScene& traced, const rays::CompiledPicture& picture,
+                     const Film& film, const Settings& settings) {
+    std::optional<Environment> environment = settings.light.environment;
+    if (!environment && settings.ambient) {
+        environment = Environment::constant(*settings.ambient);
+    }
+    std::string own = description_of(traced.lights, *traced.scene);
+    if (environment) {
+        return {traced.lights.with(environment, settings.light.sun_angle),
+                fmt::format("{}{}{}", own, own.empty() ? "" : ", ", environment->description())};
+    }
+    if (!own.empty() || !traced.scene->default_light) {
+        return {traced.lights.with({}, settings.light.sun_angle), own.empty() ? "no light" : own};
+    }
+    if (sees_sky(traced, picture, film, settings.time)) {
+        const Environment sky = Environment::dome();
+        return {traced.lights.with(sky), sky.description()};
+    }
+    return {traced.lights.lit_from_eye(), "a light at the eye, as the scene has none"};
+}
+
+}  // namespace balcony::render

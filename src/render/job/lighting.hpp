@@ -1,0 +1,26 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "balcony/film.hpp"
+#include "balcony/rays.hpp"
+#include "balcony/render.hpp"
+#include "render/shading/scene_tracer.hpp"
+
+namespace balcony::render {
+
+/// The lights of a path-traced picture.
+struct Lighting {
+    LightSet lights;
+    std::string description;  ///< As Summary::light.
+};
+
+/// The lights of the scene with the environment of the settings, or the light that replaces them
+/// where there are none: a sky if one can be seen from the surfaces that the picture shows, and
+/// otherwise a light at the eye.
+[[nodiscard]] Lighting lighting_of(const TracedScene& traced, const rays::CompiledPicture& picture,
+                                   const Film& film, const Settings& settings);
+
+}  // namespace balcony::render
