@@ -83,6 +83,9 @@ struct LightSettings {
     /// If empty, a scene without any light gets one: a sky where the picture shows surfaces that
     /// could see it, and otherwise a light at the eye.
     std::optional<Environment> environment{};
+    /// The environment is the background of the picture, and opaque; not if Settings::background is
+    /// a colour.
+    bool visible = true;
     /// The angular diameter of directional lights in radians, from 0 to pi; that of the scene's
     /// lights if empty.
     std::optional<double> sun_angle{};
@@ -208,6 +211,9 @@ public:
     /// size are errors.
     [[nodiscard]] static Result<Job> make(const Renderer& renderer, const camera::Picture& picture,
                                           const Settings& settings, Film& film);
+
+    /// What lights the picture, as Summary::light.
+    [[nodiscard]] const std::string& light() const;
 
     /// Runs until each tile of the film has all passes of the settings. A tile that is behind the
     /// others catches up first. When a stop is requested, tiles in progress are completed and the

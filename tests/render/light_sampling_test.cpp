@@ -85,22 +85,6 @@ double sum(const std::vector<double>& values) {
 
 constexpr WorldTriangle slanted{{0.3F, -0.4F, 1.0F}, {1.1F, 0.2F, 0.3F}, {-0.2F, 0.9F, -0.1F}};
 
-// Whether a ray meets a triangle, and where.
-std::optional<float> distance_to(const WorldTriangle& triangle, const V3f& from,
-                                 const V3f& direction) {
-    const Imath::V3d e1(triangle.edge_1);
-    const Imath::V3d e2(triangle.edge_2);
-    const Imath::V3d d(direction);
-    const Imath::V3d t = Imath::V3d(from) - Imath::V3d(triangle.corner);
-    const double determinant = e1.dot(d.cross(e2));
-    const double u = t.dot(d.cross(e2)) / determinant;
-    const double v = d.dot(t.cross(e1)) / determinant;
-    const double distance = e2.dot(t.cross(e1)) / determinant;
-    return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && distance > 0.0
-               ? std::optional(static_cast<float>(distance))
-               : std::nullopt;
-}
-
 TEST(TriangleSampling, PassesChiSquare) {
     constexpr int draws = 200'000;
     // From close by, where sampling is by solid angle, and from afar, where it is by area.

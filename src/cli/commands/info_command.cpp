@@ -2,15 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <cmath>
+#include <memory>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "balcony/motion.hpp"
+#include "balcony/render.hpp"
 #include "balcony/scene.hpp"
 #include "cli/commands/command.hpp"
+#include "cli/options/default_camera.hpp"
 #include "cli/options/scene_argument.hpp"
 #include "cli/report/json.hpp"
 #include "cli/report/report.hpp"
@@ -69,7 +73,20 @@ nlohmann::json animations_json(const scene::Scene& scene) {
     return animations;
 }
 
-nlohmann::json scene_json(const scene::Scene& scene) {
+// What lights a scene that has no light, in the picture of its default camera.
+std::string default_light(const std::shared_ptr<const scene::Scene>& scene) {
+    const auto picture = default_picture(*scene);
+    const auto renderer = render::Renderer::make(scene);
+    auto film = render::make_film({.width = 64, .height = 36});
+    if (!picture || !renderer || !film) {
+        return "no light";
+    }
+    const auto job =
+        render::Job::make(*renderer, *picture, {.samples = 1, .integrator = "path"}, *film);
+    return job ? job->light() : "no light";
+}
+
+nlohmann::json scene_json(const scene::Scene& scene, const std::string& light) {
     const auto bounds = scene.bounds();
     nlohmann::json objects = nlohmann::json::array();
     for (const scene::Object& object : scene.objects) {
@@ -85,6 +102,7 @@ nlohmann::json scene_json(const scene::Scene& scene) {
         {"materials", scene.materials.size()},
         {"textures", scene.textures.size()},
         {"lights", scene.lights.size()},
+        {"default_light", light.empty() ? nlohmann::json(nullptr) : nlohmann::json(light)},
         {"cameras", cameras_json(scene)},
         {"animations", animations_json(scene)},
         {"bounds",
@@ -92,7 +110,7 @@ nlohmann::json scene_json(const scene::Scene& scene) {
         {"objects", objects}};
 }
 
-std::string scene_text(const scene::Scene& scene, bool objects) {
+std::string scene_text(const scene::Scene& scene, const std::string& light, bool objects) {
     const auto bounds = scene.bounds();
     const auto size = bounds.size();
     std::string text = fmt::format("{}\n", printable(scene.name));
@@ -111,8 +129,8 @@ std::string scene_text(const scene::Scene& scene, bool objects) {
                      counted(scene.meshes.size(), "mesh", "meshes")));
     line("materials", fmt::format("{}, {}", scene.materials.size(),
                                   counted(scene.textures.size(), "texture", "textures")));
-    line("lights", fmt::format("{}{}", scene.lights.size(),
-                               scene.default_light ? "; lit from the ray origins" : ""));
+    line("lights",
+         light.empty() ? std::to_string(scene.lights.size()) : fmt::format("0; lit by {}", light));
     line("cameras", std::to_string(scene.cameras.size()));
     for (const scene::Camera& camera : scene.cameras) {
         text += fmt::format("  camera     {}\n", camera_text(camera));
@@ -130,17 +148,23 @@ std::string scene_text(const scene::Scene& scene, bool objects) {
 }
 
 ExitCode info(const InfoOptions& options) {
-    const auto scene = load_scene(options.scene);
+    auto loaded = load_scene(options.scene);
+    std::shared_ptr<const scene::Scene> scene;
+    std::string light;
+    if (loaded) {
+        scene = std::make_shared<const scene::Scene>(std::move(*loaded));
+        light = scene->default_light ? default_light(scene) : "";
+    }
     if (options.json) {
-        nlohmann::json result{{"diagnostics", to_json(scene.diagnostics)}};
+        nlohmann::json result{{"diagnostics", to_json(loaded.diagnostics)}};
         if (scene) {
-            result["scene"] = scene_json(*scene);
+            result["scene"] = scene_json(*scene, light);
         }
         print_json(result);
     } else {
-        report(scene.diagnostics);
+        report(loaded.diagnostics);
         if (scene) {
-            print_result(scene_text(*scene, options.objects));
+            print_result(scene_text(*scene, light, options.objects));
         }
     }
     return scene ? ExitCode::done : ExitCode::bad_input;

@@ -380,14 +380,16 @@ void add_picture_options(CLI::App& command, RenderOptions& options) {
         ->type_name("NAME")
         ->capture_default_str();
     command
-        .add_option("--ambient", options.ambient,
-                    "light from all directions, without shadows; auto follows the scene's lights")
+        .add_option(
+            "--ambient", options.ambient,
+            "light from all directions: with path an environment of this radiance, with direct "
+            "without shadows; auto follows the scene's lights with direct")
         ->type_name("RADIANCE")
         ->capture_default_str();
     command
         .add_option("--background", options.background,
                     "transparent, black, white, a grey level, or red,green,blue (linear, from 0 to "
-                    "1), as the display shows it")
+                    "1), as the display shows it; auto shows the environment, if there is one")
         ->type_name("COLOUR")
         ->capture_default_str();
     add_film_options(command, options.film);

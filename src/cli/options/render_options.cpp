@@ -17,7 +17,7 @@ namespace balcony::cli {
 namespace {
 
 std::optional<render::Color3f> read_background(const std::string& text, Diagnostics& diagnostics) {
-    if (text == "transparent") {
+    if (text == "auto" || text == "transparent") {
         return std::nullopt;
     }
     if (text == "black" || text == "white") {
@@ -26,7 +26,7 @@ std::optional<render::Color3f> read_background(const std::string& text, Diagnost
     const auto color = color_of(text);
     if (!color || std::min({color->x, color->y, color->z}) < 0.0F) {
         refuse(diagnostics, "--background", text,
-               "write transparent, black, white, a grey level such as 0.2, or red,green,blue");
+               "write auto, transparent, black, white, a grey level such as 0.2, or red,green,blue");
     }
     return color;
 }
@@ -49,6 +49,7 @@ render::Settings read_settings(const RenderOptions& options, Diagnostics& diagno
     }
     read_integrator(options.integrator, settings, diagnostics);
     settings.background = read_background(options.background, diagnostics);
+    settings.light.visible = options.background == "auto";
     return settings;
 }
 

@@ -26,7 +26,7 @@ struct RenderOptions {
     LightWords light;
     std::vector<std::string> set;
     IntegratorWords integrator;
-    std::string background = "transparent";
+    std::string background = "auto";
     std::string threads = "0";
     std::string time = "0";
     ShutterWords shutter;

@@ -253,7 +253,8 @@ void PathTracer::add_distant_light(const Path& path, Seen& seen) const {
         return;
     }
     const bool seen_directly = path.bounces.all == 0;
-    if (seen_directly && (settings_->background || !lights.has_environment())) {
+    const bool shows_background = !settings_->background && settings_->light.visible;
+    if (seen_directly && !(shows_background && lights.has_environment())) {
         return;
     }
     const Color3f arriving = lights.radiance_from(path.ray.direction);
