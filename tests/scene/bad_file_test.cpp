@@ -86,7 +86,10 @@ TEST_F(BadFiles, BrokenJsonShowsThePlace) {
     EXPECT_TRUE(says(result, "the JSON of '"));
     EXPECT_TRUE(says(result, "expected ':' here"));
     EXPECT_TRUE(fails(load(write("e.gltf", "")), "the JSON of '"));
-    EXPECT_TRUE(fails(load(write("n.gltf", "{\"a\": 1e999}")), "the JSON of '"));
+    const auto infinite = load(write("n.gltf", "{\n\"emissiveStrength\": -1e999}"));
+    EXPECT_TRUE(fails(infinite, "n.gltf' has the number -1e999, which is too large"));
+    EXPECT_TRUE(says(infinite, "n.gltf:2:21"));
+    EXPECT_TRUE(says(infinite, "numbers of light are at most 1e+30"));
     EXPECT_TRUE(fails(load(write("deep.gltf", std::string(1000000, '['))), "the JSON of '"));
     EXPECT_TRUE(fails(load(write("bare.gltf", "[]")), "has no 'asset' with a 'version'"));
     EXPECT_TRUE(fails(load(write("old.gltf", R"({"asset": {"version": "1.0"}})")),

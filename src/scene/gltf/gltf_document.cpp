@@ -164,22 +164,36 @@ GltfDocument::GltfDocument(Import& import) : import_(import) {
     read_buffers({});
 }
 
-void GltfDocument::parse(Bytes text) {
+void GltfDocument::parse(Bytes bytes) {
     const std::string name = in_quotes(import_.file.string());
+    const auto source_text = [&] {
+        return std::make_shared<const SourceText>(import_.file.string(),
+                                                  std::string(bytes.begin(), bytes.end()));
+    };
     try {
-        root_ = Json::parse(text.data(), text.data() + text.size());
-    } catch (const Json::exception& failure) {
-        // The exception for a number too large for a double has no position.
-        const auto* syntax = dynamic_cast<const Json::parse_error*>(&failure);
-        const std::size_t end = syntax != nullptr ? std::min(syntax->byte, text.size()) : 0;
+        root_ = Json::parse(bytes.data(), bytes.data() + bytes.size());
+    } catch (const Json::parse_error& failure) {
+        const std::size_t end = std::min(failure.byte, bytes.size());
         const std::string reason = failure.what();
         const std::size_t expected = reason.rfind("; expected ");
-        const auto source = std::make_shared<const SourceText>(
-            import_.file.string(), std::string(text.begin(), text.end()));
         throw ReadError{
             error(fmt::format("the JSON of {} is broken", name),
-                  syntax != nullptr ? SourceSpan{source, end > 0 ? end - 1 : 0, end} : SourceSpan{},
+                  SourceSpan{source_text(), end > 0 ? end - 1 : 0, end},
                   expected != std::string::npos ? reason.substr(expected + 2) + " here" : "")};
+    } catch (const Json::out_of_range& failure) {
+        // It has no position, but ends with the number: "... number overflow parsing '1e999'".
+        const std::string reason = failure.what();
+        const std::size_t end = reason.rfind('\'');
+        const std::size_t begin = reason.substr(0, end).rfind('\'') + 1;
+        const std::string number = reason.substr(begin, end - begin);
+        const auto source = source_text();
+        const std::size_t found = source->text().find(number);
+        const std::size_t at = found == std::string_view::npos ? 0 : found;
+        throw ReadError{
+            error(fmt::format("the JSON of {} has the number {}, which is too large", name, number),
+                  SourceSpan{source, at, at + number.size()},
+                  fmt::format("numbers of light are at most {:g}, coordinates {:g}", max_quantity,
+                              max_coordinate))};
     }
     const Json& asset = member(root_, "asset");
     const std::string version = text_in(asset, "version");

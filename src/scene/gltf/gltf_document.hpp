@@ -41,7 +41,7 @@ public:
 private:
     using Bytes = std::span<const std::uint8_t>;
 
-    void parse(Bytes text);
+    void parse(Bytes bytes);
     void read_buffers(Bytes binary_chunk);
     [[nodiscard]] Bytes buffer_bytes(std::string_view uri);
     [[nodiscard]] GltfAccessor read_accessor(const Json& json);
