@@ -1,21 +1,28 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// Whole frames of the gallery of plates 1 to 3, on one core: the share of the camera in them, and
-// an extended camera against a pinhole.
+// Whole frames on one core: the share of the camera in them, an extended camera against a pinhole,
+// and a preview against Embree's packets by themselves, on the same rays.
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
+#include <vector>
 
 #include <fmt/core.h>
 
 #include "balcony/render.hpp"
 #include "bench_case.hpp"
 #include "gallery/gallery.hpp"
+#include "render/embree/accelerator.hpp"
+#include "render/job/picture_rays.hpp"
+#include "timing.hpp"
 
 namespace balcony::bench {
 
@@ -46,6 +53,17 @@ constexpr FrameCase frame_cases[]{
      "                superellipse(45, 25, 1/4, by = arc_length)) }"},
 };
 
+constexpr std::size_t frame_width = 1500;
+constexpr std::size_t frame_height = 300;
+
+template <class Value>
+Value checked(Result<Value> result) {
+    if (!result) {
+        throw std::runtime_error(to_text(result.diagnostics));
+    }
+    return std::move(*result);
+}
+
 render::Summary fastest_frame(const render::Renderer& renderer, const camera::Camera& camera,
                               std::string_view integrator) {
     render::Settings settings;
@@ -55,57 +73,138 @@ render::Summary fastest_frame(const render::Renderer& renderer, const camera::Ca
     render::Summary fastest;
     fastest.seconds = std::numeric_limits<double>::infinity();
     for (int run = 0; run < runs; ++run) {
-        render::Film film =
-            *render::make_film({.width = 1500, .height = 300, .data_layers = false});
-        const auto summary = render::render(renderer, camera, settings, film);
-        if (!summary) {
-            throw std::runtime_error(to_text(summary.diagnostics));
-        }
-        if (summary->seconds < fastest.seconds) {
-            fastest = *summary;
+        render::Film film = checked(render::make_film(
+            {.width = frame_width, .height = frame_height, .data_layers = false}));
+        const auto summary = checked(render::render(renderer, camera, settings, film));
+        if (summary.seconds < fastest.seconds) {
+            fastest = summary;
         }
     }
     return fastest;
 }
 
-render::Renderer make_renderer() {
-    auto gallery = plates::make_gallery({.painting_scale = 0.1});
-    if (!gallery) {
-        throw std::runtime_error(to_text(gallery.diagnostics));
+// The rays of a frame per second that Embree's packets trace, if all else cost nothing.
+double bare_rays_per_second(const scene::Scene& scene, const render::embree::Accelerator& world,
+                            const camera::Camera& camera) {
+    const auto picture =
+        checked(rays::compile(camera::Picture(camera), static_cast<double>(frame_width),
+                              static_cast<double>(frame_height), {.axes = scene.axes}));
+    const std::vector<program::Tile> tiles = tiles_of_picture(frame_width, frame_height);
+    std::vector<render::TileRays> found(tiles.size());
+    render::PictureRays rays(picture);
+    for (std::size_t t = 0; t < tiles.size(); ++t) {
+        rays.find_rays(0, tiles[t], found[t]);
     }
-    auto renderer =
-        render::Renderer::make(std::make_shared<const scene::Scene>(std::move(*gallery)));
-    if (!renderer) {
-        throw std::runtime_error(to_text(renderer.diagnostics));
+    Stopwatch stopwatch(tiles.size());
+    std::vector<render::embree::Hit> hits(tile_points);
+    for (int run = 0; run < runs; ++run) {
+        for (std::size_t t = 0; t < tiles.size(); ++t) {
+            stopwatch.time(t, [&] {
+                world.intersect_grid(tiles[t].width, found[t].rays, found[t].valid,
+                                     std::span(hits).first(found[t].rays.size()));
+            });
+        }
     }
-    return std::move(*renderer);
+    return static_cast<double>(frame_width * frame_height) / stopwatch.seconds();
 }
 
-}  // namespace
+scene::Scene gallery() { return checked(plates::make_gallery({.painting_scale = 0.5})); }
 
-void print_frames() {
-    const render::Renderer renderer = make_renderer();
-    fmt::print(
-        "\nwhole frames of the gallery, one core, 1500 x 300, 2 rays a pixel\n"
-        "(the last column: the frame against itself if its rays cost what a pinhole's do)\n\n");
-    fmt::print("{:<28}{:<12}{:>12}{:>14}{:>16}{:>12}\n", "camera", "integrator", "Mrays/s",
-               "camera share", "against pinhole", "same rays");
-    for (const std::string_view integrator : {"preview", "direct"}) {
+scene::Scene without_textures(scene::Scene scene) {
+    for (scene::Material& material : scene.materials) {
+        for (const auto use : scene::texture_uses) {
+            (material.*use).index = {};
+        }
+    }
+    return scene;
+}
+
+// A ball of radius 1 with waves on it, in rings and segments of triangles.
+scene::Mesh wavy_ball(std::size_t rings, std::size_t segments) {
+    using std::numbers::pi;
+    scene::Mesh mesh;
+    for (std::size_t i = 0; i <= rings; ++i) {
+        for (std::size_t j = 0; j <= segments; ++j) {
+            const double polar = pi * static_cast<double>(i) / static_cast<double>(rings);
+            const double turn = 2.0 * pi * static_cast<double>(j) / static_cast<double>(segments);
+            const double radius = 1.0 + 0.03 * std::sin(20.0 * polar) * std::sin(18.0 * turn);
+            const Imath::V3d out(std::sin(polar) * std::cos(turn), std::sin(polar) * std::sin(turn),
+                                 std::cos(polar));
+            mesh.positions.emplace_back(radius * out);
+            mesh.normals.emplace_back(out);
+        }
+    }
+    const auto row = static_cast<std::uint32_t>(segments + 1);
+    for (std::uint32_t i = 0; i < rings; ++i) {
+        for (std::uint32_t j = 0; j < segments; ++j) {
+            const std::uint32_t corner = i * row + j;
+            mesh.triangles.push_back({corner, corner + row, corner + 1});
+            mesh.triangles.push_back({corner + 1, corner + row, corner + row + 1});
+        }
+    }
+    return mesh;
+}
+
+// The gallery with seven balls of two million triangles in all.
+scene::Scene crowded_room() {
+    scene::Scene scene = without_textures(gallery());
+    constexpr int balls = 7;
+    for (int ball = 0; ball < balls; ++ball) {
+        const double turn = 2.0 * std::numbers::pi * ball / balls;
+        scene::Mesh mesh = wavy_ball(270, 540);
+        mesh.material = scene::MaterialIndex(0);
+        scene.meshes.push_back(std::move(mesh));
+        scene::Instance instance;
+        instance.mesh = scene::MeshIndex(scene.meshes.size() - 1);
+        instance.world_from_mesh.setScale(7.0);
+        instance.world_from_mesh[3][0] = 30.0 * std::cos(turn);
+        instance.world_from_mesh[3][1] = 18.0 * std::sin(turn);
+        scene.instances.push_back(instance);
+    }
+    return scene;
+}
+
+void print_frames_of(std::string_view name, scene::Scene built,
+                     std::initializer_list<std::string_view> integrators) {
+    const auto scene = std::make_shared<const scene::Scene>(std::move(built));
+    const render::Renderer renderer = checked(render::Renderer::make(scene));
+    const auto world = checked(render::embree::Accelerator::build(*scene));
+    for (const std::string_view integrator : integrators) {
         std::optional<render::Summary> pinhole;
         for (const FrameCase& row : frame_cases) {
-            const render::Summary frame =
-                fastest_frame(renderer, make_camera(row.text), integrator);
+            const camera::Camera camera = make_camera(row.text);
+            const render::Summary frame = fastest_frame(renderer, camera, integrator);
             if (!pinhole) {
                 pinhole = frame;
             }
             const double with_pinhole_rays = frame.seconds * (1.0 - frame.camera_share) +
                                              pinhole->seconds * pinhole->camera_share;
-            fmt::print("{:<28}{:<12}{:>12.2f}{:>12.2f} %{:>14.2f} x{:>10.2f} x\n", row.name,
-                       integrator, 1e-6 * static_cast<double>(frame.camera_rays) / frame.seconds,
-                       100.0 * frame.camera_share, frame.seconds / pinhole->seconds,
-                       frame.seconds / with_pinhole_rays);
+            const double rays_per_second = static_cast<double>(frame.camera_rays) / frame.seconds;
+            const double bare = bare_rays_per_second(*scene, world, camera);
+            fmt::print(
+                "{:<20}{:<28}{:<10}{:>9.2f}{:>10.2f}{:>8.0f} %{:>12.2f} %{:>14.2f} x"
+                "{:>10.2f} x\n",
+                name, row.name, integrator, 1e-6 * rays_per_second, 1e-6 * bare,
+                100.0 * rays_per_second / bare, 100.0 * frame.camera_share,
+                frame.seconds / pinhole->seconds, frame.seconds / with_pinhole_rays);
         }
     }
+}
+
+}  // namespace
+
+void print_frames() {
+    fmt::print(
+        "\nwhole frames, one core, {} x {}, 2 rays a pixel, in million rays a second\n"
+        "(bare: Embree's packets by themselves; the last column: the frame against itself if its\n"
+        "rays cost what a pinhole's do)\n\n",
+        frame_width, frame_height);
+    fmt::print("{:<20}{:<28}{:<10}{:>9}{:>10}{:>10}{:>14}{:>16}{:>12}\n", "scene", "camera",
+               "integrator", "Mrays/s", "bare", "of it", "camera share", "against pinhole",
+               "same rays");
+    print_frames_of("gallery", gallery(), {"preview", "direct"});
+    print_frames_of("without textures", without_textures(gallery()), {"preview"});
+    print_frames_of("2 million triangles", crowded_room(), {"preview"});
 }
 
 }  // namespace balcony::bench
