@@ -120,6 +120,7 @@ int main(int argc, char** argv) {
         Section{"stages", bench::print_stages},
         Section{"compile", bench::print_compilation},
         Section{"inverse", bench::print_inverse},
+        Section{"scenes", bench::print_scenes},
     };
     const std::vector<std::string_view> wanted(argv + 1, argv + argc);
     const auto is_wanted = [&wanted](const Section& section) {

@@ -43,6 +43,9 @@ void print_compilation();
 /// Prints how fast points in space are found in pictures.
 void print_inverse();
 
+/// Prints how long a large scene file takes to load.
+void print_scenes();
+
 /// Prints whole frames: what an extended camera adds to the time of a picture.
 void print_frames();
 
