@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "directions.hpp"
 #include "render/lights/light_tree.hpp"
 #include "statistics.hpp"
 
@@ -18,27 +18,6 @@ namespace balcony::render::test {
 namespace {
 
 using Imath::V3f;
-
-class Random {
-public:
-    explicit Random(unsigned seed) : generator_(seed) {}
-
-    float number() { return static_cast<float>(generator_() >> 8U) * 0x1p-24F; }
-    V3f point(float half) {
-        return half * V3f(2.0F * number() - 1.0F, 2.0F * number() - 1.0F, 2.0F * number() - 1.0F);
-    }
-    V3f direction() {
-        for (;;) {
-            const V3f found = point(1.0F);
-            if (found.length2() > 0.01F && found.length2() < 1.0F) {
-                return found.normalized();
-            }
-        }
-    }
-
-private:
-    std::mt19937 generator_;
-};
 
 LightBounds lamp(const V3f& position, float power) {
     LightBounds bounds;
