@@ -29,7 +29,7 @@ class Light(support.CommandTest):
         self.refuses("--environment-rotation", "nan", "inf", "left", "1e9")
         self.refuses("--environment-strength", "-1", "nan", "1e39", "bright")
         self.refuses("--sun-angle", "-1", "181", "nan", "wide")
-        self.refuses("--environment", "sky:", "sky:elevation", "sky:elevation=high", "sky:height=3",
+        self.refuses("--environment", "sky:elevation", "sky:elevation=high", "sky:height=3",
                      "sky:elevation=91", "sky:turbidity=0", "sky:turbidity=11", "sky:azimuth=nan")
 
     def test_skies_and_colours(self):

@@ -129,9 +129,13 @@ RenderReport make_picture(RenderReport outcome, const RenderOptions& options,
                                                                  : 0.0;
     outcome.facts["exposure"] = exposure;
     if (!request.exposure && exposure != 0.0) {
-        outcome.sentence += fmt::format(
-            "  exposure {:+} stops, ambient light {:.3g}; --exposure and --ambient set them\n",
-            exposure, summary->ambient.x);
+        outcome.sentence +=
+            summary->light.empty()
+                ? fmt::format(
+                      "  exposure {:+} stops, ambient light {:.3g}; --exposure and "
+                      "--ambient set them\n",
+                      exposure, summary->ambient.x)
+                : fmt::format("  exposure {:+} stops; --exposure sets it\n", exposure);
     }
     warn_of_lost_alpha(outcome, film, output);
     const Diagnostics written = output.write(
