@@ -47,7 +47,7 @@ private:
                                           const Bsdf& bsdf) const {
         const V3f to_viewer = -ray.direction;
         const LightSet& lights = tracer().lights();
-        const LitPoint point{surface.position, to_viewer};
+        const LitPoint point{surface.position, to_viewer, V3f(0.0F), ray.time};
         Color3f total(0.0F);
         for (std::size_t light = 0; light < lights.size(); ++light) {
             const Illumination arriving = lights.arriving(light, point);

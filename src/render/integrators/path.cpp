@@ -236,7 +236,7 @@ bool PathTracer::advance(Path& path, Seen& seen) {
     const Bsdf bsdf(appearance, at.surface.normal, at.surface.smooth_normal, at.surface.entering);
     const LitPoint point{at.surface.position,
                          seen_directly ? to_viewer : (path.eye - at.surface.position).normalized(),
-                         bsdf.transmits() ? V3f(0.0F) : at.surface.normal};
+                         bsdf.transmits() ? V3f(0.0F) : at.surface.normal, path.ray.time};
     const Imath::V2f at_light = path.sampler.next_pair();
     const V3f for_light(path.sampler.next(), at_light.x, at_light.y);
     const Imath::V2f at_lobe = path.sampler.next_pair();

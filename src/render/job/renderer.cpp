@@ -34,7 +34,7 @@ Result<Renderer> Renderer::make(std::shared_ptr<const scene::Scene> scene,
         std::make_shared<const TextureLibrary>(*scene, settings.texture_memory, warnings);
     textures->read_all();
     SurfaceFinder surfaces(*scene, movement);
-    LightSet lights(*scene, textures.get());
+    LightSet lights(*scene, textures.get(), movement);
     const Preparation preparation{build_seconds, watch.seconds() - build_seconds,
                                   textures->held_bytes()};
     MaterialSet materials(*scene, *textures);

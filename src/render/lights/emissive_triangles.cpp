@@ -28,7 +28,8 @@ bool emits(const scene::Material& material) {
     return largest > 0.0F && std::isfinite(largest) && !material.unlit;
 }
 
-EmissiveTriangles::EmissiveTriangles(const scene::Scene& scene) : scene_(&scene) {
+EmissiveTriangles::EmissiveTriangles(const scene::Scene& scene, const scene::Movement& movement)
+    : scene_(&scene), moving_(movement) {
     const auto triangles = [&scene](const scene::Instance& instance) -> std::size_t {
         const scene::Mesh& mesh = scene.meshes[instance.mesh.value()];
         return emits(scene.materials[mesh.material.value()]) ? mesh.triangles.size() : 0;
@@ -59,6 +60,7 @@ std::optional<std::size_t> EmissiveTriangles::run_with(const embree::Hit& hit) c
 void EmissiveTriangles::find_closed_objects() {
     constexpr std::size_t max_triangles = 1'000'000;  // About a third of a second.
     constexpr float small = 0.25F;
+    constexpr float middle = 0.5F;
     if (count_ == 0 || count_ > max_triangles) {
         return;
     }
@@ -69,7 +71,7 @@ void EmissiveTriangles::find_closed_objects() {
         const std::uint32_t object = scene_->instances[run.instance].object;
         const scene::Material& surface = material(run.instance);
         candidates[object] = surface.alpha_mode == scene::AlphaMode::opaque ? 1 : 0;
-        const WorldTriangle one = triangle(run.instance, run.first);
+        const WorldTriangle one = triangle(run.instance, run.first, middle);
         boxes[object].extendBy(one.corner);
         boxes[object].extendBy(one.corner + one.edge_1);
         boxes[object].extendBy(one.corner + one.edge_2);
@@ -117,31 +119,40 @@ float EmissiveTriangles::emitted(const EmissiveRun& run, std::uint32_t triangle,
 LightBounds EmissiveTriangles::bounds(const EmissiveRun& run,
                                       const TextureLibrary* textures) const {
     const float front = placements_[run.instance].front;
+    const std::size_t steps = moving_.step_count(run.instance);
     std::vector<LightBounds> all;
-    all.reserve(run.count);
-    for (std::uint32_t i = 0; i < run.count; ++i) {
-        const WorldTriangle one = triangle(run.instance, run.first + i);
-        const V3f across = one.across();
-        const float power = 0.5F * across.length() * emitted(run, run.first + i, textures);
-        if (!(power > 0.0F) || !std::isfinite(power)) {
-            continue;
+    all.reserve(run.count * steps);
+    for (std::size_t step = 0; step < steps; ++step) {
+        const float time =
+            static_cast<float>(step) / static_cast<float>(std::max<std::size_t>(steps - 1, 1));
+        for (std::uint32_t i = 0; i < run.count; ++i) {
+            const WorldTriangle one = triangle(run.instance, run.first + i, time);
+            const V3f across = one.across();
+            const float power = 0.5F * across.length() * emitted(run, run.first + i, textures) /
+                                static_cast<float>(steps);
+            if (!(power > 0.0F) || !std::isfinite(power)) {
+                continue;
+            }
+            LightBounds found;
+            found.box.extendBy(one.corner);
+            found.box.extendBy(one.corner + one.edge_1);
+            found.box.extendBy(one.corner + one.edge_2);
+            found.axis = (front < 0.0F ? -across : across).normalized();
+            found.cosine_falloff = 0.0F;
+            found.two_sided = front == 0.0F;
+            found.power = power;
+            all.push_back(found);
         }
-        LightBounds found;
-        found.box.extendBy(one.corner);
-        found.box.extendBy(one.corner + one.edge_1);
-        found.box.extendBy(one.corner + one.edge_2);
-        found.axis = (front < 0.0F ? -across : across).normalized();
-        found.cosine_falloff = 0.0F;
-        found.two_sided = front == 0.0F;
-        found.power = power;
-        all.push_back(found);
     }
     return bounds_of(all);
 }
 
-WorldTriangle EmissiveTriangles::triangle(std::uint32_t instance, std::uint32_t triangle) const {
+WorldTriangle EmissiveTriangles::triangle(std::uint32_t instance, std::uint32_t triangle,
+                                          float time) const {
     const scene::Mesh& mesh = scene_->meshes[scene_->instances[instance].mesh.value()];
-    const Imath::M44f& world_from_mesh = placements_[instance].world_from_mesh;
+    const std::optional<Imath::M44f> moved =
+        moving_.empty() ? std::nullopt : moving_.world_from_mesh(instance, time);
+    const Imath::M44f& world_from_mesh = moved ? *moved : placements_[instance].world_from_mesh;
     const auto corner = [&](std::size_t i) {
         return placed(mesh.positions[mesh.triangles[triangle][i]], world_from_mesh);
     };

@@ -15,6 +15,7 @@
 #include "balcony/scene.hpp"
 #include "render/embree/accelerator.hpp"
 #include "render/lights/light_bounds.hpp"
+#include "render/shading/motion_steps.hpp"
 
 namespace balcony::render {
 
@@ -43,7 +44,7 @@ class EmissiveTriangles {
 public:
     static constexpr std::size_t max_runs = std::size_t{1} << 20U;
 
-    explicit EmissiveTriangles(const scene::Scene& scene);
+    explicit EmissiveTriangles(const scene::Scene& scene, const scene::Movement& movement = {});
 
     [[nodiscard]] const std::vector<EmissiveRun>& runs() const { return runs_; }
 
@@ -52,8 +53,8 @@ public:
     /// The run with a triangle; nothing if the triangle does not emit.
     [[nodiscard]] std::optional<std::size_t> run_with(const embree::Hit& hit) const;
 
-    /// Of the triangles of a run. Triangles without an area, or with one that overflows, have no
-    /// power.
+    /// Of the triangles of a run wherever they move. Triangles without an area, or with one that
+    /// overflows, have no power.
     [[nodiscard]] LightBounds bounds(const EmissiveRun& run,
                                      const class TextureLibrary* textures) const;
 
@@ -65,7 +66,9 @@ public:
         return front == 0.0F || front * triangle.across().dot(direction) < 0.0F;
     }
 
-    [[nodiscard]] WorldTriangle triangle(std::uint32_t instance, std::uint32_t triangle) const;
+    /// Where a triangle is at a time.
+    [[nodiscard]] WorldTriangle triangle(std::uint32_t instance, std::uint32_t triangle,
+                                         float time) const;
 
     [[nodiscard]] const scene::Material& material(std::uint32_t instance) const;
 
@@ -87,6 +90,7 @@ private:
     std::size_t count_ = 0;
     std::size_t run_length_ = 1;
     std::vector<Placement> placements_;  // By instance.
+    MovingPlacements moving_;
     std::vector<EmissiveRun> runs_;
 };
 

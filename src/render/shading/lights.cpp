@@ -13,6 +13,7 @@
 #include "render/lights/distant_lights.hpp"
 #include "render/lights/emissive_triangles.hpp"
 #include "render/lights/light_tree.hpp"
+#include "render/lights/moving_lamps.hpp"
 #include "render/lights/triangle_sampling.hpp"
 
 namespace balcony::render {
@@ -44,7 +45,9 @@ bool varies(const scene::Material& material) {
 
 // The lights at finite distances: point and spot lights, then runs of emissive triangles.
 struct LightSet::Finite {
-    Finite(const scene::Scene& scene, const TextureLibrary* textures) : triangles(scene) {
+    Finite(const scene::Scene& scene, const TextureLibrary* textures,
+           const scene::Movement& movement)
+        : triangles(scene, movement), moving(scene, movement) {
         for (std::size_t i = 0; i < scene.lights.size(); ++i) {
             if (scene.lights[i].kind != scene::LightKind::directional) {
                 lamps.push_back(i);
@@ -53,7 +56,7 @@ struct LightSet::Finite {
         std::vector<LightBounds> bounds;
         bounds.reserve(lamps.size() + triangles.runs().size());
         for (const std::size_t lamp : lamps) {
-            bounds.push_back(bounds_of(scene.lights[lamp], scene.meters_per_unit));
+            bounds.push_back(moving.bounds(lamp));
         }
         for (const EmissiveRun& run : triangles.runs()) {
             bounds.push_back(triangles.bounds(run, textures));
@@ -62,13 +65,15 @@ struct LightSet::Finite {
     }
 
     EmissiveTriangles triangles;
+    MovingLamps moving;
     std::vector<std::size_t> lamps;  // Indices into Scene::lights.
     std::unique_ptr<const LightTree> tree;
 };
 
-LightSet::LightSet(const scene::Scene& scene, const TextureLibrary* textures)
+LightSet::LightSet(const scene::Scene& scene, const TextureLibrary* textures,
+                   const scene::Movement& movement)
     : scene_(&scene),
-      finite_(std::make_shared<const Finite>(scene, textures)),
+      finite_(std::make_shared<const Finite>(scene, textures, movement)),
       distant_(std::make_shared<const DistantLights>(scene, std::nullopt, std::nullopt)) {}
 
 LightSet LightSet::with(const std::optional<Environment>& environment,
@@ -131,7 +136,7 @@ std::optional<LightSample> LightSet::sample_finite(const LitPoint& point, const 
         return std::nullopt;
     }
     if (chosen->light < finite_->lamps.size()) {
-        const scene::Light& lamp = scene_->lights[finite_->lamps[chosen->light]];
+        const scene::Light& lamp = finite_->moving.lamp(finite_->lamps[chosen->light], point.time);
         const Illumination found = light_of(lamp, point.position, scene_->meters_per_unit);
         return luminance(found.irradiance) > 0.0F
                    ? std::optional(LightSample{found.to_light, found.distance, found.irradiance,
@@ -144,7 +149,7 @@ std::optional<LightSample> LightSet::sample_finite(const LitPoint& point, const 
         static_cast<std::uint32_t>(random.y * static_cast<float>(run.count)), run.count - 1);
     const float within = random.y * static_cast<float>(run.count) - static_cast<float>(in_run);
     const std::uint32_t triangle = run.first + in_run;
-    const WorldTriangle shape = triangles.triangle(run.instance, triangle);
+    const WorldTriangle shape = triangles.triangle(run.instance, triangle, point.time);
     const auto found = sample_triangle(shape, point.position, V2f(within, random.z));
     if (!found || !triangles.shines(run.instance, shape, found->direction)) {
         return std::nullopt;
@@ -163,7 +168,7 @@ float LightSet::pdf_of_emitter(const LitPoint& point, const V3f& to_light, float
                                const embree::Hit& emitter) const {
     const EmissiveTriangles& triangles = finite_->triangles;
     const std::optional<std::size_t> run = triangles.run_with(emitter);
-    const WorldTriangle shape = triangles.triangle(emitter.instance, emitter.triangle);
+    const WorldTriangle shape = triangles.triangle(emitter.instance, emitter.triangle, point.time);
     if (!run || !triangles.shines(emitter.instance, shape, to_light)) {
         return 0.0F;
     }
@@ -194,8 +199,8 @@ Illumination LightSet::arriving(std::size_t light, const LitPoint& point) const 
     if (scene_->default_light && light == 0) {
         return {point.to_viewer, 0.0F, eye_irradiance};
     }
-    return light_of(scene_->lights[light - (scene_->default_light ? 1 : 0)], point.position,
-                    scene_->meters_per_unit);
+    return light_of(finite_->moving.lamp(light - (scene_->default_light ? 1 : 0), point.time),
+                    point.position, scene_->meters_per_unit);
 }
 
 }  // namespace balcony::render

@@ -24,6 +24,7 @@ struct LitPoint {
     Imath::V3f position;      ///< World coordinates.
     Imath::V3f to_viewer;     ///< Unit.
     Imath::V3f normal{0.0F};  ///< Unit: only light from its side counts. 0: from all sides.
+    float time = 0.0F;        ///< Of the ray to it: moving lights are where they are then.
 };
 
 /// Light that may arrive at a point along a random direction. The mean over all random numbers of
@@ -49,7 +50,8 @@ class TextureLibrary;
 class LightSet {
 public:
     /// The textures tell how strong emissive triangles are; without them, textures count as white.
-    explicit LightSet(const scene::Scene& scene, const TextureLibrary* textures = nullptr);
+    explicit LightSet(const scene::Scene& scene, const TextureLibrary* textures = nullptr,
+                      const scene::Movement& movement = {});
 
     /// The same with an environment, and with another angular diameter of directional lights, in
     /// radians.

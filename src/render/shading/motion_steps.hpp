@@ -3,8 +3,13 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <unordered_map>
+#include <vector>
+
+#include <Imath/ImathMatrix.h>
 
 #include "balcony/motion.hpp"
 
@@ -35,6 +40,23 @@ public:
 private:
     const scene::Scene* scene_;
     std::unordered_map<std::size_t, const scene::InstanceSteps*> instances_;
+};
+
+/// The places of the instances that move, in floats, as they are traced: between two steps, the
+/// elements of the matrix change linearly.
+class MovingPlacements {
+public:
+    explicit MovingPlacements(const scene::Movement& movement);
+
+    [[nodiscard]] bool empty() const { return steps_.empty(); }
+    /// The place of an instance at a time; nothing if it stands still.
+    [[nodiscard]] std::optional<Imath::M44f> world_from_mesh(std::uint32_t instance,
+                                                             float time) const;
+    /// 1 if the instance stands still.
+    [[nodiscard]] std::size_t step_count(std::uint32_t instance) const;
+
+private:
+    std::unordered_map<std::uint32_t, std::vector<Imath::M44f>> steps_;
 };
 
 }  // namespace balcony::render

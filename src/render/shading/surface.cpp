@@ -9,8 +9,6 @@
 #include <limits>
 #include <optional>
 
-#include "render/shading/motion_steps.hpp"
-
 namespace balcony::render {
 
 namespace {
@@ -173,7 +171,7 @@ void Surface::map_normal(const V3f& in_tangent_space, const scene::TextureUse& u
 }
 
 SurfaceFinder::SurfaceFinder(const scene::Scene& scene, const scene::Movement& movement)
-    : scene_(&scene) {
+    : scene_(&scene), moving_(movement) {
     placements_.reserve(scene.instances.size());
     for (const scene::Instance& instance : scene.instances) {
         const scene::M44d& m = instance.world_from_mesh;
@@ -182,24 +180,14 @@ SurfaceFinder::SurfaceFinder(const scene::Scene& scene, const scene::Movement& m
         placements_.push_back({Imath::M44f(m), Imath::M33f(linear.inverse().transposed()),
                                linear.determinant() < 0.0 ? -1.0F : 1.0F});
     }
-    for (const scene::InstanceSteps& steps : movement.instances) {
-        std::vector<Imath::M44f>& matrices = moving_[static_cast<std::uint32_t>(steps.instance)];
-        for (const scene::M44d& world_from_mesh : steps.world_from_mesh) {
-            matrices.emplace_back(world_from_mesh);
-        }
-    }
 }
 
-// As Embree places it: the elements of the matrix change linearly from step to step.
 SurfaceFinder::Placement SurfaceFinder::placement_at(std::uint32_t instance, float time) const {
-    const auto moving = moving_.find(instance);
-    if (moving == moving_.end()) {
+    const std::optional<Imath::M44f> moved = moving_.world_from_mesh(instance, time);
+    if (!moved) {
         return placements_[instance];
     }
-    const std::vector<Imath::M44f>& steps = moving->second;
-    const BetweenSteps place(time, steps.size());
-    const Imath::M44f m =
-        steps[place.before] * (1.0F - place.part) + steps[place.before + 1] * place.part;
+    const Imath::M44f& m = *moved;
     const Imath::M33f linear(m[0][0], m[0][1], m[0][2], m[1][0], m[1][1], m[1][2], m[2][0], m[2][1],
                              m[2][2]);
     return {m, linear.inverse().transposed(), linear.determinant() < 0.0F ? -1.0F : 1.0F};

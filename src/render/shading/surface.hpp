@@ -7,7 +7,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 #include <Imath/ImathMatrix.h>
@@ -16,6 +15,7 @@
 #include "balcony/motion.hpp"
 #include "balcony/scene.hpp"
 #include "render/embree/accelerator.hpp"
+#include "render/shading/motion_steps.hpp"
 #include "render/textures/texture_library.hpp"
 
 namespace balcony::render {
@@ -125,8 +125,7 @@ private:
 
     const scene::Scene* scene_;
     std::vector<Placement> placements_;  // By instance.
-    // Of the instances that move, at equal steps of time.
-    std::unordered_map<std::uint32_t, std::vector<Imath::M44f>> moving_;
+    MovingPlacements moving_;
 };
 
 }  // namespace balcony::render
