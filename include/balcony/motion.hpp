@@ -11,8 +11,10 @@
 // A scene in which nothing moves has no Motion and pays nothing for this.
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -74,6 +76,45 @@ struct MovingCamera {
     NodeIndex node;
 };
 
+/// Displacements of the vertices of a mesh, multiplied by a weight.
+struct MorphTarget {
+    std::vector<V3f> positions;  ///< Empty or one per vertex.
+    std::vector<V3f> normals;    ///< Empty or one per vertex.
+};
+
+/// A node that vertices follow.
+struct Joint {
+    NodeIndex node;
+    M44d joint_from_mesh;  ///< As the mesh is bound to it.
+};
+
+/// How much a vertex follows a joint.
+struct Influence {
+    std::uint32_t joint = 0;  ///< Index into Deformation::joints.
+    float weight = 0.0F;      ///< Those of a vertex add up to 1.
+};
+
+/// A mesh whose shape depends on time: first by morph targets, then by joints. Only one instance
+/// has the mesh; if there are joints, it stands at the origin of the world.
+struct Deformation {
+    MeshIndex mesh;
+    std::vector<V3f> positions;  ///< Of the mesh without deformation.
+    std::vector<V3f> normals;
+    std::vector<std::array<std::uint32_t, 3>> flat;  ///< The triangles of the mesh, if its normals
+                                                     ///< are theirs; otherwise empty.
+    std::vector<MorphTarget> targets;
+    std::vector<float> weights;  ///< Of the targets, if the track is not valid.
+    TrackIndex weights_track;
+    std::vector<Joint> joints;
+    std::vector<Influence> influences;  ///< The same number for each vertex.
+};
+
+/// The vertices of a mesh at a time.
+struct Shape {
+    std::vector<V3f> positions;
+    std::vector<V3f> normals;  ///< Unit.
+};
+
 /// An animation of the file. All of them play at the same time; what two of them move follows the
 /// first.
 struct Animation {
@@ -90,6 +131,7 @@ struct Motion {
     std::vector<MovingInstance> instances;
     std::vector<MovingLight> lights;
     std::vector<MovingCamera> cameras;
+    std::vector<Deformation> deformations;
 };
 
 /// A scale, then a rotation, then a translation, as glTF's nodes have them.
@@ -98,12 +140,14 @@ struct Motion {
 /// Where a node stands.
 [[nodiscard]] M44d world_from_node(const Motion& motion, NodeIndex node, double time);
 
+[[nodiscard]] Shape shape_at(const Motion& motion, const Deformation& deformation, double time);
+
 // ----------------------------------------------------------------------- a scene at a time
 
-/// Moves instances, lights and cameras to where they stand at a time, which becomes
-/// Scene::time. What cannot stand there (a transform that is singular or beyond the limits of a
-/// scene) keeps its place with a warning that names it. Does not change scenes without motion, but
-/// for their time.
+/// Moves instances, lights, cameras and the vertices of meshes to where they stand at a time, which
+/// becomes Scene::time. What cannot stand there (a transform that is singular or beyond the limits
+/// of a scene) keeps its place with a warning that names it. Does not change scenes without motion,
+/// but for their time.
 Diagnostics move_to(Scene& scene, double time);
 
 /// From one time to another, in seconds.
@@ -134,17 +178,26 @@ struct LightSteps {
     std::vector<V3d> directions;  ///< Unit.
 };
 
+/// The shapes of a mesh at equal steps of time. Between them, vertices move along straight lines.
+struct MeshSteps {
+    MeshIndex mesh;
+    std::shared_ptr<const std::vector<Shape>> shapes;
+};
+
 /// How a scene moves during an interval: what does not move is not listed.
 struct Movement {
     std::vector<InstanceSteps> instances;
     std::vector<LightSteps> lights;
+    std::vector<MeshSteps> meshes;
 };
 
 /// The largest number of steps, as Embree has it.
 inline constexpr std::size_t max_steps = 129;
 /// The number of steps is such that no vertex leaves its true path by more than this part of
-/// the size of its mesh in the world, or it is max_steps.
+/// the size of its mesh, or it is the largest.
 inline constexpr double step_error = 1e-3;
+/// A mesh has fewer steps if they would have more vertices than this, but at least 3.
+inline constexpr std::size_t max_step_vertices = std::size_t{1} << 25U;
 
 /// The movement of a scene during an interval. Nothing moves in an interval that is an instant, or
 /// not finite.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -41,8 +42,9 @@ void for_each_attribute(Mesh& mesh, Action action) {
 }
 
 // Replaces the vertices by some of them.
-void select_vertices(Mesh& mesh, const std::vector<std::uint32_t>& selected) {
-    for_each_attribute(mesh, [&]<class Element>(std::vector<Element>& attribute) {
+void select_vertices(Mesh& mesh, const std::vector<std::uint32_t>& selected,
+                     std::vector<std::uint32_t>* vertices) {
+    const auto select = [&]<class Element>(std::vector<Element>& attribute) {
         if (attribute.empty()) {
             return;
         }
@@ -51,7 +53,11 @@ void select_vertices(Mesh& mesh, const std::vector<std::uint32_t>& selected) {
             kept[i] = attribute[selected[i]];
         }
         attribute = std::move(kept);
-    });
+    };
+    for_each_attribute(mesh, select);
+    if (vertices != nullptr) {
+        select(*vertices);
+    }
 }
 
 bool has_area(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
@@ -94,7 +100,7 @@ void drop_bad_triangles(Mesh& mesh, Import& import) {
     }
 }
 
-void keep_used_vertices(Mesh& mesh) {
+void keep_used_vertices(Mesh& mesh, std::vector<std::uint32_t>* vertices) {
     constexpr std::uint32_t unused = 0xffffffffU;
     std::vector<std::uint32_t> place(mesh.positions.size(), unused);
     std::size_t count = 0;
@@ -120,7 +126,7 @@ void keep_used_vertices(Mesh& mesh) {
             index = place[index];
         }
     }
-    select_vertices(mesh, used);
+    select_vertices(mesh, used, vertices);
 }
 
 void clean_texture_coordinates(Mesh& mesh, Import& import) {
@@ -156,7 +162,7 @@ void normalize_tangents(Mesh& mesh) {
 }
 
 // Gives every triangle separate vertices, with its normal.
-void make_flat(Mesh& mesh) {
+void make_flat(Mesh& mesh, std::vector<std::uint32_t>* vertices) {
     std::vector<std::uint32_t> corners;
     corners.reserve(mesh.triangles.size() * 3);
     std::vector<V3f> normals;
@@ -169,7 +175,7 @@ void make_flat(Mesh& mesh) {
             index = static_cast<std::uint32_t>(corners.size() - 1);
         }
     }
-    select_vertices(mesh, corners);
+    select_vertices(mesh, corners, vertices);
     mesh.normals = std::move(normals);
 }
 
@@ -215,7 +221,11 @@ bool usable(const V3f& position) {
     return fits(position.x) && fits(position.y) && fits(position.z);
 }
 
-std::optional<Mesh> finish_mesh(Mesh mesh, Import& import) {
+std::optional<Mesh> finish_mesh(Mesh mesh, Import& import, std::vector<std::uint32_t>* vertices) {
+    if (vertices != nullptr) {
+        vertices->resize(mesh.positions.size());
+        std::iota(vertices->begin(), vertices->end(), 0U);
+    }
     for_each_attribute(mesh, [&]([[maybe_unused]] const auto& attribute) {
         assert(attribute.empty() || attribute.size() == mesh.positions.size());
     });
@@ -223,12 +233,12 @@ std::optional<Mesh> finish_mesh(Mesh mesh, Import& import) {
     if (mesh.triangles.empty()) {
         return std::nullopt;
     }
-    keep_used_vertices(mesh);
+    keep_used_vertices(mesh, vertices);
     clean_texture_coordinates(mesh, import);
     clean_colors(mesh);
     normalize_tangents(mesh);
     if (mesh.normals.empty()) {
-        make_flat(mesh);
+        make_flat(mesh, vertices);
     } else {
         normalize_normals(mesh, import);
     }

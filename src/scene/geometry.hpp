@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "scene/import.hpp"
 
@@ -13,8 +15,10 @@ namespace balcony::scene {
 /// triangles without area, and unused vertices; adds flat normals to a mesh without normals;
 /// normalises normals and tangents, replacing normals of length 0 by that of the faces. Warns with
 /// counts and the mesh's name. Attributes of vertices must be empty or one per vertex. Nothing if
-/// no triangle remains.
-[[nodiscard]] std::optional<Mesh> finish_mesh(Mesh mesh, Import& import);
+/// no triangle remains. If requested, `vertices` receives, by vertex of the result, the vertex of
+/// the given mesh.
+[[nodiscard]] std::optional<Mesh> finish_mesh(Mesh mesh, Import& import,
+                                              std::vector<std::uint32_t>* vertices = nullptr);
 
 /// A colour as formats of vertex colours store it, clamped to 0 .. 1, as linear light.
 [[nodiscard]] Color3f linear_of_srgb(const Color3f& color);

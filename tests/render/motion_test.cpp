@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "balcony/motion.hpp"
+#include "render/shading/lights.hpp"
 #include "support.hpp"
 
 namespace balcony::render::test {
@@ -222,6 +223,73 @@ TEST(Motion, AllWaysToPlaceAMeshMove) {
         EXPECT_NEAR(red(film, wide / 2), 0.5, moments + filter) << shrink;
         EXPECT_NEAR(red(film, wide / 4), 0.25, moments + filter) << shrink;
         EXPECT_EQ(red(film, 8), 0.0) << shrink;
+    }
+}
+
+// A morph target that moves the bar of TranslationBlursByTheShutter.
+TEST(Motion, ShapesBlur) {
+    scene::Scene scene;
+    add(scene, bar(0.0F, 0.25F), white());
+    auto motion = std::make_shared<scene::Motion>();
+    motion->tracks = {{scene::Interpolation::linear, 1, {0.0, 1.0}, {-0.5F, 0.5F}}};
+    scene::Deformation deformation;
+    deformation.mesh = scene::MeshIndex(0);
+    deformation.positions = scene.meshes[0].positions;
+    deformation.normals = scene.meshes[0].normals;
+    deformation.targets = {{std::vector<V3f>(4, V3f(1.0F, 0.0F, 0.0F)), {}}};
+    deformation.weights = {0.0F};
+    deformation.weights_track = scene::TrackIndex(0);
+    motion->deformations = {deformation};
+    scene.motion = std::move(motion);
+    const Film film = exposed(scene, orthographic(view_down_z(0, 0, 2)), strip());
+    for (std::size_t x = 0; x < wide; ++x) {
+        const double at = across(x, wide) + 0.5;
+        const double expected =
+            before(ShutterShape::box, at + 0.25) - before(ShutterShape::box, at - 0.25);
+        ASSERT_NEAR(red(film, x), expected, moments + filter) << x;
+    }
+}
+
+// What a moving light gives at a time is what it gives where it then stands.
+TEST(Motion, LightsAreWhereTheyAreAtTheTime) {
+    scene::Scene scene;
+    scene::Material glowing = white();
+    glowing.emission = scene::Color3f(5.0F);
+    add(scene, parallelogram({-0.5F, -0.5F, 0}, {0, 1, 0}, {1, 0, 0}), glowing);
+    set_in_motion(scene, {{-2, 0, 3}, {2, 0, 1}, 0.0, 1.0, {1.0, 0.0, 0.0}});
+    scene::Light lamp;
+    lamp.intensity = scene::Color3f(7.0F);
+    scene.lights = {lamp};
+    auto motion = std::make_shared<scene::Motion>(*scene.motion);
+    motion->lights = {{0, scene::NodeIndex(0)}};
+    scene.motion = motion;
+    scene::move_to(scene, 0.5);
+    const scene::Movement movement = scene::movement(scene, {0.0, 1.0});
+    const LightSet moving(scene, movement);
+    const auto irradiance = [](const LightSet& lights, const LitPoint& point) {
+        constexpr int cells = 48;
+        double total = 0.0;
+        for (int i = 0; i < cells * cells * cells; ++i) {
+            const auto at = [](int cell) {
+                return (static_cast<float>(cell % cells) + 0.5F) / cells;
+            };
+            const auto sample = lights.sample(point, {at(i), at(i / cells), at(i / cells / cells)});
+            total += sample ? double{std::max(sample->to_light.dot(point.normal), 0.0F) *
+                                     sample->radiance.x / sample->pdf}
+                            : 0.0;
+        }
+        return total / (cells * cells * cells);
+    };
+    for (const float time : {0.0F, 0.25F, 0.5F, 1.0F}) {
+        scene::move_to(scene, static_cast<double>(time));
+        const LightSet still(scene);
+        const LitPoint point{V3f(0.0F), {0, 0, 1}, {0, 0, 1}, time};
+        const double expected = irradiance(still, point);
+        EXPECT_GT(expected, 0.1);
+        // The grid of numbers divides differently among the lights, by at most a cell of each.
+        EXPECT_NEAR(irradiance(moving, point), expected, expected * 3.0 / 48.0) << time;
+        const float direct = still.arriving(0, point).irradiance.x;
+        EXPECT_NEAR(moving.arriving(0, point).irradiance.x, direct, 1e-4F * direct) << time;
     }
 }
 

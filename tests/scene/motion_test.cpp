@@ -376,4 +376,141 @@ TEST_F(Motions, SharedKeysAreLimited) {
     EXPECT_LT(scene->motion->tracks.size(), 20U);
 }
 
+// ------------------------------------------------------------------------------ deformations
+
+namespace {
+
+/// A triangle whose second vertex a morph target lifts by 2, with the normals of the result.
+Gltf lifted_triangle() {
+    Gltf gltf = one_triangle();
+    const std::size_t lift = gltf.add_floats({0, 0, 0, 0, 0, 2, 0, 0, 0}, 3);
+    gltf.primitive(0)["targets"] = {{{"POSITION", lift}}};
+    return gltf;
+}
+
+/// A triangle with two joints: the first vertex follows one, the second one the other, and the
+/// third one both. The joint "arm" is at (1, 0, 0), to which the mesh is bound.
+Gltf skinned_triangle() {
+    Gltf gltf = one_triangle();
+    const std::size_t joints = gltf.add_shorts({0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}, 4);
+    const std::size_t weights = gltf.add_floats({1, 0, 0, 0, 1, 0, 0, 0, 0.5F, 0.5F, 0, 0}, 4);
+    gltf.primitive(0)["attributes"]["JOINTS_0"] = joints;
+    gltf.primitive(0)["attributes"]["WEIGHTS_0"] = weights;
+    const std::size_t matrices = gltf.add_floats({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0,  0, 0, 1,
+                                                  1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -1, 0, 0, 1},
+                                                 16);
+    gltf.json["accessors"][matrices]["type"] = "MAT4";
+    const std::size_t root = gltf.add_node({{"name", "root"}});
+    const std::size_t arm = gltf.add_node({{"name", "arm"}, {"translation", {1, 0, 0}}}, false);
+    gltf.json["nodes"][root]["children"] = {arm};
+    gltf.json["skins"] = {{{"joints", {root, arm}}, {"inverseBindMatrices", matrices}}};
+    gltf.json["nodes"][0]["skin"] = 0;
+    gltf.json["nodes"][0]["translation"] = {0, 0, 100};  // Which a skin ignores.
+    return gltf;
+}
+
+}  // namespace
+
+TEST_F(Motions, MorphTargetsFollowTheirWeights) {
+    Gltf gltf = lifted_triangle();
+    animate(gltf, 0, "weights", {0, 1}, {0, 1}, 1);
+    auto scene = load_glb(gltf);
+    ASSERT_TRUE(scene && scene.diagnostics.empty()) << said(scene);
+    EXPECT_EQ(scene->meshes[0].positions[1], V3f(1, 0, 0));
+    move_to(*scene, 0.25);
+    EXPECT_EQ(scene->meshes[0].positions[1], V3f(1, 0, 0.5F));
+    EXPECT_EQ(scene->meshes[0].positions[2], V3f(0, 1, 0));
+    const Movement moves = around(*scene, 0.1);
+    ASSERT_EQ(moves.meshes.size(), 1U);
+    ASSERT_EQ(moves.meshes[0].shapes->size(), 2U) << "straight lines";
+    EXPECT_NEAR(moves.meshes[0].shapes->back().positions[1].z, 0.6F, float_rounding);
+}
+
+TEST_F(Motions, WeightsWithoutAnimationAreApplied) {
+    Gltf gltf = lifted_triangle();
+    gltf.json["meshes"][0]["weights"] = {0.5};
+    gltf.add_node({{"name", "own"}, {"mesh", 0}, {"weights", {2.0}}});
+    const auto scene = load_glb(gltf);
+    ASSERT_TRUE(scene && scene.diagnostics.empty()) << said(scene);
+    ASSERT_EQ(scene->meshes.size(), 2U);
+    EXPECT_EQ(scene->meshes[0].positions[1], V3f(1, 0, 1));
+    EXPECT_EQ(scene->meshes[1].positions[1], V3f(1, 0, 4)) << "a node's weights replace the mesh's";
+    EXPECT_FALSE(scene->motion);
+}
+
+TEST_F(Motions, FlatNormalsFollowTheShape) {
+    Gltf gltf = lifted_triangle();
+    gltf.primitive(0)["attributes"].erase("NORMAL");
+    gltf.json["meshes"][0]["weights"] = {0.5};
+    const auto scene = load_glb(gltf);
+    ASSERT_TRUE(scene && scene.diagnostics.empty()) << said(scene);
+    const Mesh& mesh = scene->meshes[0];
+    // The triangle (0,0,0) (1,0,1) (0,1,0).
+    const V3f expected = V3f(-1, 0, 1).normalized();
+    for (const V3f& normal : mesh.normals) {
+        EXPECT_LT((normal - expected).length(), 1e-6F) << normal.x << ' ' << normal.z;
+    }
+}
+
+TEST_F(Motions, VerticesFollowTheirJoints) {
+    Gltf gltf = skinned_triangle();
+    const std::size_t arm = gltf.json["nodes"].size() - 1;
+    animate(gltf, arm, "rotation", {0, 1}, quarter_turn(), 4);
+    auto scene = load_glb(gltf);
+    ASSERT_TRUE(scene && scene.diagnostics.empty()) << said(scene);
+    EXPECT_EQ(scene->instances[0].world_from_mesh, M44d()) << "joints place the mesh";
+    expect_near(V3d(scene->meshes[0].positions[2]), V3d(0, 1, 0));
+    move_to(*scene, 1.0);
+    const Mesh& mesh = scene->meshes[0];
+    expect_near(V3d(mesh.positions[0]), V3d(0, 0, 0));
+    expect_near(V3d(mesh.positions[1]), V3d(1, 0, 0));
+    // Half way between where it was, and (0, 1) turned about (1, 0), which is (0, -1).
+    expect_near(V3d(mesh.positions[2]), V3d(0, 0, 0));
+    const Movement moves = around(*scene, 1.0);
+    ASSERT_EQ(moves.meshes.size(), 1U);
+    EXPECT_GT(moves.meshes[0].shapes->size(), 2U) << "an arc";
+    EXPECT_TRUE(moves.instances.empty());
+}
+
+TEST_F(Motions, BadDeformationsAreNamed) {
+    struct Case {
+        const char* said;
+        Gltf (*make)();
+        void (*spoil)(Gltf&);
+    };
+    const std::vector<Case> cases{
+        {"its 'weights' has 3 numbers where 1 are required", lifted_triangle,
+         [](Gltf& g) {
+             g.json["meshes"][0]["weights"] = {1, 2, 3};
+         }},
+        {"a displacement of its morph targets is not finite", lifted_triangle,
+         [](Gltf& g) {
+             constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+             g.primitive(0)["targets"][0]["POSITION"] =
+                 g.add_floats({0, 0, 0, nan, 0, 2, 0, 0, 0}, 3);
+         }},
+        {"its POSITION are fewer than its positions", lifted_triangle,
+         [](Gltf& g) {
+             g.primitive(0)["targets"][0]["POSITION"] = g.add_floats({0, 0, 0}, 3);
+         }},
+        {"it has a skin, but no JOINTS_0 and WEIGHTS_0", skinned_triangle,
+         [](Gltf& g) { g.primitive(0)["attributes"].erase("WEIGHTS_0"); }},
+        {"a vertex follows joint 1 of 1", skinned_triangle,
+         [](Gltf& g) { g.json["skins"][0]["joints"].erase(1); }},
+        {"its joint 1 is not in the scene", skinned_triangle,
+         [](Gltf& g) { g.json["skins"][0]["joints"][1] = 77; }},
+        {"the file has no 'skins' with index 5", skinned_triangle,
+         [](Gltf& g) { g.json["nodes"][0]["skin"] = 5; }},
+    };
+    for (const Case& spoiled : cases) {
+        Gltf gltf = spoiled.make();
+        spoiled.spoil(gltf);
+        const auto scene = load_glb(gltf);
+        ASSERT_TRUE(scene) << said(scene);
+        EXPECT_TRUE(says(scene, spoiled.said));
+        EXPECT_TRUE(says(scene, "mesh 'mesh' is shown as stored"));
+        EXPECT_EQ(scene->triangle_count(), 1U);
+    }
+}
+
 }  // namespace balcony::scene::testing

@@ -137,23 +137,28 @@ std::optional<double> reach_into(const scene::M44d& world_from_mesh) {
     return reach >= min_reach ? std::optional(reach) : std::nullopt;
 }
 
-// A mesh as triangles, with its positions transformed by matrices at equal steps of time, if any
-// are given.
-Geometry make_triangles(RTCDevice device, const scene::Scene& scene, const scene::Mesh& mesh,
-                        std::span<const scene::M44d> world_from_mesh) {
+// A mesh as triangles, placed as an instance is if one is given.
+Geometry make_triangles(RTCDevice device, const scene::Scene& scene, const MotionSteps& motion,
+                        scene::MeshIndex index, std::optional<std::size_t> instance) {
+    const scene::Mesh& mesh = scene.meshes[index.value()];
     Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
-    const auto steps = static_cast<unsigned>(std::max<std::size_t>(world_from_mesh.size(), 1));
-    rtcSetGeometryTimeStepCount(geometry.get(), steps);
-    for (unsigned step = 0; step < steps; ++step) {
-        auto* positions = static_cast<V3f*>(
-            rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, step, RTC_FORMAT_FLOAT3,
-                                    sizeof(V3f), mesh.positions.size()));
+    const std::size_t steps =
+        std::max(motion.shape_count(index), instance ? motion.matrices(*instance).size() : 1);
+    rtcSetGeometryTimeStepCount(geometry.get(), static_cast<unsigned>(steps));
+    for (std::size_t step = 0; step < steps; ++step) {
+        auto* positions = static_cast<V3f*>(rtcSetNewGeometryBuffer(
+            geometry.get(), RTC_BUFFER_TYPE_VERTEX, static_cast<unsigned>(step), RTC_FORMAT_FLOAT3,
+            sizeof(V3f), mesh.positions.size()));
         if (positions == nullptr) {
             return {};
         }
-        std::transform(mesh.positions.begin(), mesh.positions.end(), positions, [&](const V3f& p) {
-            return world_from_mesh.empty() ? p : V3f(scene::V3d(p) * world_from_mesh[step]);
-        });
+        const float time =
+            steps == 1 ? 0.0F : static_cast<float>(step) / static_cast<float>(steps - 1);
+        const scene::M44d placed = instance ? motion.matrix(*instance, time) : scene::M44d();
+        for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+            const V3f p = motion.position(index, v, time);
+            positions[v] = instance ? V3f(scene::V3d(p) * placed) : p;
+        }
     }
     auto* triangles = static_cast<std::array<std::uint32_t, 3>*>(
         rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
@@ -343,7 +348,7 @@ void Accelerator::State::place(const scene::Scene& scene, const MotionSteps& mot
     if (!mesh) {
         mesh = make_scene(device.get());
         if (const Geometry triangles =
-                make_triangles(device.get(), scene, scene.meshes[index.value()], {})) {
+                make_triangles(device.get(), scene, motion, index, std::nullopt)) {
             rtcAttachGeometry(mesh.get(), triangles.get());
         }
         rtcCommitScene(mesh.get());
@@ -358,9 +363,8 @@ void Accelerator::State::place(const scene::Scene& scene, const MotionSteps& mot
 
 void Accelerator::State::copy(const scene::Scene& scene, const MotionSteps& motion,
                               std::size_t instance) {
-    const scene::Mesh& mesh = scene.meshes[scene.instances[instance].mesh.value()];
     if (const Geometry triangles =
-            make_triangles(device.get(), scene, mesh, motion.matrices(instance))) {
+            make_triangles(device.get(), scene, motion, scene.instances[instance].mesh, instance)) {
         rtcAttachGeometryByID(world.get(), triangles.get(), static_cast<unsigned>(instance));
     }
 }

@@ -29,7 +29,7 @@ bool emits(const scene::Material& material) {
 }
 
 EmissiveTriangles::EmissiveTriangles(const scene::Scene& scene, const scene::Movement& movement)
-    : scene_(&scene), moving_(movement) {
+    : scene_(&scene), moving_(movement), shapes_(movement) {
     const auto triangles = [&scene](const scene::Instance& instance) -> std::size_t {
         const scene::Mesh& mesh = scene.meshes[instance.mesh.value()];
         return emits(scene.materials[mesh.material.value()]) ? mesh.triangles.size() : 0;
@@ -119,7 +119,8 @@ float EmissiveTriangles::emitted(const EmissiveRun& run, std::uint32_t triangle,
 LightBounds EmissiveTriangles::bounds(const EmissiveRun& run,
                                       const TextureLibrary* textures) const {
     const float front = placements_[run.instance].front;
-    const std::size_t steps = moving_.step_count(run.instance);
+    const std::size_t steps = std::max(moving_.step_count(run.instance),
+                                       shapes_.step_count(scene_->instances[run.instance].mesh));
     std::vector<LightBounds> all;
     all.reserve(run.count * steps);
     for (std::size_t step = 0; step < steps; ++step) {
@@ -149,12 +150,16 @@ LightBounds EmissiveTriangles::bounds(const EmissiveRun& run,
 
 WorldTriangle EmissiveTriangles::triangle(std::uint32_t instance, std::uint32_t triangle,
                                           float time) const {
-    const scene::Mesh& mesh = scene_->meshes[scene_->instances[instance].mesh.value()];
+    const scene::MeshIndex index = scene_->instances[instance].mesh;
+    const scene::Mesh& mesh = scene_->meshes[index.value()];
+    const auto& corners = mesh.triangles[triangle];
     const std::optional<Imath::M44f> moved =
         moving_.empty() ? std::nullopt : moving_.world_from_mesh(instance, time);
+    const std::optional<MeshCorners> shape =
+        shapes_.empty() ? std::nullopt : shapes_.corners(index, corners, time);
     const Imath::M44f& world_from_mesh = moved ? *moved : placements_[instance].world_from_mesh;
     const auto corner = [&](std::size_t i) {
-        return placed(mesh.positions[mesh.triangles[triangle][i]], world_from_mesh);
+        return placed(shape ? shape->positions[i] : mesh.positions[corners[i]], world_from_mesh);
     };
     const V3f p0 = corner(0);
     return {p0, corner(1) - p0, corner(2) - p0};

@@ -91,6 +91,7 @@ private:
     std::size_t run_length_ = 1;
     std::vector<Placement> placements_;  // By instance.
     MovingPlacements moving_;
+    MovingMeshes shapes_;
     std::vector<EmissiveRun> runs_;
 };
 

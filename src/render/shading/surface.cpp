@@ -171,7 +171,7 @@ void Surface::map_normal(const V3f& in_tangent_space, const scene::TextureUse& u
 }
 
 SurfaceFinder::SurfaceFinder(const scene::Scene& scene, const scene::Movement& movement)
-    : scene_(&scene), moving_(movement) {
+    : scene_(&scene), moving_(movement), shapes_(movement) {
     placements_.reserve(scene.instances.size());
     for (const scene::Instance& instance : scene.instances) {
         const scene::M44d& m = instance.world_from_mesh;
@@ -220,9 +220,17 @@ Surface SurfaceFinder::find(const embree::Hit& hit, const V3f& direction, float 
     }
     const Placement& placement = moved ? *moved : placements_[hit.instance];
     const auto& triangle = m.triangles[hit.triangle];
-    const V3f p0 = placed(m.positions[triangle[0]], placement.world_from_mesh);
-    const V3f p1 = placed(m.positions[triangle[1]], placement.world_from_mesh);
-    const V3f p2 = placed(m.positions[triangle[2]], placement.world_from_mesh);
+    std::optional<MeshCorners> shape;
+    if (!shapes_.empty()) {
+        shape = shapes_.corners(scene_->instances[hit.instance].mesh, triangle, time);
+    }
+    const auto position = [&](std::size_t i) {
+        return placed(shape ? shape->positions[i] : m.positions[triangle[i]],
+                      placement.world_from_mesh);
+    };
+    const V3f p0 = position(0);
+    const V3f p1 = position(1);
+    const V3f p2 = position(2);
 
     surface.edge_1 = p1 - p0;
     surface.edge_2 = p2 - p0;
@@ -240,10 +248,13 @@ Surface SurfaceFinder::find(const embree::Hit& hit, const V3f& direction, float 
     surface.mesh_normal = outside;
     surface.rounding_out = V3f(0.0F);
     if (!m.normals.empty()) {
-        const std::array<Corner, 3> corners{
-            Corner{p0, m.normals[triangle[0]] * placement.normal_from_mesh, 1.0F - hit.u - hit.v},
-            Corner{p1, m.normals[triangle[1]] * placement.normal_from_mesh, hit.u},
-            Corner{p2, m.normals[triangle[2]] * placement.normal_from_mesh, hit.v}};
+        const auto normal = [&](std::size_t i) {
+            return (shape ? shape->normals[i] : m.normals[triangle[i]]) *
+                   placement.normal_from_mesh;
+        };
+        const std::array<Corner, 3> corners{Corner{p0, normal(0), 1.0F - hit.u - hit.v},
+                                            Corner{p1, normal(1), hit.u},
+                                            Corner{p2, normal(2), hit.v}};
         set_normal(corners, -direction, surface);
     }
     if (!m.tangents.empty()) {

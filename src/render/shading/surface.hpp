@@ -126,6 +126,7 @@ private:
     const scene::Scene* scene_;
     std::vector<Placement> placements_;  // By instance.
     MovingPlacements moving_;
+    MovingMeshes shapes_;
 };
 
 }  // namespace balcony::render

@@ -43,6 +43,9 @@ std::size_t components_of(const std::string& type) {
     if (type == "SCALAR") {
         return 1;
     }
+    if (type == "MAT4") {
+        return 16;
+    }
     const bool vector =
         type.size() == 4 && type.starts_with("VEC") && type[3] >= '2' && type[3] <= '4';
     if (!vector) {
@@ -121,7 +124,7 @@ void GltfAccessor::replace(const GltfAccessor& indices, const GltfAccessor& valu
 const std::uint8_t* GltfAccessor::at(std::size_t element) const {
     assert(element < count_);
     // Elements without bytes are zero.
-    static constexpr std::array<std::uint8_t, 16> zero{};
+    static constexpr std::array<std::uint8_t, 64> zero{};
     if (!replaced_.empty()) {
         if (const auto found = replaced_.find(element); found != replaced_.end()) {
             return found->second;

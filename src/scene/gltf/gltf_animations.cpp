@@ -13,8 +13,8 @@ namespace balcony::scene {
 
 namespace {
 
-constexpr std::array property_names{"translation", "rotation", "scale"};
-constexpr std::array<std::size_t, property_names.size()> property_widths{3, 4, 3};
+constexpr std::array property_names{"translation", "rotation", "scale", "weights"};
+constexpr std::array<std::size_t, 3> property_widths{3, 4, 3};
 
 Interpolation interpolation_of(const std::string& name) {
     if (name == "LINEAR") {
@@ -50,13 +50,14 @@ std::vector<float> all_of(const GltfAccessor& accessor) {
 GltfAnimations::GltfAnimations(GltfDocument& document, Import& import)
     : document_(document),
       import_(import),
-      numbers_(document.size() + (std::size_t{1} << 20U),
+      numbers_(4 * document.size() + (std::size_t{1} << 22U),
                "the file's animations have more numbers than a file of its size may have"),
       depths_(document.size() + (std::size_t{1} << 20U),
               "the file's moving nodes are nested deeper than in a file of its size") {
     for (std::size_t i = 0; i < array_size(document.root(), "animations"); ++i) {
         read_animation(i);
     }
+    find_joints();
 }
 
 void GltfAnimations::read_animation(std::size_t index) {
@@ -90,7 +91,7 @@ void GltfAnimations::read_channel(const Json& animation, std::size_t index, cons
     }
     const auto moved = static_cast<std::size_t>(found - property_names.begin());
     const Json& moved_node = element(document_.root(), "nodes", *node);
-    if (!member(moved_node, "matrix").is_null()) {
+    if (path != "weights" && !member(moved_node, "matrix").is_null()) {
         throw PartError{fmt::format("its node {} has a matrix, which cannot be animated",
                                     in_quotes(node_name(moved_node, *node)))};
     }
@@ -98,8 +99,16 @@ void GltfAnimations::read_channel(const Json& animation, std::size_t index, cons
     if (!sampler) {
         throw PartError{"it has no sampler"};
     }
-    const TrackIndex made = track(animation, index, *sampler, property_widths[moved]);
-    TrackIndex& slot = moved_[*node][moved];
+    const bool is_weights = moved == property_widths.size();
+    const std::size_t targets = morph_target_count(document_.root(), moved_node);
+    if (is_weights && targets == 0) {
+        throw PartError{fmt::format("its node {} has no morph targets",
+                                    in_quotes(node_name(moved_node, *node)))};
+    }
+    const TrackIndex made =
+        track(animation, index, *sampler,
+              is_weights ? Numbers{targets, targets} : Numbers{property_widths[moved]});
+    TrackIndex& slot = is_weights ? weight_tracks_[*node] : moved_[*node][moved];
     if (slot.valid()) {
         throw PartError{fmt::format("animation {} moves the node {} already",
                                     in_quotes(motion_.animations[animation_of_[slot]].name),
@@ -112,16 +121,16 @@ void GltfAnimations::read_channel(const Json& animation, std::size_t index, cons
 }
 
 TrackIndex GltfAnimations::track(const Json& animation, std::size_t index, std::size_t sampler,
-                                 std::size_t width) {
+                                 const Numbers& numbers) {
     const auto known = tracks_.find({index, sampler});
     if (known != tracks_.end()) {
-        if (motion_.tracks[known->second.value()].width != width) {
+        if (motion_.tracks[known->second.value()].width != numbers.width) {
             throw PartError{
                 fmt::format("its sampler {} is also that of another property", sampler)};
         }
         return known->second;
     }
-    Track made = read_track(element(animation, "samplers", sampler), width);
+    Track made = read_track(element(animation, "samplers", sampler), numbers);
     const TrackIndex track(motion_.tracks.size());
     motion_.tracks.push_back(std::move(made));
     animation_of_[track] = index;
@@ -130,9 +139,9 @@ TrackIndex GltfAnimations::track(const Json& animation, std::size_t index, std::
 }
 
 // glTF 2.0, section 3.11.
-Track GltfAnimations::read_track(const Json& sampler, std::size_t width) {
+Track GltfAnimations::read_track(const Json& sampler, const Numbers& numbers) {
     Track track;
-    track.width = width;
+    track.width = numbers.width;
     track.interpolation = interpolation_of(text_in(sampler, "interpolation", "LINEAR"));
     const auto input = index_in(sampler, "input");
     const auto output = index_in(sampler, "output");
@@ -140,14 +149,15 @@ Track GltfAnimations::read_track(const Json& sampler, std::size_t width) {
         throw PartError{"its sampler has no 'input' or no 'output'"};
     }
     const GltfAccessor& times = document_.accessor(*input, 1);
-    const GltfAccessor& values = document_.accessor(*output, track.width);
-    const std::size_t rows = track.interpolation == Interpolation::cubic_spline ? 3 : 1;
+    const GltfAccessor& values = document_.accessor(*output, numbers.width / numbers.elements);
+    const std::size_t rows =
+        numbers.elements * (track.interpolation == Interpolation::cubic_spline ? 3 : 1);
     if (times.count() == 0 || values.count() != rows * times.count()) {
         throw PartError{fmt::format("it has {} and {} where {} are required",
                                     counted(times.count(), "key"), counted(values.count(), "value"),
                                     std::max<std::size_t>(rows * times.count(), 1))};
     }
-    numbers_.take(times.count() + values.count() * track.width);
+    numbers_.take(times.count() + values.count() * values.components());
     const std::vector<float> seconds = all_of(times);
     for (std::size_t key = 0; key < seconds.size(); ++key) {
         const double time = seconds[key];
@@ -159,7 +169,7 @@ Track GltfAnimations::read_track(const Json& sampler, std::size_t width) {
     track.values = all_of(values);
     for (std::size_t i = 0; i < track.values.size(); ++i) {
         if (!std::isfinite(track.values[i])) {
-            throw PartError{fmt::format("its value {} is not finite", i / width)};
+            throw PartError{fmt::format("its value {} is not finite", i / values.components())};
         }
     }
     return track;
@@ -170,7 +180,8 @@ NodeIndex GltfAnimations::visit(std::size_t gltf_node, NodeIndex parent,
     hang_new_parts();
     visited_ = {};
     const auto moved = moved_.find(gltf_node);
-    if (moved == moved_.end() && !parent.valid()) {
+    const auto joint = joints_.find(gltf_node);
+    if (moved == moved_.end() && joint == joints_.end() && !parent.valid()) {
         return {};
     }
     const Json& json = member(document_.root(), "nodes")[gltf_node];
@@ -189,6 +200,9 @@ NodeIndex GltfAnimations::visit(std::size_t gltf_node, NodeIndex parent,
     motion_.nodes.push_back(node);
     depth_.push_back(depth);
     visited_ = NodeIndex(motion_.nodes.size() - 1);
+    if (joint != joints_.end()) {
+        joint->second = visited_;
+    }
     return visited_;
 }
 
@@ -200,7 +214,9 @@ void GltfAnimations::hang_new_parts() {
     const Scene& scene = import_.scene;
     if (visited_.valid()) {
         for (std::size_t i = instances_; i < scene.instances.size(); ++i) {
-            motion_.instances.push_back({i, visited_});
+            if (!skinned_.contains(scene.instances[i].mesh)) {
+                motion_.instances.push_back({i, visited_});
+            }
         }
         for (std::size_t i = lights_; i < scene.lights.size(); ++i) {
             motion_.lights.push_back({i, visited_});
@@ -216,8 +232,17 @@ void GltfAnimations::hang_new_parts() {
 
 void GltfAnimations::finish() {
     hang_new_parts();
-    if (!motion_.animations.empty()) {
-        import_.scene.motion = std::make_shared<const Motion>(std::move(motion_));
+    finish_deformations();
+    const bool moves = !motion_.animations.empty();
+    if (!moves && motion_.deformations.empty()) {
+        return;
+    }
+    import_.scene.motion = std::make_shared<const Motion>(std::move(motion_));
+    for (const Diagnostic& found : move_to(import_.scene, 0.0)) {
+        import_.warn(found.message, found.remedy);
+    }
+    if (!moves) {
+        import_.scene.motion = nullptr;
     }
 }
 

@@ -151,17 +151,21 @@ void GltfReader::place_mesh(const Json& node, std::size_t node_index, const M44d
     if (!gltf_mesh) {
         return;
     }
-    const std::vector<MeshIndex>& parts = meshes(*gltf_mesh);
+    const std::vector<MeshIndex>& parts =
+        meshes(*gltf_mesh, animations_.deforms(node) ? std::optional(node_index) : std::nullopt);
     if (parts.empty()) {
         return;
     }
+    // Joints place a skinned mesh.
+    const auto placement = [&](MeshIndex part) {
+        return animations_.is_skinned(part) ? M44d() : world_from_node;
+    };
     for (const MeshIndex part : parts) {
-        if (auto fault = fault_of_placement(boxes_[part.value()], world_from_node)) {
+        if (auto fault = fault_of_placement(boxes_[part.value()], placement(part))) {
             throw PartError{std::move(*fault)};
         }
     }
     instances_.take(parts.size());
-    skinned_ += member(node, "skin").is_null() ? 0 : 1;
     std::string name = text_in(node, "name");
     if (name.empty()) {
         name = text_in(element(root_, "meshes", *gltf_mesh), "name");
@@ -169,7 +173,7 @@ void GltfReader::place_mesh(const Json& node, std::size_t node_index, const M44d
     scene_.objects.push_back({name.empty() ? node_name(node, node_index) : name});
     const auto object = static_cast<std::uint32_t>(scene_.objects.size() - 1);
     for (const MeshIndex part : parts) {
-        scene_.instances.push_back({part, world_from_node, object});
+        scene_.instances.push_back({part, placement(part), object});
     }
 }
 
@@ -182,10 +186,6 @@ void GltfReader::warn_of_what_is_not_read() {
     };
     dropped(dropped_points_, "points");
     dropped(dropped_lines_, "lines");
-    if (skinned_ > 0) {
-        import_.warn(fmt::format("{} shown as stored, without skinning",
-                                 counted(skinned_, "skinned object")));
-    }
     const std::vector<std::string> unread = unread_extensions(root_, "extensionsUsed");
     if (!unread.empty()) {
         import_.warn(fmt::format("the file uses extensions that are not supported: {}",

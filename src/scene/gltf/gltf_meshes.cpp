@@ -87,14 +87,15 @@ private:
 
 }  // namespace
 
-const std::vector<MeshIndex>& GltfReader::meshes(std::size_t gltf_mesh) {
-    const auto [known, is_new] = meshes_.try_emplace(gltf_mesh);
+const std::vector<MeshIndex>& GltfReader::meshes(std::size_t gltf_mesh,
+                                                 std::optional<std::size_t> deformer) {
+    const auto [known, is_new] = meshes_.try_emplace({gltf_mesh, deformer});
     if (is_new) {
         const Json& mesh = element(root_, "meshes", gltf_mesh);
         const std::string name = text_in(mesh, "name", fmt::format("mesh {}", gltf_mesh));
         for (std::size_t i = 0; i < array_size(mesh, "primitives"); ++i) {
             try {
-                read_primitive(mesh["primitives"][i], name, known->second);
+                read_primitive(mesh["primitives"][i], name, deformer, known->second);
             } catch (const PartError& fault) {
                 import_.warn(fmt::format("mesh {}: primitive {} is skipped: {}", in_quotes(name), i,
                                          fault.reason));
@@ -105,7 +106,7 @@ const std::vector<MeshIndex>& GltfReader::meshes(std::size_t gltf_mesh) {
 }
 
 void GltfReader::read_primitive(const Json& primitive, const std::string& name,
-                                std::vector<MeshIndex>& made) {
+                                std::optional<std::size_t> deformer, std::vector<MeshIndex>& made) {
     const std::size_t mode = count_in(primitive, "mode", static_cast<std::size_t>(Mode::triangles));
     if (mode == static_cast<std::size_t>(Mode::points)) {
         ++dropped_points_;
@@ -120,37 +121,58 @@ void GltfReader::read_primitive(const Json& primitive, const std::string& name,
         throw PartError{"it is compressed with Draco"};
     }
     const GltfMaterial& shaded = materials_.material(index_in(primitive, "material"));
-    Mesh mesh = read_mesh(primitive, mode, shaded, name);
+    std::vector<std::uint32_t> elements;
+    Mesh mesh = read_mesh(primitive, mode, shaded, name, elements);
     mesh.material = shaded.index;
-    if (auto finished = finish_mesh(std::move(mesh), import_)) {
-        boxes_.push_back(box_of(finished->positions));
-        scene_.meshes.push_back(std::move(*finished));
-        made.emplace_back(scene_.meshes.size() - 1);
+    std::vector<std::uint32_t> vertices;
+    auto finished = finish_mesh(std::move(mesh), import_, deformer ? &vertices : nullptr);
+    if (!finished) {
+        return;
+    }
+    boxes_.push_back(box_of(finished->positions));
+    scene_.meshes.push_back(std::move(*finished));
+    made.emplace_back(scene_.meshes.size() - 1);
+    if (deformer) {
+        std::transform(vertices.begin(), vertices.end(), vertices.begin(),
+                       [&](std::uint32_t vertex) { return elements[vertex]; });
+        deform(primitive, *deformer, made.back(), vertices);
+    }
+}
+
+// Tangents are not deformed; those of the texture coordinates replace them.
+void GltfReader::deform(const Json& primitive, std::size_t deformer, MeshIndex mesh,
+                        std::span<const std::uint32_t> elements) {
+    try {
+        animations_.deform(deformer, primitive, mesh, elements);
+        scene_.meshes[mesh.value()].tangents.clear();
+    } catch (const PartError& fault) {
+        import_.warn(fmt::format("mesh {} is shown as stored, without deformation: {}",
+                                 in_quotes(scene_.meshes[mesh.value()].name), fault.reason));
     }
 }
 
 // Only the vertices used by the triangles: primitives may share accessors much larger than they
 // need.
 Mesh GltfReader::read_mesh(const Json& primitive, std::size_t mode, const GltfMaterial& shaded,
-                           const std::string& name) {
+                           const std::string& name, std::vector<std::uint32_t>& elements) {
     const Attributes attributes(document_, primitive);
     Mesh mesh;
     mesh.name = name;
     mesh.triangles = read_triangles(primitive, mode, attributes.count());
-    const std::vector<std::uint32_t> used = number_vertices(mesh.triangles, attributes.count());
-    mesh.positions = attributes.read<V3f>("POSITION", used);
-    mesh.normals = attributes.read<V3f>("NORMAL", used);
-    mesh.colors = attributes.colors(used);
+    elements = number_vertices(mesh.triangles, attributes.count());
+    mesh.positions = attributes.read<V3f>("POSITION", elements);
+    mesh.normals = attributes.read<V3f>("NORMAL", elements);
+    mesh.colors = attributes.colors(elements);
     for (std::size_t set = 0; set < shaded.coordinate_sets.size(); ++set) {
         const std::string key = fmt::format("TEXCOORD_{}", shaded.coordinate_sets[set]);
-        mesh.texture_coordinates[set] = attributes.read<V2f>(key, used);
+        mesh.texture_coordinates[set] = attributes.read<V2f>(key, elements);
         if (shaded.has_textures && mesh.texture_coordinates[set].empty()) {
             import_.warn(fmt::format("mesh {} has no {}, which the textures of its material use",
                                      in_quotes(name), key));
         }
     }
     if (shaded.has_normal_map) {
-        mesh.tangents = attributes.read<V4f>("TANGENT", used);
+        mesh.tangents = attributes.read<V4f>("TANGENT", elements);
     }
     return mesh;
 }

@@ -5,7 +5,9 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <Imath/ImathMatrix.h>
@@ -37,11 +39,17 @@ private:
     void warn_of_what_is_not_read();
 
     // gltf_meshes.cpp
-    const std::vector<MeshIndex>& meshes(std::size_t gltf_mesh);
+    /// The meshes of a node: shared with other nodes unless it deforms them.
+    const std::vector<MeshIndex>& meshes(std::size_t gltf_mesh,
+                                         std::optional<std::size_t> deformer);
     void read_primitive(const Json& primitive, const std::string& name,
-                        std::vector<MeshIndex>& made);
+                        std::optional<std::size_t> deformer, std::vector<MeshIndex>& made);
+    void deform(const Json& primitive, std::size_t deformer, MeshIndex mesh,
+                std::span<const std::uint32_t> elements);
+    /// `elements` receives, by vertex, the element of the accessors.
     [[nodiscard]] Mesh read_mesh(const Json& primitive, std::size_t mode,
-                                 const GltfMaterial& material, const std::string& name);
+                                 const GltfMaterial& material, const std::string& name,
+                                 std::vector<std::uint32_t>& elements);
     [[nodiscard]] std::vector<std::array<std::uint32_t, 3>> read_triangles(const Json& primitive,
                                                                            std::size_t mode,
                                                                            std::size_t vertices);
@@ -62,13 +70,13 @@ private:
     GltfAnimations animations_;
     Budget corners_;
     Budget instances_;
-    std::map<std::size_t, std::vector<MeshIndex>> meshes_;
+    // By mesh of the file and the node that deforms it.
+    std::map<std::pair<std::size_t, std::optional<std::size_t>>, std::vector<MeshIndex>> meshes_;
     std::vector<Box3f> boxes_;                   // Of the scene's meshes.
     std::vector<std::uint32_t> vertex_numbers_;  // Scratch of number_vertices.
     std::set<std::size_t> visited_nodes_;
     std::size_t dropped_points_ = 0;
     std::size_t dropped_lines_ = 0;
-    std::size_t skinned_ = 0;
 };
 
 }  // namespace balcony::scene

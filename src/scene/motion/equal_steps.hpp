@@ -36,13 +36,14 @@ bool is_linear_between(const std::vector<Value>& samples, std::size_t stride,
 }  // namespace detail
 
 /// The fewest values at(part), of equal steps of the part from 0 to 1, between which the movement
-/// is linear within a tolerance: 1 if nothing moves, otherwise a power of 2 and 1, up to max_steps.
+/// is linear within a tolerance: 1 if nothing moves, otherwise a power of 2 and 1, up to `largest`.
 /// The movement is looked at in at least `pieces` pieces. deviation(value, a, b, part) is the
 /// distance of a value from (1 - part) a + part b.
 template <class At, class Deviation>
-auto equal_steps(const At& at, const Deviation& deviation, double tolerance, std::size_t pieces) {
+auto equal_steps(const At& at, const Deviation& deviation, double tolerance, std::size_t pieces,
+                 std::size_t largest = max_steps) {
     using Value = decltype(at(0.0));
-    constexpr std::size_t most = max_steps - 1;
+    const std::size_t most = largest - 1;
     std::vector<Value> samples{at(0.0), at(1.0)};
     const auto refine = [&] {
         const std::size_t count = 2 * (samples.size() - 1);

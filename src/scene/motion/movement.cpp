@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "balcony/motion.hpp"
+#include "scene/geometry.hpp"
 #include "scene/import.hpp"
 #include "scene/motion/equal_steps.hpp"
 #include "scene/placement.hpp"
@@ -115,6 +117,43 @@ InstanceSteps steps_of(const Scene& scene, const MovingInstance& moving, const B
     return {moving.instance, equal_steps(at, distance, step_error * diagonal.length(), pieces)};
 }
 
+// The largest distance of a vertex from the line between two shapes.
+double deviation(const Shape& shape, const Shape& a, const Shape& b, double part) {
+    const auto t = static_cast<float>(part);
+    float largest = 0.0F;
+    for (std::size_t v = 0; v < shape.positions.size(); ++v) {
+        const V3f line = (1.0F - t) * a.positions[v] + t * b.positions[v];
+        largest = std::max(largest, (shape.positions[v] - line).length());
+    }
+    return static_cast<double>(largest);
+}
+
+bool is_usable(const Shape& shape) {
+    return std::all_of(shape.positions.begin(), shape.positions.end(), usable);
+}
+
+// A power of 2 and 1.
+std::size_t largest_step_count(std::size_t vertices) {
+    const std::size_t most = max_step_vertices / std::max<std::size_t>(vertices, 1);
+    return std::clamp<std::size_t>(std::bit_floor(most), 2, max_steps - 1) + 1;
+}
+
+MeshSteps steps_of(const Scene& scene, const Deformation& deformation, const TimeInterval& interval,
+                   std::size_t pieces) {
+    const Mesh& mesh = scene.meshes[deformation.mesh.value()];
+    const auto at = [&](double part) {
+        Shape shape = shape_at(*scene.motion, deformation, interval.at(part));
+        return is_usable(shape) ? shape : Shape{mesh.positions, mesh.normals};
+    };
+    const auto distance = [](const Shape& shape, const Shape& a, const Shape& b, double part) {
+        return deviation(shape, a, b, part);
+    };
+    const auto size = static_cast<double>(box_of(mesh.positions).size().length());
+    return {deformation.mesh, std::make_shared<const std::vector<Shape>>(
+                                  equal_steps(at, distance, step_error * size, pieces,
+                                              largest_step_count(mesh.positions.size())))};
+}
+
 LightSteps steps_of(const Scene& scene, const MovingLight& moving, const TimeInterval& interval) {
     LightSteps steps{moving.light, {}, {}};
     for (std::size_t i = 0; i < max_steps; ++i) {
@@ -187,6 +226,16 @@ Diagnostics move_to(Scene& scene, double time) {
         Camera& camera = scene.cameras[moving.camera];
         warn("camera", camera.name, place(camera, world_from_node(motion, moving.node, time)));
     }
+    for (const Deformation& deformation : motion.deformations) {
+        Mesh& mesh = scene.meshes[deformation.mesh.value()];
+        Shape shape = shape_at(motion, deformation, time);
+        if (is_usable(shape)) {
+            mesh.positions = std::move(shape.positions);
+            mesh.normals = std::move(shape.normals);
+        } else {
+            warn("mesh", mesh.name, "a vertex is not finite or too large");
+        }
+    }
     return found;
 }
 
@@ -208,6 +257,12 @@ Movement movement(const Scene& scene, const TimeInterval& interval) {
         LightSteps steps = steps_of(scene, moving, interval);
         if (moves(steps)) {
             found.lights.push_back(std::move(steps));
+        }
+    }
+    for (const Deformation& deformation : scene.motion->deformations) {
+        MeshSteps steps = steps_of(scene, deformation, interval, pieces);
+        if (steps.shapes->size() > 1) {
+            found.meshes.push_back(std::move(steps));
         }
     }
     return found;
