@@ -176,7 +176,7 @@ TEST(Motion, NormalsTurn) {
     scene::Scene scene;
     add(scene, wall(0.0F, 9.0F), white());
     constexpr double turn = 1.0;
-    set_in_motion(scene, {{}, {}, -turn, turn, {0.0, 1.0, 0.0}});
+    set_in_motion(scene, {V3d(0.0), V3d(0.0), -turn, turn, {0.0, 1.0, 0.0}});
     const Film film = exposed(scene, orthographic(view_down_z(0, 0, 5)), strip());
     EXPECT_NEAR(red(film, wide / 2), std::sin(turn) / turn, moments);
 }
@@ -265,7 +265,7 @@ TEST(Motion, LightsAreWhereTheyAreAtTheTime) {
     scene.motion = motion;
     scene::move_to(scene, 0.5);
     const scene::Movement movement = scene::movement(scene, {0.0, 1.0});
-    const LightSet moving(scene, movement);
+    const LightSet moving(scene, nullptr, movement);
     const auto irradiance = [](const LightSet& lights, const LitPoint& point) {
         constexpr int cells = 48;
         double total = 0.0;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -20,12 +19,6 @@ using Motions = SceneFiles;
 constexpr double pi = std::numbers::pi;
 // Times and values of files are floats, of the order of 1.
 constexpr double float_rounding = 4e-7;
-
-double value_at(const Track& track, double time) {
-    double value = 0.0;
-    evaluate(track, time, {&value, 1});
-    return value;
-}
 
 /// An animation of a node's property; the first animation if there is none.
 void animate(Gltf& gltf, const Json& node, const std::string& path, const std::vector<float>& times,
@@ -65,67 +58,6 @@ std::vector<float> quarter_turn() {
 }
 
 }  // namespace
-
-TEST(Track, StepKeepsTheValueOfTheKeyBefore) {
-    const Track track{Interpolation::step, 1, {1.0, 2.0, 4.0}, {10, 20, 40}};
-    EXPECT_EQ(value_at(track, 0.0), 10.0) << "before the first key";
-    EXPECT_EQ(value_at(track, 1.999), 10.0);
-    EXPECT_EQ(value_at(track, 2.0), 20.0) << "at a key";
-    EXPECT_EQ(value_at(track, 3.999), 20.0);
-    EXPECT_EQ(value_at(track, 9.0), 40.0) << "after the last key";
-}
-
-TEST(Track, LinearIsTheLineBetweenKeys) {
-    const Track track{Interpolation::linear, 2, {1.0, 2.0, 4.0}, {10, -1, 20, -2, 40, 0}};
-    std::array<double, 2> numbers{};
-    evaluate(track, 1.25, numbers);
-    EXPECT_DOUBLE_EQ(numbers[0], 12.5);
-    EXPECT_DOUBLE_EQ(numbers[1], -1.25);
-    evaluate(track, 3.5, numbers);
-    EXPECT_DOUBLE_EQ(numbers[0], 35.0);
-    EXPECT_DOUBLE_EQ(numbers[1], -0.5);
-    evaluate(track, -5.0, numbers);
-    EXPECT_EQ(numbers[0], 10.0);
-    evaluate(track, 4.0, numbers);
-    EXPECT_EQ(numbers[1], 0.0);
-}
-
-// A cubic Hermite spline gives every cubic polynomial back.
-TEST(Track, CubicSplineIsExactForCubics) {
-    const auto cubic = [](double t) { return 2.0 * t * t * t - 3.0 * t * t + t + 5.0; };
-    const auto slope = [](double t) { return 6.0 * t * t - 6.0 * t + 1.0; };
-    Track track{Interpolation::cubic_spline, 1, {0.0, 0.5, 2.0}, {}};
-    for (const double time : track.times) {
-        const auto derivative = static_cast<float>(slope(time));
-        track.values.insert(track.values.end(),
-                            {derivative, static_cast<float>(cubic(time)), derivative});
-    }
-    for (int i = 0; i <= 40; ++i) {
-        const double time = 0.05 * i;
-        EXPECT_NEAR(value_at(track, time), cubic(time), 1e-12) << time;
-    }
-    EXPECT_EQ(value_at(track, 3.0), cubic(2.0)) << "no extrapolation";
-}
-
-TEST(Track, RotationsTurnEvenly) {
-    const Track track{Interpolation::linear, 4, {0.0, 2.0}, quarter_turn()};
-    for (int i = 0; i <= 20; ++i) {
-        const double time = 0.1 * i;
-        const Quatd turn = evaluate_rotation(track, time);
-        EXPECT_NEAR(turn.length(), 1.0, 1e-12);
-        EXPECT_NEAR(2.0 * std::atan2(turn.v.z, turn.r), pi / 4.0 * time, float_rounding) << time;
-    }
-}
-
-TEST(Track, RotationsTakeTheShortWay) {
-    std::vector<float> values = quarter_turn();
-    for (std::size_t i = 4; i < 8; ++i) {
-        values[i] = -values[i];  // The same rotation.
-    }
-    const Track track{Interpolation::linear, 4, {0.0, 1.0}, values};
-    const Quatd turn = evaluate_rotation(track, 0.5);
-    EXPECT_NEAR(std::abs(2.0 * std::atan2(turn.v.z, turn.r)), pi / 4.0, float_rounding);
-}
 
 TEST_F(Motions, NodesMoveWithTheirParents) {
     Gltf gltf;
@@ -373,7 +305,7 @@ TEST_F(Motions, SharedKeysAreLimited) {
     const auto scene = load_glb(gltf);
     ASSERT_TRUE(scene) << said(scene);
     EXPECT_TRUE(says(scene, "more numbers than a file of its size may have"));
-    EXPECT_LT(scene->motion->tracks.size(), 20U);
+    EXPECT_LE(4 * keys * scene->motion->tracks.size(), 4 * gltf.glb().size() + (1U << 22U));
 }
 
 // ------------------------------------------------------------------------------ deformations
