@@ -33,6 +33,29 @@ struct CameraRay {
     std::uint32_t packet = 0;  ///< Rays of a packet are neighbours in the picture, and in a batch.
 };
 
+/// The differentials of camera rays, which are computed on request.
+class DifferentialSource {
+public:
+    virtual ~DifferentialSource() = default;
+    [[nodiscard]] virtual RayDifferentials differentials(std::size_t ray) const = 0;
+};
+
+/// A faster way to the radiance alone, for integrators without random numbers.
+class LightTracer {
+public:
+    /// The camera rays of a tile with their first hits, in parallel arrays.
+    struct Rays {
+        std::span<const embree::Ray> rays;
+        std::span<const std::uint8_t> valid;  ///< Whether there is a ray.
+        std::span<const embree::Hit> hits;
+        const DifferentialSource& footprints;
+    };
+
+    virtual ~LightTracer() = default;
+    /// The same radiance as that of Integrator::trace(); 0 where there is no ray.
+    virtual void trace_light(const Rays& rays, std::span<Color4f> radiance) = 0;
+};
+
 /// Belongs to one thread. A new integrator needs a file with a class and a maker, and a row in
 /// integrators.cpp.
 class Integrator {
@@ -42,6 +65,9 @@ public:
     /// The radiance of each ray, usually those of a tile and a pass. Equal rays with equal samplers
     /// give the same result, with any other packets.
     virtual void trace(std::span<const CameraRay> rays, std::span<Seen> seen) = 0;
+
+    /// Null if there is no faster way.
+    [[nodiscard]] virtual LightTracer* light_tracer() { return nullptr; }
 };
 
 /// The scene and the settings must outlive the integrator.

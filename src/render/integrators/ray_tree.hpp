@@ -45,11 +45,11 @@ protected:
                                                         const Color3f& weight,
                                                         const Interaction& at) const;
 
+    [[nodiscard]] Seen trace(const Ray& ray, const embree::Hit& first);
     [[nodiscard]] const SceneTracer& tracer() const { return tracer_; }
     [[nodiscard]] const Settings& settings() const { return *settings_; }
 
 private:
-    [[nodiscard]] Seen trace(const Ray& ray, const embree::Hit& first);
     void follow(const Branch& branch, const embree::Hit& hit, Seen& seen);
 
     SceneTracer tracer_;

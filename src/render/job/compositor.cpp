@@ -88,10 +88,42 @@ Compositor::Compositor(const rays::CompiledPicture& picture, PictureRays rays, T
       tracer_(std::move(tracer)),
       counts_(picture.layers().size()) {}
 
+const TileImage& Compositor::sample(const TilePoints& points, const Region& counted,
+                                    const Wanted& wanted) {
+    image_.region = points.region;
+    image_.light.clear();
+    image_.data.clear();
+    image_.display.clear();
+    image_.mirrored.clear();
+    image_.contributions = {};
+    // One camera has no display colours, and what a light tracer shows, no mirrors.
+    if (picture_->is_one_camera() && tracer_.has_light_tracer() && !wanted.data &&
+        !wanted.contributions) {
+        sample_light(points, counted);
+    } else {
+        sample_all(points, counted, wanted);
+    }
+    return image_;
+}
+
+void Compositor::sample_light(const TilePoints& points, const Region& counted) {
+    rays_.find_rays(0, points.grid, tile_rays_);
+    image_.light.resize(points.size());
+    tracer_.trace_light(points.region.width, tile_rays_, image_.light);
+    RayCounts& count = counts_[0];
+    for_each_pixel(points.region, [&](std::size_t i, std::size_t x, std::size_t y) {
+        const std::uint64_t counts = counted.contains(x, y) ? 1 : 0;
+        const std::uint64_t missing = tile_rays_.valid[i] == 0 ? counts : 0;
+        count.camera_rays += counts;
+        count.invalid_rays += missing;
+        count.hits += image_.light[i].a > 0.0F ? counts : 0;
+        invalid_pixels_ += points.pass == 0 ? missing : 0;
+    });
+}
+
 // Traces rays from front to back, because hidden layers need none; then composites the colours from
 // back to front.
-TileImage Compositor::sample(const TilePoints& points, const Region& counted,
-                             const Wanted& wanted) {
+void Compositor::sample_all(const TilePoints& points, const Region& counted, const Wanted& wanted) {
     const std::size_t size = points.size();
     Work work{points,
               counted,
@@ -103,26 +135,25 @@ TileImage Compositor::sample(const TilePoints& points, const Region& counted,
     Veil veil{Mask(size, 0), std::vector<float>(size, 1.0F)};
     trace(picture_->elements(), veil, work);
     const Blender blend(work.coverages, work.layers);
-    TileImage image{points.region, {}, std::move(work.data)};
-    image.light.reserve(size);
-    image.display.reserve(wanted.display ? size : 0);
-    image.mirrored.reserve(wanted.mirrored ? size : 0);
+    image_.light.reserve(size);
+    image_.display.reserve(wanted.display ? size : 0);
+    image_.mirrored.reserve(wanted.mirrored ? size : 0);
     for_each_pixel(points.region, [&](std::size_t i, std::size_t x, std::size_t y) {
         const Drawn all = blend(picture_->elements(), i);
-        image.light.push_back(all.light);
+        image_.light.push_back(all.light);
         if (wanted.display) {
-            image.display.push_back(all.display);
+            image_.display.push_back(all.display);
         }
         if (wanted.mirrored) {
-            image.mirrored.push_back(all.mirrored);
+            image_.mirrored.push_back(all.mirrored);
         }
         invalid_pixels_ +=
             points.pass == 0 && all.presence <= 0.0F && counted.contains(x, y) ? 1 : 0;
     });
     if (wanted.contributions) {
-        image.contributions = contributions(work);
+        image_.contributions = contributions(work);
     }
-    return image;
+    image_.data = std::move(work.data);
 }
 
 Contributions Compositor::contributions(const Work& work) const {

@@ -32,9 +32,10 @@ public:
         bool contributions = false;
     };
 
-    /// One sample at each point. Only points in the region `counted` are counted.
-    [[nodiscard]] TileImage sample(const TilePoints& points, const Region& counted,
-                                   const Wanted& wanted);
+    /// One sample at each point. Only points in the region `counted` are counted. The result is
+    /// valid until the next call.
+    [[nodiscard]] const TileImage& sample(const TilePoints& points, const Region& counted,
+                                          const Wanted& wanted);
 
     [[nodiscard]] const std::vector<RayCounts>& ray_counts() const { return counts_; }
     /// Points of pass 0 where nothing is drawn.
@@ -47,6 +48,8 @@ private:
     struct Work;
     struct Veil;
 
+    void sample_all(const TilePoints& points, const Region& counted, const Wanted& wanted);
+    void sample_light(const TilePoints& points, const Region& counted);
     [[nodiscard]] Contributions contributions(const Work& work) const;
     void trace(const std::vector<Element>& elements, Veil& veil, Work& work);
     void trace_group(const Element& element, Veil& veil, Work& work);
@@ -56,6 +59,7 @@ private:
     PictureRays rays_;
     TileTracer tracer_;
     TileRays tile_rays_;             // Of the layer at work; kept for its memory.
+    TileImage image_;                // Likewise.
     std::vector<RayCounts> counts_;  // By camera layer.
     std::uint64_t invalid_pixels_ = 0;
 };

@@ -14,6 +14,21 @@ bool is_finite(const Color4f& c) {
     return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b) && std::isfinite(c.a);
 }
 
+// The differentials of the rays of a tile.
+class TileDifferentials final : public DifferentialSource {
+public:
+    TileDifferentials(const rays::RayBatch& rays, double scale) : rays_(rays), scale_(scale) {}
+
+    [[nodiscard]] RayDifferentials differentials(std::size_t ray) const override {
+        return rays_.has_footprints() ? render::differentials(rays_, ray, scale_)
+                                      : RayDifferentials{};
+    }
+
+private:
+    const rays::RayBatch& rays_;
+    double scale_;
+};
+
 }  // namespace
 
 TileTracer::TileTracer(const TracedScene& traced, const Settings& settings, IntegratorMaker make)
@@ -21,14 +36,13 @@ TileTracer::TileTracer(const TracedScene& traced, const Settings& settings, Inte
       // Many samples share the filtering; pbrt limits the reduction in the same way.
       footprint_scale_(std::max(0.125, 1.0 / std::sqrt(static_cast<double>(settings.samples)))),
       seed_(settings.sampling.seed),
-      integrator_(make(traced, settings)) {}
+      integrator_(make(traced, settings)),
+      light_tracer_(integrator_->light_tracer()) {}
 
 Ray TileTracer::camera_ray(const TileRays& rays, std::size_t i) const {
     const embree::Ray& ray = rays.rays[i];
     return {ray.origin, ray.direction,
-            rays.all.has_footprints() ? differentials(rays.all, i, footprint_scale_)
-                                      : RayDifferentials{},
-            ray.time};
+            TileDifferentials(rays.all, footprint_scale_).differentials(i), ray.time};
 }
 
 void TileTracer::trace(const TilePoints& points, const TileRays& rays, const Mask& wanted) {
@@ -62,6 +76,19 @@ void TileTracer::trace(const TilePoints& points, const TileRays& rays, const Mas
             ++repaired_;
             seen.radiance = Color4f(0.0F);
             seen.parts = {};
+        }
+    }
+}
+
+void TileTracer::trace_light(std::size_t width, const TileRays& rays, std::span<Color4f> radiance) {
+    hits_.resize(rays.rays.size());
+    traced_->accelerator.intersect_grid(width, rays.rays, rays.valid, hits_);
+    light_tracer_->trace_light(
+        {rays.rays, rays.valid, hits_, TileDifferentials(rays.all, footprint_scale_)}, radiance);
+    for (Color4f& color : radiance) {
+        if (!is_finite(color)) {
+            ++repaired_;
+            color = Color4f(0.0F);
         }
     }
 }

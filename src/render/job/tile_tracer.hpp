@@ -38,6 +38,11 @@ public:
         }
     }
 
+    /// Whether there is trace_light().
+    [[nodiscard]] bool has_light_tracer() const { return light_tracer_ != nullptr; }
+    /// The radiance of all valid rays, as above, and 0 elsewhere.
+    void trace_light(std::size_t width, const TileRays& rays, std::span<Color4f> radiance);
+
     /// The number of samples whose radiance was not finite.
     [[nodiscard]] std::uint64_t repaired() const { return repaired_; }
 
@@ -49,6 +54,7 @@ private:
     double footprint_scale_;
     std::uint32_t seed_;
     std::unique_ptr<Integrator> integrator_;
+    LightTracer* light_tracer_;
     // The rays at work; kept for their memory.
     std::vector<embree::Hit> hits_;     // Of all points.
     std::vector<std::size_t> indices_;  // Of the requested points; the others are parallel to it.

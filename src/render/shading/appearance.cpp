@@ -125,7 +125,9 @@ MaterialSet::MaterialSet(const scene::Scene& scene, const TextureLibrary& textur
     : scene_(&scene), textures_(&textures) {
     prepared_.reserve(scene.materials.size());
     for (const Material& material : scene.materials) {
-        prepared_.push_back({constant_part(material), uses_textures(material)});
+        const Appearance constant = constant_part(material);
+        const bool textured = uses_textures(material);
+        prepared_.push_back({constant, textured, !textured && constant.opacity >= 1.0F});
         has_textures_ = has_textures_ || prepared_.back().has_textures;
     }
 }

@@ -51,6 +51,12 @@ public:
     [[nodiscard]] Appearance look_up(Surface& surface, const PositionDifferentials& moved,
                                      const V3f& to_viewer, TextureLibrary::ThreadCache cache) const;
 
+    /// The appearance of a mesh if it is opaque and the same everywhere; otherwise null.
+    [[nodiscard]] const Appearance* uniform(const scene::Mesh& mesh) const {
+        const Prepared& prepared = prepared_[mesh.material.value()];
+        return prepared.is_uniform && mesh.colors.empty() ? &prepared.constant : nullptr;
+    }
+
     /// The emission only.
     [[nodiscard]] Color3f emission(const MeshPoint& point, TextureLibrary::ThreadCache cache) const;
     /// The opacity only, after the alpha mask and according to the mode.
@@ -60,6 +66,7 @@ private:
     struct Prepared {
         Appearance constant;  // Without textures and colours of vertices.
         bool has_textures = false;
+        bool is_uniform = false;  // Opaque and without textures.
     };
 
     const scene::Scene* scene_;

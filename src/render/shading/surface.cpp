@@ -55,18 +55,28 @@ V3f to_smooth_surface(const std::array<Corner, 3>& corners, const V3f& position,
     return total;
 }
 
-// The interpolated normal, on the side of the viewer.
-void set_normal(const std::array<Corner, 3>& corners, const V3f& to_viewer, Surface& surface) {
+// The interpolated normal, of length 1 or 0.
+V3f interpolated_normal(const std::array<Corner, 3>& corners) {
     V3f sum(0.0F);
     for (const Corner& corner : corners) {
         sum += corner.share * corner.normal;
     }
-    const V3f unit = sum.normalized();
+    return sum.normalized();
+}
+
+// -1 if a normal of the mesh is on the other side than the viewer.
+float side_of(const V3f& mesh_normal, const V3f& geometric_normal) {
+    return mesh_normal.dot(geometric_normal) < 0.0F ? -1.0F : 1.0F;
+}
+
+// Sets the smooth normal, on the side of the viewer.
+void set_normal(const std::array<Corner, 3>& corners, const V3f& to_viewer, Surface& surface) {
+    const V3f unit = interpolated_normal(corners);
     if (!(unit.length2() > 0.0F)) {
         return;
     }
     surface.mesh_normal = unit;
-    const float side = unit.dot(surface.geometric_normal) < 0.0F ? -1.0F : 1.0F;
+    const float side = side_of(unit, surface.geometric_normal);
     surface.smooth_normal = bent_towards(side * unit, to_viewer);
     surface.normal = surface.smooth_normal;
     const V3f out = to_smooth_surface(corners, surface.position, side);
@@ -178,6 +188,7 @@ SurfaceFinder::SurfaceFinder(const scene::Scene& scene, const scene::Movement& m
         const Imath::M33d linear(m[0][0], m[0][1], m[0][2], m[1][0], m[1][1], m[1][2], m[2][0],
                                  m[2][1], m[2][2]);
         placements_.push_back({Imath::M44f(m), Imath::M33f(linear.inverse().transposed()),
+                               &scene.meshes[instance.mesh.value()],
                                linear.determinant() < 0.0 ? -1.0F : 1.0F});
     }
 }
@@ -190,12 +201,8 @@ SurfaceFinder::Placement SurfaceFinder::placement_at(std::uint32_t instance, flo
     const Imath::M44f& m = *moved;
     const Imath::M33f linear(m[0][0], m[0][1], m[0][2], m[1][0], m[1][1], m[1][2], m[2][0], m[2][1],
                              m[2][2]);
-    return {m, linear.inverse().transposed(), linear.determinant() < 0.0F ? -1.0F : 1.0F};
-}
-
-MeshPoint SurfaceFinder::mesh_point(const embree::Hit& hit) const {
-    return {&scene_->meshes[scene_->instances[hit.instance].mesh.value()], hit.triangle, hit.u,
-            hit.v};
+    return {m, linear.inverse().transposed(), placements_[instance].mesh,
+            linear.determinant() < 0.0F ? -1.0F : 1.0F};
 }
 
 // The bitangent is mirrored with the placement, which its formula by normal and tangent is not.
@@ -263,6 +270,30 @@ Surface SurfaceFinder::find(const embree::Hit& hit, const V3f& direction, float 
     surface.material = &scene_->materials[m.material.value()];
     surface.object = scene_->instances[hit.instance].object;
     return surface;
+}
+
+V3f SurfaceFinder::smooth_normal(const embree::Hit& hit, const V3f& direction, float time) const {
+    if (!moving_.empty()) {
+        return find(hit, direction, time).smooth_normal;
+    }
+    const Placement& placement = placements_[hit.instance];
+    const scene::Mesh& m = *placement.mesh;
+    const auto& triangle = m.triangles[hit.triangle];
+    const auto corner = [&](std::size_t k, float share) {
+        return Corner{
+            placed(m.positions[triangle[k]], placement.world_from_mesh),
+            m.normals.empty() ? V3f(0.0F) : m.normals[triangle[k]] * placement.normal_from_mesh,
+            share};
+    };
+    const std::array<Corner, 3> corners{corner(0, 1.0F - hit.u - hit.v), corner(1, hit.u),
+                                        corner(2, hit.v)};
+    const V3f across = (corners[1].position - corners[0].position)
+                           .cross(corners[2].position - corners[0].position);
+    const V3f outside = placement.side * across.normalized();
+    const V3f geometric = outside.dot(direction) <= 0.0F ? outside : -outside;
+    const V3f unit = interpolated_normal(corners);
+    return unit.length2() > 0.0F ? bent_towards(side_of(unit, geometric) * unit, -direction)
+                                 : geometric;
 }
 
 }  // namespace balcony::render

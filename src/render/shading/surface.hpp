@@ -110,13 +110,18 @@ public:
     /// The surface at the hit of a ray with a direction and a time.
     [[nodiscard]] Surface find(const embree::Hit& hit, const V3f& direction,
                                float time = 0.0F) const;
+    /// Only the smooth normal.
+    [[nodiscard]] V3f smooth_normal(const embree::Hit& hit, const V3f& direction, float time) const;
     /// Only where a hit is in its mesh.
-    [[nodiscard]] MeshPoint mesh_point(const embree::Hit& hit) const;
+    [[nodiscard]] MeshPoint mesh_point(const embree::Hit& hit) const {
+        return {placements_[hit.instance].mesh, hit.triangle, hit.u, hit.v};
+    }
 
 private:
     struct Placement {
         Imath::M44f world_from_mesh;
         Imath::M33f normal_from_mesh;
+        const scene::Mesh* mesh = nullptr;
         float side = 1.0F;  // -1 if the placement mirrors, which reverses the winding.
     };
 
