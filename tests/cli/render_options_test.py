@@ -40,6 +40,14 @@ class Options(support.CommandTest):
         self.assertIn("1000000 x 1000000", err)
         self.assertLess(time.monotonic() - began, 10.0)
 
+    def test_texture_memory(self):
+        self.refuses("--texture-memory", "0", "63", "-1", "1KB", "lots", "nan", "inf", "1e99", "GiB")
+        for value in ("64", "100MB", "0.5GiB", "2GB", "64MiB"):
+            out, _ = self.render("--texture-memory", value, "-o", "p.png")
+            self.assertRegex(out, r", \d+ MiB of memory\n")
+        facts = self.json_of("render", "scene.obj", "--size", "16x16", "-o", "p.png")
+        self.assertGreater(facts["peak_memory"], 1_000_000)
+
     def test_backgrounds(self):
         self.refuses("--background", "nan", "1,2", "1,2,3,4", "1,,2", ",,", "-1", "0.5,nan,0", "red",
                      "0x10")

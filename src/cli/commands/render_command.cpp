@@ -64,13 +64,15 @@ struct Request {
     render::ViewTransform view;
     PictureSize size;
     render::LayerSet layers;
+    std::size_t texture_memory;
     Diagnostics warnings{};  ///< Of files that all pictures share.
 };
 
 Request read_request(const RenderOptions& options, Diagnostics& diagnostics) {
-    Request request{read_settings(options, diagnostics), read_exposure(options, diagnostics),
-                    read_view(options, diagnostics), read_size(options.size, diagnostics),
-                    read_layers(options.film, diagnostics)};
+    Request request{
+        read_settings(options, diagnostics),    read_exposure(options, diagnostics),
+        read_view(options, diagnostics),        read_size(options.size, diagnostics),
+        read_layers(options.film, diagnostics), read_texture_memory(options.textures, diagnostics)};
     if (options.camera.empty() && !options.set.empty()) {
         diagnostics.push_back(
             error("--set needs a camera whose parameter it sets", {}, "add --camera FILE"));
@@ -148,11 +150,11 @@ RenderReport make_picture(RenderReport outcome, const RenderOptions& options,
     return outcome;
 }
 
-bool load(const std::string& name, const render::Settings& settings, Loaded& loaded,
-          RenderReport& outcome) {
+bool load(const std::string& name, const Request& request, Loaded& loaded, RenderReport& outcome) {
     if (loaded.renderer) {
         return true;
     }
+    const render::Settings& settings = request.settings;
     auto scene = load_scene(name, settings.time);
     add(outcome, scene.diagnostics);
     if (!scene) {
@@ -160,7 +162,8 @@ bool load(const std::string& name, const render::Settings& settings, Loaded& loa
     }
     loaded.scene = std::make_shared<const scene::Scene>(std::move(*scene));
     auto renderer = render::Renderer::make(loaded.scene,
-                                           {.interval = settings.shutter.exposure(settings.time)});
+                                           {.texture_memory = request.texture_memory,
+                                            .interval = settings.shutter.exposure(settings.time)});
     add(outcome, renderer.diagnostics);
     loaded.renderer = std::move(renderer.value);
     return loaded.renderer.has_value();
@@ -178,7 +181,7 @@ RenderReport render_picture(const RenderOptions& options, const Request& request
         picture = load_picture(options.camera, options.set, loaded.cameras);
         add(outcome, picture.diagnostics);
     }
-    if (has_errors(outcome.diagnostics) || !load(target.scene, request.settings, loaded, outcome)) {
+    if (has_errors(outcome.diagnostics) || !load(target.scene, request, loaded, outcome)) {
         return fail(std::move(outcome), ExitCode::bad_input);
     }
     std::vector<fs::path> inputs = loaded.cameras.files();
@@ -397,6 +400,7 @@ void add_picture_options(CLI::App& command, RenderOptions& options) {
         ->type_name("COLOUR")
         ->capture_default_str();
     add_film_options(command, options.film);
+    add_texture_options(command, options.textures);
 }
 
 }  // namespace

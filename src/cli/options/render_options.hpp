@@ -13,6 +13,7 @@
 #include "cli/options/light_options.hpp"
 #include "cli/options/sampling_options.hpp"
 #include "cli/options/shutter_options.hpp"
+#include "cli/options/texture_options.hpp"
 
 namespace balcony::cli {
 
@@ -34,6 +35,7 @@ struct RenderOptions {
     std::string ambient = "auto";
     std::string view = std::string(render::name_of(render::ViewTransform::neutral));
     FilmOptions film;
+    TextureWords textures;
     bool watch = false;
     bool quiet = false;
     bool json = false;

@@ -10,6 +10,7 @@
 #include "balcony/probe.hpp"
 #include "cli/report/json.hpp"
 #include "cli/report/miss_text.hpp"
+#include "cli/report/peak_memory.hpp"
 #include "cli/report/report.hpp"
 
 namespace balcony::cli {
@@ -90,12 +91,14 @@ void describe(RenderReport& report, const PictureOutput& output, const camera::P
                     {"camera_share", summary.camera_share},
                     {"ambient", summary.ambient.x},
                     {"light", summary.light},
+                    {"peak_memory", peak_memory()},
                     {"interrupted", summary.interrupted}};
     report.sentence = fmt::format(
-        "{}{}: {} x {} pixels through '{}', {}, {} rays in {}\n",
+        "{}{}: {} x {} pixels through '{}', {}, {} rays in {}, {:.0f} MiB of memory\n",
         summary.interrupted ? "interrupted; the partial picture is " : "", printable(output.name()),
         film.width, film.height, picture.name(), counted(summary.passes, "pass", "passes"),
-        count_text(static_cast<double>(summary.camera_rays)), duration_text(summary.seconds));
+        count_text(static_cast<double>(summary.camera_rays)), duration_text(summary.seconds),
+        static_cast<double>(peak_memory()) / 0x1p20);
     if (!summary.light.empty()) {
         report.sentence += fmt::format("  lit by {}\n", printable(summary.light));
     }
