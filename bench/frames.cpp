@@ -18,10 +18,9 @@
 #include <fmt/core.h>
 
 #include "balcony/render.hpp"
+#include "bare_embree.hpp"
 #include "bench_case.hpp"
 #include "gallery/gallery.hpp"
-#include "render/embree/accelerator.hpp"
-#include "render/job/picture_rays.hpp"
 #include "timing.hpp"
 
 namespace balcony::bench {
@@ -83,29 +82,13 @@ render::Summary fastest_frame(const render::Renderer& renderer, const camera::Ca
     return fastest;
 }
 
-// The rays of a frame per second that Embree's packets trace, if all else cost nothing.
-double bare_rays_per_second(const scene::Scene& scene, const render::embree::Accelerator& world,
-                            const camera::Camera& camera) {
-    const auto picture =
-        checked(rays::compile(camera::Picture(camera), static_cast<double>(frame_width),
-                              static_cast<double>(frame_height), {.axes = scene.axes}));
-    const std::vector<program::Tile> tiles = tiles_of_picture(frame_width, frame_height);
-    std::vector<render::TileRays> found(tiles.size());
-    render::PictureRays rays(picture);
-    for (std::size_t t = 0; t < tiles.size(); ++t) {
-        rays.find_rays(0, tiles[t], found[t]);
-    }
-    Stopwatch stopwatch(tiles.size());
-    std::vector<render::embree::Hit> hits(tile_points);
-    for (int run = 0; run < runs; ++run) {
-        for (std::size_t t = 0; t < tiles.size(); ++t) {
-            stopwatch.time(t, [&] {
-                world.intersect_grid(tiles[t].width, found[t].rays, found[t].valid,
-                                     std::span(hits).first(found[t].rays.size()));
-            });
-        }
-    }
-    return static_cast<double>(frame_width * frame_height) / stopwatch.seconds();
+// The rays of a frame per second that Embree's packets trace by themselves.
+double bare_rays_per_second(const BareEmbree& world, const camera::Camera& camera, Axes axes) {
+    const auto rays =
+        checked(rays::compile(camera, static_cast<double>(frame_width),
+                              static_cast<double>(frame_height), rays::Request{.axes = axes}));
+    const double seconds = world.seconds(rays, tiles_of_picture(frame_width, frame_height), runs);
+    return static_cast<double>(frame_width * frame_height) / seconds;
 }
 
 scene::Scene gallery() { return checked(plates::make_gallery({.painting_scale = 0.5})); }
@@ -168,7 +151,7 @@ void print_frames_of(std::string_view name, scene::Scene built,
                      std::initializer_list<std::string_view> integrators) {
     const auto scene = std::make_shared<const scene::Scene>(std::move(built));
     const render::Renderer renderer = checked(render::Renderer::make(scene));
-    const auto world = checked(render::embree::Accelerator::build(*scene));
+    const BareEmbree world(*scene);
     for (const std::string_view integrator : integrators) {
         std::optional<render::Summary> pinhole;
         for (const FrameCase& row : frame_cases) {
@@ -180,7 +163,7 @@ void print_frames_of(std::string_view name, scene::Scene built,
             const double with_pinhole_rays = frame.seconds * (1.0 - frame.camera_share) +
                                              pinhole->seconds * pinhole->camera_share;
             const double rays_per_second = static_cast<double>(frame.camera_rays) / frame.seconds;
-            const double bare = bare_rays_per_second(*scene, world, camera);
+            const double bare = bare_rays_per_second(world, camera, scene->axes);
             fmt::print(
                 "{:<20}{:<28}{:<10}{:>9.2f}{:>10.2f}{:>8.0f} %{:>12.2f} %{:>14.2f} x"
                 "{:>10.2f} x\n",

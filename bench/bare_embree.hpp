@@ -1,0 +1,31 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "balcony/rays.hpp"
+#include "balcony/scene.hpp"
+
+namespace balcony::bench {
+
+/// Embree by itself: the speed that a renderer would have if all else cost nothing.
+class BareEmbree {
+public:
+    explicit BareEmbree(const scene::Scene& scene);
+    ~BareEmbree();
+    BareEmbree(BareEmbree&&) noexcept;
+    BareEmbree& operator=(BareEmbree&&) = delete;
+
+    /// The least seconds, of several runs, to trace all valid rays of the tiles in coherent packets
+    /// of 4 x 4 neighbours.
+    [[nodiscard]] double seconds(const rays::RayProgram& rays, const std::vector<rays::Tile>& tiles,
+                                 int runs) const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace balcony::bench
