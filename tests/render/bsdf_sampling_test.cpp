@@ -31,7 +31,7 @@ struct SphereCells {
 
     // The integral of a density over each cell.
     static std::vector<double> integrate(const Bsdf& bsdf, const V3f& to_viewer) {
-        constexpr std::size_t fine = 40;
+        constexpr std::size_t fine = 24;
         std::vector<double> integrals(rows * columns);
         for (std::size_t j = 0; j < rows * fine; ++j) {
             const double z = 2.0 * (static_cast<double>(j) + 0.5) / (rows * fine) - 1.0;
@@ -61,7 +61,7 @@ double sum(const std::vector<double>& values) {
 }
 
 TEST(BsdfSampling, FollowsTheDensity) {
-    constexpr int draws = 200000;
+    constexpr int draws = 100000;
     unsigned seed = 10;
     for (const NamedAppearance& material : all_kinds()) {
         const Bsdf bsdf = flat(material);

@@ -39,18 +39,57 @@ Appearance metal(float roughness, const Color3f& color) {
     return made;
 }
 
+Appearance coated(Appearance appearance, float roughness) {
+    appearance.clearcoat = 1.0F;
+    appearance.clearcoat_roughness = roughness;
+    return appearance;
+}
+
+Appearance fibrous(Appearance appearance, float roughness, const Color3f& color) {
+    appearance.sheen_color = color;
+    appearance.sheen_roughness = roughness;
+    return appearance;
+}
+
+Appearance wall(float roughness, const Color3f& color) {
+    Appearance made = dielectric(roughness, color);
+    made.transmission = 1.0F;
+    return made;
+}
+
+Appearance glass(float roughness, float ior, const Color3f& color) {
+    Appearance made = wall(roughness, color);
+    made.thin_walled = false;
+    made.ior = ior;
+    return made;
+}
+
 std::vector<NamedAppearance> all_kinds() {
     std::vector<NamedAppearance> all;
     for (const float roughness : {0.0F, 0.3F, 0.6F, 1.0F}) {
         const std::string suffix = " " + std::to_string(roughness);
-        all.push_back({"dielectric" + suffix, dielectric(roughness, gold)});
-        all.push_back({"metal" + suffix, metal(roughness, gold)});
         Appearance both = dielectric(roughness, gold);
         both.metallic = 0.4F;
         both.ior = 1.8F;
         both.specular = 0.7F;
         both.specular_color = Color3f(0.5F, 1.0F, 2.0F);
-        all.push_back({"both" + suffix, both});
+        Appearance everything = fibrous(coated(both, 0.4F), 0.6F, {0.2F, 0.5F, 0.8F});
+        everything.clearcoat = 0.6F;
+        everything.transmission = 0.5F;
+        Appearance solid = everything;
+        solid.thin_walled = false;
+        all.insert(all.end(),
+                   {{"dielectric" + suffix, dielectric(roughness, gold)},
+                    {"metal" + suffix, metal(roughness, gold)},
+                    {"both" + suffix, both},
+                    {"coated" + suffix, coated(metal(roughness, gold), 0.3F)},
+                    {"fibrous" + suffix, fibrous(dielectric(roughness, gold), 0.5F, gold)},
+                    {"wall" + suffix, wall(roughness, gold)},
+                    {"glass" + suffix, glass(roughness, 1.5F, gold)},
+                    {"glass from inside" + suffix, glass(roughness, 1.5F, gold), false},
+                    {"everything" + suffix, everything},
+                    {"solid" + suffix, solid},
+                    {"solid from inside" + suffix, solid, false}});
     }
     return all;
 }
@@ -90,10 +129,18 @@ NamedAppearance Directions::material() {
     made.emission = Color3f(0.0F);
     made.metallic = part();
     made.roughness = part();
-    made.ior = 1.0F + 2.0F * part();
+    // Few, since each rough glass has tables of its own.
+    made.ior =
+        std::vector{1.1F, 1.33F, 1.5F, 2.0F, 3.0F}[static_cast<std::size_t>(5.0F * uniform())];
     made.specular = part();
     made.specular_color = 3.0F * color();
-    return {"random", made};
+    made.transmission = part();
+    made.thin_walled = uniform() < 0.5F;
+    made.clearcoat = part();
+    made.clearcoat_roughness = part();
+    made.sheen_color = color();
+    made.sheen_roughness = part();
+    return {"random", made, uniform() < 0.5F};
 }
 
 Color3f albedo(const Bsdf& bsdf, const V3f& to_viewer, std::size_t samples) {

@@ -23,6 +23,14 @@ struct NamedAppearance {
 [[nodiscard]] Appearance dielectric(float roughness, const Color3f& color = Color3f(1.0F));
 [[nodiscard]] Appearance metal(float roughness, const Color3f& color = Color3f(1.0F));
 
+/// With a whole clearcoat.
+[[nodiscard]] Appearance coated(Appearance appearance, float roughness);
+/// With sheen.
+[[nodiscard]] Appearance fibrous(Appearance appearance, float roughness, const Color3f& color);
+/// A thin wall, and the boundary of a solid, through which all light passes.
+[[nodiscard]] Appearance wall(float roughness, const Color3f& color = Color3f(1.0F));
+[[nodiscard]] Appearance glass(float roughness, float ior, const Color3f& color = Color3f(1.0F));
+
 /// One material or several of each kind, coloured, with roughnesses that a sum over cells of the
 /// sphere resolves, and mirrors.
 [[nodiscard]] std::vector<NamedAppearance> all_kinds();

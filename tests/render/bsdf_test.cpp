@@ -3,6 +3,9 @@
 
 // The laws of a BSDF.
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "bsdf_support.hpp"
@@ -10,7 +13,7 @@
 namespace balcony::render::test {
 namespace {
 
-TEST(Bsdf, IsReciprocal) {
+TEST(Bsdf, ReflectionIsReciprocal) {
     Directions random(1);
     for (const NamedAppearance& material : all_kinds()) {
         for (int trial = 0; trial < 1000; ++trial) {
@@ -30,7 +33,28 @@ TEST(Bsdf, IsReciprocal) {
     }
 }
 
-TEST(Bsdf, ReflectsNothingFromBelow) {
+// Of f(viewer, light) n(viewer)^2.
+TEST(Bsdf, TransmissionIsReciprocal) {
+    Directions random(9);
+    const V3f up(0.0F, 0.0F, 1.0F);
+    for (int trial = 0; trial < 20000; ++trial) {
+        NamedAppearance material = random.material();
+        material.appearance.roughness = std::max(material.appearance.roughness, 0.3F);
+        material.entering = true;
+        const Bsdf bsdf = flat(material);
+        material.entering = material.appearance.thin_walled;
+        const Bsdf back_side(material.appearance, -up, -up, material.entering);
+        const V3f a = random.above(up, 0.05F);
+        const V3f b = -random.above(up, 0.05F);
+        const float n = material.appearance.thin_walled ? 1.0F : material.appearance.ior;
+        const Color3f there = bsdf.eval(a, b) / -b.z;
+        const Color3f back = back_side.eval(b, a) * n * n / a.z;
+        EXPECT_NEAR(there.x, back.x, 1e-3F * std::max(there.x, 0.1F)) << trial;
+    }
+}
+
+// The normal of shading and that of the geometry disagree about light between their horizons.
+TEST(Bsdf, NoLightLeaksBetweenTheHorizons) {
     Directions random(2);
     for (const NamedAppearance& material : all_kinds()) {
         for (int trial = 0; trial < 200; ++trial) {
@@ -38,10 +62,109 @@ TEST(Bsdf, ReflectsNothingFromBelow) {
             const V3f normal = random.above(geometric, 0.3F);
             const Bsdf bsdf(material.appearance, normal, geometric, material.entering);
             const V3f viewer = random.above(normal, 0.01F);
-            EXPECT_EQ(bsdf.eval(viewer, -random.above(geometric, 0.0F)), Color3f(0.0F));
-            EXPECT_EQ(bsdf.eval(viewer, -random.above(normal, 0.0F)), Color3f(0.0F));
+            if (const V3f light = random.above(normal, 0.0F); light.dot(geometric) < 0.0F) {
+                EXPECT_EQ(bsdf.eval(viewer, light), Color3f(0.0F)) << material.name;
+                EXPECT_EQ(bsdf.eval(viewer, -light), Color3f(0.0F)) << material.name;
+            }
+            const V3f below = -random.above(normal, 0.0F);
+            if (!bsdf.transmits()) {
+                EXPECT_EQ(bsdf.eval(viewer, below), Color3f(0.0F)) << material.name;
+            }
+            const auto sample = bsdf.sample(viewer, random.numbers());
+            if (sample && viewer.dot(geometric) > 0.0F) {
+                const float side = sample->to_light.dot(geometric);
+                EXPECT_TRUE(sample->transmitted ? side < 0.0F : side > 0.0F) << material.name;
+            }
         }
     }
+}
+
+// Through a thin wall light goes as if reflected at the wall.
+TEST(Bsdf, AThinWallTransmitsWithoutRefraction) {
+    Directions random(5);
+    const V3f up(0.0F, 0.0F, 1.0F);
+    const Bsdf smooth = flat(wall(0.0F, {0.5F, 0.7F, 0.9F}));
+    const Bsdf rough = flat(wall(0.4F));
+    for (int trial = 0; trial < 200; ++trial) {
+        const V3f viewer = random.above(up, 0.05F);
+        const auto sample = smooth.sample(viewer, {0.999F, 0.5F, 0.5F});
+        ASSERT_TRUE(sample && sample->delta && sample->transmitted);
+        EXPECT_EQ(sample->to_light, -viewer);
+        EXPECT_EQ(sample->eta, 1.0F);
+        EXPECT_EQ(sample->lobe, BsdfLobe::transmission);
+        // Both ways share the facets, by Fresnel's reflectance, which is that of the half vector.
+        const V3f light = random.above(up, 0.05F);
+        const float edge = std::pow(1.0F - viewer.dot((viewer + light).normalized()), 5.0F);
+        const float reflectance = 0.04F + 0.96F * edge;
+        const float back = rough.eval(viewer, light).x;
+        const float on = rough.eval(viewer, {light.x, light.y, -light.z}).x;
+        EXPECT_NEAR(on * reflectance, back * (1.0F - reflectance), 1e-5F * std::max(on, 1.0F));
+    }
+}
+
+TEST(Bsdf, SmoothGlassRefractsBySnellsLaw) {
+    Directions random(6);
+    const V3f up(0.0F, 0.0F, 1.0F);
+    constexpr float ior = 1.5F;
+    for (const bool entering : {true, false}) {
+        const Bsdf bsdf = flat({"", glass(0.0F, ior, {0.5F, 0.7F, 0.9F}), entering});
+        EXPECT_TRUE(bsdf.transmits());
+        const float eta = entering ? 1.0F / ior : ior;
+        for (int trial = 0; trial < 500; ++trial) {
+            const V3f viewer = random.above(up, 0.01F);
+            const float sine = std::sqrt(1.0F - viewer.z * viewer.z);
+            const auto sample = bsdf.sample(viewer, {0.999F, 0.5F, 0.5F});
+            ASSERT_TRUE(sample && sample->delta);
+            EXPECT_EQ(sample->pdf, 0.0F);
+            if (eta * sine >= 1.0F) {  // Total reflection.
+                EXPECT_FALSE(sample->transmitted);
+                EXPECT_NEAR(sample->to_light.z, viewer.z, 1e-6F);
+                EXPECT_NEAR(sample->weight.x, 1.0F, 1e-6F);
+                continue;
+            }
+            ASSERT_TRUE(sample->transmitted);
+            EXPECT_EQ(sample->lobe, BsdfLobe::transmission);
+            EXPECT_EQ(sample->eta, eta);
+            EXPECT_NEAR(sample->to_light.x, -eta * viewer.x, 1e-6F);
+            EXPECT_NEAR(sample->to_light.y, -eta * viewer.y, 1e-6F);
+            EXPECT_LT(sample->to_light.z, 0.0F);
+            EXPECT_NEAR(sample->weight.x / sample->weight.z, 5.0F / 9.0F, 1e-5F);
+        }
+    }
+}
+
+TEST(Bsdf, GlassHasFresnelsReflectance) {
+    const auto reflectance = [](float cosine) {
+        return flat(glass(0.0F, 1.5F)).sample_mirror(at_cosine(cosine))->weight.x;
+    };
+    EXPECT_NEAR(reflectance(1.0F), 0.04F, 1e-6F);
+    // Brewster's angle: no light polarised along the plane, and of the other the square of
+    // (n² - 1) / (n² + 1).
+    const float brewster = 1.0F / std::sqrt(1.0F + 1.5F * 1.5F);
+    EXPECT_NEAR(reflectance(brewster), 0.5F * std::pow(1.25F / 3.25F, 2.0F), 1e-6F);
+    EXPECT_NEAR(reflectance(1e-4F), 1.0F, 1e-3F);
+}
+
+// A facet that refracts obeys Snell's law as well.
+TEST(Bsdf, RoughGlassRefractsAtItsFacets) {
+    Directions random(8);
+    const V3f up(0.0F, 0.0F, 1.0F);
+    int found = 0;
+    for (int trial = 0; trial < 1000; ++trial) {
+        const bool entering = trial % 2 == 0;
+        const Bsdf bsdf = flat({"", glass(0.2F, 1.5F), entering});
+        const V3f viewer = random.above(up, 0.1F);
+        const auto sample = bsdf.sample(viewer, random.numbers());
+        if (!sample || !sample->transmitted || sample->roughness == 1.0F) {
+            continue;
+        }
+        ++found;
+        EXPECT_EQ(sample->eta, entering ? 1.0F / 1.5F : 1.5F);
+        const V3f there = sample->to_light.cross(sample->facet_normal);
+        const V3f here = viewer.cross(sample->facet_normal);
+        EXPECT_NEAR((there + sample->eta * here).length(), 0.0F, 1e-5F);
+    }
+    EXPECT_GT(found, 500);
 }
 
 TEST(Bsdf, AMirrorObeysTheLawOfReflection) {

@@ -16,9 +16,6 @@ namespace {
 constexpr Color3f white(1.0F, 1.0F, 1.0F);
 constexpr float pi = std::numbers::pi_v<float>;
 
-// Directions closer to the horizon than this are below it.
-constexpr float min_cosine = 1e-6F;
-
 float largest(const Color3f& color) { return std::max({color.x, color.y, color.z}); }
 
 // KHR_materials_specular, with KHR_materials_ior.
@@ -37,8 +34,9 @@ float width(float roughness) {
 }  // namespace
 
 Bsdf::Bsdf(const Appearance& appearance, const V3f& normal, const V3f& geometric_normal,
-           bool /*entering*/)
-    : diffuse_((1.0F - appearance.metallic) * appearance.base_color),
+           bool entering)
+    : diffuse_((1.0F - appearance.metallic) * (1.0F - appearance.transmission) *
+               appearance.base_color),
       metal_(appearance.metallic * appearance.base_color),
       roughness_(width(appearance.roughness) > 0.0F ? appearance.roughness : 0.0F),
       facets_(width(appearance.roughness)),
@@ -53,15 +51,43 @@ Bsdf::Bsdf(const Appearance& appearance, const V3f& normal, const V3f& geometric
     if (metallic < 1.0F) {
         const Color3f f0 = dielectric_reflectance(appearance);
         const Color3f f90(appearance.specular);
-        specular_.add(Color3f(1.0F - metallic), f0, f90, f0);
+        const float opaque = (1.0F - metallic) * (1.0F - appearance.transmission);
+        specular_.add(Color3f(opaque), f0, f90, f0);
         dielectric_.add(1.0F, largest(f0), appearance.specular, largest(f0));
-        const float mean = below(energies_.mean());
-        per_mean_below_ = mean > 0.0F ? 1.0F / mean : 0.0F;
+        if (appearance.transmission > 0.0F) {
+            add_passage(appearance, f0, entering);
+        }
+    }
+    if (appearance.clearcoat > 0.0F || largest(appearance.sheen_color) > 0.0F) {
+        add_covers(appearance);
+    }
+    const float mean = layers_ ? mean_below_covers() : below(energies_.mean());
+    per_mean_below_ = mean > 0.0F ? 1.0F / mean : 0.0F;
+}
+
+void Bsdf::add_passage(const Appearance& appearance, const Color3f& f0, bool entering) {
+    layers_.emplace().passage.emplace(appearance, width(roughness_), f0, appearance.specular,
+                                      entering);
+    const Passage& passage = *layers_->passage;
+    if (!passage.refracts) {
+        specular_.add(Color3f(passage.share), f0, Color3f(passage.f90), white);
     }
 }
 
-float Bsdf::below(const LayerEnergy& energy) const {
-    return std::max(1.0F - dielectric_.albedo(energy), 0.0F);
+void Bsdf::add_covers(const Appearance& appearance) {
+    if (!layers_) {
+        layers_.emplace();
+    }
+    if (appearance.clearcoat > 0.0F) {
+        layers_->coat.emplace(appearance, width(roughness_));
+    }
+    if (largest(appearance.sheen_color) > 0.0F) {
+        layers_->fibres.emplace(appearance, width(roughness_));
+    }
+}
+
+float Bsdf::below(const LayerEnergy& energy, float reaching) const {
+    return std::max(reaching - dielectric_.albedo(energy), 0.0F);
 }
 
 Bsdf::View Bsdf::view_from(const V3f& to_viewer) const {
@@ -76,11 +102,7 @@ Bsdf::View Bsdf::view_from(const V3f& to_viewer) const {
     return view;
 }
 
-Bsdf::Value Bsdf::evaluate(const V3f& to_viewer, const V3f& to_light) const {
-    return evaluate(view_from(to_viewer), to_light);
-}
-
-Bsdf::Value Bsdf::evaluate(const View& view, const V3f& to_light) const {
+Bsdf::Value Bsdf::evaluate_plain(const View& view, const V3f& to_light) const {
     const float cosine = normal_.dot(to_light);
     if (cosine < min_cosine || view.cosine < min_cosine ||
         geometric_normal_.dot(to_light) <= 0.0F) {
@@ -91,26 +113,22 @@ Bsdf::Value Bsdf::evaluate(const View& view, const V3f& to_light) const {
     Value value{lambert * view.below * below(energy) * per_mean_below_ * diffuse_,
                 (1.0F - view.specular) * lambert};
     if (!is_mirror()) {
-        const HalfVector half(normal_, view.direction, to_light);
-        const float density = facets_.density(half.cosine, half.squared_sine);
-        const float slant = facets_.slant(view.cosine);
-        const float layer =
-            density * Ggx::masking(view.cosine, slant, cosine, facets_.slant(cosine));
+        const HalfVector halfway(normal_, view.direction, to_light);
+        const Microfacets at(facets_, halfway, view.cosine, cosine);
+        const float scale = view.energy.scale * energy.scale;
         value.reflected +=
-            cosine * layer *
-            specular_.at_facet(schlick(half.viewer), view.energy.scale * energy.scale);
-        value.pdf += view.specular * 0.25F * density * Ggx::visible(view.cosine, slant);
+            cosine * at.reflectance * specular_.at_facet(schlick(halfway.viewer), scale);
+        value.pdf += view.specular * at.pdf;
     }
     return value;
 }
 
-std::optional<BsdfSample> Bsdf::sample(const V3f& to_viewer, const V3f& random) const {
+std::optional<BsdfSample> Bsdf::sample_plain(const V3f& to_viewer, const V3f& random) const {
     const View view = view_from(to_viewer);
     const bool by_facet = random.x < view.specular;
     if (by_facet && is_mirror()) {
-        std::optional<BsdfSample> sample = sample_mirror(to_viewer);
-        sample->weight /= view.specular;
-        return sample;
+        return mirror_sample(to_viewer,
+                             specular_.at_facet(schlick(view.cosine), 1.0F) / view.specular);
     }
     const Frame frame(normal_);
     BsdfSample sample;
@@ -124,29 +142,45 @@ std::optional<BsdfSample> Bsdf::sample(const V3f& to_viewer, const V3f& random) 
         sample.to_light = frame.to_world(sample_cosine(random.y, random.z)).normalized();
         sample.lobe = BsdfLobe::diffuse;
     }
-    const Value value = evaluate(view, sample.to_light);
+    return weighted(sample, evaluate_plain(view, sample.to_light));
+}
+
+std::optional<BsdfSample> Bsdf::weighted(const BsdfSample& sample, const Value& value) {
     if (!(largest(value.reflected) > 0.0F) || !(value.pdf > 0.0F)) {
         return std::nullopt;
     }
-    sample.pdf = value.pdf;
-    sample.weight = value.reflected / value.pdf;
-    return sample;
+    BsdfSample found = sample;
+    found.pdf = value.pdf;
+    found.weight = value.reflected / value.pdf;
+    return found;
 }
 
 std::optional<BsdfSample> Bsdf::sample_mirror(const V3f& to_viewer) const {
     if (!is_mirror()) {
         return std::nullopt;
     }
+    return mirror_sample(to_viewer,
+                         layers_ ? mirror_weight(layers_view_from(to_viewer))
+                                 : specular_.at_facet(schlick(normal_.dot(to_viewer)), 1.0F));
+}
+
+BsdfSample Bsdf::mirror_sample(const V3f& to_viewer, const Color3f& weight) const {
     BsdfSample sample;
     sample.facet_normal = normal_;
     if (mirrored(to_viewer, normal_).dot(geometric_normal_) <= 0.0F) {
         sample.facet_normal = geometric_normal_;
     }
     sample.to_light = mirrored(to_viewer, sample.facet_normal).normalized();
-    sample.weight = specular_.at_facet(schlick(normal_.dot(to_viewer)), 1.0F);
+    sample.weight = weight;
     sample.delta = true;
     sample.roughness = 0.0F;
     return sample;
+}
+
+bool Bsdf::is_rough() const {
+    constexpr float wide = 0.3F;
+    const bool coat_is_rough = !layers_ || !layers_->coat || layers_->coat->roughness > wide;
+    return roughness_ > wide && coat_is_rough && !transmits();
 }
 
 Color3f Bsdf::ambient_reflectance() const { return is_mirror() ? diffuse_ : diffuse_ + metal_; }

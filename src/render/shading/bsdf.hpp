@@ -4,6 +4,7 @@
 
 // The reflection of light at a point of a surface.
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -12,12 +13,15 @@
 
 #include "render/shading/appearance.hpp"
 #include "render/shading/energy.hpp"
+#include "render/shading/layers.hpp"
 #include "render/shading/microfacets.hpp"
 
 namespace balcony::render {
 
 using Imath::Color3f;
 using Imath::V3f;
+
+struct Frame;
 
 /// What a surface does with the light of a sample.
 enum class BsdfLobe : std::uint8_t { diffuse, glossy, transmission };
@@ -36,36 +40,6 @@ struct BsdfSample {
                        ///< that of the light's side.
 };
 
-/// The reflectance of a layer as factors of LayerEnergy: of the parts with and without c, each at
-/// normal incidence and rising to the edge.
-template <typename T>
-struct LayerReflectance {
-    T single{0.0F};
-    T single_edge{0.0F};
-    T all{0.0F};
-    T all_edge{0.0F};
-
-    /// Adds a layer with the reflectance f0 + (f90 - f0) schlick(cosine), of which c acts on the
-    /// part `repeated`.
-    void add(const T& share, const T& f0, const T& f90, const T& repeated) {
-        const T repeats = share * repeated;
-        const T once = share - repeats;
-        single += once * f0;
-        single_edge += once * (f90 - f0);
-        all += repeats * f0;
-        all_edge += repeats * (f90 - f0);
-    }
-    /// Of even light.
-    [[nodiscard]] T albedo(const LayerEnergy& energy) const {
-        return single * energy.single + single_edge * energy.single_edge + all * energy.all +
-               all_edge * energy.all_edge;
-    }
-    /// Of one facet; `scale` is c(viewer) c(light).
-    [[nodiscard]] T at_facet(float edge, float scale) const {
-        return single + edge * single_edge + scale * (all + edge * all_edge);
-    }
-};
-
 /// glTF 2.0's metallic-roughness material (appendix B): Lambert's law under a GGX microfacet layer
 /// with Schlick's approximation of Fresnel's reflectance; a mirror, that is, a delta lobe, where
 /// the roughness squared is below min_alpha. eval() and pdf() exclude it; sample() and
@@ -79,23 +53,39 @@ struct LayerReflectance {
 ///
 ///     diffuse = colour / π · (1 - E(viewer)) (1 - E(light)) / (1 - Ē).
 ///
+/// Upon this may lie sheen (sheen.hpp) and a clearcoat, which is a GGX layer of a dielectric and
+/// never a perfect mirror (cover.hpp). In place of the diffuse part light may pass through: through
+/// a thin wall straight on, spread like reflected light by the facets, or through the boundary of
+/// a solid by Snell's law, with Fresnel's reflectance (glass.hpp).
+///
+/// Radiance is divided by the square of the index of refraction of the medium, outside 1, so that
+/// refraction alone does not change it. With that, reflection is reciprocal, and refraction is so
+/// up to the squared ratio of the indices.
+///
 /// Directions are in world coordinates, unit, and point away from the surface; the viewer is above
 /// the surface, in front of both normals.
 class Bsdf {
 public:
+    /// Light comes from outside, where `entering` says that the viewer is, through the boundary of
+    /// a closed solid; elsewhere it has no meaning.
     Bsdf(const Appearance& appearance, const V3f& normal, const V3f& geometric_normal,
          bool entering = true);
 
     struct Value {
-        /// The reflectance times the cosine between normal and light: the radiance towards the
-        /// viewer for an irradiance of 1 on a plane perpendicular to the light's direction.
+        /// The reflectance, or transmittance, times the cosine between normal and light: the
+        /// radiance towards the viewer for an irradiance of 1 on a plane perpendicular to the
+        /// light's direction.
         Color3f reflected{0.0F};
         /// The density, by solid angle, with which sample() finds the direction by a lobe other
-        /// than the mirror. Over the sphere it integrates to 1 minus the probabilities of the
-        /// mirror and of finding nothing.
+        /// than the delta lobes. Over the sphere it integrates to 1 minus the probabilities of
+        /// those and of finding nothing.
         float pdf = 0.0F;
     };
-    [[nodiscard]] Value evaluate(const V3f& to_viewer, const V3f& to_light) const;
+    /// `to_light` may be below a surface that transmits light.
+    [[nodiscard]] Value evaluate(const V3f& to_viewer, const V3f& to_light) const {
+        return layers_ ? evaluate_layers(to_viewer, to_light)
+                       : evaluate_plain(view_from(to_viewer), to_light);
+    }
     [[nodiscard]] Color3f eval(const V3f& to_viewer, const V3f& to_light) const {
         return evaluate(to_viewer, to_light).reflected;
     }
@@ -104,17 +94,19 @@ public:
     }
 
     /// A direction from three numbers in [0, 1): the first selects the lobe. Nothing if the
-    /// direction points into the surface, or if the surface is black.
-    [[nodiscard]] std::optional<BsdfSample> sample(const V3f& to_viewer, const V3f& random) const;
+    /// direction points to the wrong side of the surface, or if the surface is black.
+    [[nodiscard]] std::optional<BsdfSample> sample(const V3f& to_viewer, const V3f& random) const {
+        return layers_ ? sample_layers(to_viewer, random) : sample_plain(to_viewer, random);
+    }
 
     /// Only the mirror lobe, with its whole weight; nothing if there is none. A direction that
     /// would point into the surface is reflected by the geometric normal instead.
     [[nodiscard]] std::optional<BsdfSample> sample_mirror(const V3f& to_viewer) const;
 
     /// Whether light passes through the surface.
-    [[nodiscard]] bool transmits() const { return false; }
+    [[nodiscard]] bool transmits() const { return layers_ && layers_->passage; }
     /// Whether all light is scattered widely, so that sampling the lights alone finds it.
-    [[nodiscard]] bool is_rough() const { return roughness_ > 0.3F; }
+    [[nodiscard]] bool is_rough() const;
 
     /// The reflectance for uniform light from all directions, without the mirror and without
     /// the Fresnel effect: an approximation for ambient light.
@@ -130,9 +122,16 @@ private:
         float specular;  // The probability with which sample() chooses the layer.
     };
     [[nodiscard]] View view_from(const V3f& to_viewer) const;
-    [[nodiscard]] float below(const LayerEnergy& energy) const;
+    [[nodiscard]] Value evaluate_plain(const View& view, const V3f& to_light) const;
+    [[nodiscard]] std::optional<BsdfSample> sample_plain(const V3f& to_viewer,
+                                                         const V3f& random) const;
+    /// What passes the dielectric layer of the part that reaches it.
+    [[nodiscard]] float below(const LayerEnergy& energy, float reaching = 1.0F) const;
     [[nodiscard]] bool is_mirror() const { return roughness_ == 0.0F; }
-    [[nodiscard]] Value evaluate(const View& view, const V3f& to_light) const;
+    [[nodiscard]] BsdfSample mirror_sample(const V3f& to_viewer, const Color3f& weight) const;
+    /// The sample with weight and density; nothing if it carries no light.
+    [[nodiscard]] static std::optional<BsdfSample> weighted(const BsdfSample& sample,
+                                                            const Value& value);
 
     LayerReflectance<Color3f> specular_;
     LayerReflectance<float> dielectric_;  // The brightest channel, without metal.
@@ -144,6 +143,38 @@ private:
     LayerEnergies energies_;
     V3f normal_;
     V3f geometric_normal_;
+
+    void add_passage(const Appearance& appearance, const Color3f& f0, bool entering);
+    void add_covers(const Appearance& appearance);
+
+    // Materials with layers beyond the plain ones: bsdf_layers.cpp.
+    struct LayersView {
+        V3f direction;
+        float cosine = 0.0F;
+        Covered covered;
+        float below = 0.0F;                  // What passes covers and dielectric layer.
+        float lost = 0.0F;                   // What the facets of glass block.
+        std::array<float, 5> probability{};  // By lobe.
+    };
+    [[nodiscard]] LayersView layers_view_from(const V3f& to_viewer) const;
+    [[nodiscard]] Covered covered(float cosine) const;
+    [[nodiscard]] float mean_below_covers() const;
+    [[nodiscard]] Value evaluate_layers(const V3f& to_viewer, const V3f& to_light) const;
+    [[nodiscard]] Value evaluate_layers(const LayersView& view, const V3f& to_light) const;
+    [[nodiscard]] Value evaluate_above(const LayersView& view, const V3f& to_light) const;
+    [[nodiscard]] Value evaluate_through_wall(const LayersView& view, const V3f& to_light) const;
+    [[nodiscard]] Value evaluate_refracted(const LayersView& view, const V3f& to_light) const;
+    [[nodiscard]] std::optional<BsdfSample> sample_layers(const V3f& to_viewer,
+                                                          const V3f& random) const;
+    [[nodiscard]] Color3f mirror_weight(const LayersView& view) const;
+    [[nodiscard]] std::optional<BsdfSample> sample_straight(const LayersView& view) const;
+    [[nodiscard]] BsdfSample sample_lobe(const LayersView& view, std::size_t lobe,
+                                         const V3f& random) const;
+
+    void pass(const LayersView& view, const V3f& random, const Frame& frame,
+              BsdfSample& sample) const;
+
+    std::optional<Layers> layers_;
 };
 
 }  // namespace balcony::render

@@ -11,16 +11,12 @@ namespace balcony::render {
 
 namespace {
 
-// The widths of the tables are evenly spaced by their fourth root.
 constexpr std::size_t width_count = 40;
-
-float root(float alpha) { return std::sqrt(std::sqrt(alpha)); }
 
 template <typename Entry>
 Entry between(const Entry& a, const Entry& b, float t) {
-    return {a.scale + t * (b.scale - a.scale), a.single + t * (b.single - a.single),
-            a.single_edge + t * (b.single_edge - a.single_edge),
-            a.all_edge + t * (b.all_edge - a.all_edge)};
+    return {mix(a.scale, b.scale, t), mix(a.single, b.single, t),
+            mix(a.single_edge, b.single_edge, t), mix(a.all_edge, b.all_edge, t)};
 }
 
 // The mean of schlick(), weighted by the cosine.
@@ -50,9 +46,7 @@ const std::vector<LayerEnergies::Row>& LayerEnergies::rows() {
     static const std::vector<Row> made = [] {
         std::vector<Row> all;
         for (std::size_t i = 0; i < width_count; ++i) {
-            const float fraction = static_cast<float>(i) / static_cast<float>(width_count - 1);
-            const float smallest = root(min_alpha);
-            all.push_back(make_row(square(square(smallest + fraction * (1.0F - smallest)))));
+            all.push_back(make_row(table_width(i, width_count)));
         }
         return all;
     }();
@@ -63,9 +57,7 @@ LayerEnergies::LayerEnergies(float alpha) {
     if (alpha < min_alpha) {
         return;
     }
-    static const float smallest = root(min_alpha);
-    static const float nodes_per_root = (width_count - 1) / (1.0F - smallest);
-    const TablePosition at = table_position((root(alpha) - smallest) * nodes_per_root, width_count);
+    const TablePosition at = position_of_width(alpha, width_count);
     lower_ = &rows()[at.node];
     fraction_ = at.fraction;
 }

@@ -15,26 +15,53 @@ namespace {
 // The smallest cosine that the quadrature can see from.
 constexpr float grazing = 1e-6F;
 
-// Calls visit(facet, part) with the facets that a viewer in the plane y = 0 sees, and the part of
-// them that each stands for. Half of the facets, since the other half is their mirror image. The
-// midpoint rule, closer where facets are steep: their tail decides how much light is lost.
+// A facet that a viewer sees.
+struct VisibleFacet {
+    const Ggx& layer;
+    float viewer;  // The viewer's cosine with the surface,
+    float slant;   // and Ggx::slant() of it.
+    V3f normal;
+    float cosine;  // The viewer's with the facet.
+    float part;    // Of all facets that the viewer sees.
+
+    // The part of the light that goes this way without meeting other facets.
+    [[nodiscard]] float unmasked(float light) const {
+        return 4.0F * light * Ggx::masking(viewer, slant, light, layer.slant(light)) /
+               Ggx::visible(viewer, slant);
+    }
+};
+
+// Calls visit(row, facet) with the facets that the viewer sees from the cosine of each row. Half of
+// the facets, since the other half is their mirror image. The midpoint rule, closer where facets
+// are steep: their tail decides how much light is lost.
 template <typename Visit>
-void for_visible_facets(const Ggx& layer, const V3f& to_viewer, Visit visit) {
-    constexpr std::size_t count = 24;
-    const auto midpoint = [](std::size_t i) {
+void for_paths(const Ggx& layer, std::size_t count, Visit visit) {
+    const auto midpoint = [count](std::size_t i) {
         return (static_cast<float>(i) + 0.5F) / static_cast<float>(count);
     };
-    for (std::size_t row = 0; row < count; ++row) {
-        const float rest = 1.0F - midpoint(row);
-        const float part = 2.0F * rest / (count * count);
-        for (std::size_t column = 0; column < count; ++column) {
-            visit(layer.sample_visible(to_viewer, 0.5F * midpoint(column), 1.0F - square(rest)),
-                  part);
+    for (std::size_t node = 0; node < cosine_count; ++node) {
+        const float viewer = std::max(table_cosines()[node], grazing);
+        const V3f to_viewer(std::sqrt(std::max(1.0F - square(viewer), 0.0F)), 0.0F, viewer);
+        const float slant = layer.slant(viewer);
+        for (std::size_t row = 0; row < count; ++row) {
+            const float rest = 1.0F - midpoint(row);
+            const float part = 2.0F * rest / static_cast<float>(count * count);
+            for (std::size_t column = 0; column < count; ++column) {
+                const V3f facet =
+                    layer.sample_visible(to_viewer, 0.5F * midpoint(column), 1.0F - square(rest));
+                visit(node, VisibleFacet{layer, viewer, slant, facet, to_viewer.dot(facet), part});
+            }
         }
     }
 }
 
 }  // namespace
+
+float table_width(std::size_t row, std::size_t count) {
+    const float first = std::sqrt(std::sqrt(min_alpha));
+    const float fraction = static_cast<float>(row) / static_cast<float>(count - 1);
+    return std::max(square(square(mix(first, 1.0F, fraction))), min_alpha);
+}
 
 const ByCosine& table_cosines() {
     static const ByCosine cosines = [] {
@@ -72,8 +99,7 @@ float cosine_mean(const ByCosine& function) {
     return mean;
 }
 
-void Transport::add(std::size_t viewer, float light, float part) {
-    const TablePosition at = position_of_cosine(light);
+void Transport::add(std::size_t viewer, const TablePosition& at, float part) {
     float* const row = &entries_[viewer * cosine_count];
     row[at.node] += (1.0F - at.fraction) * part;
     row[at.node + 1] += at.fraction * part;
@@ -89,25 +115,40 @@ float Transport::operator()(std::size_t viewer, const ByCosine& light) const {
 }
 
 GgxTransport ggx_transport(float alpha) {
-    const Ggx layer(alpha);
     GgxTransport found;
-    for (std::size_t row = 0; row < cosine_count; ++row) {
-        const float viewer = std::max(table_cosines()[row], grazing);
-        const float viewer_slant = layer.slant(viewer);
-        const V3f to_viewer(std::sqrt(std::max(1.0F - square(viewer), 0.0F)), 0.0F, viewer);
-        for_visible_facets(layer, to_viewer, [&](const V3f& facet, float part) {
-            const float cosine = to_viewer.dot(facet);
-            const float light = std::min(2.0F * cosine * facet.z - viewer, 1.0F);
-            if (light <= 0.0F) {
-                return;
+    constexpr std::size_t count = 24;
+    for_paths(Ggx(alpha), count, [&found](std::size_t row, const VisibleFacet& facet) {
+        const float light = 2.0F * facet.cosine * facet.normal.z - facet.viewer;
+        if (light > 0.0F) {
+            const TablePosition at = position_of_cosine(light);
+            const float part = facet.part * facet.unmasked(light);
+            found.reflected.add(row, at, part);
+            found.edge.add(row, at, part * schlick(facet.cosine));
+        }
+    });
+    return found;
+}
+
+GlassTransport glass_transport(float alpha, float eta) {
+    GlassTransport found;
+    // Total reflection begins at an angle that the rule must resolve.
+    constexpr std::size_t count = 56;
+    for_paths(Ggx(alpha), count, [&](std::size_t row, const VisibleFacet& facet) {
+        const float reflectance = fresnel(facet.cosine, eta);
+        const float mirrored = 2.0F * facet.cosine * facet.normal.z - facet.viewer;
+        if (mirrored > 0.0F) {
+            found.reflected.add(row, position_of_cosine(mirrored),
+                                facet.part * reflectance * facet.unmasked(mirrored));
+        }
+        if (reflectance < 1.0F) {
+            const float light =
+                facet.viewer / eta - refraction_shift(facet.cosine, eta) * facet.normal.z;
+            if (light > 0.0F) {
+                found.refracted.add(row, position_of_cosine(light),
+                                    facet.part * (1.0F - reflectance) * facet.unmasked(light));
             }
-            const float seen = Ggx::visible(viewer, viewer_slant);
-            const float lit =
-                4.0F * light * Ggx::masking(viewer, viewer_slant, light, layer.slant(light));
-            found.reflected.add(row, light, part * lit / seen);
-            found.edge.add(row, light, part * lit / seen * schlick(cosine));
-        });
-    }
+        }
+    });
     return found;
 }
 

@@ -27,6 +27,8 @@ struct TablePosition {
     return {node, inside - static_cast<float>(node)};
 }
 
+[[nodiscard]] inline float mix(float a, float b, float fraction) { return a + fraction * (b - a); }
+
 /// The cosines of the tables: narrow where they are small, since there the masking of a smooth
 /// layer changes within its width.
 inline constexpr std::size_t cosine_count = 48;
@@ -37,6 +39,17 @@ inline constexpr std::size_t cosine_count = 48;
 }
 
 using ByCosine = std::array<float, cosine_count>;
+
+/// GGX layers with a smaller width are perfect mirrors.
+inline constexpr float min_alpha = 1e-3F;
+
+/// Tables by the width of a layer have rows from min_alpha to 1, evenly spaced by the fourth root.
+[[nodiscard]] inline TablePosition position_of_width(float alpha, std::size_t count) {
+    constexpr float first = 0.177827941F;  // The fourth root of min_alpha.
+    const float root = std::sqrt(std::sqrt(alpha));
+    return table_position((root - first) / (1.0F - first) * static_cast<float>(count - 1), count);
+}
+[[nodiscard]] float table_width(std::size_t row, std::size_t count);
 
 [[nodiscard]] const ByCosine& table_cosines();
 /// How much of a function's mean, weighted by the cosine, each node holds.
@@ -49,7 +62,7 @@ class Transport {
 public:
     Transport() : entries_(cosine_count * cosine_count, 0.0F) {}
 
-    void add(std::size_t viewer, float light, float part);
+    void add(std::size_t viewer, const TablePosition& light, float part);
     [[nodiscard]] float operator()(std::size_t viewer, const ByCosine& light) const;
 
 private:
@@ -63,6 +76,15 @@ struct GgxTransport {
 };
 
 [[nodiscard]] GgxTransport ggx_transport(float alpha);
+
+/// What a GGX layer of glass reflects and refracts by single scattering, seen from one side, where
+/// its relative index of refraction is `eta`. Radiance counts as in Bsdf.
+struct GlassTransport {
+    Transport reflected;
+    Transport refracted;  ///< From the cosines of the other side.
+};
+
+[[nodiscard]] GlassTransport glass_transport(float alpha, float eta);
 
 /// The positive function c for which c(viewer) · transport(viewer, c) is the target.
 [[nodiscard]] ByCosine balance(const Transport& transport, const ByCosine& target);

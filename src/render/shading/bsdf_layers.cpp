@@ -1,0 +1,327 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// A Bsdf with a clearcoat, sheen or transmission.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "render/shading/bsdf.hpp"
+#include "render/shading/frame.hpp"
+
+namespace balcony::render {
+
+namespace {
+
+constexpr float pi = std::numbers::pi_v<float>;
+
+float largest(const Color3f& color) { return std::max({color.x, color.y, color.z}); }
+
+// Evenly on the unit hemisphere about z.
+V3f sample_hemisphere(float u, float v) {
+    const float radius = std::sqrt(std::max(1.0F - u * u, 0.0F));
+    const float angle = 2.0F * pi * v;
+    return {radius * std::cos(angle), radius * std::sin(angle), u};
+}
+
+// The direction on the other side of a wall, or of a facet's horizon.
+V3f through(const V3f& v, const V3f& normal) { return v - 2.0F * v.dot(normal) * normal; }
+
+// Indices of LayersView::probability.
+enum Lobe : std::size_t { coat_lobe, fibres_lobe, layer_lobe, diffuse_lobe, passage_lobe };
+}  // namespace
+
+Covered Bsdf::covered(float cosine) const {
+    const LayerEnergy layer = energies_.at(cosine);
+    return layers_->is_below_covers() ? Covered{.layer = layer} : layers_->at(layer, cosine);
+}
+
+Bsdf::LayersView Bsdf::layers_view_from(const V3f& to_viewer) const {
+    LayersView view;
+    view.direction = to_viewer;
+    view.cosine = normal_.dot(to_viewer);
+    view.covered = covered(view.cosine);
+    view.below = below(view.covered.layer, view.covered.passed);
+    auto& weights = view.probability;
+    weights[coat_lobe] = view.covered.coat;
+    weights[fibres_lobe] = view.covered.fibres;
+    weights[layer_lobe] = largest(specular_.albedo(view.covered.layer));
+    weights[diffuse_lobe] = largest(diffuse_) * view.below;
+    if (layers_->passage) {
+        const Passage& passage = *layers_->passage;
+        const float share = passage.share * view.covered.passed;
+        const Color3f reflected = passage.reflectance(view.cosine);
+        weights[passage_lobe] = share * largest(passage.transmittance(reflected));
+        if (passage.refracts) {
+            weights[is_mirror() ? layer_lobe : passage_lobe] += share * largest(reflected);
+            view.lost = passage.lost * passage.energies.lost(passage.viewer_side(), view.cosine,
+                                                             energies_.at(view.cosine).single);
+        }
+    }
+    float total = 0.0F;
+    for (const float weight : weights) {
+        total += weight;
+    }
+    for (float& weight : weights) {
+        weight = total > 0.0F ? weight / total : 0.0F;
+    }
+    return view;
+}
+
+// Gauss and Legendre's rule, over the cosine, with the cosine as weight.
+float Bsdf::mean_below_covers() const {
+    constexpr std::array<float, 6> points{0.0337652429F, 0.1693953068F, 0.3806904070F,
+                                          0.6193095930F, 0.8306046932F, 0.9662347571F};
+    constexpr std::array<float, 6> weights{0.0856622462F, 0.1803807865F, 0.2339569673F,
+                                           0.2339569673F, 0.1803807865F, 0.0856622462F};
+    float mean = 0.0F;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Covered at = covered(points[i]);
+        mean += 2.0F * points[i] * weights[i] * below(at.layer, at.passed);
+    }
+    return mean;
+}
+
+Bsdf::Value Bsdf::evaluate_layers(const V3f& to_viewer, const V3f& to_light) const {
+    return evaluate_layers(layers_view_from(to_viewer), to_light);
+}
+
+Bsdf::Value Bsdf::evaluate_layers(const LayersView& view, const V3f& to_light) const {
+    const float cosine = normal_.dot(to_light);
+    const float geometric = geometric_normal_.dot(to_light);
+    if (view.cosine < min_cosine) {
+        return {};
+    }
+    if (cosine >= min_cosine && geometric > 0.0F) {
+        return evaluate_above(view, to_light);
+    }
+    if (cosine > -min_cosine || geometric >= 0.0F || !layers_->passage || is_mirror()) {
+        return {};
+    }
+    return layers_->passage->refracts ? evaluate_refracted(view, to_light)
+                                      : evaluate_through_wall(view, to_light);
+}
+
+Bsdf::Value Bsdf::evaluate_above(const LayersView& view, const V3f& to_light) const {
+    const float cosine = normal_.dot(to_light);
+    const Covered& seen = view.covered;
+    const Covered lit = covered(cosine);
+    const float lambert = cosine / pi;
+    Value value{lambert * view.below * below(lit.layer, lit.passed) * per_mean_below_ * diffuse_,
+                view.probability[diffuse_lobe] * lambert};
+    const HalfVector halfway(normal_, view.direction, to_light);
+    const float edge = schlick(halfway.viewer);
+    const auto reflect = [&](const Ggx& facets, float probability, const Color3f& color) {
+        const Microfacets at(facets, halfway, view.cosine, cosine);
+        value.reflected += cosine * at.reflectance * color;
+        value.pdf += probability * at.pdf;
+    };
+    if (seen.coat > 0.0F) {
+        const Coat& coat = *layers_->coat;
+        const float scale = seen.coat_energy.scale * lit.coat_energy.scale;
+        reflect(coat.facets, view.probability[coat_lobe],
+                Color3f(coat.weight * coat_reflectance(edge, scale)));
+    }
+    if (seen.fibres > 0.0F) {
+        const Fibres& fibres = *layers_->fibres;
+        // Of either direction that which the coat shades more: reciprocal, and never too much.
+        const float scale =
+            seen.sheen.scale * lit.sheen.scale * (1.0F - std::max(seen.coat, lit.coat));
+        value.reflected +=
+            cosine * fibres.sheen.reflectance(view.cosine, cosine, halfway.squared_sine, scale) *
+            fibres.color;
+        value.pdf += view.probability[fibres_lobe] / (2.0F * pi);
+    }
+    if (is_mirror()) {
+        return value;
+    }
+    const float factor = layers_->cover_factor(seen, lit);
+    const float scale = seen.layer.scale * lit.layer.scale;
+    reflect(facets_, view.probability[layer_lobe], factor * specular_.at_facet(edge, scale));
+    if (layers_->passage && layers_->passage->refracts) {
+        const Passage& glass = *layers_->passage;
+        const GlassSide side = glass.viewer_side();
+        const float probability = view.probability[passage_lobe];
+        const Color3f color = glass.reflectance(halfway.viewer);
+        // Reciprocal, and together with the covers never too much.
+        const float share = glass.share * std::min(seen.passed, lit.passed);
+        reflect(facets_, probability * (1.0F - view.lost) * glass.reflection_probability(color),
+                share * color);
+        const float lost = glass.energies.lost(side, cosine, energies_.at(cosine).single);
+        value.reflected +=
+            Color3f(lambert * share * view.lost * lost * glass.energies.scattered(side));
+        value.pdf += probability * view.lost * glass.energies.share(side) * lambert;
+    }
+    return value;
+}
+
+Bsdf::Value Bsdf::evaluate_through_wall(const LayersView& view, const V3f& to_light) const {
+    const Passage& wall = *layers_->passage;
+    const V3f reflected = through(to_light, normal_);
+    const float cosine = normal_.dot(reflected);
+    const Covered lit = covered(cosine);
+    const HalfVector halfway(normal_, view.direction, reflected);
+    const Microfacets at(facets_, halfway, view.cosine, cosine);
+    const float all = view.covered.layer.scale * lit.layer.scale *
+                      layers_->cover_factor(view.covered, lit) * wall.share;
+    return {cosine * at.reflectance * all * wall.transmittance(wall.reflectance(halfway.viewer)),
+            view.probability[passage_lobe] * at.pdf};
+}
+
+Bsdf::Value Bsdf::evaluate_refracted(const LayersView& view, const V3f& to_light) const {
+    const Passage& glass = *layers_->passage;
+    const GlassSide side = glass.other_side();
+    const float cosine = -normal_.dot(to_light);
+    const float lambert = cosine / pi;
+    const LayerEnergy layer = energies_.at(cosine);
+    const float passed = glass.outside ? view.covered.passed : layers_->at(layer, cosine).passed;
+    const float lost = glass.energies.lost(side, cosine, layer.single);
+    Value value{lambert * view.lost * lost * glass.energies.scattered(side) * glass.tint,
+                view.lost * glass.energies.share(side) * lambert};
+    const RefractingFacet facet(normal_, view.direction, to_light, glass.eta);
+    if (facet.viewer > 0.0F && facet.light > 0.0F) {
+        const float density =
+            facets_.density(facet.cosine, facet.squared_sine) * facet.viewer * facet.per_light;
+        const float slant = facets_.slant(view.cosine);
+        const float masking = Ggx::masking(view.cosine, slant, cosine, facets_.slant(cosine));
+        const Color3f reflected = glass.reflectance(facet.viewer);
+        value.reflected += 4.0F * cosine * masking * density * glass.transmittance(reflected);
+        value.pdf += (1.0F - view.lost) * (1.0F - glass.reflection_probability(reflected)) *
+                     density * Ggx::visible(view.cosine, slant);
+    }
+    return {glass.share * passed * value.reflected, view.probability[passage_lobe] * value.pdf};
+}
+
+Color3f Bsdf::mirror_weight(const LayersView& view) const {
+    Color3f weight = layers_->cover_factor(view.covered, view.covered) *
+                     specular_.at_facet(schlick(view.cosine), 1.0F);
+    if (layers_->passage && layers_->passage->refracts) {
+        const Passage& glass = *layers_->passage;
+        weight += glass.share * view.covered.passed * glass.reflectance(view.cosine);
+    }
+    return weight;
+}
+
+std::optional<BsdfSample> Bsdf::sample_straight(const LayersView& view) const {
+    const Passage& passage = *layers_->passage;
+    BsdfSample sample;
+    sample.facet_normal = normal_;
+    sample.lobe = BsdfLobe::transmission;
+    sample.transmitted = true;
+    sample.delta = true;
+    sample.roughness = 0.0F;
+    float passed = view.covered.passed;
+    if (passage.refracts) {
+        sample.to_light = refracted(view.direction, normal_, view.cosine, passage.eta).normalized();
+        sample.eta = 1.0F / passage.eta;
+        const float cosine = -normal_.dot(sample.to_light);
+        if (!passage.outside) {
+            passed = layers_->at(energies_.at(cosine), cosine).passed;
+        }
+    } else {
+        sample.to_light = -view.direction;
+        passed = layers_->cover_factor(view.covered, view.covered);
+    }
+    if (geometric_normal_.dot(sample.to_light) >= 0.0F) {
+        return std::nullopt;
+    }
+    sample.weight =
+        passage.share * passed * passage.transmittance(passage.reflectance(view.cosine));
+    return sample;
+}
+
+// A direction by a lobe that is not a delta lobe, without its density.
+BsdfSample Bsdf::sample_lobe(const LayersView& view, std::size_t lobe, const V3f& random) const {
+    const Frame frame(normal_);
+    const auto sample_facet = [&](const Ggx& facets) {
+        return frame.to_world(
+            facets.sample_visible(frame.to_local(view.direction), random.y, random.z));
+    };
+    BsdfSample sample;
+    sample.facet_normal = normal_;
+    switch (lobe) {
+        case coat_lobe:
+            sample.facet_normal = sample_facet(layers_->coat->facets);
+            sample.to_light = mirrored(view.direction, sample.facet_normal);
+            sample.roughness = layers_->coat->roughness;
+            break;
+        case fibres_lobe:
+            sample.to_light = frame.to_world(sample_hemisphere(random.y, random.z));
+            sample.lobe = BsdfLobe::diffuse;
+            break;
+        case diffuse_lobe:
+            sample.to_light = frame.to_world(sample_cosine(random.y, random.z));
+            sample.lobe = BsdfLobe::diffuse;
+            break;
+        default:
+            sample.facet_normal = sample_facet(facets_);
+            sample.to_light = mirrored(view.direction, sample.facet_normal);
+            sample.roughness = roughness_;
+    }
+    if (lobe == passage_lobe) {
+        pass(view, random, frame, sample);
+    }
+    sample.to_light.normalize();
+    return sample;
+}
+
+// Makes a sample that is reflected by a facet pass the surface, or leave it in another way.
+void Bsdf::pass(const LayersView& view, const V3f& random, const Frame& frame,
+                BsdfSample& sample) const {
+    const Passage& passage = *layers_->passage;
+    if (!passage.refracts) {
+        sample.to_light = through(sample.to_light, normal_);
+        sample.transmitted = true;
+    } else if (random.x < view.lost) {
+        const float back = view.lost * passage.energies.share(passage.viewer_side());
+        sample.transmitted = random.x >= back;
+        sample.facet_normal = normal_;
+        sample.roughness = 1.0F;
+        sample.to_light = frame.to_world(sample_cosine(random.y, random.z));
+        if (sample.transmitted) {
+            sample.to_light = through(sample.to_light, normal_);
+        }
+    } else {
+        const float cosine = view.direction.dot(sample.facet_normal);
+        const float rest = (random.x - view.lost) / (1.0F - view.lost);
+        if (rest >= passage.reflection_probability(passage.reflectance(cosine))) {
+            sample.to_light = refracted(view.direction, sample.facet_normal, cosine, passage.eta);
+            sample.transmitted = true;
+        }
+    }
+    if (sample.transmitted) {
+        sample.lobe = BsdfLobe::transmission;
+        sample.eta = passage.refracts ? 1.0F / passage.eta : 1.0F;
+    }
+}
+
+std::optional<BsdfSample> Bsdf::sample_layers(const V3f& to_viewer, const V3f& random) const {
+    const LayersView view = layers_view_from(to_viewer);
+    std::size_t lobe = 0;
+    float rest = random.x;
+    while (lobe < passage_lobe && rest >= view.probability[lobe]) {
+        rest -= view.probability[lobe++];
+    }
+    const float probability = view.probability[lobe];
+    if (!(probability > 0.0F) || view.cosine < min_cosine) {
+        return std::nullopt;
+    }
+    if (is_mirror() && (lobe == layer_lobe || lobe == passage_lobe)) {
+        std::optional<BsdfSample> sample = lobe == layer_lobe
+                                               ? mirror_sample(to_viewer, mirror_weight(view))
+                                               : sample_straight(view);
+        if (sample) {
+            sample->weight /= probability;
+        }
+        return sample;
+    }
+    BsdfSample sample = sample_lobe(view, lobe, {rest / probability, random.y, random.z});
+    if (sample.transmitted != (normal_.dot(sample.to_light) < 0.0F)) {
+        return std::nullopt;
+    }
+    return weighted(sample, evaluate_layers(view, sample.to_light));
+}
+
+}  // namespace balcony::render
