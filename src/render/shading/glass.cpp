@@ -15,9 +15,9 @@ namespace balcony::render {
 
 namespace {
 
-// Indices of refraction are rounded to the next of 256, evenly spaced by the fourth root of the
+// Indices of refraction are rounded to the nearest of 1024, evenly spaced by the fourth root of the
 // reflectance at normal incidence, up to 3.
-constexpr std::size_t ior_count = 256;
+constexpr std::size_t ior_count = 1024;
 constexpr float last_root = 0.707106781F;
 
 std::size_t ior_number(float ior) {

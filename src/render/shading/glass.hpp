@@ -48,7 +48,7 @@ private:
         std::array<ByCosine, 2> lost;
         std::array<float, 2> mean;
     };
-    static constexpr std::size_t width_count = 14;
+    static constexpr std::size_t width_count = 20;
     using Rows = std::array<Row, width_count>;
 
     static Row make_row(float alpha, float ior);

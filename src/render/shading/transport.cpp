@@ -132,7 +132,7 @@ GgxTransport ggx_transport(float alpha) {
 GlassTransport glass_transport(float alpha, float eta) {
     GlassTransport found;
     // Total reflection begins at an angle that the rule must resolve.
-    constexpr std::size_t count = 56;
+    constexpr std::size_t count = 40;
     for_paths(Ggx(alpha), count, [&](std::size_t row, const VisibleFacet& facet) {
         const float reflectance = fresnel(facet.cosine, eta);
         const float mirrored = 2.0F * facet.cosine * facet.normal.z - facet.viewer;
