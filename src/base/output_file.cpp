@@ -130,7 +130,9 @@ Diagnostics OutputFile::commit() {
 }
 
 Diagnostic OutputFile::failure() const {
-    const std::string reason = reason_ != 0 ? ": " + std::generic_category().message(reason_) : "";
+    // A write that failed before the commit left its reason.
+    const int number = reason_ != 0 ? reason_ : errno;
+    const std::string reason = number != 0 ? ": " + std::generic_category().message(number) : "";
     return error(fmt::format("'{}' cannot be written{}", file_.string(), reason));
 }
 

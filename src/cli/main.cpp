@@ -123,6 +123,8 @@ int main(int argc, char** argv) {
     open_closed_streams();
     // A closed pipe must not end a render.
     std::signal(SIGPIPE, SIG_IGN);
+    // Neither must a file that is larger than the user's limit: its writing fails.
+    std::signal(SIGXFSZ, SIG_IGN);
     // Before any thread exists, so that all threads inherit the blocked signals.
     const cli::Interruption interruption;
 

@@ -21,8 +21,8 @@
 #include "cli/options/picture_output.hpp"
 #include "cli/options/render_options.hpp"
 #include "cli/options/scene_argument.hpp"
+#include "cli/picture_run.hpp"
 #include "cli/report/json.hpp"
-#include "cli/report/progress_display.hpp"
 #include "cli/report/render_report.hpp"
 #include "cli/report/report.hpp"
 #include "cli/report/usage.hpp"
@@ -57,22 +57,12 @@ bool has_samples(const render::Film& film) {
                        [](std::uint32_t count) { return count > 0; });
 }
 
-/// What the options ask of every picture.
-struct Request {
-    render::Settings settings;
-    std::optional<double> exposure;  ///< Chosen automatically if empty.
-    render::ViewTransform view;
-    PictureSize size;
-    render::LayerSet layers;
-    std::size_t texture_memory;
-    Diagnostics warnings{};  ///< Of files that all pictures share.
-};
-
 Request read_request(const RenderOptions& options, Diagnostics& diagnostics) {
     Request request{
         read_settings(options, diagnostics),    read_exposure(options, diagnostics),
         read_view(options, diagnostics),        read_size(options.size, diagnostics),
-        read_layers(options.film, diagnostics), read_texture_memory(options.textures, diagnostics)};
+        read_layers(options.film, diagnostics), read_crop(options.crop, diagnostics),
+        read_job(options.job, diagnostics),     read_texture_memory(options.textures, diagnostics)};
     if (options.camera.empty() && !options.set.empty()) {
         diagnostics.push_back(
             error("--set needs a camera whose parameter it sets", {}, "add --camera FILE"));
@@ -85,6 +75,13 @@ struct Loaded {
     lang::Workspace cameras;
     std::shared_ptr<const scene::Scene> scene;
     std::optional<render::Renderer> renderer;
+
+    /// The files that the picture depends on.
+    [[nodiscard]] std::vector<fs::path> files() const {
+        std::vector<fs::path> all = cameras.files();
+        all.insert(all.end(), scene->files.begin(), scene->files.end());
+        return all;
+    }
 };
 
 /// Tells whether the picture that is being rendered is of no use any more.
@@ -95,28 +92,39 @@ RenderReport make_picture(RenderReport outcome, const RenderOptions& options,
                           const Request& request, const Loaded& loaded,
                           const camera::Picture& picture, render::Film film,
                           const PictureOutput& output, const OutdatedTest& is_outdated) {
-    const Job job;
+    const Job interruption;
     std::stop_source stop;
-    const std::stop_callback on_signal(job.token(), [&stop] { stop.request_stop(); });
-    Result<render::Summary> summary;
-    {
-        ProgressDisplay display(options.quiet || options.json);
-        const auto on_progress = [&](const render::Progress& progress) {
-            display.show(progress);
+    const std::stop_callback on_signal(interruption.token(), [&stop] { stop.request_stop(); });
+    Result<render::Job> job = render::Job::make(*loaded.renderer, picture, request.settings, film);
+    add(outcome, job.diagnostics);
+    if (!job) {
+        return fail(std::move(outcome), ExitCode::bad_input);
+    }
+    PictureRun run(options, request, loaded.files(), output, film);
+    if (const Diagnostics found = run.resume(); has_errors(found)) {
+        return fail(std::move(outcome), ExitCode::bad_input, found);
+    }
+    const Result<render::Summary> summary = run.run(
+        *job,
+        [&](const render::Progress&) {
             if (is_outdated && is_outdated()) {
                 outcome.outdated = true;
                 stop.request_stop();
             }
-        };
-        summary = render::render(*loaded.renderer, picture, request.settings, film, on_progress,
-                                 stop.get_token());
-    }
+        },
+        stop.get_token());
     add(outcome, summary.diagnostics);
     if (!summary) {
         return fail(std::move(outcome), ExitCode::bad_input);
     }
-    if (outcome.outdated && !job.token().stop_requested()) {
+    if (outcome.outdated && !interruption.token().stop_requested()) {
         return outcome;
+    }
+    if (summary->interrupted && !stop.stop_requested()) {
+        return fail(std::move(outcome), ExitCode::environment,
+                    {error("a texture cannot be read any more, so the render ends", {},
+                           fmt::format("restore it and continue with --resume from '{}'",
+                                       run.checkpoint().file().string()))});
     }
     describe(outcome, output, picture, film, *summary);
     if (!summary->interrupted) {
@@ -126,9 +134,7 @@ RenderReport make_picture(RenderReport outcome, const RenderOptions& options,
         outcome.sentence = "interrupted before there was anything to save\n";
         return fail(std::move(outcome), ExitCode::interrupted);
     }
-    const double exposure = request.exposure                     ? *request.exposure
-                            : output.display_format() != nullptr ? render::automatic_exposure(film)
-                                                                 : 0.0;
+    const double exposure = run.exposure();
     outcome.facts["exposure"] = exposure;
     if (!request.exposure && exposure != 0.0) {
         outcome.sentence +=
@@ -140,10 +146,20 @@ RenderReport make_picture(RenderReport outcome, const RenderOptions& options,
                 : fmt::format("  exposure {:+} stops; --exposure sets it\n", exposure);
     }
     warn_of_lost_alpha(outcome, film, output);
-    const Diagnostics written = output.write(
-        film, {.exposure = exposure, .view = request.view, .dither = !options.film.no_dither});
+    Diagnostics written = run.save();
+    const CheckpointFile& checkpoint = run.checkpoint();
     if (has_errors(written)) {
+        if (checkpoint.is_used()) {
+            written.front().remedy = fmt::format(
+                "correct that and continue with --resume from '{}'", checkpoint.file().string());
+        }
         return fail(std::move(outcome), ExitCode::environment, written);
+    }
+    if (!summary->interrupted && checkpoint.is_used()) {
+        checkpoint.remove();
+    } else if (checkpoint.is_used()) {
+        outcome.sentence +=
+            fmt::format("  --resume continues from {}\n", checkpoint.file().string());
     }
     outcome.facts["output"] = output.is_stream() ? "-" : output.file().string();
     outcome.code = summary->interrupted ? ExitCode::interrupted : ExitCode::done;
@@ -184,9 +200,8 @@ RenderReport render_picture(const RenderOptions& options, const Request& request
     if (has_errors(outcome.diagnostics) || !load(target.scene, request, loaded, outcome)) {
         return fail(std::move(outcome), ExitCode::bad_input);
     }
-    std::vector<fs::path> inputs = loaded.cameras.files();
-    inputs.insert(inputs.end(), loaded.scene->files.begin(), loaded.scene->files.end());
-    if (const Diagnostics found = check_inputs_kept(inputs, target.output); has_errors(found)) {
+    if (const Diagnostics found = check_inputs_kept(loaded.files(), target.output);
+        has_errors(found)) {
         return fail(std::move(outcome), ExitCode::wrong_usage, found);
     }
     if (!of_file) {
@@ -198,21 +213,24 @@ RenderReport render_picture(const RenderOptions& options, const Request& request
         return fail(std::move(outcome), ExitCode::bad_input);
     }
     *picture = picture->with_fit(request.size.fit);
-    const auto [width, height] = request.size.resolve(picture->aspect(), picture->parts().size);
     const render::DisplayFormat* const format = target.output.display_format();
-    if (format != nullptr) {
-        if (const Diagnostics found = render::check_size(*format, width, height);
-            has_errors(found)) {
-            return fail(std::move(outcome), ExitCode::bad_input, found);
-        }
-    }
+    const auto whole = request.size.resolve(picture->aspect(), picture->parts().size);
+    const auto [width, height] = request.crop.scaled(whole.first, whole.second);
     Result<render::Film> film =
         render::make_film({.width = width,
                            .height = height,
+                           .window = request.crop.region(whole.first, whole.second),
                            .data_layers = false,
                            .layers = format == nullptr ? request.layers : render::LayerSet{}});
     if (!film) {
         return fail(std::move(outcome), ExitCode::bad_input, film.diagnostics);
+    }
+    if (format != nullptr) {
+        if (const Diagnostics found =
+                render::check_size(*format, film->window.width, film->window.height);
+            has_errors(found)) {
+            return fail(std::move(outcome), ExitCode::bad_input, found);
+        }
     }
     return make_picture(std::move(outcome), options, request, loaded, *picture, std::move(*film),
                         target.output, is_outdated);
@@ -366,6 +384,7 @@ void add_picture_options(CLI::App& command, RenderOptions& options) {
                      "size in pixels (default: that of the picture, or about a million pixels with "
                      "its aspect ratio)");
     add_fit_option(command, options.size);
+    add_crop_options(command, options.crop);
     add_sampling_options(command, options.sampling);
     add_integrator_options(command, options.integrator);
     add_light_options(command, options.light);
@@ -407,6 +426,7 @@ void add_picture_options(CLI::App& command, RenderOptions& options) {
 
 void add_render_command(CLI::App& app, ExitCode& code) {
     const auto describe = [](CLI::App& command, RenderOptions& options) {
+        options.command = &command;
         CLI::Option* scenes = command.add_option(
             "SCENE", options.scenes,
             scene_files_text() + "; several, or a pattern such as '*.glb', each give a picture");
@@ -438,6 +458,7 @@ void add_render_command(CLI::App& app, ExitCode& code) {
             .add_option("-j,--threads", options.threads, "number of threads; 0 uses all processors")
             ->type_name("COUNT")
             ->capture_default_str();
+        add_job_options(command, options.job);
         add_quiet_option(command, options.quiet);
         command.add_flag("--json", options.json, "print facts and diagnostics as JSON");
         command.footer(
@@ -449,7 +470,7 @@ void add_render_command(CLI::App& app, ExitCode& code) {
             "  balcony render room.glb --camera my.cam --watch\n"
             "  balcony render *.glb --camera panorama -o 'pictures/{scene}.jpg'\n"
             "\n"
-            "Ctrl-C saves the partial picture; a second Ctrl-C ends at once.");
+            "Ctrl-C saves the partial picture; a second Ctrl-C ends at once. --resume continues.");
     };
     add_command<RenderOptions>(app, code, "render", "renders a scene through a camera",
                                render_command, describe);

@@ -8,8 +8,10 @@
 
 #include "balcony/render.hpp"
 #include "cli/options/common_options.hpp"
+#include "cli/options/crop_options.hpp"
 #include "cli/options/film_options.hpp"
 #include "cli/options/integrator_options.hpp"
+#include "cli/options/job_options.hpp"
 #include "cli/options/light_options.hpp"
 #include "cli/options/sampling_options.hpp"
 #include "cli/options/shutter_options.hpp"
@@ -23,8 +25,10 @@ struct RenderOptions {
     std::string camera;
     std::optional<std::string> output;
     SizeWords size;
+    CropWords crop;
     SamplingWords sampling;
     LightWords light;
+    JobWords job;
     std::vector<std::string> set;
     IntegratorWords integrator;
     std::string background = "auto";
@@ -39,6 +43,7 @@ struct RenderOptions {
     bool watch = false;
     bool quiet = false;
     bool json = false;
+    const CLI::App* command = nullptr;  ///< With the options as they were written.
 };
 
 /// The settings that the options ask for; what cannot be read is added to

@@ -43,9 +43,12 @@ std::string time_left(double done, double seconds) {
 
 ProgressDisplay::ProgressDisplay(bool quiet) : quiet_(quiet), terminal_(is_terminal()) {}
 
-ProgressDisplay::~ProgressDisplay() {
+ProgressDisplay::~ProgressDisplay() { clear(); }
+
+void ProgressDisplay::clear() {
     if (bar_shown_) {
         show_status("");
+        bar_shown_ = false;
     }
 }
 

@@ -19,6 +19,8 @@ public:
     ProgressDisplay& operator=(const ProgressDisplay&) = delete;
 
     void show(const render::Progress& progress);
+    /// Makes place for other output.
+    void clear();
 
 private:
     using Clock = std::chrono::steady_clock;

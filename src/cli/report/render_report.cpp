@@ -79,8 +79,8 @@ void describe(RenderReport& report, const PictureOutput& output, const camera::P
     report.facts = {{"output", nullptr},
                     {"camera", picture.name()},
                     {"layers", layers_json(summary)},
-                    {"width", film.width},
-                    {"height", film.height},
+                    {"width", film.window.width},
+                    {"height", film.window.height},
                     {"passes", summary.passes},
                     {"rays", summary.camera_rays},
                     {"invalid_rays", summary.invalid_rays},
@@ -93,12 +93,13 @@ void describe(RenderReport& report, const PictureOutput& output, const camera::P
                     {"light", summary.light},
                     {"peak_memory", peak_memory()},
                     {"interrupted", summary.interrupted}};
-    report.sentence = fmt::format(
-        "{}{}: {} x {} pixels through '{}', {}, {} rays in {}, {:.0f} MiB of memory\n",
-        summary.interrupted ? "interrupted; the partial picture is " : "", printable(output.name()),
-        film.width, film.height, picture.name(), counted(summary.passes, "pass", "passes"),
-        count_text(static_cast<double>(summary.camera_rays)), duration_text(summary.seconds),
-        static_cast<double>(peak_memory()) / 0x1p20);
+    report.sentence =
+        fmt::format("{}{}: {} x {} pixels through '{}', {}, {} rays in {}, {:.0f} MiB of memory\n",
+                    summary.interrupted ? "interrupted; the partial picture is " : "",
+                    printable(output.name()), film.window.width, film.window.height, picture.name(),
+                    counted(summary.passes, "pass", "passes"),
+                    count_text(static_cast<double>(summary.camera_rays)),
+                    duration_text(summary.seconds), static_cast<double>(peak_memory()) / 0x1p20);
     if (!summary.light.empty()) {
         report.sentence += fmt::format("  lit by {}\n", printable(summary.light));
     }
@@ -133,8 +134,9 @@ void warn_of_lost_alpha(RenderReport& report, const render::Film& film,
     if (format == nullptr || format->has_alpha || film.background) {
         return;
     }
-    for (std::size_t y = 0; y < film.height; ++y) {
-        for (std::size_t x = 0; x < film.width; ++x) {
+    const render::Region& window = film.window;
+    for (std::size_t y = window.y; y < window.y + window.height; ++y) {
+        for (std::size_t x = window.x; x < window.x + window.width; ++x) {
             // Rounding to a byte hides less than this.
             if (film.pixel(x, y).a < 1.0F - 0.5F / 255.0F) {
                 report.diagnostics.push_back(warning(

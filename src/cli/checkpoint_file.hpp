@@ -1,0 +1,46 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The checkpoint of a picture, beside it.
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "balcony/checkpoint.hpp"
+#include "cli/file_watch.hpp"
+
+namespace balcony::cli {
+
+class CheckpointFile {
+public:
+    /// The options of the render, the files that were read, and a time before that.
+    CheckpointFile(const std::filesystem::path& picture, render::RenderFacts options,
+                   std::vector<std::filesystem::path> inputs, FileWatch::Time since);
+
+    [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+    [[nodiscard]] bool exists() const;
+
+    /// Continues the film of the checkpoint.
+    [[nodiscard]] Diagnostics load(render::Film& film);
+    /// Replaces the checkpoint. The second failure in succession is silent.
+    [[nodiscard]] Diagnostics save(const render::Film& film);
+    void remove() const;
+
+    /// Whether the film was loaded from a checkpoint, or saved to one.
+    [[nodiscard]] bool is_used() const { return used_; }
+
+private:
+    [[nodiscard]] const render::RenderFacts& facts(const render::Film& film);
+
+    std::filesystem::path file_;
+    render::RenderFacts options_;
+    std::vector<std::filesystem::path> inputs_;
+    FileWatch watch_;
+    std::optional<render::RenderFacts> facts_;
+    bool used_ = false;
+    bool failed_ = false;
+};
+
+}  // namespace balcony::cli

@@ -1,0 +1,40 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// How long a render runs, and what it leaves on the disk meanwhile.
+
+#include <optional>
+#include <string>
+
+#include "balcony/checkpoint.hpp"
+#include "cli/command_line.hpp"
+
+namespace balcony::cli {
+
+/// The words of --time-limit, --save-every, --checkpoint-every and --resume.
+struct JobWords {
+    std::string time_limit;
+    std::string save_every;
+    std::string checkpoint_every = "60s";
+    bool resume = false;
+};
+
+/// Intervals in seconds.
+struct JobRequest {
+    std::optional<double> time_limit;
+    std::optional<double> save_every;
+    std::optional<double> checkpoint_every;
+    bool resume = false;
+};
+
+void add_job_options(CLI::App& command, JobWords& words);
+[[nodiscard]] JobRequest read_job(const JobWords& words, Diagnostics& diagnostics);
+
+/// The options of a command line that the light of a picture depends on, with their values.
+[[nodiscard]] render::RenderFacts option_facts(const CLI::App& command);
+
+/// A duration in seconds: "90", "90s", "1.5min", "1h30min"; nothing if it cannot be read.
+[[nodiscard]] std::optional<double> duration_of(std::string_view text);
+
+}  // namespace balcony::cli

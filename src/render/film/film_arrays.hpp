@@ -1,0 +1,31 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "balcony/film.hpp"
+
+namespace balcony::render {
+
+/// Calls visit(vector) with all that jobs add to a film, in a fixed order. Jobs derive the other
+/// members from the settings and the scene.
+template <class AnyFilm, class Visit>
+void for_each_array(AnyFilm& film, const Visit& visit) {
+    const auto each = [&visit](auto&... arrays) { (visit(arrays), ...); };
+    // All members are named here, so that a new one does not compile until it is visited, too, or
+    // known to be derived.
+    auto& [width, height, window, sum, sum_of_squares, display, mirrored, background, ambient,
+           layer_set, layers, means, noisy, first_pass, passes, objects, materials,
+           picture_layers] = film;
+    each(sum, sum_of_squares, display, mirrored, passes);
+    auto& [emission, direct, mean_albedo, mean_normal, mean_position, object_mattes,
+           material_mattes] = means;
+    each(emission, direct, mean_albedo, mean_normal, mean_position, object_mattes, material_mattes);
+    if (layers) {
+        auto& [ray_length, position, normal, albedo, object, origin, direction, parameters, valid,
+               layer, magnification] = *layers;
+        each(ray_length, position, normal, albedo, object, origin, direction, parameters, valid,
+             layer, magnification);
+    }
+}
+
+}  // namespace balcony::render

@@ -1,0 +1,239 @@
+# Balcony: rendering through extended cameras.
+# SPDX-License-Identifier: Apache-2.0
+"""Renders that are killed, run out of space or time, and are resumed."""
+
+import os
+import random
+import resource
+import shutil
+import time
+
+import support
+
+# Takes seconds, and is written several times a second.
+SLOW = ("render", "scene.obj", "-c", "my.cam:above", "--size", "200x150", "-s", "600", "-q")
+OFTEN = ("--checkpoint-every", "0.05s")
+
+
+class Checkpoint(support.CommandTest):
+    def picture(self, *words):
+        self.run_command(*words)
+        return (self.folder / words[-1]).read_bytes()
+
+    def killed(self, *words, seconds=0.7):
+        """Kills a render in the middle."""
+        process = self.start(*words)
+        time.sleep(seconds)
+        self.assertIsNone(process.poll(), "it ended early")
+        process.kill()
+        process.communicate()
+
+    def interrupted(self, *words):
+        """Kills a render that has written a checkpoint."""
+        process = self.start(*words)
+        checkpoint = self.folder / (words[-1] + ".checkpoint")
+        while not checkpoint.exists():
+            self.assertIsNone(process.poll(), "it ended early")
+            time.sleep(0.002)
+        process.kill()
+        process.communicate()
+        return checkpoint
+
+    def test_killed_at_random_times_it_gives_the_same_picture(self):
+        dice = random.Random(1)
+        for ending in ("png", "exr"):
+            whole = self.picture(*SLOW, "-o", f"whole.{ending}")
+            kills = 0
+            while kills < 20:
+                process = self.start(*SLOW, *OFTEN, "--resume", "-o", f"p.{ending}")
+                time.sleep(dice.uniform(0.02, 0.4))
+                if process.poll() is not None:
+                    process.communicate()
+                    (self.folder / f"p.{ending}").unlink()
+                    continue
+                process.kill()
+                process.communicate()
+                kills += 1
+            facts = self.json_of(*SLOW, *OFTEN, "--resume", "-o", f"p.{ending}")
+            self.assertEqual((self.folder / f"p.{ending}").read_bytes(), whole)
+            self.assertEqual(facts["passes"], 600)
+            self.assertEqual([name for name in self.files() if "checkpoint" in name], [])
+
+    def test_goes_on_where_it_was(self):
+        self.interrupted(*SLOW, *OFTEN, "-o", "p.png")
+        facts = self.json_of(*SLOW, "--resume", "-o", "p.png")
+        self.assertLess(facts["rays"], 600 * 200 * 150)
+
+    def test_a_region_is_resumed(self):
+        region = ("--crop", "120x90+30+20")
+        whole = self.picture(*SLOW, *region, "-o", "whole.exr")
+        self.interrupted(*SLOW, *region, *OFTEN, "-o", "p.exr")
+        self.assertEqual(self.picture(*SLOW, *region, "--resume", "-o", "p.exr"), whole)
+
+    def test_a_stopped_render_keeps_its_checkpoint(self):
+        process = self.start(*SLOW[:-1], *OFTEN, "-o", "p.png")
+        time.sleep(0.7)
+        process.terminate()
+        out, _ = process.communicate()
+        self.assertEqual(process.returncode, 130)
+        self.assertIn("--resume continues from p.png.checkpoint", out.decode())
+        self.assertEqual(self.picture(*SLOW, "--resume", "-o", "p.png"),
+                         self.picture(*SLOW, "-o", "whole.png"))
+
+    def test_a_short_render_has_none(self):
+        self.killed(*SLOW, "-o", "p.png", seconds=0.3)
+        self.assertNotIn("p.png.checkpoint", self.files())
+        self.run_command(*SLOW, "--resume", "-o", "p.png")
+
+    def test_one_that_is_left_is_told_of(self):
+        self.interrupted(*SLOW, *OFTEN, "-o", "p.png")
+        _, err = self.run_command("render", "scene.obj", "--size", "20", "-o", "p.png")
+        self.assertIn("'p.png.checkpoint' is left from an interrupted render", err)
+        self.assertIn("--resume", err)
+
+    def test_another_render_is_refused(self):
+        checkpoint = self.interrupted(*SLOW, *OFTEN, "-o", "p.png")
+        kept = checkpoint.read_bytes()
+        for words, says in (
+                (("--seed", "3"), "--seed was '0' and is '3'"),
+                (("--filter", "box"), "--filter was 'blackman-harris' and is 'box'"),
+                (("--set", "size=2"), "--set was '' and is 'size=2'"),
+                (("--crop", "50x50+0+0"), "--crop was '' and is '50x50+0+0'"),
+                (("-s", "700"), "--samples was '600' and is '700'")):
+            self.refused(*SLOW, *words, "--resume", "-o", "p.png", code=1, says=says,
+                         helps="render without --resume")
+        (self.folder / "my.cam").write_text(support.CAMERAS + "\n")
+        self.refused(*SLOW, "--resume", "-o", "p.png", code=1,
+                     says="the file 'my.cam' has changed")
+        (self.folder / "my.cam").write_text(support.CAMERAS)
+        (self.folder / "scene.obj").write_text(support.OBJ.replace("2 1 -1", "2 1 -2"))
+        self.refused(*SLOW, "--resume", "-o", "p.png", code=1,
+                     says="the file 'scene.obj' has changed")
+        self.assertEqual(checkpoint.read_bytes(), kept)
+
+    def test_another_version_is_refused(self):
+        checkpoint = self.interrupted(*SLOW, *OFTEN, "-o", "p.png")
+        bytes_before = checkpoint.read_bytes()
+        version = self.run_command("--version")[0].split()[-1].encode()
+        self.assertIn(version, bytes_before)
+        checkpoint.write_bytes(bytes_before.replace(version, b"0.0.0", 1))
+        self.refused(*SLOW, "--resume", "-o", "p.png", code=1, says="Balcony was '0.0.0'")
+
+    def test_a_damaged_one_is_refused(self):
+        checkpoint = self.interrupted(*SLOW, *OFTEN, "-o", "p.png")
+        whole = checkpoint.read_bytes()
+        flipped = bytearray(whole)
+        flipped[len(whole) // 2] ^= 1
+        for bad in (b"", whole[:10], whole[:-1], whole + b"x", bytes(flipped), b"a" * len(whole)):
+            checkpoint.write_bytes(bad)
+            self.refused(*SLOW, "--resume", "-o", "p.png", code=1, says="damaged")
+
+    def test_a_full_disk_costs_the_checkpoint_only(self):
+        def small_files():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (100_000, 100_000))
+
+        _, err = self.run_command(*SLOW, *OFTEN, "-o", "p.png", preexec_fn=small_files)
+        self.assertEqual(err.count("the checkpoint 'p.png.checkpoint' cannot be written: "
+                                   "File too large"), 1)
+        self.assertEqual(self.files(), ["my.cam", "p.png", "room.glb", "scene.obj"])
+
+    def test_a_disk_that_is_full_at_the_end_costs_no_sample(self):
+        self.interrupted(*SLOW, *OFTEN, "-o", "p.exr")
+
+        def small_files():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (10_000, 10_000))
+
+        _, err = self.run_command(*SLOW, "--resume", "-o", "p.exr", code=3,
+                                  preexec_fn=small_files)
+        self.assertIn("cannot be written: File too large", err)
+        self.assertIn("continue with --resume from 'p.exr.checkpoint'", err)
+        self.assertEqual(self.picture(*SLOW, "--resume", "-o", "p.exr"),
+                         self.picture(*SLOW, "-o", "whole.exr"))
+
+    def test_a_place_that_cannot_be_written_costs_the_checkpoint_only(self):
+        (self.folder / "p.png.checkpoint.new").mkdir()
+        _, err = self.run_command(*SLOW, *OFTEN, "-o", "p.png")
+        self.assertEqual(err.count("cannot be written: Is a directory"), 1)
+        self.assertIn("p.png", self.files())
+
+    def test_a_folder_that_vanishes_is_told_of(self):
+        (self.folder / "out").mkdir()
+        process = self.start(*SLOW, *OFTEN, "-o", "out/p.png")
+        time.sleep(0.5)
+        shutil.rmtree(self.folder / "out", ignore_errors=True)
+        _, err = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 3)
+        self.assertIn("'out/p.png.checkpoint' cannot be written: No such file or directory",
+                      err.decode())
+        self.assertIn("No such file or directory", err.decode())
+
+    def test_a_scene_that_changes_meanwhile_has_none(self):
+        process = self.start(*SLOW, "--checkpoint-every", "1s", "-o", "p.png", "-s", "6000",
+                             "--time-limit", "2s")
+        time.sleep(0.5)
+        os.utime(self.folder / "scene.obj", (1, 1))
+        _, err = process.communicate(timeout=60)
+        self.assertIn("has changed since it was read, so no checkpoint is written", err.decode())
+        self.assertNotIn("p.png.checkpoint", self.files())
+
+    def test_pictures_on_the_way(self):
+        process = self.start(*SLOW, "--save-every", "0.1s", "-o", "p.png")
+        while "p.png" not in self.files():
+            self.assertIsNone(process.poll(), "it ended early")
+            time.sleep(0.01)
+        self.assertEqual(support.png_pixels(self.folder / "p.png")[:2], (200, 150))
+        process.kill()
+        process.communicate()
+
+    def test_a_time_limit_gives_a_whole_picture(self):
+        facts = self.json_of("render", "scene.obj", "-c", "my.cam:above", "--size", "400x300",
+                             "-s", "100000", "--time-limit", "0.5s", "-o", "p.png")
+        self.assertFalse(facts["interrupted"])
+        self.assertGreater(facts["passes"], 0)
+        self.assertLess(facts["passes"], 100000)
+        facts = self.json_of("render", "scene.obj", "--size", "400x300", "--time-limit", "0.000001",
+                             "-o", "p.png")
+        self.assertGreaterEqual(facts["passes"], 1)
+
+    def test_durations(self):
+        for text in ("0.5s", "0.01min", "0h0.5s", "1", "off"):
+            self.run_command("render", "scene.obj", "--size", "20", "--save-every", text)
+        for text in ("soon", "-3s", "0s", "3 parsecs", "1..5s", "nan", "s"):
+            self.refused("render", "scene.obj", f"--time-limit={text}", code=2,
+                         says="--time-limit cannot be", helps="10min")
+
+
+class Crop(support.CommandTest):
+    WORDS = ("render", "scene.obj", "-c", "my.cam:above", "--size", "60x40", "-q", "-o")
+
+    def rows(self, *words):
+        self.run_command(*self.WORDS, "p.png", *words)
+        return support.png_pixels(self.folder / "p.png")[2]
+
+    def test_a_part_is_that_of_the_whole(self):
+        whole = self.rows()
+        part = [row[10:30] for row in whole[5:20]]
+        self.assertEqual(self.rows("--crop", "20x15+10+5"), part)
+        self.assertEqual(self.rows("--crop", "25%,25%,0.75,75%"),
+                         [row[15:45] for row in whole[10:30]])
+        self.assertEqual(self.rows("--crop", "0,0,1,1"), whole)
+
+    def test_scale(self):
+        half = self.rows("--scale", "50%")
+        self.assertEqual((len(half), len(half[0])), (20, 30))
+        self.assertEqual(self.rows("--scale", "0.5", "--crop", "20x14+10+6"),
+                         [row[5:15] for row in half[3:10]])
+
+    def test_refused(self):
+        for text in ("20x15", "20x15+10", "0x15+0+0", "10,10,20,20", "0.5,0,0.5,1", "left", "1,2",
+                     "20x15-3+4", "0,0,1,2"):
+            self.refused(*self.WORDS, "p.png", f"--crop={text}", code=2, says="--crop cannot be",
+                         helps="--crop 400x300+100+50")
+        for text in ("0", "-50%", "big", "nan", "1e9"):
+            self.refused(*self.WORDS, "p.png", f"--scale={text}", code=2, says="--scale cannot be")
+        self.refused(*self.WORDS, "p.png", "--crop", "20x15+50+0", code=1,
+                     says="not part of the picture of 60 x 40 pixels")
+
+
+if __name__ == "__main__":
+    support.main()

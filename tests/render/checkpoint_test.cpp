@@ -1,0 +1,156 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Checkpoints: everything that a render adds up returns, and nothing from a damaged file.
+
+#include "balcony/checkpoint.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "render/film/film_arrays.hpp"
+#include "support.hpp"
+
+namespace balcony::render::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+LayerSet all_layers() {
+    LayerSet all;
+    for (const LayerInfo& info : layer_infos()) {
+        all.insert(info.id);
+    }
+    return all;
+}
+
+const FilmLayout layout{.width = 70,
+                        .height = 40,
+                        .window = Region{3, 2, 64, 36},
+                        .layers = all_layers(),
+                        .second_moment = true};
+
+const RenderFacts facts{{"--seed", "3"}, {"the file 'a.obj'", "#12ab"}};
+
+// Every array is filled with bytes that say which it is.
+Film filled_film() {
+    Film film = *make_film(layout);
+    film.display.assign(film.window.size(), Color4d(0.0));
+    film.mirrored.assign(film.window.size(), Color4d(0.0));
+    int value = 0;
+    for_each_array(film, [&](auto& array) {
+        EXPECT_FALSE(array.empty());
+        ++value;
+        for (auto& element : std::as_writable_bytes(std::span(array))) {
+            element = static_cast<std::byte>(value);
+        }
+    });
+    return film;
+}
+
+Film empty_film() {
+    Film film = *make_film(layout);
+    film.display.assign(film.window.size(), Color4d(0.0));
+    film.mirrored.assign(film.window.size(), Color4d(0.0));
+    return film;
+}
+
+std::vector<std::byte> bytes_of(const Film& film) {
+    std::vector<std::byte> all;
+    for_each_array(film, [&](const auto& array) {
+        const auto bytes = std::as_bytes(std::span(array));
+        all.insert(all.end(), bytes.begin(), bytes.end());
+    });
+    return all;
+}
+
+class Checkpoint : public testing::Test {
+protected:
+    fs::path file = fs::path(testing::TempDir()) /
+                    (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) +
+                     ".checkpoint");
+    void TearDown() override { fs::remove(file); }
+
+    [[nodiscard]] std::string contents() const {
+        std::ifstream stream(file, std::ios::binary);
+        return {std::istreambuf_iterator<char>(stream), {}};
+    }
+    void replace(const std::string& bytes) const {
+        std::ofstream(file, std::ios::binary)
+            .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    }
+};
+
+TEST_F(Checkpoint, EverythingReturns) {
+    const Film film = filled_film();
+    ASSERT_FALSE(has_errors(write_checkpoint(film, facts, file)));
+    Film read = empty_film();
+    ASSERT_FALSE(has_errors(read_checkpoint(read, facts, file)));
+    EXPECT_EQ(bytes_of(read), bytes_of(film));
+    EXPECT_FALSE(fs::exists(file.string() + ".new"));
+}
+
+TEST_F(Checkpoint, OtherFactsAreRefusedByName) {
+    ASSERT_FALSE(has_errors(write_checkpoint(filled_film(), facts, file)));
+    const auto message = [&](const RenderFacts& now) {
+        Film read = empty_film();
+        const Diagnostics found = read_checkpoint(read, now, file);
+        EXPECT_TRUE(has_errors(found));
+        EXPECT_EQ(bytes_of(read), bytes_of(empty_film()));
+        return found.empty() ? "" : found.front().message;
+    };
+    EXPECT_NE(message({{"--seed", "4"}, facts[1]}).find("--seed was '3' and is '4'"),
+              std::string::npos);
+    EXPECT_NE(message({facts[0], {"the file 'a.obj'", "#12ac"}}).find("'a.obj' has changed"),
+              std::string::npos);
+    EXPECT_NE(message({facts[0]}).find("the file 'a.obj' is missing"), std::string::npos);
+    EXPECT_NE(message({facts[0], facts[1], {"--lens", "2"}}).find("--lens is new"),
+              std::string::npos);
+}
+
+TEST_F(Checkpoint, AFilmOfAnotherKindIsRefused) {
+    ASSERT_FALSE(has_errors(write_checkpoint(filled_film(), facts, file)));
+    FilmLayout smaller = layout;
+    smaller.second_moment = false;
+    smaller.layers.erase(LayerId::variance);
+    Film read = *make_film(smaller);
+    EXPECT_TRUE(has_errors(read_checkpoint(read, facts, file)));
+}
+
+TEST_F(Checkpoint, DamagedFilesAreRefusedAndChangeNothing) {
+    ASSERT_FALSE(has_errors(write_checkpoint(filled_film(), facts, file)));
+    const std::string whole = contents();
+    std::mt19937 random(1);
+    const auto refused = [&](const std::string& bytes) {
+        replace(bytes);
+        Film read = empty_film();
+        EXPECT_TRUE(has_errors(read_checkpoint(read, facts, file)));
+        EXPECT_EQ(bytes_of(read), bytes_of(empty_film()));
+    };
+    for (int i = 0; i < 40; ++i) {
+        refused(whole.substr(0, random() % whole.size()));
+        std::string flipped = whole;
+        // The first bytes, which say how long the parts are, more often than the others.
+        const std::size_t range = i % 2 == 0 ? 200 : whole.size();
+        flipped[random() % range] ^= static_cast<char>(1U << random() % 8);
+        refused(flipped);
+    }
+    refused(whole + "x");
+    fs::remove(file);
+    Film read = empty_film();
+    EXPECT_TRUE(has_errors(read_checkpoint(read, facts, file)));
+}
+
+TEST_F(Checkpoint, APlaceThatCannotBeWrittenIsAnError) {
+    const fs::path nowhere = fs::path(testing::TempDir()) / "no such folder" / "p.checkpoint";
+    const Diagnostics found = write_checkpoint(filled_film(), facts, nowhere);
+    ASSERT_TRUE(has_errors(found));
+    EXPECT_NE(found.front().message.find("No such file or directory"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace balcony::render::test
