@@ -11,7 +11,8 @@ import time
 import support
 
 # Takes seconds, and is written several times a second.
-SLOW = ("render", "scene.obj", "-c", "my.cam:above", "--size", "200x150", "-s", "600", "-q")
+SLOW = ("render", "scene.obj", "-c", "my.cam:above", "--size", "200x150", "-s", "600", "-q",
+        "--integrator", "preview")
 OFTEN = ("--checkpoint-every", "0.05s")
 
 

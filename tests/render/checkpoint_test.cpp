@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 LayerSet all_layers() {
     LayerSet all;
-    for (const LayerInfo& info : layer_infos()) {
+    for (const LayerInfo& info : render::layers()) {
         all.insert(info.id);
     }
     return all;
