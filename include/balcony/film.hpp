@@ -163,6 +163,13 @@ struct Film {
     /// first_pass + passes[i].
     std::vector<std::uint32_t> passes;
 
+    /// Of adaptive sampling: the number of samples by pixel, and the sums when a pixel had half as
+    /// many, at the last power of two. Empty if all pixels of a tile have its passes.
+    std::vector<std::uint32_t> pixel_passes;
+    std::vector<Color4d> first_half;
+    /// The radiance shown as white, to which noise is relative; 0 until it is known.
+    double white = 0.0;
+
     std::vector<std::string> objects;         ///< Names, by object id minus 1.
     std::vector<std::string> materials;       ///< Names, by material id minus 1.
     std::vector<std::string> picture_layers;  ///< Names of the picture's camera layers.
@@ -178,7 +185,7 @@ struct Film {
     }
     /// The number of samples in the sum of a pixel of the window.
     [[nodiscard]] std::uint32_t samples(std::size_t x, std::size_t y) const {
-        return passes[tile_of(x, y)];
+        return pixel_passes.empty() ? passes[tile_of(x, y)] : pixel_passes[index(x, y)];
     }
 
     /// The mean of the samples of a pixel of the window, premultiplied by alpha; transparent if

@@ -58,6 +58,13 @@ struct SamplingSettings {
     std::uint32_t seed = 0;  ///< Another seed gives another noise.
     /// The name of a pixel filter. Samples are distributed by it and all have the same weight.
     std::string filter = "blackman-harris";
+    /// Adaptive sampling: the tolerated standard error of a pixel, relative to the root of its
+    /// radiance times that of white; Settings::samples is the maximum. 0.01 is hardly visible; 0 is
+    /// the same number of samples for all pixels.
+    double noise = 0.0;
+    std::uint32_t min_samples = 16;  ///< Of adaptive sampling; the next power of two applies.
+    /// The radiance shown as white; by default, it makes the median middle grey.
+    std::optional<double> white{};
 };
 
 /// The largest number of times that the light of a path is scattered on its way to the camera,

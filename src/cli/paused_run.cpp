@@ -7,6 +7,8 @@
 #include <chrono>
 #include <limits>
 
+#include "balcony/bands.hpp"
+
 namespace balcony::cli {
 
 namespace {
@@ -15,31 +17,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
-}
-
-void add(render::Summary& total, const render::Summary& part) {
-    const double seconds = total.seconds + part.seconds;
-    if (seconds > 0.0) {
-        total.camera_share =
-            (total.camera_share * total.seconds + part.camera_share * part.seconds) / seconds;
-    }
-    total.layers.resize(part.layers.size());
-    for (std::size_t i = 0; i < part.layers.size(); ++i) {
-        total.layers[i].name = part.layers[i].name;
-        total.layers[i].camera_rays += part.layers[i].camera_rays;
-        total.layers[i].invalid_rays += part.layers[i].invalid_rays;
-        total.layers[i].hits += part.layers[i].hits;
-    }
-    total.camera_rays += part.camera_rays;
-    total.invalid_rays += part.invalid_rays;
-    total.invalid_pixels += part.invalid_pixels;
-    total.repaired += part.repaired;
-    total.ambient = part.ambient;
-    total.light = part.light;
-    total.passes = part.passes;
-    total.interrupted = part.interrupted;
-    total.seconds = seconds;
-    total.compile_seconds = part.compile_seconds;
 }
 
 }  // namespace
@@ -82,7 +59,7 @@ Result<render::Summary> run_with_pauses(render::Job& job, const RunLimits& limit
         if (!part) {
             return std::move(total.diagnostics);
         }
-        add(*total, *part);
+        render::add(*total, *part);
         tiles_done += done_now;
         const double now = seconds_since(begin);
         if (!part->interrupted || stop.stop_requested() ||

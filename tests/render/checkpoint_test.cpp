@@ -41,6 +41,8 @@ Film filled_film() {
     Film film = *make_film(layout);
     film.display.assign(film.window.size(), Color4d(0.0));
     film.mirrored.assign(film.window.size(), Color4d(0.0));
+    film.pixel_passes.assign(film.window.size(), 0);
+    film.first_half.assign(film.window.size(), Color4d(0.0));
     int value = 0;
     for_each_array(film, [&](auto& array) {
         EXPECT_FALSE(array.empty());
@@ -56,6 +58,8 @@ Film empty_film() {
     Film film = *make_film(layout);
     film.display.assign(film.window.size(), Color4d(0.0));
     film.mirrored.assign(film.window.size(), Color4d(0.0));
+    film.pixel_passes.assign(film.window.size(), 0);
+    film.first_half.assign(film.window.size(), Color4d(0.0));
     return film;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <stop_token>
@@ -63,6 +64,9 @@ Request read_request(const RenderOptions& options, Diagnostics& diagnostics) {
         read_view(options, diagnostics),        read_size(options.size, diagnostics),
         read_layers(options.film, diagnostics), read_crop(options.crop, diagnostics),
         read_job(options.job, diagnostics),     read_texture_memory(options.textures, diagnostics)};
+    if (request.exposure) {
+        request.settings.sampling.white = std::exp2(-*request.exposure);
+    }
     if (options.camera.empty() && !options.set.empty()) {
         diagnostics.push_back(
             error("--set needs a camera whose parameter it sets", {}, "add --camera FILE"));

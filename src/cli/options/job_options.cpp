@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+
+#include <unistd.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -26,7 +29,7 @@ constexpr std::array units{Unit{"", 1.0},         Unit{"s", 1.0},     Unit{"sec"
                            Unit{"hours", 3600.0}, Unit{"d", 86400.0}, Unit{"days", 86400.0}};
 
 // Options that change neither the light nor the layers of a picture.
-constexpr std::array<std::string_view, 14> of_output = {"SCENE",
+constexpr std::array<std::string_view, 15> of_output = {"SCENE",
                                                         "--output",
                                                         "--help",
                                                         "--exposure",
@@ -36,10 +39,28 @@ constexpr std::array<std::string_view, 14> of_output = {"SCENE",
                                                         "--checkpoint-every",
                                                         "--resume",
                                                         "--threads",
+                                                        "--film-memory",
                                                         "--quiet",
                                                         "--json",
                                                         "--watch",
                                                         "--denoise"};
+
+// Half of the machine's, as the scene and other programs need some, too.
+double default_film_memory() {
+    return 0.5 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+           static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+double read_memory(const std::string& text, Diagnostics& diagnostics) {
+    if (text == "auto") {
+        return default_film_memory();
+    }
+    const auto bytes = bytes_of(text);
+    if (!bytes || *bytes <= 0.0) {
+        refuse(diagnostics, "--film-memory", text, "write auto, or a size such as 500MB or 4GiB");
+    }
+    return bytes.value_or(0.0);
+}
 
 std::optional<double> read_interval(std::string_view option, const std::string& text,
                                     Diagnostics& diagnostics) {
@@ -73,12 +94,19 @@ void add_job_options(CLI::App& command, JobWords& words) {
         ->capture_default_str();
     command.add_flag("--resume", words.resume,
                      "continue an interrupted render from its checkpoint, if there is one");
+    command
+        .add_option("--film-memory", words.film_memory,
+                    "a larger picture is rendered in bands and written to its .exr file band by "
+                    "band; auto is half of the machine's memory")
+        ->type_name("SIZE")
+        ->capture_default_str();
 }
 
 JobRequest read_job(const JobWords& words, Diagnostics& diagnostics) {
     return {read_interval("--time-limit", words.time_limit, diagnostics),
             read_interval("--save-every", words.save_every, diagnostics),
-            read_interval("--checkpoint-every", words.checkpoint_every, diagnostics), words.resume};
+            read_interval("--checkpoint-every", words.checkpoint_every, diagnostics), words.resume,
+            read_memory(words.film_memory, diagnostics)};
 }
 
 render::RenderFacts option_facts(const CLI::App& command) {
@@ -93,6 +121,23 @@ render::RenderFacts option_facts(const CLI::App& command) {
         }
     }
     return facts;
+}
+
+std::optional<double> bytes_of(std::string_view text) {
+    constexpr std::string_view prefixes = "kMGT";
+    const std::size_t unit_begin = std::min(text.find_first_not_of("0123456789."), text.size());
+    const auto number = number_of<double>(text.substr(0, unit_begin));
+    std::string_view unit = text.substr(unit_begin);
+    unit.remove_suffix(unit.ends_with('B') ? 1 : 0);
+    const bool binary = unit.ends_with('i');
+    unit.remove_suffix(binary ? 1 : 0);
+    const std::size_t prefix = unit.empty() || unit == "K" ? 0 : prefixes.find(unit);
+    if (!number || unit.size() > 1 || prefix == std::string_view::npos ||
+        (binary && unit.empty())) {
+        return std::nullopt;
+    }
+    const double power = unit.empty() ? 0.0 : static_cast<double>(prefix + 1);
+    return *number * std::pow(binary ? 1024.0 : 1000.0, power);
 }
 
 std::optional<double> duration_of(std::string_view text) {

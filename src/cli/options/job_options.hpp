@@ -12,12 +12,13 @@
 
 namespace balcony::cli {
 
-/// The words of --time-limit, --save-every, --checkpoint-every and --resume.
+/// The words of --time-limit, --save-every, --checkpoint-every, --resume and --film-memory.
 struct JobWords {
     std::string time_limit;
     std::string save_every;
     std::string checkpoint_every = "60s";
     bool resume = false;
+    std::string film_memory = "auto";
 };
 
 /// Intervals in seconds.
@@ -26,6 +27,7 @@ struct JobRequest {
     std::optional<double> save_every;
     std::optional<double> checkpoint_every;
     bool resume = false;
+    double film_memory = 0.0;  ///< In bytes.
 };
 
 void add_job_options(CLI::App& command, JobWords& words);
@@ -36,5 +38,8 @@ void add_job_options(CLI::App& command, JobWords& words);
 
 /// A duration in seconds: "90", "90s", "1.5min", "1h30min"; nothing if it cannot be read.
 [[nodiscard]] std::optional<double> duration_of(std::string_view text);
+
+/// A size in bytes: "500MB", "4GiB", "2G"; nothing if it cannot be read.
+[[nodiscard]] std::optional<double> bytes_of(std::string_view text);
 
 }  // namespace balcony::cli

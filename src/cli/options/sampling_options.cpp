@@ -15,9 +15,25 @@
 
 namespace balcony::cli {
 
+namespace {
+
+constexpr std::size_t default_samples = 16;
+constexpr std::size_t default_max_samples = 1024;
+
+}  // namespace
+
 void add_sampling_options(CLI::App& command, SamplingWords& words) {
-    command.add_option("-s,--samples", words.samples, "rays per pixel")
-        ->type_name("COUNT")
+    command
+        .add_option("-s,--samples", words.samples,
+                    fmt::format("rays per pixel, with --noise at most (default: {}, with --noise "
+                                "{})",
+                                default_samples, default_max_samples))
+        ->type_name("COUNT");
+    command
+        .add_option("--noise", words.noise,
+                    "sample each pixel until its noise is below this level: 0.01 is hardly "
+                    "visible, 0 gives all pixels the same number of samples")
+        ->type_name("LEVEL")
         ->capture_default_str();
     command.add_option("--seed", words.seed, "another number gives another noise")
         ->type_name("NUMBER")
@@ -35,7 +51,12 @@ void add_sampling_options(CLI::App& command, SamplingWords& words) {
 
 void read_sampling(const SamplingWords& words, render::Settings& settings,
                    Diagnostics& diagnostics) {
-    settings.samples = read_count("--samples", words.samples, 1, 1'000'000, diagnostics);
+    settings.sampling.noise = read_number("--noise", words.noise, 0.0, 1.0,
+                                          "give a level from 0 to 1, such as 0.01", diagnostics);
+    settings.samples = settings.sampling.noise > 0.0 ? default_max_samples : default_samples;
+    if (!words.samples.empty()) {
+        settings.samples = read_count("--samples", words.samples, 1, 1'000'000, diagnostics);
+    }
     settings.sampling.seed = static_cast<std::uint32_t>(read_count(
         "--seed", words.seed, 0, std::numeric_limits<std::uint32_t>::max(), diagnostics));
     std::vector<std::string> filters;

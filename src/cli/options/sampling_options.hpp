@@ -11,9 +11,10 @@
 
 namespace balcony::cli {
 
-/// The words of --samples, --seed and --filter.
+/// The words of --samples, --noise, --seed and --filter.
 struct SamplingWords {
-    std::string samples = "16";
+    std::string samples;  ///< Depends on the noise level if empty.
+    std::string noise = "0";
     std::string seed = "0";
     std::string filter = render::SamplingSettings{}.filter;
 };

@@ -4,6 +4,7 @@
 #include "cli/report/render_report.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -51,6 +52,25 @@ nlohmann::json layers_json(const render::Summary& summary) {
                           {"hits", layer.hits}});
     }
     return layers;
+}
+
+// The numbers of samples of adaptive sampling: the fewest, the most, and the mean.
+struct SampleRange {
+    std::uint32_t fewest = std::numeric_limits<std::uint32_t>::max();
+    std::uint32_t most = 0;
+    double mean = 0.0;
+};
+
+SampleRange sample_range(const render::Film& film) {
+    SampleRange range;
+    double total = 0.0;
+    for (const std::uint32_t count : film.pixel_passes) {
+        range.fewest = std::min(range.fewest, count);
+        range.most = std::max(range.most, count);
+        total += count;
+    }
+    range.mean = total / static_cast<double>(film.window.size());
+    return range;
 }
 
 // One line per layer of a picture with several layers.
@@ -102,6 +122,12 @@ void describe(RenderReport& report, const PictureOutput& output, const camera::P
                     duration_text(summary.seconds), static_cast<double>(peak_memory()) / 0x1p20);
     if (!summary.light.empty()) {
         report.sentence += fmt::format("  lit by {}\n", printable(summary.light));
+    }
+    if (!film.pixel_passes.empty()) {
+        const SampleRange range = sample_range(film);
+        report.facts["mean_samples"] = range.mean;
+        report.sentence += fmt::format("  {} to {} samples per pixel, on average {:.1f}\n",
+                                       range.fewest, range.most, range.mean);
     }
     report.sentence += layers_text(summary);
 }

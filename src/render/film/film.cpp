@@ -9,6 +9,8 @@
 #include <OpenImageIO/sysutil.h>
 #include <fmt/format.h>
 
+#include "balcony/bands.hpp"
+
 #include "render/film/layer_rows.hpp"
 
 namespace balcony::render {
@@ -34,16 +36,6 @@ bool at_center(const LayerInfo& layer) {
     return layer.sampling == LayerSampling::center && layer.bytes > 0;
 }
 
-double film_bytes(const FilmLayout& layout, const Region& window) {
-    const LayerSet stored = layers_of(layout);
-    std::size_t pixel_bytes = sizeof(Color4d);
-    for (const LayerInfo& layer : layers()) {
-        pixel_bytes += stored.contains(layer.id) ? layer.bytes : 0;
-    }
-    return static_cast<double>(window.width) * static_cast<double>(window.height) *
-           static_cast<double>(pixel_bytes);
-}
-
 Diagnostics check(const FilmLayout& layout, const Region& window) {
     Diagnostics found;
     const auto check_side = [&](std::size_t side, std::string_view what) {
@@ -67,7 +59,7 @@ Diagnostics check(const FilmLayout& layout, const Region& window) {
             "picture of {} x {} pixels",
             window.width, window.height, window.x, window.y, layout.width, layout.height))};
     }
-    const double bytes = film_bytes(layout, window);
+    const double bytes = film_bytes(layout);
     const auto memory = static_cast<double>(OIIO::Sysutil::physical_memory());
     if (memory > 0.0 && bytes > memory) {
         return {error(
@@ -99,6 +91,17 @@ std::size_t tiles_touched(std::size_t begin, std::size_t length, std::size_t sid
 }
 
 }  // namespace
+
+double film_bytes(const FilmLayout& layout) {
+    const Region window = layout.window.value_or(Region{0, 0, layout.width, layout.height});
+    const LayerSet stored = layers_of(layout);
+    std::size_t pixel_bytes = sizeof(Color4d);
+    for (const LayerInfo& layer : layers()) {
+        pixel_bytes += stored.contains(layer.id) ? layer.bytes : 0;
+    }
+    return static_cast<double>(window.width) * static_cast<double>(window.height) *
+           static_cast<double>(pixel_bytes);
+}
 
 std::size_t Film::tile_columns() const { return tiles_touched(window.x, window.width, tile_width); }
 

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+
 #include "balcony/film.hpp"
 
 namespace balcony::render {
 
-/// Calls visit(vector) with all that jobs add to a film, in a fixed order. Jobs derive the other
+/// Calls visit(array) with all that jobs add to a film, in a fixed order. Jobs derive the other
 /// members from the settings and the scene.
 template <class AnyFilm, class Visit>
 void for_each_array(AnyFilm& film, const Visit& visit) {
@@ -14,9 +16,10 @@ void for_each_array(AnyFilm& film, const Visit& visit) {
     // All members are named here, so that a new one does not compile until it is visited, too, or
     // known to be derived.
     auto& [width, height, window, sum, sum_of_squares, display, mirrored, background, ambient,
-           layer_set, layers, means, noisy, first_pass, passes, objects, materials,
-           picture_layers] = film;
-    each(sum, sum_of_squares, display, mirrored, passes);
+           layer_set, layers, means, noisy, first_pass, passes, pixel_passes, first_half, white,
+           objects, materials, picture_layers] = film;
+    const std::span white_alone(&white, 1);
+    each(sum, sum_of_squares, display, mirrored, passes, pixel_passes, first_half, white_alone);
     auto& [emission, direct, mean_albedo, mean_normal, mean_position, object_mattes,
            material_mattes] = means;
     each(emission, direct, mean_albedo, mean_normal, mean_position, object_mattes, material_mattes);

@@ -4,6 +4,7 @@
 #include "render/film/tile_image.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace balcony::render {
 
@@ -81,10 +82,16 @@ void add_pass(Film& film, std::size_t tile, const TileImage& image) {
     const bool with_squares = !film.sum_of_squares.empty();
     const bool with_data = film.layers && !image.data.empty();
     for_each_pixel(image.region, [&](std::size_t i, std::size_t x, std::size_t y) {
-        if (!film.window.contains(x, y)) {
+        if (!film.window.contains(x, y) || (!image.active.empty() && image.active[i] == 0)) {
             return;
         }
         const std::size_t at = film.index(x, y);
+        if (!film.pixel_passes.empty()) {
+            if (std::has_single_bit(film.pixel_passes[at])) {
+                film.first_half[at] = film.sum[at];
+            }
+            ++film.pixel_passes[at];
+        }
         const Color4d sample(image.light[i]);
         film.sum[at] += sample;
         if (with_squares) {

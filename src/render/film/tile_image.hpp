@@ -73,10 +73,11 @@ private:
 struct TileImage {
     Region region;
     std::vector<Color4f> light;
-    std::vector<PointData> data{};    ///< Empty if not requested.
-    std::vector<Color4f> display{};   ///< Empty if not requested.
-    std::vector<Color4f> mirrored{};  ///< Empty if not requested.
-    Contributions contributions{};    ///< Empty if not requested.
+    std::vector<PointData> data{};       ///< Empty if not requested.
+    std::vector<Color4f> display{};      ///< Empty if not requested.
+    std::vector<Color4f> mirrored{};     ///< Empty if not requested.
+    Contributions contributions{};       ///< Empty if not requested.
+    std::vector<std::uint8_t> active{};  ///< Whether a pixel has a sample; empty if all have.
 };
 
 /// Calls visit(i, x, y) for each pixel (x, y) of a region, which is number i row by row.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -18,6 +19,7 @@
 #include <OpenEXR/ImfStringVectorAttribute.h>
 #include <fmt/format.h>
 
+#include "balcony/bands.hpp"
 #include "balcony/film.hpp"
 #include "balcony/output_file.hpp"
 #include "render/film/cryptomatte.hpp"
@@ -120,13 +122,13 @@ void add_attributes(const Film& film, Imf::Header& header) {
     }
 }
 
-Imf::Header make_header(const Film& film, const std::vector<Group>& groups) {
+Imf::Header make_header(const Film& film, const Region& window, const std::vector<Group>& groups) {
     const auto box = [](const Region& region) {
         const Imath::V2i first(static_cast<int>(region.x), static_cast<int>(region.y));
         const Imath::V2i size(static_cast<int>(region.width), static_cast<int>(region.height));
         return Imath::Box2i(first, first + size - Imath::V2i(1, 1));
     };
-    Imf::Header header(box({0, 0, film.width, film.height}), box(film.window));
+    Imf::Header header(box({0, 0, film.width, film.height}), box(window));
     header.compression() = Imf::ZIP_COMPRESSION;
     header.zipCompressionLevel() = 2;
     for (const Group& group : groups) {
@@ -178,17 +180,58 @@ void write_pixels(const Film& film, const std::vector<Group>& groups, Imf::Outpu
 
 }  // namespace
 
-Diagnostics write_exr(const Film& film, const std::filesystem::path& file) {
-    OutputFile output(file);
-    try {
-        const std::vector<Group> groups = groups_of(film);
-        ExrStream stream(output.stream());
-        Imf::OutputFile exr(stream, make_header(film, groups));
-        write_pixels(film, groups, exr);
-    } catch (const std::exception& failed) {
+// The parts exist from the first band on.
+struct BandedFile::State {
+    State(const std::filesystem::path& path, const Region& region)
+        : name(path.string()), window(region), output(path), stream(output.stream()) {}
+
+    // The reason of a failure is the stream's, or else OpenEXR's.
+    [[nodiscard]] Diagnostics failure(const std::exception& failed) {
         return {output.stream()
-                    ? error(fmt::format("'{}' cannot be written: {}", file.string(), failed.what()))
+                    ? error(fmt::format("'{}' cannot be written: {}", name, failed.what()))
                     : output.failure()};
+    }
+
+    std::string name;
+    Region window;
+    OutputFile output;
+    ExrStream stream;
+    std::vector<Group> groups;
+    std::unique_ptr<Imf::OutputFile> exr;
+};
+
+BandedFile::BandedFile(const std::filesystem::path& file, const Region& window)
+    : state_(std::make_unique<State>(file, window)) {}
+BandedFile::BandedFile(BandedFile&&) noexcept = default;
+BandedFile::~BandedFile() = default;
+
+Diagnostics BandedFile::add(const Film& band) {
+    try {
+        if (!state_->exr) {
+            state_->groups = groups_of(band);
+            state_->exr = std::make_unique<Imf::OutputFile>(
+                state_->stream, make_header(band, state_->window, state_->groups));
+        }
+        write_pixels(band, state_->groups, *state_->exr);
+    } catch (const std::exception& failed) {
+        return state_->failure(failed);
+    }
+    return {};
+}
+
+Diagnostics BandedFile::commit() {
+    try {
+        state_->exr.reset();
+    } catch (const std::exception& failed) {
+        return state_->failure(failed);
+    }
+    return state_->output.commit();
+}
+
+Diagnostics write_exr(const Film& film, const std::filesystem::path& file) {
+    BandedFile output(file, film.window);
+    if (Diagnostics found = output.add(film); has_errors(found)) {
+        return found;
     }
     return output.commit();
 }

@@ -217,7 +217,8 @@ void Compositor::trace_layer(const Element& element, const Veil& veil, Work& wor
     const std::size_t layer = *element.layer;
     Mask wanted(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
-        mark(wanted[i], veil.hidden[i] == 0 && work.coverages.coverage(element, i) > 0.0F);
+        mark(wanted[i], points.is_active(i) && veil.hidden[i] == 0 &&
+                            work.coverages.coverage(element, i) > 0.0F);
     }
     if (std::find(wanted.begin(), wanted.end(), 1) == wanted.end()) {
         return;

@@ -17,6 +17,7 @@
 
 #include "render/film/layer_rows.hpp"
 #include "render/integrators/direct.hpp"
+#include "render/job/adaptive.hpp"
 #include "render/job/ambient.hpp"
 #include "render/job/fork_and_join.hpp"
 #include "render/job/lighting.hpp"
@@ -74,6 +75,9 @@ Diagnostics check(const Settings& settings) {
     if (find_integrator(settings.integrator) == nullptr) {
         found.push_back(unknown("integrator", settings.integrator, integrators()));
     }
+    if (!(settings.sampling.noise >= 0.0) || !std::isfinite(settings.sampling.noise)) {
+        found.push_back(error("the noise level must be a finite number, 0 or more"));
+    }
     if (find_pixel_filter(settings.sampling.filter) == nullptr) {
         found.push_back(unknown("pixel filter", settings.sampling.filter, pixel_filters()));
     }
@@ -118,6 +122,10 @@ public:
         tbb::task_arena arena(static_cast<int>(asked == 0 ? all : std::min(asked, all)));
         bool complete = true;
         for (std::uint32_t pass = fewest_passes(); complete && pass < last_pass_; ++pass) {
+            if (is_adaptive() && film_.white == 0.0 &&
+                pass >= first_judgement(parts_.settings.sampling)) {
+                film_.white = white_of(film_);
+            }
             complete = add_pass(arena, pass);
         }
         return summary(complete);
@@ -131,6 +139,8 @@ private:
         }
         return missing;
     }
+
+    [[nodiscard]] bool is_adaptive() const { return !film_.pixel_passes.empty(); }
 
     [[nodiscard]] std::uint32_t fewest_passes() const {
         return *std::min_element(film_.passes.begin(), film_.passes.end());
@@ -151,8 +161,8 @@ private:
             if (stop_.stop_requested()) {
                 complete = false;
             } else {
-                workers_.local().render(tiles[i]);
-                report(pass);
+                const bool needed = workers_.local().render(tiles[i]);
+                report(pass, needed ? 1 : passes_[tiles[i]] - pass);
             }
             fork_and_join::after_each();
         };
@@ -162,12 +172,13 @@ private:
         return complete;
     }
 
-    void report(std::size_t pass) {
+    // A tile that needs no more samples is done with all passes.
+    void report(std::size_t pass, std::size_t passes_done) {
         if (!progress_) {
             return;
         }
         const std::lock_guard lock(progress_mutex_);
-        ++tiles_done_;
+        tiles_done_ += passes_done;
         progress_({film_.first_pass + pass, film_.first_pass + last_pass_, tiles_done_, tiles_,
                    watch_.seconds()});
     }
@@ -276,6 +287,11 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
         film.ambient = *complete.ambient;
         if (film.display.empty() && paints(compiled->elements())) {
             film.display.assign(film.window.size(), Color4d(0.0));
+        }
+        if (settings.sampling.noise > 0.0 && film.pixel_passes.empty()) {
+            film.pixel_passes.assign(film.window.size(), 0);
+            film.first_half.assign(film.window.size(), Color4d(0.0));
+            film.white = settings.sampling.white.value_or(0.0);
         }
         const auto& materials = traced.scene->materials;
         if (film.mirrored.empty() &&

@@ -18,8 +18,12 @@ struct TilePoints {
     Region region;
     std::size_t pass = 0;
     rays::Tile grid;
+    const std::vector<std::uint8_t>* active = nullptr;  ///< Points to sample; all if null.
 
     [[nodiscard]] std::size_t size() const { return region.size(); }
+    [[nodiscard]] bool is_active(std::size_t i) const {
+        return active == nullptr || (*active)[i] != 0;
+    }
 };
 
 /// Traces rays; belongs to one thread.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "render/job/adaptive.hpp"
 #include "render/job/stopwatch.hpp"
 
 namespace balcony::render {
@@ -64,19 +65,29 @@ TileWorker::TileWorker(const JobParts& parts, Film& film)
       compositor_(parts.picture, PictureRays(parts.picture, parts.traced.interval),
                   TileTracer(parts.traced, parts.settings, parts.integrator)) {}
 
-void TileWorker::render(std::size_t tile) {
+bool TileWorker::render(std::size_t tile) {
     const Stopwatch watch;
     const std::size_t pass = film_->first_pass + film_->passes[tile];
     const Region region = traced_part(film_->tile(tile), film_->window);
+    const bool adaptive = !film_->pixel_passes.empty();
+    if (adaptive && !find_active(*film_, tile, region, settings_->sampling, active_)) {
+        seconds_ += watch.seconds();
+        return false;
+    }
     const Compositor::Wanted wanted{.data = pass == 0 && film_->layers.has_value(),
                                     .display = !film_->display.empty(),
                                     .mirrored = !film_->mirrored.empty(),
                                     .contributions = film_->means.any()};
     const double time = settings_->shutter.moment(settings_->time, pass_moment(pass));
-    add_pass(*film_, tile,
-             compositor_.sample(points_of(region, pass, offset(pass), *film_, time), film_->window,
-                                wanted));
+    TilePoints points = points_of(region, pass, offset(pass), *film_, time);
+    points.active = adaptive ? &active_ : nullptr;
+    TileImage image = compositor_.sample(points, film_->window, wanted);
+    if (adaptive) {
+        image.active = active_;
+    }
+    add_pass(*film_, tile, image);
     seconds_ += watch.seconds();
+    return true;
 }
 
 const Imath::V2d& TileWorker::offset(std::size_t pass) {

@@ -40,8 +40,9 @@ class TileWorker {
 public:
     TileWorker(const JobParts& parts, Film& film);
 
-    /// Adds the tile's next pass. Pass 0 also fills the film's layers.
-    void render(std::size_t tile);
+    /// Adds the tile's next pass. Pass 0 also fills the film's layers. False if no pixel of the
+    /// tile needs it.
+    bool render(std::size_t tile);
 
     [[nodiscard]] WorkCounts counts() const;
 
@@ -54,6 +55,7 @@ private:
     std::size_t offset_pass_ = 0;  // Kept for the next tile of the pass, with its offset.
     Imath::V2d offset_{0.0, 0.0};
     Compositor compositor_;
+    Mask active_;  // Of the tile at work; kept for its memory.
     double seconds_ = 0.0;
 };
 
