@@ -236,5 +236,69 @@ class Crop(support.CommandTest):
                      says="not part of the picture of 60 x 40 pixels")
 
 
+class Bands(support.CommandTest):
+    WORDS = ("render", "scene.obj", "-c", "my.cam:above", "--integrator", "preview", "-q")
+
+    def test_the_file_is_the_same(self):
+        for words in ((), ("--crop", "100x120+20+30")):
+            self.run_command(*self.WORDS, "--size", "200x300", *words, "-o", "whole.exr")
+            facts = self.json_of(*self.WORDS, "--size", "200x300", *words, "--film-memory", "1MB",
+                                 "-o", "bands.exr")
+            self.assertEqual(facts["passes"], 16)
+            self.assertEqual((self.folder / "bands.exr").read_bytes(),
+                             (self.folder / "whole.exr").read_bytes())
+
+    def test_what_bands_exclude(self):
+        for words in (("--resume",), ("--save-every", "10s"), ("--time-limit", "1h")):
+            self.refused(*self.WORDS, "--size", "200x300", "--film-memory", "1MB", *words,
+                         "-o", "p.exr", code=2, says="rendered in bands", helps="--film-memory")
+
+    def test_too_large(self):
+        self.refused(*self.WORDS, "--size", "1000000x1000000", "-o", "p.exr", code=3,
+                     says="a picture of 1000000 x 1000000 pixels is too large")
+        self.refused(*self.WORDS, "--size", "1000000x1000000", "-o", "p.png", code=1,
+                     says="a film of 1000000 x 1000000 pixels needs", helps=".exr")
+        self.refused(*self.WORDS, "--size", "0x100", "-o", "p.png", code=2, says="--size cannot be")
+
+    def test_sizes(self):
+        for text in ("500MB", "4GiB", "2G", "1e9", "auto"):
+            words = (*self.WORDS, "--size", "20", "--film-memory", text, "-o", "p.exr")
+            if text == "1e9":
+                self.refused(*words, code=2, says="--film-memory cannot be '1e9'")
+            else:
+                self.run_command(*words)
+
+
+class Noise(support.CommandTest):
+    WORDS = ("render", "scene.obj", "-c", "my.cam:above", "--size", "80x60", "--integrator",
+             "preview")
+
+    def test_samples_where_there_is_noise(self):
+        facts = self.json_of(*self.WORDS, "--noise", "0.02", "-o", "p.png")
+        self.assertGreater(facts["mean_samples"], 16)
+        self.assertLess(facts["mean_samples"], 200)
+        out, _ = self.run_command(*self.WORDS, "--noise", "0.02", "-s", "40", "-o", "p.png")
+        self.assertIn("16 to 40 samples per pixel, on average", out)
+
+    def test_resumed_it_is_the_same(self):
+        words = ("render", "scene.obj", "-c", "my.cam:above", "--size", "200x150", "--integrator",
+                 "preview", "--noise", "0.0001", "-s", "3000", "-q")
+        self.run_command(*words, "-o", "whole.exr")
+        process = self.start(*words, "--checkpoint-every", "0.05s", "-o", "p.exr")
+        while not (self.folder / "p.exr.checkpoint").exists() and process.poll() is None:
+            time.sleep(0.01)
+        time.sleep(0.3)
+        process.kill()
+        process.communicate()
+        self.run_command(*words, "--resume", "-o", "p.exr")
+        self.assertEqual((self.folder / "p.exr").read_bytes(),
+                         (self.folder / "whole.exr").read_bytes())
+
+    def test_refused(self):
+        for text in ("-1", "2", "nan", "low"):
+            self.refused(*self.WORDS, f"--noise={text}", "-o", "p.png", code=2,
+                         says="--noise cannot be")
+
+
 if __name__ == "__main__":
     support.main()

@@ -12,7 +12,9 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "balcony/bands.hpp"
 #include "balcony/render.hpp"
+#include "cli/banded_picture.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/file_watch.hpp"
 #include "cli/interruption.hpp"
@@ -220,12 +222,17 @@ RenderReport render_picture(const RenderOptions& options, const Request& request
     const render::DisplayFormat* const format = target.output.display_format();
     const auto whole = request.size.resolve(picture->aspect(), picture->parts().size);
     const auto [width, height] = request.crop.scaled(whole.first, whole.second);
-    Result<render::Film> film =
-        render::make_film({.width = width,
-                           .height = height,
-                           .window = request.crop.region(whole.first, whole.second),
-                           .data_layers = false,
-                           .layers = format == nullptr ? request.layers : render::LayerSet{}});
+    const render::FilmLayout layout{
+        .width = width,
+        .height = height,
+        .window = request.crop.region(whole.first, whole.second),
+        .data_layers = false,
+        .layers = format == nullptr ? request.layers : render::LayerSet{}};
+    if (format == nullptr && render::film_bytes(layout) > request.job.film_memory) {
+        return make_banded_picture(std::move(outcome), options, request, *loaded.renderer, *picture,
+                                   layout, target.output);
+    }
+    Result<render::Film> film = render::make_film(layout);
     if (!film) {
         return fail(std::move(outcome), ExitCode::bad_input, film.diagnostics);
     }

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "balcony/bands.hpp"
-
 #include "render/film/layer_rows.hpp"
 
 namespace balcony::render {
@@ -65,7 +64,7 @@ Diagnostics check(const FilmLayout& layout, const Region& window) {
         return {error(
             fmt::format("a film of {} x {} pixels needs {:.1f} GB, but this machine has {:.1f} GB",
                         window.width, window.height, bytes / 1e9, memory / 1e9),
-            {}, "make the picture smaller, or omit the data layers")};
+            {}, "make the picture smaller, omit layers, or write an .exr file, in bands")};
     }
     return {};
 }
