@@ -259,6 +259,48 @@ public:
                                                  Emitter& emit) const = 0;
 };
 
+/// A ray through the middle of a lens.
+struct CentralRay {
+    ObjectPoint origin;
+    ObjectVector direction;     ///< Unit length.
+    ParameterPoint parameters;  ///< (u, v) of the eye object.
+    PicturePoint picture;       ///< Of the camera's own picture.
+};
+
+/// The central ray in the middle of the picture, which does not depend on the point of the picture.
+[[nodiscard]] CentralRay middle_of(const CentralRay& ray);
+
+/// Where the picture of a lens is sharp.
+class FocusSurface : public Stage {
+public:
+    /// 1 divided by the distance from the origin of a central ray, along the ray, to the surface.
+    /// A value that is not positive and finite focuses at infinity.
+    [[nodiscard]] virtual Expr vergence(const CentralRay& ray, Emitter& emit) const = 0;
+    /// The object of the scene that it needs the distance of, as the input distance_input().
+    [[nodiscard]] virtual std::optional<std::string> object() const { return std::nullopt; }
+};
+
+/// The name of the input that has the distance of an object of the scene along the rays.
+[[nodiscard]] std::string distance_input(std::string_view object);
+
+/// A point of an aperture, in the plane across the central ray: x to the right in the picture, y
+/// upwards.
+struct AperturePoint {
+    Expr x, y;
+};
+
+/// A thin lens. Its aperture lies across each ray, with the origin of the ray in its centre.
+class Lens : public Stage {
+public:
+    /// In scene units; 0 is a pinhole.
+    [[nodiscard]] virtual Scalar radius() const = 0;
+    /// Maps the square from (-1, -1) to (1, 1) to the aperture, which is in a circle of radius 1:
+    /// (0, 0) to its centre, and parts of equal area to parts of equal area.
+    [[nodiscard]] virtual AperturePoint aperture(const AperturePoint& square,
+                                                 Emitter& emit) const = 0;
+    [[nodiscard]] virtual const FocusSurface& focus() const = 0;
+};
+
 /// The visible part of an image: a shape in the image's rectangle.
 class ClipShape : public Stage {
 public:
@@ -280,6 +322,8 @@ using ObjectGeneratorPointer = std::shared_ptr<const ObjectGenerator>;
 using ObjectTransformerPointer = std::shared_ptr<const ObjectTransformer>;
 using DirectionRulePointer = std::shared_ptr<const DirectionRule>;
 using ClipShapePointer = std::shared_ptr<const ClipShape>;
+using FocusSurfacePointer = std::shared_ptr<const FocusSurface>;
+using LensPointer = std::shared_ptr<const Lens>;
 
 // ----------------------------------------------------------------------------------- machine
 
@@ -294,12 +338,28 @@ struct Path {
                                  bool with_second_derivative = false) const;
 };
 
-/// The ray of a picture point, as expressions of picture x, picture y and time.
+/// The inputs of a lens: a point of the square from (-1, -1) to (1, 1), which the lens maps to its
+/// aperture. (0, 0) is the central ray.
+inline constexpr std::string_view lens_input_x = "lens_x";
+inline constexpr std::string_view lens_input_y = "lens_y";
+
+/// A lens around a ray, as expressions of the lens inputs and what else a ray depends on.
+struct LensExpressions {
+    ObjectVector offset;  ///< From the ray's origin to the point of the aperture.
+    Expr vergence;        ///< 1 divided by the distance along the ray of what is sharp.
+    Expr valid;           ///< 1 where these are finite.
+};
+
+/// The ray of a picture point, as expressions of picture x, picture y and time. If there is a lens,
+/// the ray is the one through its middle.
 struct RayExpressions {
     ObjectPoint origin;
     ObjectVector direction;     ///< Unit length where valid.
     Expr valid;                 ///< 1 where there is a ray with six finite values, otherwise 0.
     ParameterPoint parameters;  ///< (u, v) of the eye object; a point or curve may ignore them.
+    std::optional<LensExpressions> lens{};
+    /// When the ray meets the scene, if that is not at time t; finite where valid.
+    std::optional<Expr> time{};
 };
 
 /// The change of a ray from pixel to pixel: its exact partial derivatives with respect to picture x
@@ -312,6 +372,14 @@ struct RayFootprint {
 /// The derivatives are computed from the ray's expressions on request.
 [[nodiscard]] RayFootprint footprint(const RayExpressions& ray);
 
+/// The ray through the point of the aperture that the lens inputs name, as a ray without a lens:
+/// with the central ray's origin o and unit direction d, the offset a and the vergence q, it starts
+/// at o + a and has the direction d - q a. All of these meet in the point o + d/q, which is sharp.
+[[nodiscard]] RayExpressions through_lens(const RayExpressions& ray);
+/// Its footprint for an offset that stays the same from pixel to pixel: in the sharp point it is
+/// that of the central ray.
+[[nodiscard]] RayFootprint footprint_through_lens(const RayExpressions& ray);
+
 /// An extended camera. Its stages write their formulas once, when it is made.
 class Camera {
 public:
@@ -321,8 +389,14 @@ public:
         Path eye;
         std::optional<Path> toward;
         DirectionRulePointer look;
+        LensPointer lens{};  ///< Null: a pinhole at the origin of each ray.
+        /// When each ray meets the scene: a number of seconds as a formula of the point of the
+        /// camera's own picture, in fractions from its top left corner. It replaces t in all other
+        /// formulas of the camera. Without it, every ray meets the scene at time t.
+        std::optional<Formula> time{};
         double aspect = 16.0 / 9.0;  ///< Width divided by height.
         Axes axes = Axes::z_up;
+        SourceSpan lens_span{};  ///< Where a file has the lens, for problems with the scene.
     };
 
     /// Checks that the parts fit together: all are there, the rule and the object transformers get

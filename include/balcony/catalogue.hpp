@@ -30,10 +30,14 @@ enum class StageKind : std::uint8_t {
     object_generator,
     object_transformer,
     direction_rule,
+    lens,
+    focus,
     clip_shape,
 };
 
 [[nodiscard]] std::string_view name_of(StageKind kind);
+/// Direction rules, lenses.
+[[nodiscard]] std::string plural_of(StageKind kind);
 
 /// What a number counts. Angles are written with deg or rad and are radians inside.
 enum class Unit : std::uint8_t {
@@ -149,12 +153,18 @@ struct NestedStageParameter {
     StageKind kind = StageKind::object_generator;
     std::optional<int> dimension{};  ///< Of an object generator; 1 asks for a curve.
     bool several = false;
+    /// The stage, with one number, that a plain number is short for; without it, a number is an
+    /// error.
+    std::string_view of_number{};
 };
 
 /// A formula of the parameter's name, whose results are plain numbers: weight(u, v) = [u*v].
 struct FormulaParameter {
     FormulaShape shape{};
 };
+
+/// A name in the words of another file, such as that of an object of a scene: "Vase".
+struct NameParameter {};
 
 /// A GreyImage: "mask.png".
 struct ImageParameter {};
@@ -164,7 +174,7 @@ struct MeshParameter {};
 
 using ParameterType = std::variant<NumberParameter, CountParameter, PairParameter, TripleParameter,
                                    ChoiceParameter, PointsParameter, NestedStageParameter,
-                                   FormulaParameter, ImageParameter, MeshParameter>;
+                                   FormulaParameter, NameParameter, ImageParameter, MeshParameter>;
 
 struct StageParameter {
     std::string_view name;
@@ -201,6 +211,8 @@ public:
     [[nodiscard]] std::array<Scalar, 2> pair(std::string_view name) const;
     [[nodiscard]] std::array<Scalar, 3> triple(std::string_view name) const;
     [[nodiscard]] const std::string& choice(std::string_view name) const;
+    /// Of an object, for example.
+    [[nodiscard]] const std::string& given_name(std::string_view name) const;
     [[nodiscard]] const PointList& points(std::string_view name) const;
     [[nodiscard]] ObjectGeneratorPointer curve(std::string_view name) const;
     template <class Port>

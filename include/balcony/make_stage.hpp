@@ -53,7 +53,7 @@ struct Unsuitable {
 /// In the place of a value that is known to be wrong: it counts as given and is not judged.
 struct Failed {};
 
-/// A value for a parameter before it is checked. A text is a choice, or an axis: "z", "-x".
+/// A value for a parameter before it is checked. A text is a choice, a name, or an axis: "z", "-x".
 struct ArgumentValue {
     using Stages = std::vector<std::shared_ptr<const Stage>>;
     using Form = std::variant<Quantity, Tuple, Points, std::string, std::shared_ptr<const Stage>,
@@ -157,6 +157,14 @@ consteval StageKind kind_of<ObjectTransformer>() {
 template <>
 consteval StageKind kind_of<DirectionRule>() {
     return StageKind::direction_rule;
+}
+template <>
+consteval StageKind kind_of<Lens>() {
+    return StageKind::lens;
+}
+template <>
+consteval StageKind kind_of<FocusSurface>() {
+    return StageKind::focus;
 }
 template <>
 consteval StageKind kind_of<ClipShape>() {

@@ -43,8 +43,10 @@ struct Request {
     bool footprints = false;  ///< Include the derivatives with respect to picture x and y.
     bool tiles = true;        ///< Allow running over tiles.
     bool points = false;      ///< Allow running over lists of points.
-    /// Inputs of the rays besides picture x and y and time, such as a position on a lens or a
-    /// parameter that a live view moves. Tile and Points carry the values, in this order.
+    /// Inputs of the rays besides picture x and y and time, such as a parameter that a live view
+    /// moves. Tile and Points carry the values, in this order. With both inputs of a lens
+    /// (camera::lens_input_x and _y), the rays of cameras with a lens pass through that point of
+    /// the lens; without them, through its middle.
     std::vector<Input> inputs{};
 };
 
@@ -53,7 +55,8 @@ struct Ray {
     V3d origin{0.0};
     V3d direction{0.0};  ///< Unit length where valid.
     bool valid = false;
-    V2d parameters{0.0};  ///< (u, v) of the eye object.
+    V2d parameters{0.0};         ///< (u, v) of the eye object.
+    std::optional<double> time;  ///< When it meets the scene, if the camera says so.
     /// The exact derivatives with respect to picture x and y, per pixel; 0 if not requested.
     V3d origin_by_x{0.0}, origin_by_y{0.0};
     V3d direction_by_x{0.0}, direction_by_y{0.0};
@@ -63,7 +66,9 @@ struct Ray {
 class RayBatch {
 public:
     [[nodiscard]] std::size_t size() const { return size_; }
-    [[nodiscard]] bool has_footprints() const { return footprints_; }
+    [[nodiscard]] bool has_footprints() const { return roots_.footprints; }
+    /// Whether each ray has a time of its own. Otherwise all have that of the run.
+    [[nodiscard]] bool has_times() const { return roots_.times; }
 
     [[nodiscard]] bool valid(std::size_t i) const { return values_[valid_][i] == 1.0; }
     [[nodiscard]] V3d origin(std::size_t i) const { return vector(origin_, i); }
@@ -71,6 +76,7 @@ public:
     [[nodiscard]] V2d parameters(std::size_t i) const {
         return {values_[parameters_][i], values_[parameters_ + 1][i]};
     }
+    [[nodiscard]] double time(std::size_t i) const { return values_[roots_.time()][i]; }
     [[nodiscard]] V3d origin_by_x(std::size_t i) const { return vector(origin_by_x_, i); }
     [[nodiscard]] V3d origin_by_y(std::size_t i) const { return vector(origin_by_y_, i); }
     [[nodiscard]] V3d direction_by_x(std::size_t i) const { return vector(direction_by_x_, i); }
@@ -80,7 +86,8 @@ public:
 private:
     friend class RayProgram;
 
-    // The roots of a RayProgram in their order. Those from origin_by_x_ on are its footprints.
+    // The roots of a RayProgram in their order. Those from origin_by_x_ on are its footprints, and
+    // the last one is the time.
     static constexpr std::size_t origin_ = 0;
     static constexpr std::size_t direction_ = 3;
     static constexpr std::size_t valid_ = 6;
@@ -89,15 +96,26 @@ private:
     static constexpr std::size_t origin_by_y_ = 12;
     static constexpr std::size_t direction_by_x_ = 15;
     static constexpr std::size_t direction_by_y_ = 18;
-    static constexpr std::size_t values_count_ = 21;
+    static constexpr std::size_t end_of_footprints_ = 21;
+
+    /// Which of the roots there are.
+    struct Roots {
+        bool footprints = false;
+        bool times = false;
+
+        [[nodiscard]] std::size_t time() const {
+            return footprints ? end_of_footprints_ : origin_by_x_;
+        }
+        [[nodiscard]] std::size_t count() const { return time() + (times ? 1 : 0); }
+    };
 
     [[nodiscard]] V3d vector(std::size_t root, std::size_t i) const {
         return {values_[root][i], values_[root + 1][i], values_[root + 2][i]};
     }
-    std::span<double* const> reserve(std::size_t size, bool footprints);
+    std::span<double* const> reserve(std::size_t size, const Roots& roots);
 
     std::size_t size_ = 0;
-    bool footprints_ = false;
+    Roots roots_;
     program::ResultArrays values_;
 };
 
@@ -110,7 +128,11 @@ public:
     [[nodiscard]] static Result<RayProgram> make(const camera::RayExpressions& ray,
                                                  Axes axes_of_ray, const Request& request);
 
-    [[nodiscard]] bool has_footprints() const { return footprints_; }
+    [[nodiscard]] bool has_footprints() const { return roots_.footprints; }
+    /// Whether each ray has a time of its own.
+    [[nodiscard]] bool has_times() const { return roots_.times; }
+    /// Whether the rays depend on the inputs of a lens.
+    [[nodiscard]] bool has_lens() const { return lens_; }
     /// What a ray costs by itself, in instructions.
     [[nodiscard]] std::size_t instruction_count() const;
 
@@ -119,9 +141,10 @@ public:
     void run(const Points& points, Scratch& scratch, RayBatch& rays) const;
 
 private:
-    explicit RayProgram(bool footprints) : footprints_(footprints) {}
+    RayProgram(const RayBatch::Roots& roots, bool lens) : roots_(roots), lens_(lens) {}
 
-    bool footprints_;
+    RayBatch::Roots roots_;
+    bool lens_;
     std::optional<program::Program> for_tiles_;
     std::optional<program::Program> for_points_;
 };

@@ -190,6 +190,10 @@ void Binder::set(const ChoiceParameter& type) {
 }
 
 void Binder::set(const NestedStageParameter& type) {
+    if (const auto* number = given<Quantity>(); number != nullptr && !type.of_number.empty()) {
+        set_stage_of_number(type, *number);
+        return;
+    }
     ArgumentValue::Stages stages;
     if (const auto* several = given<ArgumentValue::Stages>(); several != nullptr && type.several) {
         stages = *several;
@@ -214,6 +218,19 @@ void Binder::set(const NestedStageParameter& type) {
         arguments_.set(parameter_->name, std::move(stages));
     } else {
         arguments_.set(parameter_->name, std::move(stages.front()));
+    }
+}
+
+// A plain number is judged as the argument of the stage that it is short for.
+void Binder::set_stage_of_number(const NestedStageParameter& type, const Quantity& number) {
+    const StageEntry* row = catalogue().find(type.kind, type.of_number);
+    assert(row != nullptr && row->parameters.size() == 1 && "it is a stage of one number");
+    const StageParameter& only = row->parameters.front();
+    const auto* rules = only.as<NumberParameter>();
+    if (const auto value = checked(number, {rules->unit, rules->range, rules->constant})) {
+        Arguments arguments;
+        arguments.set(only.name, std::vector{*value});
+        arguments_.set(parameter_->name, *make_stage(*row, arguments));
     }
 }
 
@@ -271,6 +288,17 @@ void Binder::set_file(std::string_view noun, std::string_view example) {
                fmt::format("write a file name in quotation marks, for example \"{}\"", example));
     } else {
         arguments_.set(parameter_->name, *data);
+    }
+}
+
+void Binder::set(const NameParameter&) {
+    const auto* name = given<std::string>();
+    if (name == nullptr || name->empty()) {
+        report(Kind::wrong_form, fmt::format("{} takes a name", what()),
+               fmt::format("write it in quotation marks; {}",
+                           purpose(*parameter_, std::nullopt, Unit::number)));
+    } else {
+        arguments_.set(parameter_->name, *name);
     }
 }
 

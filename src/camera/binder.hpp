@@ -75,9 +75,11 @@ private:
     // ----------------------------------------------------- words, stages, formulas and files
     void set(const ChoiceParameter& type);
     void set(const NestedStageParameter& type);
+    void set_stage_of_number(const NestedStageParameter& type, const Quantity& number);
     bool stage_fits(const NestedStageParameter& type, const Stage* stage);
     void set(const FormulaParameter& type);
     bool has_shape(std::string_view name, const FormulaShape& shape, const FormulaValue& value);
+    void set(const NameParameter&);
     void set(const ImageParameter&);
     void set(const MeshParameter&);
     template <class Data>

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "camera/arrange.hpp"
+#include "camera/ray_expressions.hpp"
 #include "camera/size_limit.hpp"
 
 namespace balcony::camera {
@@ -73,18 +74,6 @@ Expr ClipShape::coverage(const PicturePoint& picture, Expr softness, Emitter& em
     const Expr sharp = select(0.0 <= depth, emit(1.0), emit(0.0));
     const Expr ramp = min(max(0.5 + depth / softness, emit(0.0)), emit(1.0));
     return select(0.0 < softness, ramp * ramp * (3.0 - 2.0 * ramp), sharp);
-}
-
-RayFootprint footprint(const RayExpressions& ray) {
-    Graph& graph = ray.origin.x.graph();
-    const std::array values{ray.origin.x,    ray.origin.y,    ray.origin.z,
-                            ray.direction.x, ray.direction.y, ray.direction.z};
-    const std::vector<Expr> by_x = expr::differentiate(values, graph.picture_x());
-    const std::vector<Expr> by_y = expr::differentiate(values, graph.picture_y());
-    return {{by_x[0], by_x[1], by_x[2]},
-            {by_y[0], by_y[1], by_y[2]},
-            {by_x[3], by_x[4], by_x[5]},
-            {by_y[3], by_y[4], by_y[5]}};
 }
 
 Result<Camera> Camera::make(Parts parts) {
@@ -175,7 +164,8 @@ RayExpressions ray_in_own_picture(const Camera::Parts& parts, const PicturePoint
         eye.point.x * eye.point.x + eye.point.y * eye.point.y + eye.point.z * eye.point.z;
     emit.require(min_squared_length < squared_length);
     emit.require(is_finite(squared_length + origin_size));
-    return {eye.point, (1.0 / sqrt(squared_length)) * direction, emit.valid(), eye.parameters};
+    return {eye.point, (1.0 / sqrt(squared_length)) * direction, emit.valid(), eye.parameters, {},
+            {}};
 }
 
 }  // namespace
@@ -190,6 +180,16 @@ Camera::Emitted::Emitted(Parts made_of)
     Emitter emit(graph, {own[0], own[1]});
     ray = ray_in_own_picture(parts, picture, emit);
     problems = emit.problems();
+    if (parts.lens && parts.lens->radius().constant() != 0.0) {
+        Emitter lens_emit(graph, {own[0], own[1]});
+        ray.lens = lens_around(ray, *parts.lens, picture, lens_emit);
+        problems.insert(problems.end(), lens_emit.problems().begin(), lens_emit.problems().end());
+    }
+    if (parts.time) {
+        const std::array fractions{picture.point.x / picture.size.width,
+                                   picture.point.y / picture.size.height};
+        ray = at_time(ray, parts.time->emit(graph, fractions).front());
+    }
 }
 
 std::optional<double> Camera::fixed_aspect() const {
@@ -215,17 +215,14 @@ RayExpressions Camera::emit(const PicturePoint& whole) const {
         emit.require(inside(arranged(clamped(whole), parts().arrangers, emit)));
     }
     const PicturePoint& own = emitted_->picture;
-    const RayExpressions& ray = emitted_->ray;
-    const std::array values{ray.origin.x,    ray.origin.y,     ray.origin.z,
-                            ray.direction.x, ray.direction.y,  ray.direction.z,
-                            ray.valid,       ray.parameters.u, ray.parameters.v};
     const std::array put{expr::Substitution{own.point.x, picture.point.x},
                          expr::Substitution{own.point.y, picture.point.y},
                          expr::Substitution{own.size.width, picture.size.width},
                          expr::Substitution{own.size.height, picture.size.height}};
-    const std::vector<Expr> r = expr::substitute(graph, values, put);
-    emit.require(r[6]);
-    return {{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, emit.valid(), {r[7], r[8]}};
+    RayExpressions ray = substitute(graph, emitted_->ray, put);
+    emit.require(ray.valid);
+    ray.valid = emit.valid();
+    return ray;
 }
 
 }  // namespace balcony::camera

@@ -22,10 +22,17 @@ std::string_view name_of(StageKind kind) {
         case StageKind::object_generator: return "object generator";
         case StageKind::object_transformer: return "object transformer";
         case StageKind::direction_rule: return "direction rule";
+        case StageKind::lens: return "lens";
+        case StageKind::focus: return "focus";
         case StageKind::clip_shape: return "clip shape";
     }
     assert(false);
     return {};
+}
+
+std::string plural_of(StageKind kind) {
+    const std::string_view name = name_of(kind);
+    return fmt::format("{}{}", name, name.ends_with('s') ? "es" : "s");
 }
 
 std::string signature(std::string_view name, const FormulaShape& shape) {
@@ -135,6 +142,7 @@ struct Contradiction {
                    : "";
     }
     std::string operator()(const FormulaParameter& type) const { return of(type.shape); }
+    std::string operator()(const NameParameter&) const { return {}; }
     std::string operator()(const ImageParameter&) const { return {}; }
     std::string operator()(const MeshParameter&) const { return {}; }
 
@@ -279,6 +287,10 @@ std::array<Scalar, 3> Arguments::triple(std::string_view name) const {
 }
 
 const std::string& Arguments::choice(std::string_view name) const {
+    return std::get<std::string>(value(name));
+}
+
+const std::string& Arguments::given_name(std::string_view name) const {
     return std::get<std::string>(value(name));
 }
 

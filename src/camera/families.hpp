@@ -63,6 +63,8 @@ Result<std::shared_ptr<const Stage>> as_stage(Result<std::shared_ptr<const Port>
 [[nodiscard]] std::vector<StageEntry> curve_rules();
 [[nodiscard]] std::vector<StageEntry> optical_rules();
 [[nodiscard]] std::vector<StageEntry> blended_rule();
+[[nodiscard]] std::vector<StageEntry> lenses();
+[[nodiscard]] std::vector<StageEntry> focus_surfaces();
 
 inline constexpr auto families = {
     picture_affine,
@@ -94,6 +96,8 @@ inline constexpr auto families = {
     curve_rules,
     optical_rules,
     blended_rule,
+    lenses,
+    focus_surfaces,
     complex_maps,
     coins,
     deformations,

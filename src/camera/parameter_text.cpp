@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "balcony/make_stage.hpp"
+#include "balcony/names.hpp"
 
 namespace balcony::camera {
 
@@ -103,6 +104,15 @@ std::string_view object_noun(int dimension) {
 std::string stage_remedy(const NestedStageParameter& type) {
     if (type.dimension == 1) {
         return "write a curve, for example circle(1) or curve(u) = [cos(u), sin(u)]";
+    }
+    if (!type.of_number.empty()) {
+        std::vector<std::string> stages;
+        for (const StageEntry& one : catalogue()) {
+            if (one.kind == type.kind) {
+                stages.push_back(signature(one));
+            }
+        }
+        return fmt::format("write a number, or {}", one_of(stages));
     }
     const auto row =
         std::find_if(catalogue().begin(), catalogue().end(), [&type](const StageEntry& one) {

@@ -6,8 +6,9 @@
 namespace balcony::rays {
 
 Ray RayBatch::operator[](std::size_t i) const {
-    Ray ray{origin(i), direction(i), valid(i), parameters(i)};
-    if (footprints_) {
+    Ray ray{origin(i), direction(i), valid(i), parameters(i),
+            has_times() ? std::optional(time(i)) : std::nullopt};
+    if (has_footprints()) {
         ray.origin_by_x = origin_by_x(i);
         ray.origin_by_y = origin_by_y(i);
         ray.direction_by_x = direction_by_x(i);
@@ -16,11 +17,10 @@ Ray RayBatch::operator[](std::size_t i) const {
     return ray;
 }
 
-std::span<double* const> RayBatch::reserve(std::size_t size, bool footprints) {
+std::span<double* const> RayBatch::reserve(std::size_t size, const Roots& roots) {
     size_ = size;
-    footprints_ = footprints;
-    const std::size_t count = footprints ? values_count_ : origin_by_x_;
-    return values_.reserve(count, size);
+    roots_ = roots;
+    return values_.reserve(roots.count(), size);
 }
 
 }  // namespace balcony::rays

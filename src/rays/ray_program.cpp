@@ -3,6 +3,9 @@
 
 #include "balcony/rays.hpp"
 
+#include <algorithm>
+#include <string_view>
+
 #include "rays/compile.hpp"
 
 namespace balcony::rays {
@@ -10,8 +13,9 @@ namespace balcony::rays {
 namespace {
 
 // In the order of RayBatch.
-std::vector<expr::Expr> roots_of(const camera::RayExpressions& ray, Axes from, Axes to,
-                                 bool footprints) {
+std::vector<expr::Expr> roots_of(const camera::RayExpressions& central, bool lens, Axes from,
+                                 Axes to, bool footprints) {
+    const camera::RayExpressions ray = lens ? camera::through_lens(central) : central;
     std::vector<expr::Expr> roots;
     const auto add = [&](const auto& vector) {
         const auto v = turned(vector, from, to);
@@ -21,22 +25,33 @@ std::vector<expr::Expr> roots_of(const camera::RayExpressions& ray, Axes from, A
     add(ray.direction);
     roots.insert(roots.end(), {ray.valid, ray.parameters.u, ray.parameters.v});
     if (footprints) {
-        const camera::RayFootprint slopes = camera::footprint(ray);
+        const camera::RayFootprint slopes =
+            lens ? camera::footprint_through_lens(central) : camera::footprint(ray);
         add(slopes.origin_by_x);
         add(slopes.origin_by_y);
         add(slopes.direction_by_x);
         add(slopes.direction_by_y);
     }
+    if (ray.time) {
+        roots.push_back(*ray.time);
+    }
     return roots;
+}
+
+bool declares(const Request& request, std::string_view name) {
+    return std::any_of(request.inputs.begin(), request.inputs.end(),
+                       [name](const Input& input) { return input.name == name; });
 }
 
 }  // namespace
 
 Result<RayProgram> RayProgram::make(const camera::RayExpressions& ray, Axes axes_of_ray,
                                     const Request& request) {
+    const bool lens = ray.lens && declares(request, camera::lens_input_x) &&
+                      declares(request, camera::lens_input_y);
     const std::vector<expr::Expr> roots =
-        roots_of(ray, axes_of_ray, request.axes.value_or(axes_of_ray), request.footprints);
-    RayProgram made(request.footprints);
+        roots_of(ray, lens, axes_of_ray, request.axes.value_or(axes_of_ray), request.footprints);
+    RayProgram made({request.footprints, ray.time.has_value()}, lens);
     Diagnostics found;
     if (request.tiles) {
         made.for_tiles_ =
@@ -64,12 +79,12 @@ std::size_t RayProgram::instruction_count() const {
 
 void RayProgram::run(const Tile& tile, Scratch& scratch, RayBatch& rays) const {
     assert(for_tiles_ && "the request was not for tiles");
-    program::run(*for_tiles_, tile, scratch, rays.reserve(tile.width * tile.height, footprints_));
+    program::run(*for_tiles_, tile, scratch, rays.reserve(tile.width * tile.height, roots_));
 }
 
 void RayProgram::run(const Points& points, Scratch& scratch, RayBatch& rays) const {
     assert(for_points_ && "the request was not for points");
-    program::run(*for_points_, points, scratch, rays.reserve(points.x.size(), footprints_));
+    program::run(*for_points_, points, scratch, rays.reserve(points.x.size(), roots_));
 }
 
 Result<RayProgram> compile(const camera::Camera& camera, double width, double height,

@@ -54,6 +54,8 @@ Arguments::StagePointer some_stage(StageKind kind) {
         case StageKind::object_transformer: return *try_stage(kind, "scale", {});
         case StageKind::object_generator: return object("sphere");
         case StageKind::direction_rule: return *try_stage(kind, "normal", {});
+        case StageKind::lens: return *try_stage(kind, "lens", {});
+        case StageKind::focus: return *try_stage(kind, "distance", {});
         case StageKind::clip_shape: return *try_stage(kind, "ellipse", {});
     }
     return nullptr;
@@ -114,6 +116,7 @@ struct SomeValue {
     Arguments::Value operator()(const FormulaParameter& type) const {
         return some_formula(type.shape);
     }
+    Arguments::Value operator()(const NameParameter&) const { return std::string("Vase"); }
     Arguments::Value operator()(const ImageParameter&) const { return some_image(); }
     Arguments::Value operator()(const MeshParameter&) const { return some_mesh(); }
 };

@@ -47,6 +47,10 @@ const std::vector<Mistake> mistakes = {
             "write the size of a picture as 1920 x 1080; positions and widths in a picture are "
             "fractions, such as 0.5 for its middle"},
     Mistake{"picture p { camera panorama }", "write layer panorama to show it"},
+    Mistake{"camera a { map u = -1 .. 1, v = square eye sphere(1) focus 5 }",
+            "write lens(radius = 0.1, focus = 5)"},
+    Mistake{"camera a { map u = -1 .. 1, v = square eye sphere(1) shutter 0.02 }",
+            "give the shutter to the command: --shutter 0.02"},
     Mistake{"camera a { fov 60deg map u = -1 .. 1, v = square eye sphere(1) }",
             "the field of view is the range of map; for a pinhole camera: map u = tan(fov/2) .. "
             "-tan(fov/2), v = square"},

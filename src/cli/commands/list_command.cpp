@@ -66,7 +66,7 @@ nlohmann::json stage_json(const StageEntry& row) {
 // Whether "object generators", "object_generator", ... refers to a kind.
 bool names_kind(std::string what, camera::StageKind kind) {
     std::replace(what.begin(), what.end(), '_', ' ');
-    return what == name_of(kind) || what == fmt::format("{}s", name_of(kind));
+    return what == name_of(kind) || what == plural_of(kind);
 }
 
 bool is_kind(const std::string& what) {
@@ -93,7 +93,7 @@ std::string stages_text(const std::string& what) {
             continue;
         }
         if (heading != row.kind) {
-            text += fmt::format("{}{}s\n", heading ? "\n" : "", name_of(row.kind));
+            text += fmt::format("{}{}\n", heading ? "\n" : "", plural_of(row.kind));
             heading = row.kind;
         }
         text += fmt::format("  {:<{}} {}\n", row.name, longest, row.meaning);
@@ -213,7 +213,7 @@ ExitCode refuse_unknown(const ListOptions& options) {
     known.insert(known.end(), {"stages", "cameras"});
     for (const StageEntry& row : camera::catalogue()) {
         known.emplace_back(row.name);
-        known.push_back(fmt::format("{}s", name_of(row.kind)));
+        known.push_back(plural_of(row.kind));
     }
     const auto nearest = nearest_name(options.what, known);
     const Diagnostics diagnostics{error(

@@ -140,6 +140,15 @@ public:
         add(prefix + "direction_y", ray.direction.y);
         add(prefix + "direction_z", ray.direction.z);
         add(prefix + "valid", ray.valid);
+        if (ray.lens) {
+            add(prefix + "lens_offset_x", ray.lens->offset.x);
+            add(prefix + "lens_offset_y", ray.lens->offset.y);
+            add(prefix + "lens_offset_z", ray.lens->offset.z);
+            add(prefix + "vergence", ray.lens->vergence);
+        }
+        if (ray.time) {
+            add(prefix + "time", *ray.time);
+        }
     }
 
     [[nodiscard]] std::string text() const { return expr::print(expr::simplify(roots_), names_); }

@@ -41,6 +41,8 @@ constexpr std::array headings{
     Heading{"Objects from formulas", StageKind::object_generator, false},
     Heading{"Points, curves and surfaces of elementary geometry", StageKind::object_generator},
     Heading{"Direction rules", StageKind::direction_rule},
+    Heading{"Lenses", StageKind::lens},
+    Heading{"Surfaces of focus", StageKind::focus},
     Heading{"Picture arrangers", StageKind::picture_arranger},
     Heading{"Clip shapes", StageKind::clip_shape},
 };
@@ -51,16 +53,15 @@ bool is_under(const StageEntry& row, const Heading& heading) {
 }
 
 // "object-generator"
-std::string hyphenated(StageKind kind) {
-    std::string name(camera::name_of(kind));
+std::string hyphenated(std::string name) {
     std::replace(name.begin(), name.end(), ' ', '-');
     return name;
 }
 
-std::string page_file(StageKind kind) { return hyphenated(kind) + "s.md"; }
+std::string page_file(StageKind kind) { return hyphenated(camera::plural_of(kind)) + ".md"; }
 
 std::string example_name(const StageEntry& row) {
-    return fmt::format("{}-{}", hyphenated(row.kind), row.name);
+    return fmt::format("{}-{}", hyphenated(std::string(camera::name_of(row.kind))), row.name);
 }
 
 std::string example_text(const StageEntry& row) {
@@ -111,7 +112,7 @@ std::string section(const StageEntry& row) {
 
 StagePage page_of(StageKind kind, std::string_view heading) {
     std::string text = fmt::format(
-        "# {}s\n\n[All stages](README.md). This page is generated from the catalogue of stages by\n"
+        "# {}\n\n[All stages](README.md). This page is generated from the catalogue of stages by\n"
         "`scripts/pictures`.\n",
         heading);
     for (const StageEntry& row : camera::catalogue()) {
@@ -157,7 +158,7 @@ std::vector<StagePage> stage_pages() {
     for (const StageEntry& row : camera::catalogue()) {
         if (std::find(kinds.begin(), kinds.end(), row.kind) == kinds.end()) {
             kinds.push_back(row.kind);
-            std::string heading(camera::name_of(row.kind));
+            std::string heading = camera::plural_of(row.kind);
             heading.front() = static_cast<char>(heading.front() - 'a' + 'A');
             pages.push_back(page_of(row.kind, heading));
         }

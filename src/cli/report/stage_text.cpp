@@ -78,11 +78,13 @@ struct TypeText {
         return fmt::format("points{} or \"table.csv\"", coordinates_text(type));
     }
     std::string operator()(const camera::NestedStageParameter& type) const {
-        return type.dimension == 1
-                   ? "curve"
-                   : fmt::format("{}{}", camera::name_of(type.kind), type.several ? "s" : "");
+        return type.dimension == 1      ? "curve"
+               : type.several           ? camera::plural_of(type.kind)
+               : type.of_number.empty() ? std::string(camera::name_of(type.kind))
+                                        : fmt::format("number or {}", camera::name_of(type.kind));
     }
     std::string operator()(const camera::FormulaParameter&) const { return "formula"; }
+    std::string operator()(const camera::NameParameter&) const { return "\"name\""; }
     std::string operator()(const camera::ImageParameter&) const { return "\"image.png\""; }
     std::string operator()(const camera::MeshParameter&) const { return "\"mesh.obj\""; }
 };

@@ -40,6 +40,8 @@ public:
             list<camera::ObjectTransformer>(statements_, StatementKind::move);
         paths(parts);
         look(parts);
+        lens(parts);
+        time(parts);
         // A null result without a diagnostic here has been reported at its source.
         return reporter_.error_count() == errors_before && complete(parts)
                    ? finish(std::move(parts))
@@ -95,7 +97,9 @@ private:
         };
         const bool has_toward = !statements_.lacks(StatementKind::toward);
         return parts.look && whole(parts.eye) && all(parts.arrangers) &&
-               has_toward == parts.toward.has_value() && (!parts.toward || whole(*parts.toward));
+               has_toward == parts.toward.has_value() && (!parts.toward || whole(*parts.toward)) &&
+               statements_.lacks(StatementKind::lens) == (parts.lens == nullptr) &&
+               statements_.lacks(StatementKind::time) == !parts.time;
     }
 
     // ------------------------------------------------------------------------------------- map
@@ -295,6 +299,21 @@ private:
                               minimum == 2 ? "surface" : "curve or a surface",
                               parts.eye.generator->dimension() == 0 ? "point" : "curve"),
                   "add a direction object with toward, or use another eye object");
+        }
+    }
+
+    // --------------------------------------------------------------------------- lens and time
+
+    void lens(camera::Camera::Parts& parts) {
+        if (const Statement* statement = statements_.find(StatementKind::lens)) {
+            parts.lens = stages_.make<camera::Lens>(statement->stages().front());
+            parts.lens_span = tree_.at(statement->span);
+        }
+    }
+
+    void time(camera::Camera::Parts& parts) {
+        if (const Statement* statement = statements_.find(StatementKind::time)) {
+            parts.time = stages_.formula_of_picture(statement->value(), "the time of a camera");
         }
     }
 

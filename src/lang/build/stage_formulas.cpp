@@ -70,6 +70,27 @@ StageBuilder::Located StageBuilder::formula(std::string_view name,
     return made;
 }
 
+std::optional<camera::Formula> StageBuilder::formula_of_picture(ExpressionId id,
+                                                                std::string_view what) {
+    Scope scope(&scope_);
+    std::vector<expr::Expr> variables;
+    for (const std::string_view name : {"x", "y"}) {
+        variables.push_back(graph_->fresh_variable());
+        const Value value{variables.back(), Dimension::number, nullptr};
+        scope.define(name, {value, tree_.at(tree_[id].span), "parameter", true});
+    }
+    const Value value = evaluate(tree_, id, scope, session_.context());
+    if (value.failed()) {
+        return std::nullopt;
+    }
+    if (value.is_angle()) {
+        error(tree_[id].span, fmt::format("{} is a number of seconds, but this is an angle", what),
+              "remove deg or rad, or divide the angle by 1rad");
+        return std::nullopt;
+    }
+    return camera::Formula(graph_, std::move(variables), {value.expr});
+}
+
 bool StageBuilder::define_formula_parameters(const Expression& node, Scope& scope,
                                              std::vector<expr::Expr>& variables) {
     for (const Identifier& name : node.parameters) {

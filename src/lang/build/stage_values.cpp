@@ -68,6 +68,9 @@ StageBuilder::Located StageBuilder::value(const camera::StageParameter& paramete
         Located operator()(const camera::FormulaParameter& type) const {
             return builder.formula(name, type.shape, builder.tree_[given.front()]);
         }
+        Located operator()(const camera::NameParameter&) const {
+            return builder.quoted(given.front());
+        }
         Located operator()(const camera::ImageParameter&) const {
             return builder.image(given.front());
         }
@@ -192,8 +195,33 @@ StageBuilder::Located StageBuilder::word(ExpressionId given) {
                : unsuitable(given);
 }
 
+StageBuilder::Located StageBuilder::quoted(ExpressionId given) {
+    const Expression& node = tree_[given];
+    return node.kind == ExpressionKind::text
+               ? Located{std::string(node.name.text), {tree_.at(node.span)}}
+               : unsuitable(given);
+}
+
+// Whether an expression can only be a number where a stage or a number may stand.
+bool StageBuilder::is_number(camera::StageKind kind, const Expression& node) {
+    switch (node.kind) {
+        case ExpressionKind::number:
+        case ExpressionKind::operation:
+        case ExpressionKind::element: return true;
+        case ExpressionKind::name: return scope_.find(node.name.text) != nullptr;
+        case ExpressionKind::call:
+            return session_.catalogue().find(kind, node.name.text) == nullptr &&
+                   (find_function(node.name.text) != nullptr ||
+                    scope_.find(node.name.text) != nullptr);
+        default: return false;
+    }
+}
+
 StageBuilder::Located StageBuilder::stages(const camera::NestedStageParameter& type,
                                            std::span<const ExpressionId> given) {
+    if (!type.of_number.empty() && is_number(type.kind, tree_[given.front()])) {
+        return number(given.front());
+    }
     Located made{Failed{}, {tree_.at(tree_[given.front()].span)}};
     ArgumentValue::Stages stages;
     for (const ExpressionId id : given) {

@@ -107,7 +107,7 @@ const StageEntry* StageBuilder::find_row(StageKind kind, const Identifier& name)
               row->shape && !formulas.empty()
                   ? fmt::format("a formula for {} is {}",
                                 camera::with_article(camera::name_of(kind)), one_of(formulas))
-                  : fmt::format("{}s belong to {}", camera::name_of(row->kind),
+                  : fmt::format("{} belong to {}", camera::plural_of(row->kind),
                                 all_of(statements_for(row->kind))));
         return nullptr;
     }

@@ -65,6 +65,11 @@ public:
     /// The same for an aspect, which must be above 0.
     [[nodiscard]] std::optional<double> aspect(ExpressionId id, std::string_view owner);
 
+    /// A plain number as a formula of the point of the picture, which its expression calls x and y.
+    /// Nothing after an error.
+    [[nodiscard]] std::optional<camera::Formula> formula_of_picture(ExpressionId id,
+                                                                    std::string_view what);
+
 private:
     using Stage = std::shared_ptr<const camera::Stage>;
 
@@ -117,8 +122,10 @@ private:
     Located number(ExpressionId given);
     Located numbers(ExpressionId given, bool one_for_all, bool names_axes);
     Located word(ExpressionId given);
+    Located quoted(ExpressionId given);
     Located points(const camera::PointsParameter& type, ExpressionId given);
     Located stages(const camera::NestedStageParameter& type, std::span<const ExpressionId> given);
+    [[nodiscard]] bool is_number(camera::StageKind kind, const Expression& node);
     Located unsuitable(ExpressionId given);
     [[nodiscard]] camera::Quantity quantity(const Value& value) const;
     [[nodiscard]] camera::Tuple tuple(const Value& value) const;

@@ -50,6 +50,10 @@ constexpr std::array meant_statements = {
     MeantStatement{"location", "eye", "write eye point(0, 0, 1.6)"},
     MeantStatement{"transform", "move", "write move rotate(z, 30deg), translate(0, 0, 1)"},
     MeantStatement{"distort", "warp", "write warp with a parameter transformer"},
+    MeantStatement{"aperture", "lens", "write lens(radius = 0.1, focus = 5)"},
+    MeantStatement{"focus", "lens", "write lens(radius = 0.1, focus = 5)"},
+    MeantStatement{"bokeh", "lens", "write lens(radius = 0.1, blades = 6, focus = 5)"},
+    MeantStatement{"shutter", "time", "give the shutter to the command: --shutter 0.02"},
     MeantStatement{"fov", "map",
                    "the field of view is the range of map; for a pinhole camera: map u = "
                    "tan(fov/2) .. -tan(fov/2), v = square"},

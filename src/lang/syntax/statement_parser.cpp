@@ -112,6 +112,10 @@ bool StatementParser::body(const StatementRow& row, Statement& made) {
     switch (row.shape) {
         case Shape::let: return let(made);
         case Shape::value: return value(made);
+        case Shape::equation:
+            return tokens_.expect("=", fmt::format("after '{}'", row.keyword),
+                                  fmt::format("for example {} = t + 0.02*y", row.keyword)) &&
+                   value(made);
         case Shape::word: return word(row, made);
         case Shape::ranges: return ranges(made);
         case Shape::nothing: return true;

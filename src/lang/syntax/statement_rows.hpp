@@ -28,12 +28,13 @@ enum class Block : std::uint8_t {
 
 /// The syntax after the keyword, which determines the content of a statement.
 enum class Shape : std::uint8_t {
-    let,      ///< name = expression
-    value,    ///< An expression.
-    word,     ///< One word.
-    nothing,  ///< The keyword says it all.
-    ranges,   ///< u = first .. last, v = square
-    corners,  ///< (a, b) .. (c, d)
+    let,       ///< name = expression
+    value,     ///< An expression.
+    equation,  ///< = expression
+    word,      ///< One word.
+    nothing,   ///< The keyword says it all.
+    ranges,    ///< u = first .. last, v = square
+    corners,   ///< (a, b) .. (c, d)
     optional_corners,
     placements,  ///< Corners and stages with commas between them; corners are the stage `place`.
     stage,       ///< A stage.

@@ -67,6 +67,8 @@ enum class StatementKind : std::uint8_t {
     warp,
     move,
     look,
+    lens,
+    time,
     place,
     arrange,
     layer,

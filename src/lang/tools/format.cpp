@@ -127,6 +127,8 @@ std::set<std::size_t> starts_in(const SyntaxTree& tree) {
     return starts;
 }
 
+bool is_call(const StatementRow* row) { return row != nullptr && row->shape == Shape::call; }
+
 class Cutter {
 public:
     Cutter(const SyntaxTree& tree, const Tokens& read)
@@ -200,8 +202,8 @@ private:
         piece.sum = role == Role::loose && !is_any(token, {"=", ".."});
         lines_.back().pieces.push_back(piece);
         // Some statements are written as a call; others have their content after a space.
-        const StatementRow* row = find_statement(token, true);
-        const bool call = row != nullptr && row->shape == Shape::call;
+        const bool call =
+            is_call(find_statement(token, true)) || is_call(find_statement(token, false));
         previous_ = {&token, role, first && !call};
         if (token.is("{")) {
             ++depth_;

@@ -34,13 +34,13 @@ double brightness(const SceneTracer& tracer, const V3f& to_viewer, const Interac
 
 }  // namespace
 
-Color3f ambient_of(const TracedScene& traced, const rays::CompiledPicture& picture,
-                   const Film& film, double time) {
+Color3f ambient_of(const TracedScene& traced, const PictureRays& rays, const Film& film,
+                   double time) {
     constexpr double share = 0.1;
     constexpr double in_the_dark = 0.3;
     const SceneTracer tracer(traced);
     std::vector<double> lit;
-    for_each_coarse_ray(traced, picture, film, time, [&](const Ray& ray) {
+    for_each_coarse_ray(traced, rays, film, time, [&](const Ray& ray) {
         if (const embree::Hit hit = tracer.nearest(ray); hit.any()) {
             const double found = brightness(tracer, -ray.direction, tracer.interaction(ray, hit));
             if (found > 0.0 && std::isfinite(found)) {

@@ -3,14 +3,14 @@
 #pragma once
 
 #include "balcony/film.hpp"
-#include "balcony/rays.hpp"
+#include "render/job/picture_rays.hpp"
 #include "render/shading/scene_tracer.hpp"
 
 namespace balcony::render {
 
 /// The ambient radiance that follows the light of the scene, by the rule of Settings::ambient. It
 /// depends on the whole picture, not on the film's window.
-[[nodiscard]] Color3f ambient_of(const TracedScene& traced, const rays::CompiledPicture& picture,
+[[nodiscard]] Color3f ambient_of(const TracedScene& traced, const PictureRays& rays,
                                  const Film& film, double time);
 
 }  // namespace balcony::render

@@ -4,6 +4,7 @@
 #include "render/job/compositor.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "render/job/layer_weights.hpp"
@@ -16,6 +17,11 @@ void mark(std::uint8_t& flag, bool set) {
     if (set) {
         flag = 1;
     }
+}
+
+Mask both(Mask a, const Mask& b) {
+    std::transform(a.begin(), a.end(), b.begin(), a.begin(), std::bit_and<>());
+    return a;
 }
 
 // Composites all elements at a point, from back to front.
@@ -224,7 +230,15 @@ void Compositor::trace_layer(const Element& element, const Veil& veil, Work& wor
         return;
     }
     TileRays& rays = tile_rays_;
-    rays_.find_rays(layer, points.grid, rays);
+    // Data are sharp: they are those of the central rays.
+    const bool data_apart = !work.data.empty() && rays_.has_lens(layer);
+    if (data_apart) {
+        rays_.find_rays(layer, points.grid, rays);
+        tracer_.trace(points, rays, both(wanted, rays.valid), [&](std::size_t i, const Seen& seen) {
+            add_data(element, veil, i, seen, work);
+        });
+    }
+    rays_.find_rays_of_pass(layer, points.grid, points.region, points.numbers, rays);
     for_each_pixel(points.region, [&](std::size_t i, std::size_t x, std::size_t y) {
         const bool counts = wanted[i] != 0 && work.counted.contains(x, y);
         counts_[layer].camera_rays += counts ? 1 : 0;
@@ -243,17 +257,27 @@ void Compositor::trace_layer(const Element& element, const Veil& veil, Work& wor
         if (!work.seen.empty()) {
             work.seen[layer][i] = {1.0F, seen.radiance.a, seen.parts, seen.visible};
         }
-        if (!work.data.empty() && !work.data[i].valid &&
-            veil.share[i] * work.coverages.coverage(element, i) >= 0.5F) {
-            work.data[i] = {true,
-                            static_cast<std::uint16_t>(layer + 1),
-                            rays.all.origin(i),
-                            rays.all.direction(i),
-                            parameters(rays.all, i),
-                            magnification(rays.all, i, V3d(seen.visible.position)),
-                            seen.visible};
+        if (!data_apart) {
+            add_data(element, veil, i, seen, work);
         }
     });
+}
+
+// The data of a point are those of the front layer that covers at least half of it.
+void Compositor::add_data(const Element& element, const Veil& veil, std::size_t i, const Seen& seen,
+                          Work& work) const {
+    if (work.data.empty() || work.data[i].valid ||
+        veil.share[i] * work.coverages.coverage(element, i) < 0.5F) {
+        return;
+    }
+    const rays::RayBatch& rays = tile_rays_.all;
+    work.data[i] = {true,
+                    static_cast<std::uint16_t>(*element.layer + 1),
+                    rays.origin(i),
+                    rays.direction(i),
+                    parameters(rays, i),
+                    magnification(rays, i, V3d(seen.visible.position)),
+                    seen.visible};
 }
 
 }  // namespace balcony::render

@@ -54,6 +54,8 @@ private:
     void trace(const std::vector<Element>& elements, Veil& veil, Work& work);
     void trace_group(const Element& element, Veil& veil, Work& work);
     void trace_layer(const Element& element, const Veil& veil, Work& work);
+    void add_data(const Element& element, const Veil& veil, std::size_t i, const Seen& seen,
+                  Work& work) const;
 
     const rays::CompiledPicture* picture_;
     PictureRays rays_;

@@ -254,10 +254,15 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
         TracedScene traced = renderer.state_->traced;
         const Stopwatch watch;
         const bool with_magnification = film.layers && !film.layers->magnification.empty();
+        Result<LensFocus> focus = focus_of(traced, picture, film, settings.time);
+        if (!focus) {
+            return std::move(focus.diagnostics);
+        }
         Result<rays::CompiledPicture> compiled = rays::compile(
             picture, static_cast<double>(film.width), static_cast<double>(film.height),
             {.axes = traced.scene->axes,
-             .footprints = traced.materials.has_textures() || with_magnification});
+             .footprints = traced.materials.has_textures() || with_magnification,
+             .inputs = lens_inputs(*focus)});
         if (!compiled) {
             return std::move(compiled.diagnostics);
         }
@@ -274,14 +279,15 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
             film.picture_layers.push_back(layer.name);
         }
         Settings complete = settings;
+        const PictureRays picture_rays(*compiled, traced.interval, *focus);
         std::string light;
         if (traces_environment(settings.integrator)) {
-            Lighting lighting = lighting_of(traced, *compiled, film, settings);
+            Lighting lighting = lighting_of(traced, picture_rays, film, settings);
             traced.lights = std::move(lighting.lights);
             light = std::move(lighting.description);
             complete.ambient = Color3f(0.0F);
         } else if (!complete.ambient) {
-            complete.ambient = ambient_of(traced, *compiled, film, settings.time);
+            complete.ambient = ambient_of(traced, picture_rays, film, settings.time);
         }
         film.background = complete.background;
         film.ambient = *complete.ambient;
@@ -300,7 +306,7 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
         }
         return Job(std::make_shared<const State>(
             State{renderer.state_,
-                  {std::move(traced), std::move(*compiled), complete,
+                  {std::move(traced), std::move(*compiled), std::move(*focus), complete,
                    find_integrator(settings.integrator), std::move(light), watch.seconds()},
                   &film}));
     } catch (const std::bad_alloc&) {

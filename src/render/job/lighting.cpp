@@ -16,13 +16,12 @@ namespace balcony::render {
 namespace {
 
 // Whether rays leave the scene: rays of the picture, or rays that surfaces scatter evenly.
-bool sees_sky(const TracedScene& traced, const rays::CompiledPicture& picture, const Film& film,
-              double time) {
+bool sees_sky(const TracedScene& traced, const PictureRays& rays, const Film& film, double time) {
     constexpr double least = 0.02;  // The share of such rays in a room with a window.
     const SceneTracer tracer(traced);
     std::size_t rays = 0;
     std::size_t escaped = 0;
-    for_each_coarse_ray(traced, picture, film, time, [&](const Ray& ray) {
+    for_each_coarse_ray(traced, rays, film, time, [&](const Ray& ray) {
         const embree::Hit hit = tracer.nearest(ray);
         ++rays;
         if (!hit.any()) {
@@ -60,8 +59,8 @@ std::string description_of(const LightSet& lights, const scene::Scene& scene) {
 
 }  // namespace
 
-Lighting lighting_of(const TracedScene& traced, const rays::CompiledPicture& picture,
-                     const Film& film, const Settings& settings) {
+Lighting lighting_of(const TracedScene& traced, const PictureRays& rays, const Film& film,
+                     const Settings& settings) {
     std::optional<Environment> environment = settings.light.environment;
     if (!environment && settings.ambient) {
         environment = Environment::constant(*settings.ambient);
@@ -74,7 +73,7 @@ Lighting lighting_of(const TracedScene& traced, const rays::CompiledPicture& pic
     if (!own.empty() || !traced.scene->default_light) {
         return {traced.lights.with({}, settings.light.sun_angle), own.empty() ? "no light" : own};
     }
-    if (sees_sky(traced, picture, film, settings.time)) {
+    if (sees_sky(traced, rays, film, settings.time)) {
         const Environment sky = Environment::dome();
         return {traced.lights.with(sky), sky.description()};
     }

@@ -20,28 +20,56 @@ TileCoverages PictureRays::coverages(const rays::Tile& points) {
         return made;
     }
     const Stopwatch watch;
-    picture_->run_coverages(
-        points, scratch_,
-        made.values_.reserve(picture_->coverage_count(), points.width * points.height));
+    const std::size_t count = points.width * points.height;
+    lens_.set_middle(count);
+    rays::Tile tile = points;
+    tile.inputs = lens_.of_layer(0);
+    picture_->run_coverages(tile, scratch_,
+                            made.values_.reserve(picture_->coverage_count(), count));
     seconds_ += watch.seconds();
     return made;
 }
 
 void PictureRays::find_rays(std::size_t layer, const rays::Tile& points, TileRays& rays) {
     const Stopwatch watch;
+    lens_.set_middle(points.width * points.height);
+    rays.through_lens = false;
+    run(layer, points, rays);
+    seconds_ += watch.seconds();
+}
+
+void PictureRays::find_rays_of_pass(std::size_t layer, const rays::Tile& points,
+                                    const Region& region, const PassNumbers& numbers,
+                                    TileRays& rays) {
+    if (!has_lens(layer)) {
+        find_rays(layer, points, rays);
+        return;
+    }
+    const Stopwatch watch;
+    lens_.set_samples(region, numbers);
+    rays.through_lens = true;
+    run(layer, points, rays);
+    seconds_ += watch.seconds();
+}
+
+void PictureRays::run(std::size_t layer, rays::Tile points, TileRays& rays) {
+    points.inputs = lens_.of_layer(layer);
     const std::size_t count = points.width * points.height;
     picture_->layers()[layer].rays.run(points, scratch_, rays.all);
     rays.valid.assign(count, 0);
     rays.rays.resize(count);
-    const auto time = static_cast<float>(interval_.part_at(points.time));
+    const auto part_at = [this](double time) {
+        return static_cast<float>(interval_.part_at(time));
+    };
+    const float time = part_at(points.time);
     for (std::size_t i = 0; i < count; ++i) {
         if (traceable(rays.all, i)) {
             rays.valid[i] = 1;
             rays.rays[i] = {V3f(rays.all.origin(i)), V3f(rays.all.direction(i)),
-                            std::numeric_limits<float>::infinity(), time};
+                            std::numeric_limits<float>::infinity(),
+                            rays.all.has_times() ? part_at(rays.all.time(i)) : time};
         }
     }
-    seconds_ += watch.seconds();
 }
 
 }  // namespace balcony::render

@@ -14,6 +14,7 @@
 #include "balcony/motion.hpp"
 #include "balcony/rays.hpp"
 #include "render/job/camera_rays.hpp"
+#include "render/job/lens_inputs.hpp"
 
 namespace balcony::render {
 
@@ -25,6 +26,7 @@ struct TileRays {
     rays::RayBatch all;
     Mask valid;                     ///< Whether there is a ray that can be traced.
     std::vector<embree::Ray> rays;  ///< Defined where valid.
+    bool through_lens = false;      ///< They took the first pair of random numbers of each sample.
 };
 
 /// The coverages and paints of a picture at the points of a tile.
@@ -48,20 +50,32 @@ private:
 /// Runs the programs of a picture; belongs to one thread.
 class PictureRays {
 public:
-    /// The interval is that of the times of rays.
-    PictureRays(const rays::CompiledPicture& picture, const scene::TimeInterval& interval)
-        : picture_(&picture), interval_(interval) {}
+    /// The interval is that of the times of rays. The picture was compiled with
+    /// lens_inputs(focus), or without inputs and without a focus.
+    PictureRays(const rays::CompiledPicture& picture, const scene::TimeInterval& interval,
+                LensFocus focus = {})
+        : picture_(&picture), interval_(interval), lens_(std::move(focus)) {}
 
     [[nodiscard]] TileCoverages coverages(const rays::Tile& points);
-    /// Fills `rays`, whose memory is used again.
+    [[nodiscard]] std::size_t layer_count() const { return picture_->layers().size(); }
+    [[nodiscard]] bool has_lens(std::size_t layer) const {
+        return picture_->layers()[layer].rays.has_lens();
+    }
+    /// The central rays. Fills `rays`, whose memory is used again.
     void find_rays(std::size_t layer, const rays::Tile& points, TileRays& rays);
+    /// The rays through the lens, if the layer has one, for the samples of a pass.
+    void find_rays_of_pass(std::size_t layer, const rays::Tile& points, const Region& region,
+                           const PassNumbers& numbers, TileRays& rays);
 
     /// The total time spent in these functions.
     [[nodiscard]] double seconds() const { return seconds_; }
 
 private:
+    void run(std::size_t layer, rays::Tile points, TileRays& rays);
+
     const rays::CompiledPicture* picture_;
     scene::TimeInterval interval_;
+    LensValues lens_;
     rays::Scratch scratch_;
     double seconds_ = 0.0;
 };

@@ -35,7 +35,6 @@ TileTracer::TileTracer(const TracedScene& traced, const Settings& settings, Inte
     : traced_(&traced),
       // Many samples share the filtering; pbrt limits the reduction in the same way.
       footprint_scale_(std::max(0.125, 1.0 / std::sqrt(static_cast<double>(settings.samples)))),
-      seed_(settings.sampling.seed),
       integrator_(make(traced, settings)),
       light_tracer_(integrator_->light_tracer()) {}
 
@@ -47,7 +46,6 @@ Ray TileTracer::camera_ray(const TileRays& rays, std::size_t i) const {
 
 void TileTracer::trace(const TilePoints& points, const TileRays& rays, const Mask& wanted) {
     const Region& region = points.region;
-    const PassNumbers numbers(points.pass, seed_);
     hits_.resize(points.size());
     traced_->accelerator.intersect_grid(region.width, rays.rays, wanted, hits_);
     indices_.clear();
@@ -60,10 +58,12 @@ void TileTracer::trace(const TilePoints& points, const TileRays& rays, const Mas
                 for (std::size_t x = left; x < std::min(left + side, region.width); ++x) {
                     const std::size_t i = y * region.width + x;
                     if (wanted[i] != 0) {
+                        Sampler sampler(region.x + x, region.y + y, points.numbers);
+                        if (rays.through_lens) {
+                            (void)sampler.next_pair();
+                        }
                         indices_.push_back(i);
-                        requested_.push_back({camera_ray(rays, i), hits_[i],
-                                              Sampler(region.x + x, region.y + y, numbers),
-                                              packet});
+                        requested_.push_back({camera_ray(rays, i), hits_[i], sampler, packet});
                     }
                 }
             }

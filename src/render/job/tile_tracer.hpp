@@ -17,6 +17,7 @@ namespace balcony::render {
 struct TilePoints {
     Region region;
     std::size_t pass = 0;
+    PassNumbers numbers;
     rays::Tile grid;
     const std::vector<std::uint8_t>* active = nullptr;  ///< Points to sample; all if null.
 
@@ -56,7 +57,6 @@ private:
 
     const TracedScene* traced_;
     double footprint_scale_;
-    std::uint32_t seed_;
     std::unique_ptr<Integrator> integrator_;
     LightTracer* light_tracer_;
     // The rays at work; kept for their memory.

@@ -31,16 +31,18 @@ Region traced_part(const Region& tile, const Region& window) {
 // Samples that the filter puts beyond the picture are moved to its border, because the camera may
 // see something else or be undefined there; just inside, for cameras that end at the border.
 TilePoints points_of(const Region& region, std::size_t pass, const Imath::V2d& offset,
-                     const Film& film, double time) {
+                     const Film& film, const Settings& settings) {
     constexpr double just_inside = 1e-6;
     const auto limits = [](std::size_t extent) {
         return rays::Tile::Limits{just_inside, static_cast<double>(extent) - just_inside};
     };
     return {region,
             pass,
+            PassNumbers(pass, settings.sampling.seed),
             {static_cast<double>(region.x) + 0.5 + offset.x,
-             static_cast<double>(region.y) + 0.5 + offset.y, 1.0, region.width, region.height, time,
-             limits(film.width), limits(film.height)}};
+             static_cast<double>(region.y) + 0.5 + offset.y, 1.0, region.width, region.height,
+             settings.shutter.moment(settings.time, pass_moment(pass)), limits(film.width),
+             limits(film.height)}};
 }
 
 }  // namespace
@@ -62,7 +64,7 @@ TileWorker::TileWorker(const JobParts& parts, Film& film)
     : settings_(&parts.settings),
       film_(&film),
       filter_(find_pixel_filter(parts.settings.sampling.filter)),
-      compositor_(parts.picture, PictureRays(parts.picture, parts.traced.interval),
+      compositor_(parts.picture, PictureRays(parts.picture, parts.traced.interval, parts.focus),
                   TileTracer(parts.traced, parts.settings, parts.integrator)) {}
 
 bool TileWorker::render(std::size_t tile) {
@@ -78,8 +80,7 @@ bool TileWorker::render(std::size_t tile) {
                                     .display = !film_->display.empty(),
                                     .mirrored = !film_->mirrored.empty(),
                                     .contributions = film_->means.any()};
-    const double time = settings_->shutter.moment(settings_->time, pass_moment(pass));
-    TilePoints points = points_of(region, pass, offset(pass), *film_, time);
+    TilePoints points = points_of(region, pass, offset(pass), *film_, *settings_);
     points.active = adaptive ? &active_ : nullptr;
     TileImage image = compositor_.sample(points, film_->window, wanted);
     if (adaptive) {

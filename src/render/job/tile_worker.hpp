@@ -18,6 +18,7 @@ namespace balcony::render {
 struct JobParts {
     TracedScene traced;  ///< With the lights of the picture.
     rays::CompiledPicture picture;
+    LensFocus focus;
     Settings settings;
     IntegratorMaker integrator;
     std::string light;  ///< As Summary::light.

@@ -1,0 +1,137 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// A lens with a round or polygonal aperture.
+
+#include <numbers>
+
+#include "camera/families.hpp"
+
+namespace balcony::camera {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// A point of a disc: the distance from the centre, and the angle from 0 to 2 pi.
+struct PolarPoint {
+    Expr radius, angle;
+};
+
+/// The square from (-1, -1) to (1, 1) on a disc, by the concentric map of Shirley and Chiu, "A Low
+/// Distortion Map between Disk and Square" (1997): squares around the centre become circles.
+PolarPoint on_disc(const AperturePoint& square, const Emitter& emit) {
+    const auto& [x, y] = square;
+    const Expr wide = abs(y) < abs(x);
+    const Expr radius = select(wide, abs(x), abs(y));
+    // From the axis that is nearest; the centre has the angle 0 from it.
+    const Expr ratio = select(wide, y / x, select(0.0 < radius, -(x / y), emit(0.0)));
+    const Expr axis = select(wide, select(x < 0.0, emit(pi), emit(0.0)),
+                             select(y < 0.0, emit(1.5 * pi), emit(0.5 * pi)));
+    const Expr angle = axis + pi / 4.0 * ratio;
+    return {radius, select(angle < 0.0, angle + 2.0 * pi, angle)};
+}
+
+class ThinLens : public Lens {
+public:
+    ThinLens(Scalar radius, FocusSurfacePointer focus)
+        : radius_(std::move(radius)), focus_(std::move(focus)) {}
+    Scalar radius() const final { return radius_; }
+    const FocusSurface& focus() const final { return *focus_; }
+
+private:
+    Scalar radius_;
+    FocusSurfacePointer focus_;
+};
+
+class RoundLens final : public ThinLens {
+    using ThinLens::ThinLens;
+    AperturePoint aperture(const AperturePoint& square, Emitter& emit) const override {
+        const PolarPoint p = on_disc(square, emit);
+        return {p.radius * cos(p.angle), p.radius * sin(p.angle)};
+    }
+};
+
+/// The polygon with its corners on the circle. Each sector of the disc goes to the triangle of a
+/// side: arcs around the centre become straight, and are divided evenly as before.
+class PolygonalLens final : public ThinLens {
+public:
+    PolygonalLens(Scalar radius, FocusSurfacePointer focus, std::size_t blades, Scalar rotation)
+        : ThinLens(std::move(radius), std::move(focus)),
+          blades_(static_cast<double>(blades)),
+          rotation_(std::move(rotation)) {}
+    AperturePoint aperture(const AperturePoint& square, Emitter& emit) const override {
+        const PolarPoint p = on_disc(square, emit);
+        const double step = 2.0 * pi / blades_;
+        const Expr sides = p.angle / step;
+        const Expr side = floor(sides);
+        const Expr part = sides - side;
+        const Expr first = pi / 2.0 + emit(rotation_) + side * step;
+        const Expr next = first + step;
+        return {p.radius * ((1.0 - part) * cos(first) + part * cos(next)),
+                p.radius * ((1.0 - part) * sin(first) + part * sin(next))};
+    }
+
+private:
+    double blades_;
+    Scalar rotation_;
+};
+
+Result<std::shared_ptr<const Stage>> make_thin_lens(const Arguments& a) {
+    const std::size_t blades = a.count("blades");
+    const auto focus = a.stage<FocusSurface>("focus");
+    if (blades == 0) {
+        return made<RoundLens>(a.number("radius"), focus);
+    }
+    if (blades < 3) {
+        return error(
+            blades == 1 ? "an aperture cannot have 1 blade" : "an aperture cannot have 2 blades",
+            {}, "write 3 or more for a polygon, or 0 for a round aperture");
+    }
+    return made<PolygonalLens>(a.number("radius"), focus, blades, a.number("rotation"));
+}
+
+}  // namespace
+
+std::vector<StageEntry> lenses() {
+    return {
+        {.kind = StageKind::lens,
+         .name = "lens",
+         .meaning =
+             "an aperture across each ray, around its origin: what is not in focus is blurred",
+         .formula = R"(
+o′ = o + a,   d′ = d − a/s      o, d   the ray, |d| = 1;   s   the focus
+a = radius (x X + y Y)      (x, y)   a point of the unit disc or polygon
+X   the unit vector across d along ∂(o + s d)/∂(picture x),   Y = X × d
+all rays of a picture point meet in o + s d
+)",
+         .parameters =
+             {{.name = "radius",
+               .type = NumberParameter{.range = {.minimum = 0.0}},
+               .meaning = "of the circle around the aperture, in scene units; 0 is a pinhole"},
+              {.name = "blades",
+               .type =
+                   CountParameter{.default_value = 0.0, .range = {.minimum = 0.0, .maximum = 64.0}},
+               .meaning = "the number of sides of the aperture; 0 is round"},
+              {.name = "focus",
+               .type = NestedStageParameter{.kind = StageKind::focus, .of_number = "distance"},
+               .meaning = "what is sharp: a distance along the rays, or a surface of focus"},
+              {.name = "rotation",
+               .type = NumberParameter{.unit = Unit::angle, .default_value = 0.0},
+               .meaning =
+                   "of the polygon, counter-clockwise as the picture shows it; at 0 a corner "
+                   "is at the top"}},
+         .make = make_thin_lens,
+         .example = R"(
+// The painting behind is out of focus, blurred to hexagons.
+camera hexagonal {
+    map    u = 0.4 .. -0.4, v = square
+    eye    point
+    toward plane((1, 0, 0))
+    lens(radius = 1.5, blades = 6, focus = 25)
+}
+)"},
+    };
+}
+
+}  // namespace balcony::camera

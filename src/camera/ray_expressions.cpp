@@ -1,0 +1,157 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "camera/ray_expressions.hpp"
+
+#include <fmt/format.h>
+
+namespace balcony::camera {
+
+namespace {
+
+ObjectVector select(Expr condition, const ObjectVector& a, const ObjectVector& b) {
+    return {expr::select(condition, a.x, b.x), expr::select(condition, a.y, b.y),
+            expr::select(condition, a.z, b.z)};
+}
+
+ObjectVector without_part_along(const ObjectVector& unit, const ObjectVector& a) {
+    return a + -(dot(a, unit) * unit);
+}
+
+// The unit vector across a ray that points to the right in the picture: the direction in which the
+// sharp point moves along picture x. If it does not move, that in which the origin moves; if
+// neither moves, the right of a viewer whose head is up.
+ObjectVector right_across(const RayExpressions& ray, Expr vergence, const Emitter& emit) {
+    constexpr double smallest_square = 1e-24;
+    const ObjectVector& d = ray.direction;
+    const RayFootprint slopes = footprint(ray);
+    const ObjectVector of_sharp_point =
+        without_part_along(d, slopes.direction_by_x + vergence * slopes.origin_by_x);
+    const ObjectVector of_origin = without_part_along(d, slopes.origin_by_x);
+    const ObjectVector z{emit(0.0), emit(0.0), emit(1.0)};
+    const ObjectVector x{emit(1.0), emit(0.0), emit(0.0)};
+    const ObjectVector of_viewer = cross(d, select(abs(d.z) < 0.9, z, x));
+    const ObjectVector right =
+        select(smallest_square < dot(of_sharp_point, of_sharp_point), of_sharp_point,
+               select(smallest_square < dot(of_origin, of_origin), of_origin, of_viewer));
+    return (1.0 / sqrt(dot(right, right))) * right;
+}
+
+std::vector<Expr> values_of(const RayExpressions& ray) {
+    std::vector<Expr> values{ray.origin.x,    ray.origin.y,     ray.origin.z,
+                             ray.direction.x, ray.direction.y,  ray.direction.z,
+                             ray.valid,       ray.parameters.u, ray.parameters.v};
+    if (ray.lens) {
+        values.insert(values.end(), {ray.lens->offset.x, ray.lens->offset.y, ray.lens->offset.z,
+                                     ray.lens->vergence, ray.lens->valid});
+    }
+    if (ray.time) {
+        values.push_back(*ray.time);
+    }
+    return values;
+}
+
+}  // namespace
+
+std::string distance_input(std::string_view object) {
+    return fmt::format("distance of \"{}\"", object);
+}
+
+CentralRay middle_of(const CentralRay& ray) {
+    const PicturePoint& picture = ray.picture;
+    const std::array put{expr::Substitution{picture.point.x, 0.5 * picture.size.width},
+                         expr::Substitution{picture.point.y, 0.5 * picture.size.height}};
+    const std::array values{ray.origin.x,    ray.origin.y,    ray.origin.z,     ray.direction.x,
+                            ray.direction.y, ray.direction.z, ray.parameters.u, ray.parameters.v};
+    const std::vector<Expr> r = expr::substitute(picture.size.width.graph(), values, put);
+    return {{r[0], r[1], r[2]},
+            {r[3], r[4], r[5]},
+            {r[6], r[7]},
+            {{put[0].replacement, put[1].replacement}, picture.size}};
+}
+
+RayExpressions substitute(Graph& target, const RayExpressions& ray,
+                          std::span<const expr::Substitution> put) {
+    const std::vector<Expr> r = expr::substitute(target, values_of(ray), put);
+    RayExpressions made{{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, r[6], {r[7], r[8]}, {}, {}};
+    if (ray.lens) {
+        made.lens = LensExpressions{{r[9], r[10], r[11]}, r[12], r[13]};
+    }
+    if (ray.time) {
+        made.time = r.back();
+    }
+    return made;
+}
+
+RayFootprint footprint(const RayExpressions& ray) {
+    Graph& graph = ray.origin.x.graph();
+    const std::array values{ray.origin.x,    ray.origin.y,    ray.origin.z,
+                            ray.direction.x, ray.direction.y, ray.direction.z};
+    const std::vector<Expr> by_x = expr::differentiate(values, graph.picture_x());
+    const std::vector<Expr> by_y = expr::differentiate(values, graph.picture_y());
+    return {{by_x[0], by_x[1], by_x[2]},
+            {by_y[0], by_y[1], by_y[2]},
+            {by_x[3], by_x[4], by_x[5]},
+            {by_y[3], by_y[4], by_y[5]}};
+}
+
+// ---------------------------------------------------------------------------------------- lens
+
+LensExpressions lens_around(const RayExpressions& ray, const Lens& lens,
+                            const PicturePoint& picture, Emitter& emit) {
+    Graph& graph = emit.graph();
+    const Expr power =
+        lens.focus().vergence({ray.origin, ray.direction, ray.parameters, picture}, emit);
+    const Expr vergence = select(0.0 < power && is_finite(power), power, emit(0.0));
+    const AperturePoint at =
+        lens.aperture({graph.input(lens_input_x), graph.input(lens_input_y)}, emit);
+    const ObjectVector right = right_across(ray, vergence, emit);
+    const ObjectVector up = cross(right, ray.direction);
+    const Expr radius = emit(lens.radius());
+    const ObjectVector offset = radius * (at.x * right + at.y * up);
+    emit.require(is_finite(dot(offset, offset) + vergence));
+    return {offset, vergence, emit.valid()};
+}
+
+// The offset a is perpendicular to the unit direction d, so that |d - q a|² = 1 + q² |a|², which
+// is exactly 1 in the middle of the lens.
+RayExpressions through_lens(const RayExpressions& ray) {
+    const auto& [offset, vergence, valid] = *ray.lens;
+    const ObjectVector turn = vergence * offset;
+    RayExpressions made = ray;
+    made.origin = ray.origin + offset;
+    made.direction = (1.0 / sqrt(1.0 + dot(turn, turn))) * (ray.direction + -turn);
+    made.valid = ray.valid && valid;
+    made.lens.reset();
+    return made;
+}
+
+// Of w/|w| with w = d - q a: the part across of the derivative of w, divided by |w|.
+RayFootprint footprint_through_lens(const RayExpressions& ray) {
+    Graph& graph = ray.origin.x.graph();
+    const auto& [offset, vergence, valid] = *ray.lens;
+    const ObjectVector direction = through_lens(ray).direction;
+    const ObjectVector turn = vergence * offset;
+    const Expr scale = 1.0 / sqrt(1.0 + dot(turn, turn));
+    const auto turned = [&](const ObjectVector& central, Expr by) {
+        const ObjectVector slope = central + -(expr::differentiate(vergence, by) * offset);
+        return scale * without_part_along(direction, slope);
+    };
+    RayFootprint slopes = footprint(ray);
+    slopes.direction_by_x = turned(slopes.direction_by_x, graph.picture_x());
+    slopes.direction_by_y = turned(slopes.direction_by_y, graph.picture_y());
+    return slopes;
+}
+
+// ---------------------------------------------------------------------------------------- time
+
+RayExpressions at_time(const RayExpressions& ray, Expr time) {
+    Graph& graph = time.graph();
+    const std::array put{expr::Substitution{graph.time(), time}};
+    RayExpressions made = substitute(graph, ray, put);
+    made.valid = made.valid && is_finite(time);
+    made.time = time;
+    return made;
+}
+
+}  // namespace balcony::camera

@@ -1,0 +1,24 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The formulas of a ray after its direction is known: its lens and its time.
+
+#include <span>
+
+#include "balcony/camera.hpp"
+
+namespace balcony::camera {
+
+/// A ray with leaves replaced, in the graph of the replacements.
+[[nodiscard]] RayExpressions substitute(Graph& target, const RayExpressions& ray,
+                                        std::span<const expr::Substitution> put);
+
+/// The lens around a ray of the camera's own picture.
+[[nodiscard]] LensExpressions lens_around(const RayExpressions& ray, const Lens& lens,
+                                          const PicturePoint& picture, Emitter& emit);
+
+/// The ray at another time, which replaces t.
+[[nodiscard]] RayExpressions at_time(const RayExpressions& ray, Expr time);
+
+}  // namespace balcony::camera

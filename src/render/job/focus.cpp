@@ -1,0 +1,155 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "render/job/focus.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <Imath/ImathBox.h>
+#include <fmt/format.h>
+
+#include "balcony/median.hpp"
+#include "balcony/names.hpp"
+#include "render/job/coarse_grid.hpp"
+#include "render/job/picture_rays.hpp"
+
+namespace balcony::render {
+
+namespace {
+
+using Imath::V3d;
+
+Diagnostic unknown_object(const scene::Scene& scene, const std::string& name,
+                          const SourceSpan& lens) {
+    std::vector<std::string> known;
+    for (const scene::Object& object : scene.objects) {
+        if (!object.name.empty()) {
+            known.push_back(object.name);
+        }
+    }
+    const auto nearest = nearest_name(name, known);
+    return error(
+        fmt::format("the lens is focused on '{}', but the scene has no object of this name",
+                    printable(name)),
+        lens,
+        nearest ? fmt::format("did you mean '{}'?", printable(*nearest))
+                : "'balcony info --objects' lists the objects of a scene");
+}
+
+// The middle of the box around an object's vertices.
+V3d middle_of(const scene::Scene& scene, const std::string& name) {
+    Imath::Box3d box;
+    for (const scene::Instance& instance : scene.instances) {
+        if (scene.objects[instance.object].name == name) {
+            for (const V3f& position : scene.meshes[instance.mesh.value()].positions) {
+                box.extendBy(V3d(position) * instance.world_from_mesh);
+            }
+        }
+    }
+    return box.isEmpty() ? V3d(0.0) : box.center();
+}
+
+// How far away an object is along the rays of one layer.
+class Rangefinder {
+public:
+    Rangefinder(const TracedScene& traced, const TileRays& rays) : traced_(traced), rays_(rays) {}
+
+    [[nodiscard]] double operator()(const std::string& object) const {
+        std::vector<double> lengths;
+        for (std::size_t i = 0; i < rays_.rays.size(); ++i) {
+            if (rays_.valid[i] != 0) {
+                if (const auto length = length_to(object, i)) {
+                    lengths.push_back(*length);
+                }
+            }
+        }
+        const std::optional<double> visible = median(std::move(lengths));
+        return visible ? *visible : past(middle_of(*traced_.scene, object));
+    }
+
+private:
+    [[nodiscard]] std::optional<double> length_to(const std::string& object, std::size_t i) const {
+        const embree::Ray& ray = rays_.rays[i];
+        const embree::Hit hit = traced_.accelerator.intersect(ray);
+        if (!hit.any() ||
+            traced_.scene->objects[traced_.scene->instances[hit.instance].object].name != object) {
+            return std::nullopt;
+        }
+        const V3d position(traced_.surfaces.find(hit, ray.direction, ray.time).position);
+        return (position - V3d(ray.origin)).length();
+    }
+
+    [[nodiscard]] double past(const V3d& point) const {
+        double length = std::numeric_limits<double>::infinity();
+        double smallest = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < rays_.rays.size(); ++i) {
+            if (rays_.valid[i] == 0) {
+                continue;
+            }
+            const V3d direction(rays_.rays[i].direction);
+            const V3d to_point = point - V3d(rays_.rays[i].origin);
+            const double along = to_point.dot(direction);
+            const double angle = std::atan2(to_point.cross(direction).length(), along);
+            if (along > 0.0 && angle < smallest) {
+                smallest = angle;
+                length = along;
+            }
+        }
+        return length;
+    }
+
+    const TracedScene& traced_;
+    const TileRays& rays_;
+};
+
+}  // namespace
+
+Result<LensFocus> focus_of(const TracedScene& traced, const camera::Picture& picture,
+                           const Film& film, double time) {
+    LensFocus made;
+    Diagnostics found;
+    const auto& objects = traced.scene->objects;
+    for (const camera::ShownCamera& shown : camera::shown_cameras(picture)) {
+        const camera::LensPointer& lens = shown.camera.parts().lens;
+        made.any_lens = made.any_lens || lens;
+        const auto object = lens ? lens->focus().object() : std::nullopt;
+        if (!object ||
+            std::find(made.objects.begin(), made.objects.end(), *object) != made.objects.end()) {
+            continue;
+        }
+        made.objects.push_back(*object);
+        if (std::none_of(objects.begin(), objects.end(),
+                         [&](const scene::Object& one) { return one.name == *object; })) {
+            found.push_back(unknown_object(*traced.scene, *object, shown.camera.parts().lens_span));
+        }
+    }
+    if (!found.empty()) {
+        return found;
+    }
+    if (made.objects.empty()) {
+        return made;
+    }
+    // The central rays, which need no distances.
+    Result<rays::CompiledPicture> central =
+        rays::compile(picture, static_cast<double>(film.width), static_cast<double>(film.height),
+                      {.axes = traced.scene->axes});
+    if (!central) {
+        return std::move(central.diagnostics);
+    }
+    PictureRays rays(*central, traced.interval);
+    TileRays grid;
+    for (std::size_t layer = 0; layer < central->layers().size(); ++layer) {
+        rays.find_rays(layer, coarse_grid(film, time), grid);
+        const Rangefinder distance(traced, grid);
+        std::vector<double>& of_layer = made.distances.emplace_back();
+        for (const std::string& object : made.objects) {
+            of_layer.push_back(distance(object));
+        }
+    }
+    return made;
+}
+
+}  // namespace balcony::render
