@@ -227,4 +227,15 @@ private:
 [[nodiscard]] Result<VisibleLayers> compile_layers(const camera::Picture& picture, double width,
                                                    double height, const Request& request);
 
+/// The first and the last of some times, in seconds.
+struct RayTimes {
+    double first = 0.0;
+    double last = 0.0;
+};
+
+/// When the rays of a picture meet the scene while its own time t runs from the first to the last:
+/// these times, and those of the cameras that give their rays times of their own, at a grid of
+/// points that includes the borders of the picture.
+[[nodiscard]] Result<RayTimes> ray_times(const camera::Picture& picture, const RayTimes& times);
+
 }  // namespace balcony::rays

@@ -426,6 +426,18 @@ TEST(RayTime, IsThatOfTheRunWithoutAFormula) {
     EXPECT_FALSE(probe.program().has_times());
 }
 
+TEST(RayTime, CoversAnInterval) {
+    const auto times = [](const std::string& text) {
+        const auto found = ray_times(camera_of(text), {1.0, 1.5});
+        EXPECT_TRUE(found) << to_text(found.diagnostics);
+        return std::array{found->first, found->last};
+    };
+    EXPECT_EQ(times(with(pinhole, "")), (std::array{1.0, 1.5}));
+    EXPECT_EQ(times(with(pinhole, "time = t + 8*x - 4*y")), (std::array{-3.0, 9.5}));
+    EXPECT_EQ(times(with(pinhole, "time = 2 + x")), (std::array{1.0, 3.0}));
+    EXPECT_NEAR(times(with(pinhole, "time = 1/x"))[1], 455.0, 1e-9);  // 455 pixels wide
+}
+
 TEST(RayTime, HasNoRayWhereItIsNotFinite) {
     const LensProbe probe(with(pinhole, "time = 1/(x - 0.5)"));
     EXPECT_FALSE(probe.central({0.5 * width, 10.5}).valid);

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "balcony/bands.hpp"
+#include "balcony/rays.hpp"
 #include "balcony/render.hpp"
 #include "cli/banded_picture.hpp"
 #include "cli/commands/command.hpp"
@@ -81,6 +82,7 @@ struct Loaded {
     lang::Workspace cameras;
     std::shared_ptr<const scene::Scene> scene;
     std::optional<render::Renderer> renderer;
+    scene::TimeInterval times{};  ///< Of the renderer's rays.
 
     /// The files that the picture depends on.
     [[nodiscard]] std::vector<fs::path> files() const {
@@ -172,22 +174,39 @@ RenderReport make_picture(RenderReport outcome, const RenderOptions& options,
     return outcome;
 }
 
-bool load(const std::string& name, const Request& request, Loaded& loaded, RenderReport& outcome) {
-    if (loaded.renderer) {
+// When rays meet the scene: while the shutter is open, and at the times that the cameras give them.
+scene::TimeInterval times_of_rays(const render::Settings& settings,
+                                  const std::optional<camera::Picture>& picture,
+                                  RenderReport& outcome) {
+    const scene::TimeInterval exposure = settings.shutter.exposure(settings.time);
+    if (!picture) {
+        return exposure;
+    }
+    const Result<rays::RayTimes> times = rays::ray_times(*picture, {exposure.begin, exposure.end});
+    add(outcome, times.diagnostics);
+    return times ? scene::TimeInterval{times->first, times->last} : exposure;
+}
+
+bool load(const std::string& name, const Request& request,
+          const std::optional<camera::Picture>& picture, Loaded& loaded, RenderReport& outcome) {
+    const render::Settings& settings = request.settings;
+    const scene::TimeInterval times = times_of_rays(settings, picture, outcome);
+    if (loaded.renderer && times.begin == loaded.times.begin && times.end == loaded.times.end) {
         return true;
     }
-    const render::Settings& settings = request.settings;
-    auto scene = load_scene(name, settings.time);
-    add(outcome, scene.diagnostics);
-    if (!scene) {
-        return false;
+    if (!loaded.scene) {
+        auto scene = load_scene(name, settings.time);
+        add(outcome, scene.diagnostics);
+        if (!scene) {
+            return false;
+        }
+        loaded.scene = std::make_shared<const scene::Scene>(std::move(*scene));
     }
-    loaded.scene = std::make_shared<const scene::Scene>(std::move(*scene));
-    auto renderer = render::Renderer::make(loaded.scene,
-                                           {.texture_memory = request.texture_memory,
-                                            .interval = settings.shutter.exposure(settings.time)});
+    auto renderer = render::Renderer::make(
+        loaded.scene, {.texture_memory = request.texture_memory, .interval = times});
     add(outcome, renderer.diagnostics);
     loaded.renderer = std::move(renderer.value);
+    loaded.times = times;
     return loaded.renderer.has_value();
 }
 
@@ -203,7 +222,8 @@ RenderReport render_picture(const RenderOptions& options, const Request& request
         picture = load_picture(options.camera, options.set, loaded.cameras);
         add(outcome, picture.diagnostics);
     }
-    if (has_errors(outcome.diagnostics) || !load(target.scene, request, loaded, outcome)) {
+    if (has_errors(outcome.diagnostics) ||
+        !load(target.scene, request, picture.value, loaded, outcome)) {
         return fail(std::move(outcome), ExitCode::bad_input);
     }
     if (const Diagnostics found = check_inputs_kept(loaded.files(), target.output);
