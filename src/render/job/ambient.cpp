@@ -34,8 +34,7 @@ double brightness(const SceneTracer& tracer, const V3f& to_viewer, const Interac
 
 }  // namespace
 
-Color3f ambient_of(const TracedScene& traced, const PictureRays& rays, const Film& film,
-                   double time) {
+Color3f ambient_of(const TracedScene& traced, PictureRays& rays, const Film& film, double time) {
     constexpr double share = 0.1;
     constexpr double in_the_dark = 0.3;
     const SceneTracer tracer(traced);

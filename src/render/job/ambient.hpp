@@ -10,7 +10,7 @@ namespace balcony::render {
 
 /// The ambient radiance that follows the light of the scene, by the rule of Settings::ambient. It
 /// depends on the whole picture, not on the film's window.
-[[nodiscard]] Color3f ambient_of(const TracedScene& traced, const PictureRays& rays,
-                                 const Film& film, double time);
+[[nodiscard]] Color3f ambient_of(const TracedScene& traced, PictureRays& rays, const Film& film,
+                                 double time);
 
 }  // namespace balcony::render

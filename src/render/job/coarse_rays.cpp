@@ -7,7 +7,7 @@
 
 namespace balcony::render {
 
-void for_each_coarse_ray(const TracedScene& traced, PictureRays all, const Film& film, double time,
+void for_each_coarse_ray(const TracedScene& traced, PictureRays& all, const Film& film, double time,
                          const std::function<void(const Ray&)>& visit) {
     const rays::Tile grid = coarse_grid(film, time);
     TileRays found;

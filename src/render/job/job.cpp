@@ -279,7 +279,7 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
             film.picture_layers.push_back(layer.name);
         }
         Settings complete = settings;
-        const PictureRays picture_rays(*compiled, traced.interval, *focus);
+        PictureRays picture_rays(*compiled, traced.interval, *focus);
         std::string light;
         if (traces_environment(settings.integrator)) {
             Lighting lighting = lighting_of(traced, picture_rays, film, settings);

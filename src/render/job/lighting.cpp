@@ -16,12 +16,12 @@ namespace balcony::render {
 namespace {
 
 // Whether rays leave the scene: rays of the picture, or rays that surfaces scatter evenly.
-bool sees_sky(const TracedScene& traced, const PictureRays& rays, const Film& film, double time) {
+bool sees_sky(const TracedScene& traced, PictureRays& all, const Film& film, double time) {
     constexpr double least = 0.02;  // The share of such rays in a room with a window.
     const SceneTracer tracer(traced);
     std::size_t rays = 0;
     std::size_t escaped = 0;
-    for_each_coarse_ray(traced, rays, film, time, [&](const Ray& ray) {
+    for_each_coarse_ray(traced, all, film, time, [&](const Ray& ray) {
         const embree::Hit hit = tracer.nearest(ray);
         ++rays;
         if (!hit.any()) {
@@ -59,7 +59,7 @@ std::string description_of(const LightSet& lights, const scene::Scene& scene) {
 
 }  // namespace
 
-Lighting lighting_of(const TracedScene& traced, const PictureRays& rays, const Film& film,
+Lighting lighting_of(const TracedScene& traced, PictureRays& rays, const Film& film,
                      const Settings& settings) {
     std::optional<Environment> environment = settings.light.environment;
     if (!environment && settings.ambient) {
