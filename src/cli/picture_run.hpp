@@ -9,6 +9,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "balcony/denoise.hpp"
 #include "balcony/render.hpp"
 #include "cli/checkpoint_file.hpp"
 #include "cli/options/picture_output.hpp"
@@ -26,6 +27,7 @@ struct Request {
     Crop crop;
     JobRequest job;
     std::size_t texture_memory = render::default_texture_memory;
+    std::optional<render::DenoiseOptions> denoise;
     Diagnostics warnings{};                                 ///< Of files that all pictures share.
     FileWatch::Time since = FileWatch::Time::clock::now();  ///< Before the files were read.
 };

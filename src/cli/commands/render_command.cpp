@@ -17,6 +17,7 @@
 #include "balcony/render.hpp"
 #include "cli/banded_picture.hpp"
 #include "cli/commands/command.hpp"
+#include "cli/denoised_picture.hpp"
 #include "cli/file_watch.hpp"
 #include "cli/interruption.hpp"
 #include "cli/options/camera_argument.hpp"
@@ -66,9 +67,13 @@ Request read_request(const RenderOptions& options, Diagnostics& diagnostics) {
         read_settings(options, diagnostics),    read_exposure(options, diagnostics),
         read_view(options, diagnostics),        read_size(options.size, diagnostics),
         read_layers(options.film, diagnostics), read_crop(options.crop, diagnostics),
-        read_job(options.job, diagnostics),     read_texture_memory(options.textures, diagnostics)};
+        read_job(options.job, diagnostics),     read_texture_memory(options.textures, diagnostics),
+        read_denoise(options.film, diagnostics)};
     if (request.exposure) {
         request.settings.sampling.white = std::exp2(-*request.exposure);
+    }
+    if (request.denoise) {
+        request.denoise->threads = request.settings.threads;
     }
     if (options.camera.empty() && !options.set.empty()) {
         diagnostics.push_back(
@@ -141,6 +146,9 @@ RenderReport make_picture(RenderReport outcome, const RenderOptions& options,
     if (!has_samples(film)) {
         outcome.sentence = "interrupted before there was anything to save\n";
         return fail(std::move(outcome), ExitCode::interrupted);
+    }
+    if (request.denoise) {
+        denoise(request, film, outcome);
     }
     const double exposure = run.exposure();
     outcome.facts["exposure"] = exposure;
@@ -252,7 +260,7 @@ RenderReport render_picture(const RenderOptions& options, const Request& request
         return make_banded_picture(std::move(outcome), options, request, *loaded.renderer, *picture,
                                    layout, target.output);
     }
-    Result<render::Film> film = render::make_film(layout);
+    Result<render::Film> film = make_film(layout, request);
     if (!film) {
         return fail(std::move(outcome), ExitCode::bad_input, film.diagnostics);
     }

@@ -246,6 +246,10 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
     if (Diagnostics found = check(settings); !found.empty()) {
         return found;
     }
+    if (!film.noisy.empty()) {
+        return error("the film is denoised, so no samples can be added to it", {},
+                     "denoise a copy of the film");
+    }
     if (!holds_together(film)) {
         return error("the film's vectors do not have the size of its window", {},
                      "create the film with make_film()");

@@ -1,0 +1,255 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Denoising: what it removes, what it keeps, and what it refuses.
+
+#include "balcony/denoise.hpp"
+
+#include <cmath>
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "support.hpp"
+
+namespace balcony::render::test {
+namespace {
+
+constexpr std::size_t width = 96;
+constexpr std::size_t height = 72;
+
+// A closed room 2 wide, 1.5 high and 2 deep with a lamp in the ceiling, a red and a green wall, a
+// picture of stripes on the back wall and a box, seen from its front.
+scene::Scene room() {
+    scene::Scene scene;
+    const auto part = [&](V3f corner, V3f right, V3f up, Color3f color, Color3f emission) {
+        scene::Material material;
+        material.base_color = color;
+        material.emission = emission;
+        add(scene, parallelogram(corner, right, up), material);
+    };
+    const Color3f dark(0.0F);
+    const Color3f grey(0.75F);
+    const V3f x(2.0F, 0.0F, 0.0F);
+    const V3f y(0.0F, 1.5F, 0.0F);
+    const V3f z(0.0F, 0.0F, -2.0F);
+    part({-1.0F, -0.75F, 0.0F}, x, z, grey, dark);                 // floor
+    part({-1.0F, 0.75F, -2.0F}, x, -z, grey, dark);                // ceiling
+    part({-1.0F, -0.75F, -2.0F}, x, y, grey, dark);                // back
+    part({1.0F, -0.75F, 0.0F}, -x, y, grey, dark);                 // front
+    part({-1.0F, -0.75F, 0.0F}, z, y, {0.7F, 0.1F, 0.1F}, dark);   // left
+    part({1.0F, -0.75F, -2.0F}, -z, y, {0.1F, 0.6F, 0.1F}, dark);  // right
+    part({-0.25F, 0.6F, -1.25F}, {0.5F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.5F}, dark, Color3f(15.0F));
+    part({0.1F, -0.2F, -1.5F}, {0.5F, 0.0F, 0.2F}, {0.0F, 0.0F, 0.5F}, {0.5F, 0.5F, 0.8F}, dark);
+    part({0.1F, -0.75F, -1.0F}, {0.5F, 0.0F, 0.2F}, {0.0F, 0.55F, 0.0F}, {0.5F, 0.5F, 0.8F}, dark);
+    part({0.1F, -0.75F, -1.5F}, {0.0F, 0.0F, 0.5F}, {0.0F, 0.55F, 0.0F}, {0.5F, 0.5F, 0.8F}, dark);
+    for (int i = 0; i < 5; ++i) {
+        part({-0.8F + 0.12F * static_cast<float>(i), -0.1F, -1.99F}, {0.06F, 0.0F, 0.0F},
+             {0.0F, 0.5F, 0.0F}, {0.1F, 0.2F, 0.6F}, dark);
+    }
+    return scene;
+}
+
+// A camera at the front wall, which sees all of the back.
+camera::Picture view() {
+    return pinhole({{0.0, 0.0, -0.05}, {0.0, 0.0, -1.0}, {0.9, 0.0, 0.0}, {0.0, 0.675, 0.0}});
+}
+
+Film rendered(std::size_t samples) {
+    Request wanted = request(width, height, "path", samples);
+    wanted.layout.layers = denoise_layers();
+    return render(room(), view(), wanted).film;
+}
+
+const Film& noisy_room() {
+    static const Film film = rendered(32);
+    return film;
+}
+
+double error_of(const Film& film, const Film& reference) {
+    double squares = 0.0;
+    for (std::size_t i = 0; i < width * height; ++i) {
+        const Color4f a = film.pixel(i % width, i / width);
+        const Color4f b = reference.pixel(i % width, i / width);
+        for (const double difference :
+             {double{a.r} - double{b.r}, double{a.g} - double{b.g}, double{a.b} - double{b.b}}) {
+            squares += difference * difference;
+        }
+    }
+    return std::sqrt(squares / (3.0 * width * height));
+}
+
+const DenoiseOptions own{.denoiser = Denoiser::features};
+
+// The noise that the reference has itself, a quarter of that of 32 samples, counts against the
+// filter.
+TEST(Denoise, HalvesTheErrorOfARoom) {
+    const Film reference = rendered(512);
+    Film film = noisy_room();
+    const double before = error_of(film, reference);
+    const auto done = denoise(film, own);
+    ASSERT_TRUE(done) << to_text(done.diagnostics);
+    const double after = error_of(film, reference);
+    std::cout << "error " << before << " -> " << after << ", " << done->seconds << " s\n";
+    EXPECT_LT(after, 0.5 * before);
+    EXPECT_GT(before, 0.0);
+}
+
+TEST(Denoise, DoesNotDependOnTheNumberOfThreads) {
+    Film one = noisy_room();
+    Film all = noisy_room();
+    ASSERT_TRUE(denoise(one, {.denoiser = Denoiser::features, .threads = 1}));
+    ASSERT_TRUE(denoise(all, own));
+    EXPECT_EQ(one.sum, all.sum);
+}
+
+TEST(Denoise, KeepsAlphaAndTheRenderedSums) {
+    Film film = noisy_room();
+    ASSERT_TRUE(denoise(film, own));
+    EXPECT_EQ(film.noisy, noisy_room().sum);
+    EXPECT_TRUE(film.layer_set.contains(LayerId::noisy));
+    double change = 0.0;
+    for (std::size_t i = 0; i < film.sum.size(); ++i) {
+        EXPECT_EQ(film.sum[i].a, film.noisy[i].a);
+        change += std::abs(film.sum[i].g - film.noisy[i].g);
+    }
+    EXPECT_GT(change, 0.0);
+    EXPECT_EQ(film.rendered_light(5, 5), noisy_room().light(5, 5));
+    EXPECT_EQ(film.variance(5, 5), noisy_room().variance(5, 5));
+}
+
+// A film whose samples are known: a step of the albedo in the middle, with noise on the light or
+// not.
+Film film_with_step(double noise) {
+    Film film = *make_film({.width = 48, .height = 32, .layers = denoise_layers()});
+    film.passes.assign(film.tile_count(), 16);
+    std::uint32_t state = 1;
+    const auto random = [&state] {  // From -1 to 1.
+        state = state * 1664525U + 1013904223U;
+        return static_cast<double>(state) / 2147483648.0 - 1.0;
+    };
+    for (std::size_t i = 0; i < film.sum.size(); ++i) {
+        const bool right = i % 48 >= 24;
+        const double level = right ? 0.8 : 0.2;
+        for (int sample = 0; sample < 16; ++sample) {
+            const double light = level * (1.0 + noise * random());
+            film.sum[i] += Color4d(light, light, light, 1.0);
+            film.sum_of_squares[i] += Color4d(light * light, light * light, light * light, 1.0);
+        }
+        film.means.albedo[i].mean = V3f(right ? 0.8F : 0.2F);
+        film.means.normal[i].mean = V3f(0.0F, 0.0F, 1.0F);
+        film.means.position[i].mean =
+            V3f(static_cast<float>(i % 48), static_cast<float>(i / 48), 0.0F);
+    }
+    return film;
+}
+
+TEST(Denoise, LeavesAPictureWithoutNoise) {
+    Film film = film_with_step(0.0);
+    ASSERT_TRUE(denoise(film, own));
+    for (std::size_t i = 0; i < film.sum.size(); ++i) {
+        ASSERT_NEAR(film.sum[i].r, film.noisy[i].r, 1e-4 * film.noisy[i].r) << i;
+    }
+}
+
+// The noise of 16 samples falls to an eighth or less, and the edge stays where it is.
+TEST(Denoise, FollowsTheEdgesOfFeatures) {
+    Film film = film_with_step(1.0);
+    ASSERT_TRUE(denoise(film, own));
+    double before = 0.0;
+    double after = 0.0;
+    for (std::size_t i = 0; i < film.sum.size(); ++i) {
+        const double level = 16.0 * (i % 48 >= 24 ? 0.8 : 0.2);
+        before += std::pow(film.noisy[i].r / level - 1.0, 2.0);
+        after += std::pow(film.sum[i].r / level - 1.0, 2.0);
+        // Beside the edge, a filter without features would be off by a third.
+        ASSERT_NEAR(film.sum[i].r / level, 1.0, 0.15) << i % 48;
+    }
+    EXPECT_LT(after, before / 64.0);
+}
+
+TEST(Denoise, ARegionIsDenoisedByItself) {
+    Request wanted = request(width, height, "path", 4);
+    wanted.layout.layers = denoise_layers();
+    wanted.layout.window = Region{17, 9, 30, 20};
+    Film film = render(room(), view(), wanted).film;
+    ASSERT_TRUE(denoise(film, own));
+    EXPECT_EQ(film.noisy.size(), 600U);
+}
+
+TEST(Denoise, ReportsWhatIsMissing) {
+    const auto message = [](Film film, const DenoiseOptions& options = own) {
+        const auto done = denoise(film, options);
+        EXPECT_FALSE(done);
+        return to_text(done.diagnostics);
+    };
+    Film film = film_with_step(0.5);
+    film.means.normal.clear();
+    EXPECT_NE(message(film).find("mean_normal"), std::string::npos);
+    EXPECT_NE(message(*make_film({.width = 4, .height = 4})).find("layer"), std::string::npos);
+    film = film_with_step(0.5);
+    film.passes[0] = 1;
+    EXPECT_NE(message(film).find("two samples"), std::string::npos);
+    film = film_with_step(0.5);
+    ASSERT_TRUE(denoise(film, own));
+    EXPECT_NE(message(film).find("already"), std::string::npos);
+    EXPECT_NE(
+        message(film_with_step(0.5), {Denoiser::library, "/nowhere/library.so"}).find("not found"),
+        std::string::npos);
+}
+
+TEST(Denoise, AJobDoesNotContinueADenoisedFilm) {
+    Film film = noisy_room();
+    ASSERT_TRUE(denoise(film, own));
+    const auto renderer = Renderer::make(std::make_shared<scene::Scene>(room()));
+    const auto job = Job::make(*renderer, view(), request(width, height, "path", 64), film);
+    ASSERT_FALSE(job);
+    EXPECT_NE(to_text(job.diagnostics).find("denoised"), std::string::npos);
+}
+
+TEST(Denoise, FindsDenoisersByName) {
+    for (const std::string& name : denoiser_names()) {
+        EXPECT_TRUE(find_denoiser(name)) << name;
+    }
+    EXPECT_EQ(find_denoiser("features"), Denoiser::features);
+    EXPECT_FALSE(find_denoiser("oidn"));
+}
+
+// -------------------------------------------------------------------- a library of the machine
+
+// A library with the functions of Open Image Denoise, whose filter halves the colour.
+const DenoiseOptions with_library{.denoiser = Denoiser::automatic,
+                                  .library = BALCONY_DENOISE_LIBRARY};
+
+TEST(DenoiseLibrary, IsUsedWhereThereIsOne) {
+    Film film = film_with_step(0.5);
+    const auto done = denoise(film, with_library);
+    ASSERT_TRUE(done && done.diagnostics.empty()) << to_text(done.diagnostics);
+    EXPECT_EQ(done->used, BALCONY_DENOISE_LIBRARY);
+    for (std::size_t i = 0; i < film.sum.size(); ++i) {
+        ASSERT_NEAR(film.sum[i].g, 0.5 * film.noisy[i].g, 1e-5 * film.noisy[i].g);
+    }
+}
+
+// The library refuses pictures of 13 pixels width.
+TEST(DenoiseLibrary, WhatItReportsIsAWarningAndTheOtherFilterIsUsed) {
+    Film film = *make_film({.width = 13, .height = 4, .layers = denoise_layers()});
+    film.passes.assign(film.tile_count(), 2);
+    Film same = film;
+    const auto done = denoise(film, with_library);
+    ASSERT_TRUE(done);
+    EXPECT_NE(done->used, BALCONY_DENOISE_LIBRARY);
+    EXPECT_NE(to_text(done.diagnostics).find("13 is unlucky"), std::string::npos);
+    const auto required = denoise(same, {Denoiser::library, BALCONY_DENOISE_LIBRARY});
+    EXPECT_TRUE(!required && has_errors(required.diagnostics));
+}
+
+TEST(DenoiseLibrary, AFileWithOtherFunctionsIsNone) {
+    Film film = film_with_step(0.5);
+    const auto done = denoise(film, {Denoiser::automatic, "libm.so.6"});
+    ASSERT_TRUE(done);
+    EXPECT_EQ(done->used, "Balcony's filter");
+}
+
+}  // namespace
+}  // namespace balcony::render::test
