@@ -104,9 +104,9 @@ TextureFootprint MeshPoint::texture_footprint(const scene::TextureUse& use,
                                               const TriangleFootprint& footprint) const {
     const std::vector<V2f>& coordinates = mesh->texture_coordinates[use.coordinates];
     const V2f first = coordinates.empty() ? V2f(0.0F) : coordinates[mesh->triangles[triangle][0]];
-    const auto [edge_1, edge_2] = texture_edges(use);
+    const std::array<V2f, 2> edges = texture_edges(use);
     const auto in_texture = [&](const V2f& along) {
-        const V2f slope = along.x * edge_1 + along.y * edge_2;
+        const V2f slope = along.x * edges[0] + along.y * edges[1];
         // A footprint that covers many repetitions is clamped, for numerical safety, without
         // visible effect.
         constexpr float widest = 64.0F;
@@ -114,7 +114,7 @@ TextureFootprint MeshPoint::texture_footprint(const scene::TextureUse& use,
         return !is_finite(slope) ? V2f(0.0F, 0.0F)
                                  : slope * (width > widest ? widest / width : 1.0F);
     };
-    return {use.place(first) + u * edge_1 + v * edge_2, in_texture(footprint.along_x),
+    return {use.place(first) + u * edges[0] + v * edges[1], in_texture(footprint.along_x),
             in_texture(footprint.along_y)};
 }
 
