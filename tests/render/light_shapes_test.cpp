@@ -33,7 +33,7 @@ TEST(TriangleSampling, PassesChiSquare) {
     constexpr int draws = 200'000;
     // From close by, where sampling is by solid angle, and from afar, where it is by area.
     for (const V3f& from :
-         {V3f(0.2F, 0.1F, 0.2F), V3f(0.0F, 0.0F, -8.0F), V3f(0.5F, 0.3F, 1.05F)}) {
+         {V3f(0.2F, 0.1F, 0.2F), V3f(0.0F, 0.0F, -12.0F), V3f(0.5F, 0.3F, 1.05F)}) {
         // In cells of the triangle itself, as from afar it lies within one cell of the sphere.
         constexpr std::size_t cells = 20;
         std::vector<double> counts(cells * cells);
