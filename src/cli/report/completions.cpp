@@ -168,6 +168,12 @@ void add_view_transforms(const Before&, Candidates& words) {
     }
 }
 
+void add_shutter_shapes(const Before&, Candidates& words) {
+    for (const std::string& name : render::shutter_shape_names()) {
+        words.add(name, meaning_of(*render::find_shutter_shape(name)));
+    }
+}
+
 void add_axes(const Before&, Candidates& words) {
     words.add("y_up");
     words.add("z_up");
@@ -210,6 +216,7 @@ constexpr std::array values{
     Values{"--set", add_parameters},
     Values{"--integrator", add_integrators},
     Values{"--view-transform", add_view_transforms},
+    Values{"--shutter-shape", add_shutter_shapes},
     Values{"--axes", add_axes},
     Values{"--map", add_maps},
     Values{"--background", add_backgrounds},
