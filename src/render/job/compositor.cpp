@@ -113,7 +113,7 @@ const TileImage& Compositor::sample(const TilePoints& points, const Region& coun
 }
 
 void Compositor::sample_light(const TilePoints& points, const Region& counted) {
-    rays_.find_rays(0, points.grid, tile_rays_);
+    rays_.find_rays_of_pass(0, points.grid, points.region, points.numbers, tile_rays_);
     image_.light.resize(points.size());
     tracer_.trace_light(points.region.width, tile_rays_, image_.light);
     RayCounts& count = counts_[0];
