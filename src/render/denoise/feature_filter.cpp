@@ -103,7 +103,7 @@ public:
     // Cholesky's decomposition; afterwards, value() gives the fit.
     void solve() {
         constexpr float ridge = 0.01F;
-        constexpr float samples = 0.5F;  // Of which the ridge stands for, at least.
+        constexpr float samples = 0.05F;  // Of which the ridge stands for, at least.
         const float total = matrix_[0][0];
         for (std::size_t i = 1; i < terms; ++i) {
             matrix_[i][i] += ridge * total + samples;
