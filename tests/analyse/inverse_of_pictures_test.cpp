@@ -57,9 +57,10 @@ private:
         for (const Element& element : elements) {
             roots_.push_back(element.coverage);
             if (element.ray) {
-                const auto& [origin, direction, valid, parameters] = *element.ray;
+                const auto& origin = element.ray->origin;
+                const auto& direction = element.ray->direction;
                 roots_.insert(roots_.end(), {origin.x, origin.y, origin.z, direction.x, direction.y,
-                                             direction.z, valid});
+                                             direction.z, element.ray->valid});
             }
             gather(element.group);
         }
