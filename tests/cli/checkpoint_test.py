@@ -11,8 +11,8 @@ import time
 import support
 
 # Takes seconds, and is written several times a second.
-SLOW = ("render", "scene.obj", "-c", "my.cam:above", "--size", "200x150", "-s", "600", "-q",
-        "--integrator", "preview")
+SLOW = ("render", "scene.obj", "-c", "my.cam:above", "--size", "200x150", "-s", "600",
+        "--integrator", "preview", "-q")
 OFTEN = ("--checkpoint-every", "0.05s")
 
 

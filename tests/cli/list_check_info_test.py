@@ -87,7 +87,7 @@ class Info(support.CommandTest):
         out, err = self.run_command("info", "scene.obj")
         self.assertEqual(err, "")
         self.assertRegex(out, r"triangles +3 in 2 objects, 2 meshes\n")
-        self.assertRegex(out, r"lights +0; lit from the ray origins")
+        self.assertRegex(out, r"lights +0; lit by a sky without sun")
         self.assertNotIn("tip", out)
         self.assertRegex(self.run_command("info", "scene.obj", "--objects")[0], r"object 2 +tip\n")
 

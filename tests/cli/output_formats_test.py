@@ -19,7 +19,8 @@ class Outputs(support.CommandTest):
                      says="at most 16383 pixels")
 
     def test_jpeg_says_that_it_loses_transparency(self):
-        _, err = self.run_command("render", "scene.obj", *SMALL, "-c", "my.cam:above", "-o", "p.jpg")
+        _, err = self.run_command("render", "scene.obj", *SMALL, "-c", "my.cam:above", "-o", "p.jpg",
+                                  "--background", "transparent")
         self.assertIn("has no transparency", err)
         self.assertIn("--background", err)
         _, err = self.run_command("render", "scene.obj", *SMALL, "-c", "my.cam:above", "-o", "p.jpg",

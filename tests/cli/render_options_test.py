@@ -120,7 +120,8 @@ class Options(support.CommandTest):
         (self.folder / "filmed.gltf").write_text(support.gltf_text_with_cameras())
 
         def is_seen(x, y, *options):
-            self.run_command("render", "filmed.gltf", "--size", "80", "-o", "p.png", *options)
+            self.run_command("render", "filmed.gltf", "--size", "80", "--background",
+                             "transparent", "-o", "p.png", *options)
             width, height, rows = support.png_pixels(self.folder / "p.png")
             return (width, height), rows[y][x][3] == 255
 
@@ -210,7 +211,7 @@ class Report(support.CommandTest):
     def test_result_and_progress_go_apart(self):
         out, err = self.run_command(*self.LONG)
         self.assertRegex(out, r"^p\.png: 700 x 700 pixels through 'above', 60 passes, 29\.4 M rays")
-        self.assertEqual(out.count("\n"), 1)
+        self.assertRegex(out, r"\n  lit by [^\n]*\n$")
         self.assertLessEqual(err.count("\n"), 11)
         self.assertNotIn("\r", err)
         for line in err.splitlines():
@@ -240,14 +241,15 @@ class Report(support.CommandTest):
         self.assertEqual(process.returncode, 0)
         shown = seen.decode()
         self.assertRegex(shown, r"\r\[#+ *\] +\d+ %, pass \d+ of 60, [0-9.:]+ \w+ left\x1b\[K")
-        self.assertRegex(shown, r"\r\x1b\[Kp\.png: [^\r\n]*\r\n$")
+        self.assertRegex(shown, r"\r\x1b\[Kp\.png: [^\r\n]*\r\n  lit by [^\r\n]*\r\n$")
         self.assertLess(max(len(part) for part in re.split(r"[\r\n]", shown)), 90)
 
 
 class Picture(support.CommandTest):
     def test_without_a_camera_the_scene_is_in_the_picture(self):
         for scene in ("scene.obj", "room.glb"):
-            self.run_command("render", scene, "--size", "160x90", "-s", "1", "-o", "p.png")
+            self.run_command("render", scene, "--size", "160x90", "-s", "1", "--background",
+                             "transparent", "-o", "p.png")
             self.assertGreater(support.opaque_share(self.folder / "p.png"), 0.04)
             _, _, rows = support.png_pixels(self.folder / "p.png")
             border = rows[0] + rows[-1] + [row[0] for row in rows] + [row[-1] for row in rows]

@@ -48,7 +48,8 @@ class Watch(support.CommandTest):
         (self.folder / "more.cam").write_text(
             'import "my.cam"\ncamera mine { axes y_up map u = -1 .. 1, v = square\n'
             "eye surface(u, v) = [u, v, 5] toward surface(u, v) = [u, v, 0] look relative }\n")
-        process = self.watch("scene.obj", "-c", "more.cam:above")
+        process = self.watch("scene.obj", "-c", "more.cam:above",
+                             "--background", "transparent")
         self.wait_for("watching")
         before = support.opaque_share(self.folder / "p.png")
 

@@ -283,11 +283,10 @@ TEST_F(Data, DegenerateTrianglesAreSkipped) {
     ASSERT_TRUE(mesh) << to_text(mesh.diagnostics);
     EXPECT_EQ((*mesh)->triangles.size(), 1U);
     EXPECT_EQ(to_text(mesh.diagnostics),
-              "warning: 1 of 4 triangles of 'mixed.obj' have no texture coordinates and are "
+              "warning: 1 of 3 triangles of 'mixed.obj' have no texture coordinates and are "
               "skipped\n"
-              "warning: 1 of 4 triangles of 'mixed.obj' have no area in texture coordinates and "
-              "are skipped\n"
-              "warning: 1 of 4 triangles of 'mixed.obj' have no area in space and are skipped\n");
+              "warning: 1 of 3 triangles of 'mixed.obj' have no area in texture coordinates and "
+              "are skipped\n");
 }
 
 // Three corners on a slanting line of the texture.

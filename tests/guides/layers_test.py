@@ -107,7 +107,7 @@ class Layers(unittest.TestCase):
 
     def test_blender_shows_each_layer_as_a_pass(self):
         self.run_line("blender --background --python-exit-code 1 --python-expr "
-                      "\"import bpy; bpy.ops.wm.save_as_mainfile(filepath='two.blend')\"")
+                      "\"import bpy; bpy.ops.wm.save_as_mainfile(filepath=__import__('os').path.abspath('two.blend'))\"")
         said = self.run_line("blender --background two.blend --python-exit-code 1 "
                              "--python composition.py")
         self.assertNotIn("multilayer read", said)

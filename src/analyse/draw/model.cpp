@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -15,6 +16,15 @@
 namespace balcony::analyse {
 
 namespace {
+
+// Not if two corners coincide, as at a pole or at the tip of a cone.
+void add_triangle(scene::Mesh& mesh, const std::array<std::uint32_t, 3>& corners) {
+    const auto& [a, b, c] = corners;
+    const auto& at = mesh.positions;
+    if (at[a] != at[b] && at[b] != at[c] && at[c] != at[a]) {
+        mesh.triangles.push_back(corners);
+    }
+}
 
 using scene::Mesh;
 using scene::V2f;
@@ -50,8 +60,8 @@ public:
             const auto near_b = add_vertex(from + from_radius * b, normal_b);
             const auto far_a = add_vertex(to + to_radius * a, normal_a);
             const auto far_b = add_vertex(to + to_radius * b, normal_b);
-            mesh_.triangles.push_back({near_a, near_b, far_b});
-            mesh_.triangles.push_back({near_a, far_b, far_a});
+            add_triangle(mesh_, {near_a, near_b, far_b});
+            add_triangle(mesh_, {near_a, far_b, far_a});
             close(from, from_radius, b, a, -along);
             close(to, to_radius, a, b, along);
         }
@@ -86,10 +96,10 @@ public:
                 const auto c = vertex(ring + 1, i + 1);
                 const auto d = vertex(ring, i + 1);
                 if (ring + 1 < rings) {
-                    mesh_.triangles.push_back({a, b, c});
+                    add_triangle(mesh_, {a, b, c});
                 }
                 if (ring > 0) {
-                    mesh_.triangles.push_back({a, c, d});
+                    add_triangle(mesh_, {a, c, d});
                 }
             }
         }
@@ -101,7 +111,7 @@ private:
             const auto middle = add_vertex(center, normal);
             const auto first = add_vertex(center + radius * a, normal);
             const auto last = add_vertex(center + radius * b, normal);
-            mesh_.triangles.push_back({middle, first, last});
+            add_triangle(mesh_, {middle, first, last});
         }
     }
 
@@ -151,8 +161,8 @@ void add_surface(ProjectionObject& object, double aspect, Mesh& mesh) {
             const std::uint32_t b = *vertices[i + 1];
             const std::uint32_t c = *vertices[i + stride + 1];
             const std::uint32_t d = *vertices[i + stride];
-            mesh.triangles.push_back({a, d, c});
-            mesh.triangles.push_back({a, c, b});
+            add_triangle(mesh, {a, d, c});
+            add_triangle(mesh, {a, c, b});
         }
     }
 }

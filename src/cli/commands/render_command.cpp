@@ -13,13 +13,13 @@
 #include <nlohmann/json.hpp>
 
 #include "balcony/bands.hpp"
-#include "balcony/rays.hpp"
 #include "balcony/render.hpp"
 #include "cli/banded_picture.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/denoised_picture.hpp"
 #include "cli/file_watch.hpp"
 #include "cli/interruption.hpp"
+#include "cli/loaded_picture.hpp"
 #include "cli/options/camera_argument.hpp"
 #include "cli/options/common_options.hpp"
 #include "cli/options/default_camera.hpp"
@@ -81,21 +81,6 @@ Request read_request(const RenderOptions& options, Diagnostics& diagnostics) {
     }
     return request;
 }
-
-/// What remains loaded from one picture to the next.
-struct Loaded {
-    lang::Workspace cameras;
-    std::shared_ptr<const scene::Scene> scene;
-    std::optional<render::Renderer> renderer;
-    scene::TimeInterval times{};  ///< Of the renderer's rays.
-
-    /// The files that the picture depends on.
-    [[nodiscard]] std::vector<fs::path> files() const {
-        std::vector<fs::path> all = cameras.files();
-        all.insert(all.end(), scene->files.begin(), scene->files.end());
-        return all;
-    }
-};
 
 /// Tells whether the picture that is being rendered is of no use any more.
 using OutdatedTest = std::function<bool()>;
@@ -180,42 +165,6 @@ RenderReport make_picture(RenderReport outcome, const RenderOptions& options,
     outcome.facts["output"] = output.is_stream() ? "-" : output.file().string();
     outcome.code = summary->interrupted ? ExitCode::interrupted : ExitCode::done;
     return outcome;
-}
-
-// When rays meet the scene: while the shutter is open, and at the times that the cameras give them.
-scene::TimeInterval times_of_rays(const render::Settings& settings,
-                                  const std::optional<camera::Picture>& picture,
-                                  RenderReport& outcome) {
-    const scene::TimeInterval exposure = settings.shutter.exposure(settings.time);
-    if (!picture) {
-        return exposure;
-    }
-    const Result<rays::RayTimes> times = rays::ray_times(*picture, {exposure.begin, exposure.end});
-    add(outcome, times.diagnostics);
-    return times ? scene::TimeInterval{times->first, times->last} : exposure;
-}
-
-bool load(const std::string& name, const Request& request,
-          const std::optional<camera::Picture>& picture, Loaded& loaded, RenderReport& outcome) {
-    const render::Settings& settings = request.settings;
-    const scene::TimeInterval times = times_of_rays(settings, picture, outcome);
-    if (loaded.renderer && times.begin == loaded.times.begin && times.end == loaded.times.end) {
-        return true;
-    }
-    if (!loaded.scene) {
-        auto scene = load_scene(name, settings.time);
-        add(outcome, scene.diagnostics);
-        if (!scene) {
-            return false;
-        }
-        loaded.scene = std::make_shared<const scene::Scene>(std::move(*scene));
-    }
-    auto renderer = render::Renderer::make(
-        loaded.scene, {.texture_memory = request.texture_memory, .interval = times});
-    add(outcome, renderer.diagnostics);
-    loaded.renderer = std::move(renderer.value);
-    loaded.times = times;
-    return loaded.renderer.has_value();
 }
 
 RenderReport render_picture(const RenderOptions& options, const Request& request,
@@ -509,7 +458,8 @@ void add_render_command(CLI::App& app, ExitCode& code) {
             "  balcony render room.glb --camera my.cam --watch\n"
             "  balcony render *.glb --camera panorama -o 'pictures/{scene}.jpg'\n"
             "\n"
-            "Ctrl-C saves the partial picture; a second Ctrl-C ends at once. --resume continues.");
+            "Ctrl-C saves the partial picture; a second Ctrl-C ends at once.\n"
+            "--resume continues.");
     };
     add_command<RenderOptions>(app, code, "render", "renders a scene through a camera",
                                render_command, describe);

@@ -119,8 +119,9 @@ struct Ellipse {
         // Of the two forms of the eigenvector, the one without cancellation.
         const V2f direction =
             difference >= 0.0F ? V2f(root + difference, mixed) : V2f(mixed, root - difference);
-        const float norm = direction.length();
-        axis = norm > 0.0F ? direction * (length / norm) : V2f(length, 0.0F);
+        // A circle has no longer axis; next to one, the eigenvector may underflow.
+        const float scale = length / direction.length();
+        axis = std::isfinite(scale) ? direction * scale : V2f(length, 0.0F);
     }
 
     float length = 0.0F;  // The longer diameter.

@@ -1,0 +1,51 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "cli/loaded_picture.hpp"
+
+#include "balcony/rays.hpp"
+#include "cli/options/scene_argument.hpp"
+
+namespace balcony::cli {
+
+namespace {
+
+// When rays meet the scene: while the shutter is open, and at the times that the cameras give them.
+scene::TimeInterval times_of_rays(const render::Settings& settings,
+                                  const std::optional<camera::Picture>& picture,
+                                  RenderReport& outcome) {
+    const scene::TimeInterval exposure = settings.shutter.exposure(settings.time);
+    if (!picture) {
+        return exposure;
+    }
+    const Result<rays::RayTimes> times = rays::ray_times(*picture, {exposure.begin, exposure.end});
+    add(outcome, times.diagnostics);
+    return times ? scene::TimeInterval{times->first, times->last} : exposure;
+}
+
+}  // namespace
+
+bool load(const std::string& name, const Request& request,
+          const std::optional<camera::Picture>& picture, Loaded& loaded, RenderReport& outcome) {
+    const render::Settings& settings = request.settings;
+    const scene::TimeInterval times = times_of_rays(settings, picture, outcome);
+    if (loaded.renderer && times.begin == loaded.times.begin && times.end == loaded.times.end) {
+        return true;
+    }
+    if (!loaded.scene) {
+        auto scene = load_scene(name, settings.time);
+        add(outcome, scene.diagnostics);
+        if (!scene) {
+            return false;
+        }
+        loaded.scene = std::make_shared<const scene::Scene>(std::move(*scene));
+    }
+    auto renderer = render::Renderer::make(
+        loaded.scene, {.texture_memory = request.texture_memory, .interval = times});
+    add(outcome, renderer.diagnostics);
+    loaded.renderer = std::move(renderer.value);
+    loaded.times = times;
+    return loaded.renderer.has_value();
+}
+
+}  // namespace balcony::cli

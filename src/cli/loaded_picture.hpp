@@ -1,0 +1,41 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// What a picture is rendered from.
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "balcony/lang.hpp"
+#include "balcony/render.hpp"
+#include "cli/picture_run.hpp"
+#include "cli/report/render_report.hpp"
+
+namespace balcony::cli {
+
+/// What remains loaded from one picture to the next.
+struct Loaded {
+    lang::Workspace cameras;
+    std::shared_ptr<const scene::Scene> scene;
+    std::optional<render::Renderer> renderer;
+    scene::TimeInterval times{};  ///< Of the renderer's rays.
+
+    /// The files that the picture depends on.
+    [[nodiscard]] std::vector<std::filesystem::path> files() const {
+        std::vector<std::filesystem::path> all = cameras.files();
+        all.insert(all.end(), scene->files.begin(), scene->files.end());
+        return all;
+    }
+};
+
+/// Reads the scene and prepares it for the times of the picture's rays, unless that is done. False
+/// if it fails, as the report says. Without a picture, for the time that the shutter is open.
+[[nodiscard]] bool load(const std::string& name, const Request& request,
+                        const std::optional<camera::Picture>& picture, Loaded& loaded,
+                        RenderReport& outcome);
+
+}  // namespace balcony::cli
