@@ -129,7 +129,8 @@ RayExpressions through_lens(const RayExpressions& ray) {
 // Of w/|w| with w = d - q a: the part across of the derivative of w, divided by |w|.
 RayFootprint footprint_through_lens(const RayExpressions& ray) {
     Graph& graph = ray.origin.x.graph();
-    const auto& [offset, vergence, valid] = *ray.lens;
+    const ObjectVector& offset = ray.lens->offset;
+    const Expr vergence = ray.lens->vergence;
     const ObjectVector direction = through_lens(ray).direction;
     const ObjectVector turn = vergence * offset;
     const Expr scale = 1.0 / sqrt(1.0 + dot(turn, turn));

@@ -73,7 +73,8 @@ class Checkpoint(support.CommandTest):
 
     def test_a_stopped_render_keeps_its_checkpoint(self):
         process = self.start(*SLOW[:-1], *OFTEN, "-o", "p.png")
-        time.sleep(0.7)
+        while process.poll() is None and not (self.folder / "p.png.checkpoint").exists():
+            time.sleep(0.01)
         process.terminate()
         out, _ = process.communicate()
         self.assertEqual(process.returncode, 130)

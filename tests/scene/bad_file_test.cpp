@@ -238,8 +238,8 @@ TEST_F(BadFiles, FilesOutsideTheFolderAreNotRead) {
 }
 
 TEST_F(BadFiles, TrianglesWithoutAreaAreCounted) {
-    const auto scene = load_obj(
-        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nv 0 0 0\nf 1 2 3\nf 1 2 4\nf 1 5 3\n");
+    const auto scene =
+        load_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nv 0 0 0\nf 1 2 3\nf 1 2 4\nf 1 5 3\n");
     ASSERT_TRUE(scene) << said(scene);
     EXPECT_EQ(scene->triangle_count(), 1U);
     EXPECT_TRUE(says(scene, "2 triangles without area skipped"));

@@ -25,8 +25,9 @@ std::optional<render::Color3f> read_background(const std::string& text, Diagnost
     }
     const auto color = color_of(text);
     if (!color || std::min({color->x, color->y, color->z}) < 0.0F) {
-        refuse(diagnostics, "--background", text,
-               "write auto, transparent, black, white, a grey level such as 0.2, or red,green,blue");
+        refuse(
+            diagnostics, "--background", text,
+            "write auto, transparent, black, white, a grey level such as 0.2, or red,green,blue");
     }
     return color;
 }

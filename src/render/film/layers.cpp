@@ -292,8 +292,8 @@ std::optional<LayerSet> set_of(std::string_view name) {
     if (name == "all") {
         return layers_with([](const LayerInfo& info) { return info.id != noisy; });
     }
-    const LayerSet named = layers_with(
-        [&](const LayerInfo& info) { return info.name == name && info.id != noisy; });
+    const LayerSet named =
+        layers_with([&](const LayerInfo& info) { return info.name == name && info.id != noisy; });
     return named.empty() ? std::nullopt : std::optional(named);
 }
 
