@@ -42,6 +42,7 @@ Kd 0 0 1
 CAMERA = """
 camera flat {
     axes y_up
+    aspect 2
     map  u = -1 .. 1, v = 0 .. 1
     eye  surface(u, v) = [ u, v, 2 ]
     toward surface(u, v) = [ u, v, 0 ]
@@ -135,7 +136,7 @@ class Layers(unittest.TestCase):
         for text in ("64 x   32", "position.X", "object.X", "CryptoObject02.A", "objects: ",
                      "cryptomatte/3ae39a5/name: \"CryptoObject\""):
             self.assertIn(text, said)
-        extracted = self.run_line("oiiotool two.exr --ch object.X --stats -o object.exr")
+        extracted = self.run_line("oiiotool two.exr --ch object.X --printstats")
         self.assertRegex(extracted, r"Stats Min: 1\.0+")
         self.assertRegex(extracted, r"Stats Max: 2\.0+")
 

@@ -161,8 +161,8 @@ private:
             if (stop_.stop_requested()) {
                 complete = false;
             } else {
-                const bool needed = workers_.local().render(tiles[i]);
-                report(pass, needed ? 1 : passes_[tiles[i]] - pass);
+                const bool sampled = workers_.local().render(tiles[i]);
+                report(pass, sampled, sampled ? 1 : passes_[tiles[i]] - pass);
             }
             fork_and_join::after_each();
         };
@@ -172,13 +172,16 @@ private:
         return complete;
     }
 
-    // A tile that needs no more samples is done with all passes.
-    void report(std::size_t pass, std::size_t passes_done) {
+    // A tile that needs no more samples is done with all passes; that alone is no progress.
+    void report(std::size_t pass, bool sampled, std::size_t passes_done) {
         if (!progress_) {
             return;
         }
         const std::lock_guard lock(progress_mutex_);
         tiles_done_ += passes_done;
+        if (!sampled) {
+            return;
+        }
         progress_({film_.first_pass + pass, film_.first_pass + last_pass_, tiles_done_, tiles_,
                    watch_.seconds()});
     }
