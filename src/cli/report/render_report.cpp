@@ -114,7 +114,7 @@ void describe(RenderReport& report, const PictureOutput& output, const camera::P
                     {"peak_memory", peak_memory()},
                     {"interrupted", summary.interrupted}};
     report.sentence =
-        fmt::format("{}{}: {} x {} pixels through '{}', {}, {} rays in {}, {:.0f} MiB of memory\n",
+        fmt::format("{}{}: {} x {} pixels through '{}', {}, {} rays in {}, {:.0f} MiB\n",
                     summary.interrupted ? "interrupted; the partial picture is " : "",
                     printable(output.name()), film.window.width, film.window.height, picture.name(),
                     counted(summary.passes, "pass", "passes"),
