@@ -275,7 +275,6 @@ RTCRayHit to_ray_hit(const Ray& ray) {
     return query;
 }
 
-constexpr std::size_t packet_side = Accelerator::packet_side;
 constexpr std::size_t packet_size = Accelerator::packet_size;
 
 // Embree's coherent packets lose rays with a direction component of nearly 0, whose reciprocal is
