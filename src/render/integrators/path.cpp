@@ -25,6 +25,10 @@ namespace {
 
 constexpr Color3f black(0.0F, 0.0F, 0.0F);
 
+// A ray to an emissive triangle ends before it by more than the rounding error of the point where it
+// meets the triangle, also at a grazing angle.
+constexpr float before_emitter = 1.0F - 1e-4F;
+
 float largest(const Color3f& color) { return std::max({color.x, color.y, color.z}); }
 
 bool is_black(const Color3f& color) { return !(largest(color) > 0.0F); }
@@ -327,6 +331,8 @@ void PathTracer::light(const Path& path, const Interaction& at, const LitPoint& 
     float distance = sample->distance;
     if (distance <= 0.0F) {
         distance = (path.eye - at.surface.position).length();
+    } else if (!sample->delta) {
+        distance *= before_emitter;
     }
     shadowed_.push_back(
         {SceneTracer::shadow_ray(at.surface, sample->to_light, distance, path.ray.time), unshadowed,

@@ -38,10 +38,11 @@ embree::Ray SceneTracer::shadow_ray(const Surface& surface, const V3f& to_light,
         return {surface.start(to_light), to_light, nearly_all * distance, time};
     }
     const V3f start = surface.start_to_light();
-    if (std::isinf(distance) || surface.rounding_out == V3f(0.0F)) {
-        return {start, to_light, nearly_all * distance, time};
+    if (std::isinf(distance)) {
+        return {start, to_light, distance, time};
     }
-    const V3f way = distance * to_light - surface.rounding_out;
+    // Towards the same point of the light: at a grazing angle the offset would lead behind it.
+    const V3f way = distance * to_light - (start - surface.position);
     return {start, way.normalized(), nearly_all * way.length(), time};
 }
 
