@@ -25,8 +25,8 @@ namespace {
 
 constexpr Color3f black(0.0F, 0.0F, 0.0F);
 
-// A ray to an emissive triangle ends before it by more than the rounding error of the point where it
-// meets the triangle, also at a grazing angle.
+// A ray to an emissive triangle ends before it by more than the rounding error of the point where
+// it meets the triangle, also at a grazing angle.
 constexpr float before_emitter = 1.0F - 1e-4F;
 
 float largest(const Color3f& color) { return std::max({color.x, color.y, color.z}); }
