@@ -3,12 +3,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Compares Balcony's path tracer with Blender's Cycles on the same scene, camera and processor.
 
-Usage: compare.py BALCONY [--agreement] [--size WxH] [--triangles COUNT] [--samples COUNT]
+Usage: compare.py BALCONY [--speed-only] [--size WxH] [--triangles COUNT] [--samples COUNT]
 
 Needs Blender (package blender), numpy and OpenImageIO for Python (python3-numpy,
-python3-openimageio). Prints samples a second of both and their ratio, the root-mean-square error of
-both at equal time against converged pictures of their own, and with --agreement the difference of
-the two means, at SAMPLES samples.
+python3-openimageio). Prints samples a second of both and their ratio. Unless --speed-only is given,
+also the root-mean-square error of both at equal time, against converged pictures of their own with
+SAMPLES samples, and how far these two differ.
 """
 import argparse
 import json
