@@ -32,6 +32,7 @@ using Color4d = Imath::Color4<double>;
 using Imath::V2f;
 using Imath::V3d;
 using Imath::V3f;
+using Imath::V4f;
 
 // -------------------------------------------------------------------------------------- film
 
@@ -77,6 +78,9 @@ struct DataLayers {
     /// How large the camera shows the place of the hit: pixels per scene unit, on a plane across
     /// the ray; the geometric mean over its directions.
     std::vector<float> magnification;
+    /// How far what is seen moves in the picture, in pixels, x to the right and y up: its place a
+    /// frame earlier minus that of the pixel, and that of the pixel minus its place a frame later.
+    std::vector<V4f> motion;
 };
 
 /// The running mean of a value over the samples of a pixel, with its spread.

@@ -18,6 +18,7 @@
 
 #include <Imath/ImathVec.h>
 
+#include "balcony/image_points.hpp"
 #include "balcony/picture.hpp"
 
 namespace balcony::analyse {
@@ -52,7 +53,7 @@ struct Sighting {
 /// If a whole line of the picture sees a point (a pole of a panorama), some positions on it are
 /// found. A point at which all rays of a region start is not found by them, and a point that is not
 /// finite by none.
-class Locator {
+class Locator final : public rays::ImagePointFinder {
 public:
     /// Width and height of the picture are in pixels and positive. Time as in the camera's
     /// formulas. Without axes, points are in the axes of the cameras, which must agree.
@@ -71,6 +72,10 @@ public:
     /// of points that more patches may see than are searched are put into `in_part`.
     [[nodiscard]] std::vector<Sighting> locate(std::span<const V3d> points,
                                                std::vector<std::size_t>* in_part = nullptr) const;
+
+    /// The nearest of all sightings of a point in a layer.
+    void find(std::span<const rays::ImagePointQuery> queries,
+              std::span<rays::ImagePoint> found) const override;
 
     /// Whether all layers are solved in closed form.
     [[nodiscard]] bool closed_form() const;

@@ -31,6 +31,7 @@ enum class LayerId : std::uint8_t {
     picture_layer,
     samples,
     magnification,
+    motion,
     emission,
     direct,
     indirect,

@@ -150,6 +150,9 @@ struct Motion {
 /// but for their time.
 Diagnostics move_to(Scene& scene, double time);
 
+/// The cameras of a scene as they stand at a time. One that cannot stand there keeps its place.
+[[nodiscard]] std::vector<Camera> cameras_at(const Scene& scene, double time);
+
 /// From one time to another, in seconds.
 struct TimeInterval {
     double begin = 0.0;

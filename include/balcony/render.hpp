@@ -27,6 +27,7 @@
 #include "balcony/base.hpp"
 #include "balcony/environment.hpp"
 #include "balcony/film.hpp"
+#include "balcony/image_points.hpp"
 #include "balcony/picture.hpp"
 #include "balcony/scene.hpp"
 #include "balcony/shutter.hpp"
@@ -98,12 +99,22 @@ struct LightSettings {
     std::optional<double> sun_angle{};
 };
 
+/// The frames of an animation before and after the picture, for LayerId::motion.
+struct FrameSettings {
+    double duration = 1.0 / 24.0;  ///< Seconds from frame to frame, greater than 0.
+    /// The inverses of the picture at the times of the previous and the next frame, in the axes of
+    /// the scene. A picture that is missing shows nothing.
+    std::shared_ptr<const rays::ImagePointFinder> previous{};
+    std::shared_ptr<const rays::ImagePointFinder> next{};
+};
+
 struct Settings {
     std::size_t samples = 16;  ///< Rays per pixel: the number of passes.
     std::string integrator = "path";
     std::size_t threads = 0;  ///< 0 for all of the machine.
     double time = 0.0;        ///< Seconds: the value of t in the camera's formulas.
     Shutter shutter{};
+    FrameSettings frames{};
     /// Radiance from all directions, without shadows. If empty, it follows the light of the scene:
     /// of the places that a coarse grid of the picture's rays meets, a tenth of the median radiance
     /// that a white surface turned to the lights would have, or that the place emits; dark places
@@ -195,12 +206,18 @@ struct Summary {
     std::vector<Layer> layers;         ///< The same per layer, from back to front.
     std::uint64_t invalid_pixels = 0;  ///< Pixel centres where nothing is drawn, counted in pass 0.
     std::uint64_t repaired = 0;        ///< Samples whose radiance was not finite, replaced by 0.
-    std::string light;                 ///< What lights the scene of `path`: "2 lamps, ...".
-    Color3f ambient{0.0F};             ///< The ambient radiance, from the settings or chosen.
-    std::size_t passes = 0;            ///< The number of passes that all tiles of the film have.
-    bool interrupted = false;          ///< Stopped before all tiles had all passes.
-    double seconds = 0.0;              ///< Elapsed time of tracing.
-    double compile_seconds = 0.0;      ///< Time to compile the picture when the job was made.
+    /// Pixels that show a surface which neither the previous nor the next frame shows; their motion
+    /// is 0. If one of the frames shows it, the other one continues its motion.
+    std::uint64_t unknown_motion = 0;
+    /// Pixels that show a surface which one of the frames shows at several places, of which the
+    /// nearest counts.
+    std::uint64_t ambiguous_motion = 0;
+    std::string light;             ///< What lights the scene of `path`: "2 lamps, ...".
+    Color3f ambient{0.0F};         ///< The ambient radiance, from the settings or chosen.
+    std::size_t passes = 0;        ///< The number of passes that all tiles of the film have.
+    bool interrupted = false;      ///< Stopped before all tiles had all passes.
+    double seconds = 0.0;          ///< Elapsed time of tracing.
+    double compile_seconds = 0.0;  ///< Time to compile the picture when the job was made.
     double camera_share =
         0.0;  ///< Fraction of the threads' time spent before a tile's rays are traced.
 };

@@ -38,14 +38,14 @@ Kd 1 0 0
 newmtl blue
 Kd 0 0 1
 """
-# Rays along -z, over the two squares.
+# Rays along -z, over the two squares at time 0; it moves to the right by 8 pixels a second.
 CAMERA = """
 camera flat {
     axes y_up
     aspect 2
     map  u = -1 .. 1, v = 0 .. 1
-    eye  surface(u, v) = [ u, v, 2 ]
-    toward surface(u, v) = [ u, v, 0 ]
+    eye  surface(u, v) = [ u + t/4, v, 2 ]
+    toward surface(u, v) = [ u + t/4, v, 0 ]
     look relative
 }
 """
@@ -78,7 +78,7 @@ def show(name, socket):
     print("shown", name, *pixel(16), *pixel(48))
 
 
-for name in ("albedo", "direct", "position", "ray_length", "object", "parameters"):
+for name in ("albedo", "direct", "position", "ray_length", "object", "parameters", "motion"):
     show(name, layers.outputs[name])
 for layer, name in (("CryptoObject", "right"), ("CryptoMaterial", "red")):
     matte = tree.nodes.new("CompositorNodeCryptomatteV2")
@@ -99,7 +99,7 @@ class Layers(unittest.TestCase):
                            ("composition.py", COMPOSITION)):
             (cls.folder / name).write_text(text)
         cls.run_line("balcony render two.obj --camera flat.cam --size 64x32 --samples 4 "
-                     "--integrator direct --layers all -o two.exr")
+                     "--integrator direct --layers all --fps 1 -o two.exr")
 
     @classmethod
     def run_line(cls, line):
@@ -119,7 +119,8 @@ class Layers(unittest.TestCase):
         shown = {name: [float(word) for word in values.split()] for name, values in
                  re.findall(r"^shown (\S+) (.*)$", said, re.MULTILINE)}
         expected = {"albedo": (1, 0, 0, 0, 0, 1), "ray_length": (2, 2, 2, 1.5, 1.5, 1.5),
-                    "object": (1, 1, 1, 2, 2, 2), "CryptoObject-right": (0, 0, 0, 1, 1, 1),
+                    "object": (1, 1, 1, 2, 2, 2), "motion": (8, 0, 8, 8, 0, 8),
+                    "CryptoObject-right": (0, 0, 0, 1, 1, 1),
                     "CryptoMaterial-red": (1, 1, 1, 0, 0, 0)}
         for name, values in expected.items():
             for seen, wanted in zip(shown[name], values, strict=True):

@@ -3,6 +3,9 @@
 
 #include "support.hpp"
 
+#include <cmath>
+#include <numbers>
+
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
@@ -121,6 +124,31 @@ std::uint32_t add(scene::Scene& scene, scene::Mesh mesh, scene::Material materia
 
 scene::Mesh wall(float z, float half) {
     return parallelogram({-half, -half, z}, {2.0F * half, 0.0F, 0.0F}, {0.0F, 2.0F * half, 0.0F});
+}
+
+scene::Mesh coarse_sphere(float radius, std::uint32_t columns, std::uint32_t rows) {
+    constexpr float pi = std::numbers::pi_v<float>;
+    scene::Mesh mesh;
+    for (std::uint32_t row = 0; row <= rows; ++row) {
+        for (std::uint32_t column = 0; column <= columns; ++column) {
+            const float latitude = pi * (static_cast<float>(row) / static_cast<float>(rows) - 0.5F);
+            const float longitude =
+                2.0F * pi * static_cast<float>(column) / static_cast<float>(columns);
+            const V3f normal(std::cos(latitude) * std::cos(longitude), std::sin(latitude),
+                             -std::cos(latitude) * std::sin(longitude));
+            mesh.positions.push_back(radius * normal);
+            mesh.normals.push_back(normal);
+        }
+    }
+    for (std::uint32_t row = 0; row < rows; ++row) {
+        for (std::uint32_t column = 0; column < columns; ++column) {
+            const std::uint32_t a = row * (columns + 1) + column;
+            const std::uint32_t b = a + columns + 1;
+            mesh.triangles.push_back({a, a + 1, b});
+            mesh.triangles.push_back({b, a + 1, b + 1});
+        }
+    }
+    return mesh;
 }
 
 scene::Material white() {

@@ -58,6 +58,9 @@ std::uint32_t add(scene::Scene& scene, scene::Mesh mesh, scene::Material materia
 /// A wall in the plane z = z, from -half to half in x and y.
 [[nodiscard]] scene::Mesh wall(float z, float half);
 
+/// A sphere around the origin, of few facets with the normals of a sphere.
+[[nodiscard]] scene::Mesh coarse_sphere(float radius, std::uint32_t columns, std::uint32_t rows);
+
 [[nodiscard]] scene::Material white();
 
 /// An image as PNG, 3 or 4 channels of 8 bits.

@@ -16,31 +16,6 @@ namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 
-// A sphere of few facets with the normals of a sphere.
-scene::Mesh coarse_sphere(float radius, std::uint32_t columns, std::uint32_t rows) {
-    scene::Mesh mesh;
-    for (std::uint32_t row = 0; row <= rows; ++row) {
-        for (std::uint32_t column = 0; column <= columns; ++column) {
-            const float latitude = pi * (static_cast<float>(row) / static_cast<float>(rows) - 0.5F);
-            const float longitude =
-                2.0F * pi * static_cast<float>(column) / static_cast<float>(columns);
-            const V3f normal(std::cos(latitude) * std::cos(longitude), std::sin(latitude),
-                             -std::cos(latitude) * std::sin(longitude));
-            mesh.positions.push_back(radius * normal);
-            mesh.normals.push_back(normal);
-        }
-    }
-    for (std::uint32_t row = 0; row < rows; ++row) {
-        for (std::uint32_t column = 0; column < columns; ++column) {
-            const std::uint32_t a = row * (columns + 1) + column;
-            const std::uint32_t b = a + columns + 1;
-            mesh.triangles.push_back({a, a + 1, b});
-            mesh.triangles.push_back({b, a + 1, b + 1});
-        }
-    }
-    return mesh;
-}
-
 scene::Light sun(const V3d& direction) {
     scene::Light light;
     light.kind = scene::LightKind::directional;

@@ -325,6 +325,28 @@ std::vector<Sighting> Locator::locate(std::span<const V3d> points,
     return found;
 }
 
+void Locator::find(std::span<const rays::ImagePointQuery> queries,
+                   std::span<rays::ImagePoint> found) const {
+    std::vector<V3d> points;
+    points.reserve(queries.size());
+    for (const rays::ImagePointQuery& query : queries) {
+        points.push_back(query.point);
+    }
+    std::fill(found.begin(), found.end(), rays::ImagePoint{0, V2d(0.0)});
+    for (const Sighting& sighting : locate(points)) {
+        const rays::ImagePointQuery& query = queries[sighting.point];
+        rays::ImagePoint& nearest = found[sighting.point];
+        if (sighting.layer != query.layer) {
+            continue;
+        }
+        const auto distance = [&](const V2d& place) { return (place - query.expected).length2(); };
+        if (nearest.places == 0 || distance(sighting.position) < distance(nearest.position)) {
+            nearest.position = sighting.position;
+        }
+        ++nearest.places;
+    }
+}
+
 bool Locator::closed_form() const {
     return std::all_of(index_->layers().begin(), index_->layers().end(),
                        [](const LayerIndex& layer) { return layer.closed_form(); });

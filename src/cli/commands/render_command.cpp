@@ -18,6 +18,7 @@
 #include "cli/commands/command.hpp"
 #include "cli/denoised_picture.hpp"
 #include "cli/file_watch.hpp"
+#include "cli/frame_pictures.hpp"
 #include "cli/interruption.hpp"
 #include "cli/loaded_picture.hpp"
 #include "cli/options/camera_argument.hpp"
@@ -167,7 +168,7 @@ RenderReport make_picture(RenderReport outcome, const RenderOptions& options,
     return outcome;
 }
 
-RenderReport render_picture(const RenderOptions& options, const Request& request,
+RenderReport render_picture(const RenderOptions& options, Request request,
                             const SceneOutput& target, Loaded& loaded,
                             const OutdatedTest& is_outdated = {}) {
     RenderReport outcome;
@@ -205,6 +206,10 @@ RenderReport render_picture(const RenderOptions& options, const Request& request
         .window = request.crop.region(whole.first, whole.second),
         .data_layers = false,
         .layers = format == nullptr ? request.layers : render::LayerSet{}};
+    if (layout.layers.contains(render::LayerId::motion)) {
+        add(outcome,
+            add_frames(options, *loaded.scene, *picture, {width, height}, request.settings));
+    }
     if (format == nullptr && render::film_bytes(layout) > request.job.film_memory) {
         return make_banded_picture(std::move(outcome), options, request, *loaded.renderer, *picture,
                                    layout, target.output);

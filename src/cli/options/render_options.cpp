@@ -43,6 +43,7 @@ render::Settings read_settings(const RenderOptions& options, Diagnostics& diagno
     settings.threads = read_count("--threads", options.threads, 0, 1024, diagnostics);
     settings.time = read_number("--time", options.time, -any, any, "give a number", diagnostics);
     settings.shutter = read_shutter(options.shutter, diagnostics);
+    settings.frames.duration = read_frame_time(options.shutter, diagnostics);
     if (options.ambient != "auto") {
         settings.ambient =
             render::Color3f(read_number("--ambient", options.ambient, 0.0F, brightest,

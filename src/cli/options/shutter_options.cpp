@@ -50,6 +50,11 @@ void add_shutter_options(CLI::App& command, ShutterWords& words) {
                     fmt::format("how the shutter moves: {}", fmt::join(shapes, " or ")))
         ->type_name("NAME")
         ->capture_default_str();
+    command
+        .add_option("--fps", words.fps,
+                    "frames per second of the animation, for the layer motion of an EXR file")
+        ->type_name("NUMBER")
+        ->capture_default_str();
 }
 
 render::Shutter read_shutter(const ShutterWords& words, Diagnostics& diagnostics) {
@@ -64,6 +69,13 @@ render::Shutter read_shutter(const ShutterWords& words, Diagnostics& diagnostics
                suggestion(words.shape, render::shutter_shape_names(), "the shapes are"));
     }
     return {duration.value_or(0.0), shape.value_or(render::ShutterShape::box)};
+}
+
+double read_frame_time(const ShutterWords& words, Diagnostics& diagnostics) {
+    constexpr double fastest = 1e9;
+    const double fps = read_number("--fps", words.fps, 1.0 / longest, fastest,
+                                   "give a number above 0, such as 24", diagnostics);
+    return 1.0 / fps;
 }
 
 }  // namespace balcony::cli

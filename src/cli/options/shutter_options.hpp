@@ -12,11 +12,14 @@ namespace balcony::cli {
 struct ShutterWords {
     std::string duration = "0";
     std::string shape = std::string(render::name_of(render::ShutterShape::box));
+    std::string fps = "24";
 };
 
 void add_shutter_options(CLI::App& command, ShutterWords& words);
 
 /// What cannot be read is added to `diagnostics`.
 [[nodiscard]] render::Shutter read_shutter(const ShutterWords& words, Diagnostics& diagnostics);
+/// The seconds from frame to frame; likewise.
+[[nodiscard]] double read_frame_time(const ShutterWords& words, Diagnostics& diagnostics);
 
 }  // namespace balcony::cli

@@ -43,6 +43,22 @@ void describe_gaps(RenderReport& report, const render::Film& film, const render:
     }
 }
 
+// Pixels whose motion is not certain.
+void describe_motion(RenderReport& report, const render::Summary& summary) {
+    if (summary.unknown_motion > 0) {
+        report.diagnostics.push_back(warning(fmt::format(
+            "the motion of {} is 0 because neither the previous nor the next frame shows the "
+            "surface there",
+            counted(summary.unknown_motion, "pixel", "pixels"))));
+    }
+    if (summary.ambiguous_motion > 0) {
+        report.diagnostics.push_back(warning(fmt::format(
+            "the previous or next frame shows the surface of {} at several places; the layer "
+            "motion is that to the nearest",
+            counted(summary.ambiguous_motion, "pixel", "pixels"))));
+    }
+}
+
 nlohmann::json layers_json(const render::Summary& summary) {
     nlohmann::json layers = nlohmann::json::array();
     for (const render::Summary::Layer& layer : summary.layers) {
@@ -96,6 +112,7 @@ void describe(RenderReport& report, const PictureOutput& output, const camera::P
         report.diagnostics.push_back(warning(fmt::format(
             "{} samples had no finite colour and were replaced by black", summary.repaired)));
     }
+    describe_motion(report, summary);
     report.facts = {{"output", nullptr},
                     {"camera", picture.name()},
                     {"layers", layers_json(summary)},

@@ -25,9 +25,9 @@ void for_each_array(AnyFilm& film, const Visit& visit) {
     each(emission, direct, mean_albedo, mean_normal, mean_position, object_mattes, material_mattes);
     if (layers) {
         auto& [ray_length, position, normal, albedo, object, origin, direction, parameters, valid,
-               layer, magnification] = *layers;
+               layer, magnification, motion] = *layers;
         each(ray_length, position, normal, albedo, object, origin, direction, parameters, valid,
-             layer, magnification);
+             layer, magnification, motion);
     }
 }
 

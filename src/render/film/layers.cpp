@@ -28,6 +28,7 @@ requires std::is_arithmetic_v<Number>
 void put(Number value, float* channels) { *channels = static_cast<float>(value); }
 void put(const Color3f& value, float* channels) { std::copy_n(&value.x, 3, channels); }
 void put(const V3f& value, float* channels) { std::copy_n(&value.x, 3, channels); }
+void put(const V4f& value, float* channels) { std::copy_n(&value.x, 4, channels); }
 void put(const Moments& value, float* channels) { put(value.mean, channels); }
 
 // --------------------------------------------------------------------------- kinds of rows
@@ -213,6 +214,12 @@ constexpr std::array rows{
          "how large the camera shows the hit point: pixels per scene unit, on a plane across the "
          "ray, the geometric mean over its directions; 0 if nothing is hit",
          center, false, 4}),
+    values<&DataLayers::motion>(
+        {motion, "motion", "XYZW",
+         "how far what is seen moves in the picture, in pixels, x to the right and y up: X and Y "
+         "are its place in the previous frame minus that of the pixel, Z and W the place of the "
+         "pixel minus that in the next frame",
+         center, false, 16}),
     sums<&MeanLayers::emission>(
         {emission, "emission", "RGB",
          "light that comes from emitting surfaces and the environment without any reflection", mean,

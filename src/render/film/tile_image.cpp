@@ -21,6 +21,7 @@ void write_data(DataLayers& layers, std::size_t at, const PointData& data) {
     set(layers.origin, V3f(data.origin));
     set(layers.direction, V3f(data.direction));
     set(layers.parameters, data.parameters);
+    set(layers.motion, data.motion);
     const VisibleSurface& visible = data.visible;
     if (visible.any) {
         const double length = (Imath::V3d(visible.position) - data.origin).dot(data.direction);

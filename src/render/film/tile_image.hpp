@@ -12,6 +12,7 @@
 #include <Imath/ImathVec.h>
 
 #include "balcony/film.hpp"
+#include "render/embree/accelerator.hpp"
 
 namespace balcony::render {
 
@@ -23,6 +24,7 @@ struct VisibleSurface {
     Color3f albedo{0.0F};
     std::uint32_t object = 0;    ///< Index into Scene::objects plus 1.
     std::uint32_t material = 0;  ///< Index into Scene::materials plus 1.
+    embree::Hit hit{};
 };
 
 /// Parts of the radiance by how often their light was scattered, that is, reflected or refracted by
@@ -41,7 +43,9 @@ struct PointData {
     Imath::V3d direction;
     V2f parameters;
     float magnification = 0.0F;  ///< 0 if unknown.
+    double time = 0.0;           ///< When the ray meets the scene, in seconds.
     VisibleSurface visible;
+    V4f motion{0.0F};  ///< As DataLayers::motion.
 };
 
 /// What a camera layer contributes to a point, for the layers that are means over the passes.

@@ -61,6 +61,8 @@ void add(Summary& total, const Summary& part) {
     total.invalid_rays += part.invalid_rays;
     total.invalid_pixels += part.invalid_pixels;
     total.repaired += part.repaired;
+    total.unknown_motion += part.unknown_motion;
+    total.ambiguous_motion += part.ambiguous_motion;
     total.ambient = part.ambient;
     total.light = part.light;
     total.passes = part.passes;

@@ -277,6 +277,7 @@ void Compositor::add_data(const Element& element, const Veil& veil, std::size_t 
                     rays.direction(i),
                     parameters(rays, i),
                     magnification(rays, i, V3d(seen.visible.position)),
+                    rays.has_times() ? rays.time(i) : work.points.grid.time,
                     seen.visible};
 }
 

@@ -72,6 +72,10 @@ Diagnostics check(const Settings& settings) {
         found.push_back(
             error("the angle of suns is out of range", {}, "give radians from 0 to pi"));
     }
+    if (!(settings.frames.duration > 0.0) || !std::isfinite(settings.frames.duration)) {
+        found.push_back(error("the time from frame to frame is not a number of seconds", {},
+                              "give a duration above 0, such as 1/24"));
+    }
     if (find_integrator(settings.integrator) == nullptr) {
         found.push_back(unknown("integrator", settings.integrator, integrators()));
     }
@@ -202,6 +206,8 @@ private:
         }
         summary.invalid_pixels = counts.invalid_pixels;
         summary.repaired = counts.repaired;
+        summary.unknown_motion = counts.motion.unknown;
+        summary.ambiguous_motion = counts.motion.ambiguous;
         summary.ambient = *parts_.settings.ambient;
         summary.light = parts_.light;
         summary.passes = fewest_passes();
@@ -229,6 +235,22 @@ private:
 bool paints(const std::vector<rays::CompiledPicture::Element>& elements) {
     return std::any_of(elements.begin(), elements.end(),
                        [](const auto& element) { return element.paint || paints(element.group); });
+}
+
+// The motion of what is seen, if the film has a layer for it. All data are of pass 0.
+std::shared_ptr<const FrameMotion> motion_of(const TracedScene& traced,
+                                             const rays::CompiledPicture& picture,
+                                             const Settings& settings, const Film& film) {
+    if (!film.layers || film.layers->motion.empty()) {
+        return nullptr;
+    }
+    const auto& layers = picture.layers();
+    const bool own_times = std::any_of(layers.begin(), layers.end(),
+                                       [](const auto& layer) { return layer.rays.has_times(); });
+    const double time = settings.shutter.moment(settings.time, pass_moment(0));
+    return std::make_shared<const FrameMotion>(
+        *traced.scene, settings.frames,
+        own_times ? traced.interval : scene::TimeInterval{time, time});
 }
 
 Diagnostic out_of_memory() {
@@ -311,10 +333,12 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
             std::any_of(materials.begin(), materials.end(), may_be_mirror)) {
             film.mirrored.assign(film.window.size(), Color4d(0.0));
         }
+        auto motion = motion_of(traced, *compiled, settings, film);
         return Job(std::make_shared<const State>(
             State{renderer.state_,
                   {std::move(traced), std::move(*compiled), std::move(*focus), complete,
-                   find_integrator(settings.integrator), std::move(light), watch.seconds()},
+                   find_integrator(settings.integrator), std::move(light), std::move(motion),
+                   watch.seconds()},
                   &film}));
     } catch (const std::bad_alloc&) {
         return out_of_memory();

@@ -56,12 +56,15 @@ void WorkCounts::add(const WorkCounts& other) {
     }
     invalid_pixels += other.invalid_pixels;
     repaired += other.repaired;
+    motion.unknown += other.motion.unknown;
+    motion.ambiguous += other.motion.ambiguous;
     camera_seconds += other.camera_seconds;
     seconds += other.seconds;
 }
 
 TileWorker::TileWorker(const JobParts& parts, Film& film)
     : settings_(&parts.settings),
+      motion_(parts.motion.get()),
       film_(&film),
       filter_(find_pixel_filter(parts.settings.sampling.filter)),
       compositor_(parts.picture, PictureRays(parts.picture, parts.traced.interval, parts.focus),
@@ -86,6 +89,9 @@ bool TileWorker::render(std::size_t tile) {
     if (adaptive) {
         image.active = active_;
     }
+    if (wanted.data && motion_ != nullptr) {
+        motion_->find(region, film_->window, image.data, motion_counts_);
+    }
     add_pass(*film_, tile, image);
     seconds_ += watch.seconds();
     return true;
@@ -101,7 +107,7 @@ const Imath::V2d& TileWorker::offset(std::size_t pass) {
 
 WorkCounts TileWorker::counts() const {
     return {compositor_.ray_counts(), compositor_.invalid_pixels(), compositor_.repaired(),
-            compositor_.camera_seconds(), seconds_};
+            motion_counts_,           compositor_.camera_seconds(), seconds_};
 }
 
 }  // namespace balcony::render

@@ -5,11 +5,13 @@
 // One thread's part of a job.
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "balcony/render.hpp"
 #include "render/job/compositor.hpp"
+#include "render/job/frame_motion.hpp"
 #include "render/sampling/pass_offset.hpp"
 
 namespace balcony::render {
@@ -21,7 +23,8 @@ struct JobParts {
     LensFocus focus;
     Settings settings;
     IntegratorMaker integrator;
-    std::string light;  ///< As Summary::light.
+    std::string light;                          ///< As Summary::light.
+    std::shared_ptr<const FrameMotion> motion;  ///< Null if the film has no such layer.
     double compile_seconds = 0.0;
 };
 
@@ -30,6 +33,7 @@ struct WorkCounts {
     std::vector<RayCounts> layers;  ///< By camera layer.
     std::uint64_t invalid_pixels = 0;
     std::uint64_t repaired = 0;
+    MotionCounts motion;
     double camera_seconds = 0.0;
     double seconds = 0.0;
 
@@ -51,11 +55,13 @@ private:
     [[nodiscard]] const Imath::V2d& offset(std::size_t pass);
 
     const Settings* settings_;
+    const FrameMotion* motion_;
     Film* film_;
     const PixelFilter* filter_;
     std::size_t offset_pass_ = 0;  // Kept for the next tile of the pass, with its offset.
     Imath::V2d offset_{0.0, 0.0};
     Compositor compositor_;
+    MotionCounts motion_counts_;
     Mask active_;  // Of the tile at work; kept for its memory.
     double seconds_ = 0.0;
 };

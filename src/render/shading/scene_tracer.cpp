@@ -14,7 +14,9 @@ VisibleSurface SceneTracer::visible(const Interaction& at) const {
             at.surface.normal,
             at.appearance.base_color,
             at.surface.object + 1,
-            static_cast<std::uint32_t>(material) + 1};
+            static_cast<std::uint32_t>(material) + 1,
+            {at.surface.instance, at.surface.in_mesh.triangle, at.surface.in_mesh.u,
+             at.surface.in_mesh.v}};
 }
 
 Interaction SceneTracer::interaction(const Ray& ray, const embree::Hit& hit) const {

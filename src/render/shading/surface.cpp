@@ -269,6 +269,7 @@ Surface SurfaceFinder::find(const embree::Hit& hit, const V3f& direction, float 
     }
     surface.material = &scene_->materials[m.material.value()];
     surface.object = scene_->instances[hit.instance].object;
+    surface.instance = hit.instance;
     return surface;
 }
 

@@ -85,6 +85,7 @@ struct Surface {
     MeshPoint in_mesh;
     const scene::Material* material = nullptr;
     std::uint32_t object = 0;
+    std::uint32_t instance = 0;
 
     /// The origin of a ray that leaves in a direction, offset to avoid hitting this surface again.
     [[nodiscard]] V3f start(const V3f& direction) const;

@@ -239,6 +239,17 @@ Diagnostics move_to(Scene& scene, double time) {
     return found;
 }
 
+std::vector<Camera> cameras_at(const Scene& scene, double time) {
+    std::vector<Camera> cameras = scene.cameras;
+    if (scene.motion) {
+        for (const MovingCamera& moving : scene.motion->cameras) {
+            static_cast<void>(
+                place(cameras[moving.camera], world_from_node(*scene.motion, moving.node, time)));
+        }
+    }
+    return cameras;
+}
+
 Movement movement(const Scene& scene, const TimeInterval& interval) {
     Movement found;
     if (!scene.motion || !(interval.duration() > 0.0) || !std::isfinite(interval.duration())) {
