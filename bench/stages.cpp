@@ -21,7 +21,7 @@ namespace balcony::bench {
 
 namespace {
 
-constexpr int passes = 5;
+constexpr int stage_passes = 5;
 constexpr std::size_t width = 640;
 constexpr std::size_t height = 360;
 
@@ -35,7 +35,7 @@ double nanoseconds_a_ray(const program::Program& program) {
     const auto results = memory.reserve(program.root_count(), tile_points);
     program::Scratch scratch;
     Stopwatch stopwatch(tiles.size());
-    for (int pass = 0; pass < passes; ++pass) {
+    for (int pass = 0; pass < stage_passes; ++pass) {
         for (std::size_t t = 0; t < tiles.size(); ++t) {
             stopwatch.time(t, [&] { program::run(program, tiles[t], scratch, results); });
         }
@@ -119,7 +119,7 @@ void print_compilation() {
     for (const std::string& name : lang::built_in_cameras()) {
         double first = 0.0;
         double best = std::numeric_limits<double>::infinity();
-        for (int pass = 0; pass < passes; ++pass) {
+        for (int pass = 0; pass < stage_passes; ++pass) {
             const auto start = std::chrono::steady_clock::now();
             const auto made = lang::make_camera(name, "");
             (void)compile(*made, width, height);

@@ -3,6 +3,7 @@
 option(BALCONY_WERROR "Treat warnings as errors" OFF)
 option(BALCONY_BENCH "Build the benchmarks" ON)
 option(BALCONY_PCH "Precompile headers from outside" ON)
+option(BALCONY_UNITY "Compile the files of a folder in groups" ON)
 option(BALCONY_CCACHE "Compile by way of ccache where it is installed" ON)
 option(BALCONY_FUZZ "Build the fuzzers, by clang++ and with -fsanitize=fuzzer-no-link" OFF)
 set(BALCONY_SANITIZE "" CACHE STRING "Sanitizers, as -fsanitize takes them (address,undefined or thread)")

@@ -116,15 +116,15 @@ Mesh rectangle(double width, double height, double repeat_x, double repeat_y) {
     return mesh;
 }
 
-Mesh picture_frame(double width, double height, double frame_width) {
+Mesh picture_frame(double width, double height, double moulding_width) {
     // Profile of the moulding: distance from the rectangle's edge, in frame widths, and height.
     const std::array<std::array<double, 2>, 6> profile{
         {{0.0, 0.0}, {0.18, 0.10}, {0.30, 0.06}, {0.75, 0.42}, {1.0, 0.34}, {1.0, -0.25}}};
     Mesh mesh;
     for (int side = 0; side < 4; ++side) {
         const auto corner = [&](int which, const std::array<double, 2>& at) {
-            const double x = width / 2 + at[0] * frame_width;
-            const double y = height / 2 + at[0] * frame_width;
+            const double x = width / 2 + at[0] * moulding_width;
+            const double y = height / 2 + at[0] * moulding_width;
             const int k = (side + which) % 4;  // Counter-clockwise from the lower left.
             return V3d(k == 1 || k == 2 ? x : -x, k >= 2 ? y : -y, at[1]);
         };

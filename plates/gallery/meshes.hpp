@@ -21,6 +21,6 @@ namespace balcony::plates {
 
 /// A frame about such a rectangle: its moulding rises from the rectangle's edge and falls again to
 /// the wall behind.
-[[nodiscard]] scene::Mesh picture_frame(double width, double height, double frame_width);
+[[nodiscard]] scene::Mesh picture_frame(double width, double height, double moulding_width);
 
 }  // namespace balcony::plates

@@ -17,7 +17,7 @@ struct BlendModeRow {
     std::string_view meaning;
 };
 
-constexpr std::array rows = {
+constexpr std::array blend_mode_rows = {
     BlendModeRow{BlendMode::normal, "normal", "the layer covers the backdrop"},
     BlendModeRow{BlendMode::multiply, "multiply",
                  "the product of layer and backdrop, never lighter than either"},
@@ -44,19 +44,23 @@ constexpr std::array rows = {
 
 }  // namespace
 
-std::string_view name_of(BlendMode mode) { return rows[static_cast<std::size_t>(mode)].name; }
+std::string_view name_of(BlendMode mode) {
+    return blend_mode_rows[static_cast<std::size_t>(mode)].name;
+}
 
-std::string_view meaning_of(BlendMode mode) { return rows[static_cast<std::size_t>(mode)].meaning; }
+std::string_view meaning_of(BlendMode mode) {
+    return blend_mode_rows[static_cast<std::size_t>(mode)].meaning;
+}
 
 std::optional<BlendMode> find_blend_mode(std::string_view name) {
-    const auto row = std::find_if(rows.begin(), rows.end(),
+    const auto row = std::find_if(blend_mode_rows.begin(), blend_mode_rows.end(),
                                   [name](const BlendModeRow& one) { return one.name == name; });
-    return row != rows.end() ? std::optional(row->mode) : std::nullopt;
+    return row != blend_mode_rows.end() ? std::optional(row->mode) : std::nullopt;
 }
 
 std::vector<std::string> blend_mode_names() {
     std::vector<std::string> all;
-    for (const BlendModeRow& row : rows) {
+    for (const BlendModeRow& row : blend_mode_rows) {
         all.emplace_back(row.name);
     }
     return all;

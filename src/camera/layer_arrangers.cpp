@@ -69,7 +69,7 @@ struct FitRow {
     std::string_view meaning;
 };
 
-constexpr std::array rows = {
+constexpr std::array fit_rows = {
     FitRow{Fit::fit, "fit", "as large as the place permits, in its middle"},
     FitRow{Fit::fill, "fill", "covers the place; what is beyond it is cut off"},
     FitRow{Fit::stretch, "stretch", "stretched to the place"},
@@ -116,19 +116,19 @@ bool show_the_same(const Layer& a, const Layer& b) {
 
 }  // namespace
 
-std::string_view name_of(Fit fit) { return rows[static_cast<std::size_t>(fit)].name; }
+std::string_view name_of(Fit fit) { return fit_rows[static_cast<std::size_t>(fit)].name; }
 
-std::string_view meaning_of(Fit fit) { return rows[static_cast<std::size_t>(fit)].meaning; }
+std::string_view meaning_of(Fit fit) { return fit_rows[static_cast<std::size_t>(fit)].meaning; }
 
 std::optional<Fit> find_fit(std::string_view name) {
-    const auto* row = std::find_if(rows.begin(), rows.end(),
+    const auto* row = std::find_if(fit_rows.begin(), fit_rows.end(),
                                    [name](const FitRow& one) { return one.name == name; });
-    return row != rows.end() ? std::optional(row->fit) : std::nullopt;
+    return row != fit_rows.end() ? std::optional(row->fit) : std::nullopt;
 }
 
 std::vector<std::string> fit_names() {
     std::vector<std::string> all;
-    for (const FitRow& row : rows) {
+    for (const FitRow& row : fit_rows) {
         all.emplace_back(row.name);
     }
     return all;

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <string_view>
+#include <vector>
 
 #include "balcony/catalogue.hpp"
 
@@ -27,8 +28,16 @@ inline ObjectVector vector_of(const Triple& t, const Emitter& emit) {
     return {emit(t[0]), emit(t[1]), emit(t[2])};
 }
 
+inline ObjectVector to_unit_length(const ObjectVector& a) { return (1.0 / sqrt(dot(a, a))) * a; }
+
 /// The numbers x, y and z of a stage with these three parameters.
 inline Triple xyz_of(const Arguments& a) { return {a.number("x"), a.number("y"), a.number("z")}; }
+
+inline std::vector<StageParameter> operator+(std::vector<StageParameter> first,
+                                             const std::vector<StageParameter>& second) {
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+}
 
 /// An optional number.
 inline StageParameter number_parameter(std::string_view name, double value,

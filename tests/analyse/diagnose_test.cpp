@@ -13,7 +13,7 @@
 
 #include "support.hpp"
 
-namespace balcony::analyse {
+namespace balcony::analyse::diagnose_test {
 namespace {
 
 using test::camera_of;
@@ -22,7 +22,7 @@ using test::report_on;
 using test::standard;
 using test::words;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(Measures, PinholeHasTheSolidAngleOfPerspective) {
     const double width = 400;
@@ -351,4 +351,4 @@ TEST(Findings, ACameraThatMakesNoUseOfVIsSingular) {
 }
 
 }  // namespace
-}  // namespace balcony::analyse
+}  // namespace balcony::analyse::diagnose_test

@@ -13,7 +13,7 @@
 #include "analyse/draw/drawing_viewer.hpp"
 #include "support.hpp"
 
-namespace balcony::analyse {
+namespace balcony::analyse::drawing_items_test {
 namespace {
 
 const char* const between_planes = R"(camera c {
@@ -206,4 +206,4 @@ TEST(DrawingRaster, TakesItsSamplesInTheMiddleOfTheirParts) {
 }
 
 }  // namespace
-}  // namespace balcony::analyse
+}  // namespace balcony::analyse::drawing_items_test

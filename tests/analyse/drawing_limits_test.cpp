@@ -12,7 +12,7 @@
 #include "balcony/drawing.hpp"
 #include "support.hpp"
 
-namespace balcony::analyse {
+namespace balcony::analyse::drawing_limits_test {
 namespace {
 
 constexpr std::size_t max_points = 2'000'000;  // What a drawing may follow lines with.
@@ -135,4 +135,4 @@ TEST(DrawingLimits, SmallAndLargeCamerasAreDrawnAlike) {
 }
 
 }  // namespace
-}  // namespace balcony::analyse
+}  // namespace balcony::analyse::drawing_limits_test

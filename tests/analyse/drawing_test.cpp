@@ -14,7 +14,7 @@
 #include "analyse/draw/camera_geometry.hpp"
 #include "support.hpp"
 
-namespace balcony::analyse {
+namespace balcony::analyse::drawing_test {
 namespace {
 
 const char* const ball = R"(camera ball {
@@ -251,4 +251,4 @@ TEST(DrawingRaster, ADotHasItsArea) {
 }
 
 }  // namespace
-}  // namespace balcony::analyse
+}  // namespace balcony::analyse::drawing_test

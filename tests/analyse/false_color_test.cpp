@@ -13,7 +13,7 @@
 #include "balcony/diagnose.hpp"
 #include "support.hpp"
 
-namespace balcony::analyse {
+namespace balcony::analyse::false_color_test {
 namespace {
 
 using Spacing = ColorScale::Spacing;
@@ -194,4 +194,4 @@ TEST(FalseColor, SignsSeamsAndRepeatsHaveTheirColours) {
 }
 
 }  // namespace
-}  // namespace balcony::analyse
+}  // namespace balcony::analyse::false_color_test

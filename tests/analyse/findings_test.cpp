@@ -11,7 +11,7 @@
 
 #include "support.hpp"
 
-namespace balcony::analyse {
+namespace balcony::analyse::findings_test {
 namespace {
 
 using test::camera_of;
@@ -179,4 +179,4 @@ TEST(Repeated, IsFoundWhereTheGridIsSheared) {
 }
 
 }  // namespace
-}  // namespace balcony::analyse
+}  // namespace balcony::analyse::findings_test

@@ -17,7 +17,7 @@
 #include "balcony/inverse.hpp"
 #include "support.hpp"
 
-namespace balcony::analyse {
+namespace balcony::analyse::inverse_of_pictures_test {
 namespace {
 
 using Element = camera::PictureExpressions::Element;
@@ -333,4 +333,4 @@ TEST(InverseOfPictures, TakesPointsInTheGivenAxes) {
     EXPECT_EQ(own->axes(), Axes::y_up);
 }
 
-}  // namespace balcony::analyse
+}  // namespace balcony::analyse::inverse_of_pictures_test

@@ -18,12 +18,12 @@
 #include "random_points.hpp"
 #include "support.hpp"
 
-namespace balcony::analyse {
+namespace balcony::analyse::inverse_test {
 namespace {
 
 using test::RandomPoints;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // How many of the random points are not found within 0.01 pixels of where they came from.
 std::size_t lost(const camera::Camera& camera, double height, std::size_t count) {
@@ -347,4 +347,4 @@ TEST(Locate, RefusesAPictureWithoutPlaces) {
     EXPECT_TRUE(has_errors(none.diagnostics));
 }
 
-}  // namespace balcony::analyse
+}  // namespace balcony::analyse::inverse_test

@@ -17,7 +17,7 @@
 #include "balcony/scene.hpp"
 #include "support.hpp"
 
-namespace balcony::analyse {
+namespace balcony::analyse::model_test {
 namespace {
 
 using scene::V3f;
@@ -189,4 +189,4 @@ TEST(Model, OnlyTheTargetIsTransparent) {
 }
 
 }  // namespace
-}  // namespace balcony::analyse
+}  // namespace balcony::analyse::model_test

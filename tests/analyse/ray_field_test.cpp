@@ -12,7 +12,7 @@
 
 #include "support.hpp"
 
-namespace balcony::analyse {
+namespace balcony::analyse::ray_field_test {
 namespace {
 
 using Derivatives = RayField::Derivatives;
@@ -67,4 +67,4 @@ TEST(RayField, DerivativesAreNeighbourDifferences) {
 }
 
 }  // namespace
-}  // namespace balcony::analyse
+}  // namespace balcony::analyse::ray_field_test

@@ -8,7 +8,7 @@
 
 #include "balcony/base.hpp"
 
-namespace balcony {
+namespace balcony::diagnostic_test {
 namespace {
 
 // A span over the first occurrence of a part in a text.
@@ -205,4 +205,4 @@ TEST(Diagnostic, AnyBytesAndAnySpanCanBeShown) {
 }
 
 }  // namespace
-}  // namespace balcony
+}  // namespace balcony::diagnostic_test

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace balcony {
+namespace balcony::median_test {
 namespace {
 
 TEST(Median, IsTheMiddleOfAnOddCount) {
@@ -39,4 +39,4 @@ TEST(Median, IsSymmetrical) {
 }
 
 }  // namespace
-}  // namespace balcony
+}  // namespace balcony::median_test

@@ -5,7 +5,7 @@
 
 #include "balcony/base.hpp"
 
-namespace balcony {
+namespace balcony::nearest_name_test {
 namespace {
 
 const std::vector<std::string> stages = {"circle", "superellipse", "torus", "zoom", "uv"};
@@ -52,4 +52,4 @@ TEST(NearestName, AnAbsurdlyLongNameIsNotLookedUp) {
 }
 
 }  // namespace
-}  // namespace balcony
+}  // namespace balcony::nearest_name_test

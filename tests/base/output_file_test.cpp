@@ -14,7 +14,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace balcony {
+namespace balcony::output_file_test {
 
 namespace {
 
@@ -157,4 +157,4 @@ TEST(WriteWhole, DoesNotReplaceDevicesOrPipes) {
     fs::remove(pipe);
 }
 
-}  // namespace balcony
+}  // namespace balcony::output_file_test

@@ -7,7 +7,7 @@
 
 #include "balcony/base.hpp"
 
-namespace balcony {
+namespace balcony::printable_test {
 namespace {
 
 TEST(Printable, TextIsUnchanged) {
@@ -53,4 +53,4 @@ TEST(Printable, IsIdempotent) {
 }
 
 }  // namespace
-}  // namespace balcony
+}  // namespace balcony::printable_test

@@ -8,7 +8,7 @@
 
 #include "balcony/base.hpp"
 
-namespace balcony {
+namespace balcony::result_test {
 namespace {
 
 TEST(Result, HoldsAValueThatNeedNotBeCopyable) {
@@ -60,4 +60,4 @@ TEST(StrongIndex, KindsDoNotMix) {
 }
 
 }  // namespace
-}  // namespace balcony
+}  // namespace balcony::result_test

@@ -5,7 +5,7 @@
 
 #include "balcony/base.hpp"
 
-namespace balcony {
+namespace balcony::source_text_test {
 namespace {
 
 void expect_place(const SourceText& source, std::size_t offset, std::size_t line,
@@ -81,4 +81,4 @@ TEST(SourceSpan, JoinHoldsBothInEitherOrder) {
 }
 
 }  // namespace
-}  // namespace balcony
+}  // namespace balcony::source_text_test

@@ -7,11 +7,11 @@
 
 #include "support.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::arc_length_curve_test {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Arguments::Value points(std::size_t coordinates, std::vector<double> values) {
     return PointList{coordinates, std::move(values)};
@@ -137,4 +137,4 @@ TEST(ArcLengthCurve, SaysWhatItCannotTabulate) {
     EXPECT_EQ(said(bezier, 0.2, 0.9), "");
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::arc_length_curve_test

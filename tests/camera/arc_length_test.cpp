@@ -7,7 +7,7 @@
 
 #include "support.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::arc_length_test {
 
 namespace {
 
@@ -124,4 +124,4 @@ TEST(EndGrading, MapsTheUnitRangeOntoItselfWithTheSlopeItStates) {
     }
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::arc_length_test

@@ -8,7 +8,7 @@
 #include "camera/arrange.hpp"
 #include "support.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::arrangers_test {
 
 namespace {
 
@@ -203,4 +203,4 @@ TEST(FindArranged, InvertsAffineAndBentArrangers) {
     }
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::arrangers_test

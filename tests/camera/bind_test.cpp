@@ -9,7 +9,7 @@
 #include "balcony/make_stage.hpp"
 #include "support.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::bind_test {
 namespace {
 
 using Kind = Finding::Kind;
@@ -245,4 +245,4 @@ TEST(MakeStage, RefusesAMakerOfAnotherKind) {
 }
 
 }  // namespace
-}  // namespace balcony::camera
+}  // namespace balcony::camera::bind_test

@@ -8,7 +8,7 @@
 
 #include "support.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::camera_laws_test {
 
 namespace {
 
@@ -351,4 +351,4 @@ TEST(CameraMake, SaysAllAtOnce) {
     EXPECT_EQ(made.diagnostics.size(), 3U);
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::camera_laws_test

@@ -9,7 +9,7 @@
 #include "balcony/make_stage.hpp"
 #include "support.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::catalogue_test {
 
 namespace {
 
@@ -172,4 +172,4 @@ TEST(Arguments, ALaterValueTakesThePlaceOfAnEarlierOne) {
     EXPECT_EQ(arguments.number("radius").constant(), 2.0);
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::catalogue_test

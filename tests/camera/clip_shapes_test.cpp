@@ -8,13 +8,13 @@
 
 #include "support.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::clip_shapes_test {
 
 namespace {
 
 constexpr double width = 300.0;
 constexpr double height = 200.0;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 class ShapeProbe {
 public:
@@ -257,4 +257,4 @@ TEST(Polygon, HasAtMost256Corners) {
     EXPECT_FALSE(try_stage(StageKind::clip_shape, "polygon", corners(257)));
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::clip_shapes_test

@@ -5,7 +5,7 @@
 
 #include "transform_probe.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::coins_test {
 
 namespace {
 
@@ -141,4 +141,4 @@ TEST(Coins, HaveStrengthsAndRadiiInRange) {
     EXPECT_NE(message(0.5, 0.0).find("coin 2 has radius 0"), std::string::npos);
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::coins_test

@@ -8,12 +8,12 @@
 
 #include "transform_probe.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::complex_maps_test {
 
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 // Values of everyday size after some dozen roundings.
 constexpr double tolerance = 1e-12;
 
@@ -233,4 +233,4 @@ TEST(PrintGallery, WithoutTurnsIsAPictureWithinThePicture) {
     expect_near(map({3.0, -0.5}), {0.75, -0.125});
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::complex_maps_test

@@ -8,11 +8,11 @@
 
 #include "support.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::conics_and_quadrics_test {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Given conic(double a, double b, std::string_view by) {
     return {{"a", numbers({a})}, {"b", numbers({b})}, {"by", std::string(by)}};
@@ -335,4 +335,4 @@ TEST(Toroids, OfCirclesAreTheTorus) {
     });
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::conics_and_quadrics_test

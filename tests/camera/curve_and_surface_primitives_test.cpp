@@ -9,11 +9,11 @@
 
 #include "support.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::curve_and_surface_primitives_test {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 // Co-ordinates here are at most about 30; a formula rounds a handful of times.
 constexpr double tolerance = 1e-13;
 
@@ -190,4 +190,4 @@ TEST(MobiusBand, ComesBackTurnedOverByHalfTurns) {
     }
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::curve_and_surface_primitives_test

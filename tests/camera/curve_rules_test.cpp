@@ -9,11 +9,11 @@
 
 #include "support.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::curve_rules_test {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double width = 80.0;
 constexpr double height = 45.0;
 constexpr double tolerance = 1e-12;  // unit directions after some dozen roundings
@@ -216,4 +216,4 @@ TEST(NormalRule, HasNoFrontOnACurve) {
     EXPECT_FALSE(Camera::make(seen(object("circle"), look("normal"))));
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::curve_rules_test

@@ -5,11 +5,11 @@
 
 #include "transform_probe.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::deformations_test {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 // Values of everyday size, rounded a few times.
 constexpr double tolerance = 1e-14;
 
@@ -147,4 +147,4 @@ TEST(Deformations, ReportErrors) {
               std::string::npos);
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::deformations_test

@@ -8,11 +8,11 @@
 
 #include "support.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::direction_rules_test {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double width = 80.0;
 constexpr double height = 45.0;
 constexpr double tolerance = 1e-12;  // unit directions after some dozen roundings
@@ -347,4 +347,4 @@ TEST(BlendRule, NeedsWhatItsRulesNeed) {
     EXPECT_EQ(nested->min_eye_dimension(), 2);
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::direction_rules_test

@@ -3,7 +3,7 @@
 
 #include "support.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::formula_test {
 
 namespace {
 
@@ -94,4 +94,4 @@ TEST(FormulaStages, AreTheirFormulas) {
     expect_near(transformed(move_by, {1.0, 2.0, 3.0}), {3.0, 1.0, 4.0}, 0.0);
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::formula_test

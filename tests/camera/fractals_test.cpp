@@ -8,11 +8,11 @@
 
 #include "support.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::fractals_test {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Given field(double height, double hurst, double octaves, double seed = 1.0) {
     return {{"height", numbers({height})},
@@ -186,4 +186,4 @@ TEST(FractalSphere, EndsAtItsCentre) {
     EXPECT_GT(invalid, 0);
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::fractals_test

@@ -5,7 +5,7 @@
 
 #include "transform_probe.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::grids_test {
 
 namespace {
 
@@ -262,4 +262,4 @@ TEST(Grids, ReportErrors) {
               std::string::npos);
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::grids_test

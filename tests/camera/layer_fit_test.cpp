@@ -7,7 +7,7 @@
 
 #include "balcony/picture.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::layer_fit_test {
 
 namespace {
 
@@ -214,4 +214,4 @@ TEST(ShownRegion, HasAnArea) {
     EXPECT_EQ(refused.diagnostics[0].message, "the region that layer 'one' shows has no area");
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::layer_fit_test

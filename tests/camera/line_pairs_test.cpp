@@ -6,7 +6,7 @@
 
 #include "transform_probe.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::line_pairs_test {
 
 namespace {
 
@@ -137,4 +137,4 @@ TEST(LinePairs, ReportErrors) {
               std::string::npos);
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::line_pairs_test

@@ -8,7 +8,7 @@
 
 #include "support.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::mesh_surface_test {
 
 namespace {
 
@@ -207,4 +207,4 @@ TEST(MeshSurface, WhatHasNoAreaIsLeftOut) {
     expect_near(mesh(0.05, 0.02).point, on_plane(0.05, 0.02).position, 1e-14);
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::mesh_surface_test

@@ -5,7 +5,7 @@
 
 #include "support.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::object_transforms_test {
 
 namespace {
 
@@ -113,4 +113,4 @@ TEST(ObjectAffine, AnAxisNeedsALength) {
     }
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::object_transforms_test

@@ -8,7 +8,7 @@
 
 #include "support.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::objects_test {
 
 namespace {
 
@@ -145,4 +145,4 @@ TEST(Normals, PointOutwardOnClosedObjects) {
     });
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::objects_test

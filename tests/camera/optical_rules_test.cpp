@@ -7,7 +7,7 @@
 
 #include "support.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::optical_rules_test {
 
 namespace {
 
@@ -183,4 +183,4 @@ TEST(OpticalRules, SayWhatTheyNeed) {
     }
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::optical_rules_test

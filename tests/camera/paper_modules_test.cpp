@@ -9,7 +9,7 @@
 
 #include "balcony/catalogue.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::paper_modules_test {
 
 namespace {
 
@@ -86,4 +86,4 @@ TEST(PaperModules, HaveTheParametrisationsOfTheSphere) {
     FAIL() << "the sphere has one parametrisation only";
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::paper_modules_test

@@ -7,7 +7,7 @@
 
 #include "support.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::parallel_surface_test {
 
 namespace {
 
@@ -130,4 +130,4 @@ TEST(Offset, NeedsASurface) {
     }
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::parallel_surface_test

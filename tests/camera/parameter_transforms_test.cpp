@@ -6,7 +6,7 @@
 
 #include "support.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::parameter_transforms_test {
 
 namespace {
 
@@ -122,4 +122,4 @@ TEST(LocalZoom, FoldsExactlyBelowTheStatedStrength) {
     EXPECT_NEAR(min_slope(limit), 0.0, 1e-5);
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::parameter_transforms_test

@@ -7,7 +7,7 @@
 #include "balcony/picture.hpp"
 #include "support.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::picture_elements_test {
 
 namespace {
 
@@ -287,4 +287,4 @@ TEST(Picture, OfACameraHasItsProportion) {
     EXPECT_EQ(Picture(camera(std::move(parts))).aspect(), 2.5);
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::picture_elements_test

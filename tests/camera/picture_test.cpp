@@ -5,7 +5,7 @@
 
 #include "support.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::picture_test {
 
 namespace {
 
@@ -121,4 +121,4 @@ TEST(Place, NeedsAnArea) {
                            {{"from", numbers({0.0, 0.6})}, {"to", numbers({0.5, 0.2})}}));
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::picture_test

@@ -7,7 +7,7 @@
 
 #include "support.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::random_cameras_test {
 
 namespace {
 
@@ -124,4 +124,4 @@ TEST(RandomCameras, WhereThereIsARayItIsFiniteAndOfUnitDirection) {
     EXPECT_GT(without, 0U);
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::random_cameras_test

@@ -3,7 +3,7 @@
 
 #include "transform_probe.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::repeat_test {
 
 namespace {
 
@@ -52,4 +52,4 @@ TEST(Repeat, WithinRepeatsHasALimit) {
     EXPECT_NE(too_many.diagnostics.front().message.find("262144"), std::string::npos);
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::repeat_test

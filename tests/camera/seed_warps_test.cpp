@@ -5,7 +5,7 @@
 
 #include "transform_probe.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::seed_warps_test {
 
 namespace {
 
@@ -240,4 +240,4 @@ TEST(SeedWarps, ReportErrors) {
     }
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::seed_warps_test

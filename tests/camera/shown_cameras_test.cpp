@@ -6,7 +6,7 @@
 #include "balcony/picture.hpp"
 #include "support.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::shown_cameras_test {
 
 namespace {
 
@@ -112,4 +112,4 @@ TEST(SizeOf, IsThatInTheMiddleOfThePicture) {
     EXPECT_EQ(size_of(use, 200, 100), (std::array{100.0, 150.0}));
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::shown_cameras_test

@@ -9,11 +9,11 @@
 
 #include "support.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::spheres_test {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double radius = 3.0;
 constexpr double tolerance = 1e-13;  // a handful of roundings of coordinates up to 3
 
@@ -199,4 +199,4 @@ TEST(CubeSphere, FacesAreFlatPicturesOrOfEqualAngles) {
     });
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::spheres_test

@@ -7,7 +7,7 @@
 
 #include "support.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::spline_curves_test {
 
 namespace {
 
@@ -247,4 +247,4 @@ TEST(SplineCurves, ReportErrors) {
         std::string::npos);
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::spline_curves_test

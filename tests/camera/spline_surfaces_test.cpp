@@ -7,7 +7,7 @@
 
 #include "support.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::spline_surfaces_test {
 
 namespace {
 
@@ -266,4 +266,4 @@ TEST(SplineSurfaces, ReportErrors) {
               std::string::npos);
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::spline_surfaces_test

@@ -10,7 +10,7 @@
 #include "camera/cell_position.hpp"
 #include "support.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::spline_test {
 
 namespace {
 
@@ -295,4 +295,4 @@ TEST(CellPosition, IsTheCellAndTheFractionOfIt) {
     }
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::spline_test

@@ -7,11 +7,11 @@
 
 #include "support.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::superconics_test {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr std::array gammas{0.05, 0.25, 0.3, 0.5, 1.0, 1.5, 2.0};
 
 Given parts(double gamma, std::string_view by) {
@@ -126,4 +126,4 @@ TEST(Superhyperbola, EndsWhereItsParametrisationDoes) {
     }
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::superconics_test

@@ -8,11 +8,11 @@
 
 #include "support.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::sweep_test {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 using Build = std::function<std::vector<Expr>(Graph&, Expr)>;
 
@@ -234,4 +234,4 @@ TEST(Sweep, SaysWhatItCannotSweepAlong) {
         << "corners are borne";
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::sweep_test

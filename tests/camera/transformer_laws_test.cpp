@@ -5,7 +5,7 @@
 
 #include "transform_probe.hpp"
 
-namespace balcony::camera {
+namespace balcony::camera::transformer_laws_test {
 
 namespace {
 
@@ -84,4 +84,4 @@ TEST(ObjectTransformers, DerivativesAreNeighbourDifferences) {
     });
 }
 
-}  // namespace balcony::camera
+}  // namespace balcony::camera::transformer_laws_test

@@ -15,7 +15,7 @@
 
 #include "balcony/data.hpp"
 
-namespace balcony::data {
+namespace balcony::data::data_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -372,4 +372,4 @@ TEST_F(Data, TheVaseIsBuiltIn) {
 }
 
 }  // namespace
-}  // namespace balcony::data
+}  // namespace balcony::data::data_test

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace balcony::data {
+namespace balcony::data::scene_camera_test {
 namespace {
 
 using scene::V3d;
@@ -92,4 +92,4 @@ TEST(SceneCamera, OrthographicRaysAreParallel) {
 }
 
 }  // namespace
-}  // namespace balcony::data
+}  // namespace balcony::data::scene_camera_test

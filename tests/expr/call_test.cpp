@@ -11,7 +11,7 @@
 
 #include "balcony/expr.hpp"
 
-namespace balcony::expr {
+namespace balcony::expr::call_test {
 
 namespace {
 
@@ -216,4 +216,4 @@ TEST(BatchEvaluator, GivesWhatEvaluationPointByPointGives) {
     }
 }
 
-}  // namespace balcony::expr
+}  // namespace balcony::expr::call_test

@@ -11,7 +11,7 @@
 
 #include "balcony/expr.hpp"
 
-namespace balcony::expr {
+namespace balcony::expr::deep_graph_test {
 
 namespace {
 
@@ -79,4 +79,4 @@ TEST_P(DeepGraph, TakesNoStackAndTimeInProportion) {
 INSTANTIATE_TEST_SUITE_P(Shapes, DeepGraph, testing::ValuesIn(shapes),
                          [](const auto& row) { return std::string(row.param.name); });
 
-}  // namespace balcony::expr
+}  // namespace balcony::expr::deep_graph_test

@@ -13,7 +13,7 @@
 
 #include "random_formula.hpp"
 
-namespace balcony::expr {
+namespace balcony::expr::derivative_test {
 
 namespace {
 
@@ -168,4 +168,4 @@ TEST(Derive, SignedPowerOfExponentOneHasTheSlopeOneAtZero) {
     EXPECT_EQ(evaluate(std::span(&slope, 1), {})[0], 1.0);
 }
 
-}  // namespace balcony::expr
+}  // namespace balcony::expr::derivative_test

@@ -11,7 +11,7 @@
 
 #include "random_formula.hpp"
 
-namespace balcony::expr {
+namespace balcony::expr::graph_test {
 
 namespace {
 
@@ -253,4 +253,4 @@ TEST(Evaluate, GivesEveryRootAtThePoint) {
     EXPECT_TRUE(evaluate({}, {}).empty());
 }
 
-}  // namespace balcony::expr
+}  // namespace balcony::expr::graph_test

@@ -10,7 +10,7 @@
 
 #include "balcony/expr.hpp"
 
-namespace balcony::expr {
+namespace balcony::expr::inputs_test {
 
 namespace {
 
@@ -133,4 +133,4 @@ TEST(Rates, DecideWhatSimplificationKeepsTogether) {
     EXPECT_EQ(factors, (std::array{Rate::column, Rate::row}));
 }
 
-}  // namespace balcony::expr
+}  // namespace balcony::expr::inputs_test

@@ -8,7 +8,7 @@
 
 #include "balcony/expr.hpp"
 
-namespace balcony::expr {
+namespace balcony::expr::power_test {
 
 namespace {
 
@@ -89,4 +89,4 @@ TEST(SignedPower, IsOddAndOfThePowerOfTheSize) {
     }
 }
 
-}  // namespace balcony::expr
+}  // namespace balcony::expr::power_test

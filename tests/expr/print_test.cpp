@@ -13,7 +13,7 @@
 
 #include "random_formula.hpp"
 
-namespace balcony::expr {
+namespace balcony::expr::print_test {
 
 namespace {
 
@@ -209,4 +209,4 @@ TEST(Print, NamesWhatIsSharedFirst) {
     EXPECT_EQ(print(roots, names), "s1 = sin(x)\na = s1\nb = s1 * t\n");
 }
 
-}  // namespace balcony::expr
+}  // namespace balcony::expr::print_test

@@ -12,7 +12,7 @@
 
 #include "random_formula.hpp"
 
-namespace balcony::expr {
+namespace balcony::expr::simplify_fuzz_test {
 
 namespace {
 
@@ -128,4 +128,4 @@ TEST(SimplifyFuzz, RandomFormulasKeepTheirValuesAndAreFinished) {
     RecordProperty("left_out", static_cast<int>(all.left_out));
 }
 
-}  // namespace balcony::expr
+}  // namespace balcony::expr::simplify_fuzz_test

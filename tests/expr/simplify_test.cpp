@@ -10,7 +10,7 @@
 
 #include "balcony/expr.hpp"
 
-namespace balcony::expr {
+namespace balcony::expr::simplify_test {
 
 namespace {
 
@@ -135,4 +135,4 @@ TEST(Simplify, KeepsWhatSeveralRootsShare) {
 
 TEST(Simplify, GivesNothingForNothing) { EXPECT_TRUE(simplify({}).empty()); }
 
-}  // namespace balcony::expr
+}  // namespace balcony::expr::simplify_test

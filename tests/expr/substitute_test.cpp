@@ -8,7 +8,7 @@
 
 #include "random_formula.hpp"
 
-namespace balcony::expr {
+namespace balcony::expr::substitute_test {
 
 namespace {
 
@@ -80,4 +80,4 @@ TEST(Substitute, FoldsWhatBecomesConstant) {
         substitute(graph, std::span(&formula, 1), std::span(&zero, 1)).front().is_constant(1.0));
 }
 
-}  // namespace balcony::expr
+}  // namespace balcony::expr::substitute_test

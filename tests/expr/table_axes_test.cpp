@@ -12,7 +12,7 @@
 
 #include "balcony/expr.hpp"
 
-namespace balcony::expr {
+namespace balcony::expr::table_axes_test {
 
 namespace {
 
@@ -261,4 +261,4 @@ TEST(LookupOfSeveral, IsBroughtIntoAnotherGraphWithItsTable) {
     EXPECT_EQ(evaluate(there, {0.2, 0.0, -0.1, {}})[0], at(made.table, {0.2, 0.4, -0.1}));
 }
 
-}  // namespace balcony::expr
+}  // namespace balcony::expr::table_axes_test

@@ -10,7 +10,7 @@
 
 #include "balcony/expr.hpp"
 
-namespace balcony::expr {
+namespace balcony::expr::table_test {
 
 namespace {
 
@@ -97,4 +97,4 @@ TEST(Lookup, HasTheDerivativeTableTimesTheInnerSlope) {
     }
 }
 
-}  // namespace balcony::expr
+}  // namespace balcony::expr::table_test

@@ -11,7 +11,7 @@
 #include "lang/build/stages.hpp"
 #include "support.hpp"
 
-namespace balcony::lang {
+namespace balcony::lang::arguments_test {
 namespace {
 
 using camera::Arguments;
@@ -449,4 +449,4 @@ TEST(StageArguments, WordsBehindARuleAreItsChoices) {
 }
 
 }  // namespace
-}  // namespace balcony::lang
+}  // namespace balcony::lang::arguments_test

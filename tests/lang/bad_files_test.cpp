@@ -13,7 +13,7 @@
 
 #include "support.hpp"
 
-namespace balcony::lang {
+namespace balcony::lang::bad_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -174,4 +174,4 @@ TEST(GeneratedBadFile, PicturesOfStandardCamerasMayFollowAnyNumberOfErrors) {
 }
 
 }  // namespace
-}  // namespace balcony::lang
+}  // namespace balcony::lang::bad_files_test

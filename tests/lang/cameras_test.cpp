@@ -10,11 +10,11 @@
 
 #include "support.hpp"
 
-namespace balcony::lang {
+namespace balcony::lang::cameras_test {
 namespace {
 
+using std::numbers::pi;
 using test::Ray;
-constexpr double pi = std::numbers::pi;
 
 // Values of order one after some ten rounded operations.
 constexpr double tolerance = 1e-12;
@@ -236,4 +236,4 @@ TEST(Statements, PlaceGivesACameraAPart) {
 }
 
 }  // namespace
-}  // namespace balcony::lang
+}  // namespace balcony::lang::cameras_test

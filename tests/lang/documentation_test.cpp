@@ -7,7 +7,7 @@
 
 #include "support.hpp"
 
-namespace balcony::lang {
+namespace balcony::lang::documentation_test {
 namespace {
 
 // How many snippets a page has; each is tried.
@@ -61,4 +61,4 @@ TEST(Documentation, ListingsOfCppAreTheExamples) {
 }
 
 }  // namespace
-}  // namespace balcony::lang
+}  // namespace balcony::lang::documentation_test

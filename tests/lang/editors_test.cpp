@@ -11,7 +11,7 @@
 #include "lang/syntax/statement_rows.hpp"
 #include "support.hpp"
 
-namespace balcony::lang {
+namespace balcony::lang::editors_test {
 
 namespace {
 
@@ -39,4 +39,4 @@ INSTANTIATE_TEST_SUITE_P(All, Editor,
                              return std::string(file.param).starts_with("vim") ? "Vim" : "VsCode";
                          });
 
-}  // namespace balcony::lang
+}  // namespace balcony::lang::editors_test

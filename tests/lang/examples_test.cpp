@@ -11,7 +11,7 @@
 #include "balcony/catalogue.hpp"
 #include "support.hpp"
 
-namespace balcony::lang {
+namespace balcony::lang::examples_test {
 namespace {
 
 using camera::StageEntry;
@@ -109,4 +109,4 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, EveryExample, testing::ValuesIn(rows_with_a_
                          test_name);
 
 }  // namespace
-}  // namespace balcony::lang
+}  // namespace balcony::lang::examples_test

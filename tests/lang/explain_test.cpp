@@ -6,7 +6,7 @@
 #include "balcony/catalogue.hpp"
 #include "support.hpp"
 
-namespace balcony::lang {
+namespace balcony::lang::explain_test {
 
 namespace {
 
@@ -144,4 +144,4 @@ TEST(Explain, KnowsEveryStandardCamera) {
     }
 }
 
-}  // namespace balcony::lang
+}  // namespace balcony::lang::explain_test

@@ -10,10 +10,10 @@
 
 #include "support.hpp"
 
-namespace balcony::lang {
+namespace balcony::lang::expression_test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Case {
     const char* expression;
@@ -124,4 +124,4 @@ TEST(Expression, AValueErrorPointsAtTheCause) {
 }
 
 }  // namespace
-}  // namespace balcony::lang
+}  // namespace balcony::lang::expression_test

@@ -8,7 +8,7 @@
 #include "lang/syntax/lexer.hpp"
 #include "support.hpp"
 
-namespace balcony::lang {
+namespace balcony::lang::format_test {
 
 namespace {
 
@@ -283,4 +283,4 @@ INSTANTIATE_TEST_SUITE_P(All, FormatsFile, testing::ValuesIn(camera_files()), []
     return name;
 });
 
-}  // namespace balcony::lang
+}  // namespace balcony::lang::format_test

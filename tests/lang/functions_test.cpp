@@ -11,7 +11,7 @@
 
 #include "support.hpp"
 
-namespace balcony::lang {
+namespace balcony::lang::functions_test {
 
 namespace {
 
@@ -191,4 +191,4 @@ TEST(Elements, AreCountedFromZero) {
               "'w' is a number, which has no elements");
 }
 
-}  // namespace balcony::lang
+}  // namespace balcony::lang::functions_test

@@ -7,7 +7,7 @@
 
 #include "support.hpp"
 
-namespace balcony::lang {
+namespace balcony::lang::layers_test {
 
 namespace {
 
@@ -204,4 +204,4 @@ TEST(Places, ContradictNothing) {
               "this region has no area");
 }
 
-}  // namespace balcony::lang
+}  // namespace balcony::lang::layers_test

@@ -8,7 +8,7 @@
 
 #include "support.hpp"
 
-namespace balcony::lang {
+namespace balcony::lang::load_test {
 namespace {
 
 const std::string plain = "{ map u = 0 .. 1, v = square eye sphere(r) }\n";
@@ -190,4 +190,4 @@ TEST(Limits, ACameraThatIsTooLargeIsReported) {
         << to_text(made.diagnostics);
 }
 
-}  // namespace balcony::lang
+}  // namespace balcony::lang::load_test

@@ -9,7 +9,7 @@
 
 #include "support.hpp"
 
-namespace balcony::lang {
+namespace balcony::lang::mistakes_test {
 
 namespace {
 
@@ -142,4 +142,4 @@ TEST(Mistakes, AreNoneInASizeWithoutSpaces) {
     EXPECT_EQ((*made->parts().size)[1], 600U);
 }
 
-}  // namespace balcony::lang
+}  // namespace balcony::lang::mistakes_test

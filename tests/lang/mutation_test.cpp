@@ -14,7 +14,7 @@
 #include "../laws/ray_laws.hpp"
 #include "support.hpp"
 
-namespace balcony::lang {
+namespace balcony::lang::mutation_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -218,4 +218,4 @@ TEST(Mutation, ThereIsACameraOrAnError) {
 }
 
 }  // namespace
-}  // namespace balcony::lang
+}  // namespace balcony::lang::mutation_test

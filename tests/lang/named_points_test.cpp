@@ -7,7 +7,7 @@
 
 #include "support.hpp"
 
-namespace balcony::lang {
+namespace balcony::lang::named_points_test {
 namespace {
 
 constexpr const char* written =
@@ -140,4 +140,4 @@ TEST(NamedPoints, CauseAWarningIfUnused) {
     EXPECT_EQ(camera.diagnostics[1].message, "the let 'path' is unused");
 }
 
-}  // namespace balcony::lang
+}  // namespace balcony::lang::named_points_test

@@ -9,7 +9,7 @@
 
 #include "support.hpp"
 
-namespace balcony::lang {
+namespace balcony::lang::pictures_test {
 
 namespace {
 
@@ -178,4 +178,4 @@ TEST(Pictures, AreBounded) {
         << wide.diagnostics[0].message;
 }
 
-}  // namespace balcony::lang
+}  // namespace balcony::lang::pictures_test

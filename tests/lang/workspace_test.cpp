@@ -9,7 +9,7 @@
 
 #include "support.hpp"
 
-namespace balcony::lang {
+namespace balcony::lang::workspace_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -191,4 +191,4 @@ TEST(Workspace, ChecksStagesOfAProgramAsItsOwn) {
 }
 
 }  // namespace
-}  // namespace balcony::lang
+}  // namespace balcony::lang::workspace_test

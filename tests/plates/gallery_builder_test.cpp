@@ -14,7 +14,7 @@
 
 #include "../scene/glb_file.hpp"
 
-namespace balcony::plates {
+namespace balcony::plates::gallery_builder_test {
 
 namespace {
 
@@ -308,4 +308,4 @@ TEST(BuildGallery, ExitCodeTellsTheKindOfError) {
 
 }  // namespace
 
-}  // namespace balcony::plates
+}  // namespace balcony::plates::gallery_builder_test

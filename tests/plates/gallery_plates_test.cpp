@@ -14,7 +14,7 @@
 #include "gallery/gallery.hpp"
 #include "measure.hpp"
 
-namespace balcony::plates {
+namespace balcony::plates::gallery_plates_test {
 namespace {
 
 constexpr double painting_scale = 0.02;  // what hangs in the frames does not matter here
@@ -139,4 +139,4 @@ TEST(Plate2, APictureMovedOutOfSightIsMissed) {
 }
 
 }  // namespace
-}  // namespace balcony::plates
+}  // namespace balcony::plates::gallery_plates_test

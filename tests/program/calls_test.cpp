@@ -12,7 +12,7 @@
 #include "program/tape.hpp"
 #include "support.hpp"
 
-namespace balcony::program {
+namespace balcony::program::calls_test {
 
 namespace {
 
@@ -246,4 +246,4 @@ TEST(Native, IsCalledOnceForAllOfItsResults) {
     EXPECT_EQ(function->calls, tile.height) << "once a row";
 }
 
-}  // namespace balcony::program
+}  // namespace balcony::program::calls_test

@@ -11,7 +11,7 @@
 
 #include "support.hpp"
 
-namespace balcony::program {
+namespace balcony::program::inputs_test {
 
 namespace {
 
@@ -191,4 +191,4 @@ TEST(Inputs, AFreeVariableIsNone) {
               "a formula with a free variable cannot be compiled");
 }
 
-}  // namespace balcony::program
+}  // namespace balcony::program::inputs_test

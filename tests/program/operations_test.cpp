@@ -14,7 +14,7 @@
 #include "program/tape.hpp"
 #include "support.hpp"
 
-namespace balcony::program {
+namespace balcony::program::operations_test {
 
 namespace {
 
@@ -24,7 +24,7 @@ using expr::Operation;
 using Arguments = std::array<double, 3>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Values at which an operation changes its ways: signs of zero, the ends of the range, poles,
 // halves, the ends of the domains and their neighbours.
@@ -237,4 +237,4 @@ TEST_P(Lookup, EqualsTheTableInsideOutsideAndAtNan) {
 
 INSTANTIATE_TEST_SUITE_P(Sets, Lookup, testing::Range<std::size_t>(0, set_count()));
 
-}  // namespace balcony::program
+}  // namespace balcony::program::operations_test

@@ -12,7 +12,7 @@
 #include "random_expressions.hpp"
 #include "support.hpp"
 
-namespace balcony::program {
+namespace balcony::program::points_test {
 
 namespace {
 
@@ -134,4 +134,4 @@ TEST(PointPrograms, NodesThatDependOnThePointRunOncePerPoint) {
     EXPECT_EQ(program.instruction_count(Rate::pixel), 3U);
 }
 
-}  // namespace balcony::program
+}  // namespace balcony::program::points_test

@@ -9,7 +9,7 @@
 
 #include "program/tape.hpp"
 
-namespace balcony::program {
+namespace balcony::program::rates_test {
 
 using expr::Expr;
 using expr::Graph;
@@ -72,4 +72,4 @@ TEST(Rates, ARootOfNothingIsAllowed) {
     run_reference(program, {.width = 3, .height = 3}, {});
 }
 
-}  // namespace balcony::program
+}  // namespace balcony::program::rates_test

@@ -12,7 +12,7 @@
 #include "random_expressions.hpp"
 #include "support.hpp"
 
-namespace balcony::program {
+namespace balcony::program::tiles_test {
 
 namespace {
 
@@ -297,4 +297,4 @@ TEST(FusedInstructionSets, MakeTheSameBits) {
     }
 }
 
-}  // namespace balcony::program
+}  // namespace balcony::program::tiles_test

@@ -17,10 +17,10 @@
 
 #include "balcony/lang.hpp"
 
-namespace balcony::rays {
+namespace balcony::rays::lens_test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double width = 160.0;
 constexpr double height = 90.0;
 // Some dozen roundings of numbers of the size of the scene, which is 10 units.
@@ -464,4 +464,4 @@ TEST(RayTime, KeepsTheRateOfItsPoint) {
     }
 }
 
-}  // namespace balcony::rays
+}  // namespace balcony::rays::lens_test

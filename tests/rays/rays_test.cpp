@@ -18,7 +18,7 @@
 
 #include "balcony/lang.hpp"
 
-namespace balcony::rays {
+namespace balcony::rays::rays_test {
 namespace {
 
 camera::Picture picture_of(const std::string& text) {
@@ -323,4 +323,4 @@ TEST(Limits, TheLargestCameraHasFootprintsOrADiagnostic) {
 }
 
 }  // namespace
-}  // namespace balcony::rays
+}  // namespace balcony::rays::rays_test

@@ -12,7 +12,7 @@
 
 #include "support.hpp"
 
-namespace balcony::render::test {
+namespace balcony::render::test::adaptive_test {
 namespace {
 
 constexpr std::size_t width = 128;
@@ -159,4 +159,4 @@ TEST(Adaptive, ALevelThatIsNoNumberIsRefused) {
 }
 
 }  // namespace
-}  // namespace balcony::render::test
+}  // namespace balcony::render::test::adaptive_test

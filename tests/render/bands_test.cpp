@@ -13,7 +13,7 @@
 
 #include "support.hpp"
 
-namespace balcony::render::test {
+namespace balcony::render::test::bands_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -106,4 +106,4 @@ TEST_F(Bands, WhatCannotBeIsRefused) {
 }
 
 }  // namespace
-}  // namespace balcony::render::test
+}  // namespace balcony::render::test::bands_test

@@ -10,7 +10,7 @@
 
 #include "bsdf_support.hpp"
 
-namespace balcony::render::test {
+namespace balcony::render::test::bsdf_energy_test {
 namespace {
 
 constexpr float roughnesses[] = {0.0F, 0.02F, 0.032F, 0.05F, 0.08F, 0.1F, 0.15F, 0.2F, 0.3F,
@@ -127,4 +127,4 @@ TEST(BsdfEnergy, NoMaterialGivesOffMoreThanItReceives) {
 }
 
 }  // namespace
-}  // namespace balcony::render::test
+}  // namespace balcony::render::test::bsdf_energy_test

@@ -13,10 +13,10 @@
 #include "bsdf_support.hpp"
 #include "statistics.hpp"
 
-namespace balcony::render::test {
+namespace balcony::render::test::bsdf_sampling_test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct SphereCells {
     static constexpr std::size_t rows = 24;
@@ -118,4 +118,4 @@ TEST(BsdfSampling, WeightsAreTheReflectedLightOverTheDensity) {
 }
 
 }  // namespace
-}  // namespace balcony::render::test
+}  // namespace balcony::render::test::bsdf_sampling_test

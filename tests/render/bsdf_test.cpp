@@ -10,7 +10,7 @@
 
 #include "bsdf_support.hpp"
 
-namespace balcony::render::test {
+namespace balcony::render::test::bsdf_test {
 namespace {
 
 TEST(Bsdf, ReflectionIsReciprocal) {
@@ -196,4 +196,4 @@ TEST(Bsdf, BlackSurfacesGiveOffNothing) {
 }
 
 }  // namespace
-}  // namespace balcony::render::test
+}  // namespace balcony::render::test::bsdf_test

@@ -13,7 +13,7 @@
 
 #include "support.hpp"
 
-namespace balcony::render::test {
+namespace balcony::render::test::checker_floor_test {
 namespace {
 
 constexpr std::size_t width = 96;
@@ -130,4 +130,4 @@ TEST(CheckerFloor, IsFilteredWhereItShrinksAndSharpWhereItSwells) {
 }
 
 }  // namespace
-}  // namespace balcony::render::test
+}  // namespace balcony::render::test::checker_floor_test

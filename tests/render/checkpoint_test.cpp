@@ -15,7 +15,7 @@
 #include "render/film/film_arrays.hpp"
 #include "support.hpp"
 
-namespace balcony::render::test {
+namespace balcony::render::test::checkpoint_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -157,4 +157,4 @@ TEST_F(Checkpoint, APlaceThatCannotBeWrittenIsAnError) {
 }
 
 }  // namespace
-}  // namespace balcony::render::test
+}  // namespace balcony::render::test::checkpoint_test

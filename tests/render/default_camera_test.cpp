@@ -10,7 +10,7 @@
 #include "balcony/probe.hpp"
 #include "support.hpp"
 
-namespace balcony::render::test {
+namespace balcony::render::test::default_camera_test {
 namespace {
 
 /// A box that faces outwards.
@@ -141,4 +141,4 @@ TEST(DefaultCamera, StandsInAnEmptyRoomOnlyIfItIsMeantToBeSeenFromInside) {
 TEST(DefaultCamera, RefusesWhatHasNoSize) { EXPECT_FALSE(default_camera(scene::Scene{})); }
 
 }  // namespace
-}  // namespace balcony::render::test
+}  // namespace balcony::render::test::default_camera_test

@@ -13,7 +13,7 @@
 
 #include "support.hpp"
 
-namespace balcony::render::test {
+namespace balcony::render::test::denoise_test {
 namespace {
 
 constexpr std::size_t width = 96;
@@ -266,4 +266,4 @@ TEST(DenoiseLibrary, AFileWithOtherFunctionsIsNone) {
 }
 
 }  // namespace
-}  // namespace balcony::render::test
+}  // namespace balcony::render::test::denoise_test

@@ -9,7 +9,7 @@ using Imath::V3f;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 }  // namespace
 

@@ -17,7 +17,7 @@
 #include "render/shading/lights.hpp"
 #include "support.hpp"
 
-namespace balcony::render::test {
+namespace balcony::render::test::environment_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -231,4 +231,4 @@ TEST(DefaultLight, MakesAPictureOfMediumBrightness) {
 }
 
 }  // namespace
-}  // namespace balcony::render::test
+}  // namespace balcony::render::test::environment_test

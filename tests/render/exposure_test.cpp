@@ -8,7 +8,7 @@
 
 #include "balcony/film.hpp"
 
-namespace balcony::render {
+namespace balcony::render::exposure_test {
 namespace {
 
 // A film of grey pixels with two samples each, from dark to bright about a median, and a
@@ -178,4 +178,4 @@ TEST(ViewTransform, TakesAnyNumber) {
 }
 
 }  // namespace
-}  // namespace balcony::render
+}  // namespace balcony::render::exposure_test

@@ -15,7 +15,7 @@
 #include "render/integrators/integrator.hpp"
 #include "support.hpp"
 
-namespace balcony::render::test {
+namespace balcony::render::test::film_test {
 namespace {
 
 using camera::Emitter;
@@ -291,4 +291,4 @@ TEST(Film, IntegratorsAreListedAndFoundByName) {
 }
 
 }  // namespace
-}  // namespace balcony::render::test
+}  // namespace balcony::render::test::film_test

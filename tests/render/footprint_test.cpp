@@ -13,7 +13,7 @@
 #include "render/shading/footprint.hpp"
 #include "support.hpp"
 
-namespace balcony::render {
+namespace balcony::render::footprint_test {
 
 namespace {
 
@@ -220,4 +220,4 @@ TEST(Footprint, IsSharpWhereADerivativeIsNotFinite) {
     EXPECT_NE(d.origin_y, V3f(0.0F));
 }
 
-}  // namespace balcony::render
+}  // namespace balcony::render::footprint_test

@@ -9,7 +9,7 @@
 
 #include "support.hpp"
 
-namespace balcony::render::test {
+namespace balcony::render::test::geometry_test {
 namespace {
 
 // A float's relative rounding, times the handful of roundings between a vertex and a hit.
@@ -174,4 +174,4 @@ TEST(Geometry, PreviewShadesByTheCosineToTheRay) {
 }
 
 }  // namespace
-}  // namespace balcony::render::test
+}  // namespace balcony::render::test::geometry_test

@@ -16,7 +16,7 @@
 #include "render/film/tile_image.hpp"
 #include "support.hpp"
 
-namespace balcony::render::test {
+namespace balcony::render::test::job_test {
 namespace {
 
 constexpr std::size_t width = 150;
@@ -296,4 +296,4 @@ TEST(FilmPrecision, ManySamplesKeepTheirMeanAndVariance) {
 }
 
 }  // namespace
-}  // namespace balcony::render::test
+}  // namespace balcony::render::test::job_test

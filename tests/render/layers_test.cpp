@@ -20,7 +20,7 @@
 #include "render/film/layer_rows.hpp"
 #include "support.hpp"
 
-namespace balcony::render::test {
+namespace balcony::render::test::layers_test {
 namespace {
 
 LayerSet all_layers() { return *find_layers("all"); }
@@ -337,4 +337,4 @@ TEST(Cryptomatte, LayersOfAPictureShareAPixel) {
 }
 
 }  // namespace
-}  // namespace balcony::render::test
+}  // namespace balcony::render::test::layers_test

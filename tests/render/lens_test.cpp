@@ -11,7 +11,7 @@
 #include "balcony/make_stage.hpp"
 #include "support.hpp"
 
-namespace balcony::render::test {
+namespace balcony::render::test::lens_test {
 namespace {
 
 constexpr std::size_t size = 65;
@@ -150,4 +150,4 @@ TEST(LensPicture, OfAnUnknownObjectIsAnError) {
         << to_text(job.diagnostics);
 }
 
-}  // namespace balcony::render::test
+}  // namespace balcony::render::test::lens_test

@@ -16,10 +16,10 @@
 #include "render/shading/lights.hpp"
 #include "support.hpp"
 
-namespace balcony::render::test {
+namespace balcony::render::test::light_sampling_test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // ------------------------------------------------------------------------------- sets of lights
 
@@ -341,4 +341,4 @@ TEST(LightSampling, BadEmittersGiveNoLight) {
 }
 
 }  // namespace
-}  // namespace balcony::render::test
+}  // namespace balcony::render::test::light_sampling_test

@@ -13,7 +13,7 @@
 #include "render/shading/lights.hpp"
 #include "support.hpp"
 
-namespace balcony::render::test {
+namespace balcony::render::test::light_set_test {
 namespace {
 
 constexpr LitPoint point{{1.0F, 2.0F, 3.0F}, {0.0F, 0.0F, 1.0F}};
@@ -121,4 +121,4 @@ TEST(LightSet, ASquareGivesItsIrradiance) {
 }
 
 }  // namespace
-}  // namespace balcony::render::test
+}  // namespace balcony::render::test::light_set_test

@@ -18,12 +18,12 @@
 #include "render/lights/triangle_sampling.hpp"
 #include "statistics.hpp"
 
-namespace balcony::render::test {
+namespace balcony::render::test::light_shapes_test {
 namespace {
 
 using Imath::V2f;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // -------------------------------------------------------------------------------- triangles
 
@@ -242,4 +242,4 @@ TEST(Sun, PassesChiSquare) {
 }
 
 }  // namespace
-}  // namespace balcony::render::test
+}  // namespace balcony::render::test::light_shapes_test

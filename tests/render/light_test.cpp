@@ -11,7 +11,7 @@
 #include "render/shading/bsdf.hpp"
 #include "support.hpp"
 
-namespace balcony::render::test {
+namespace balcony::render::test::light_test {
 namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
@@ -304,4 +304,4 @@ TEST(Light, MirrorsFacingEachOtherEnd) {
 }
 
 }  // namespace
-}  // namespace balcony::render::test
+}  // namespace balcony::render::test::light_test

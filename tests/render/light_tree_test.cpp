@@ -14,7 +14,7 @@
 #include "render/lights/light_tree.hpp"
 #include "statistics.hpp"
 
-namespace balcony::render::test {
+namespace balcony::render::test::light_tree_test {
 namespace {
 
 using Imath::V3f;
@@ -192,4 +192,4 @@ TEST(LightBounds, ContainTheDirectionsOfAll) {
 }
 
 }  // namespace
-}  // namespace balcony::render::test
+}  // namespace balcony::render::test::light_tree_test

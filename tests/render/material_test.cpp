@@ -11,7 +11,7 @@
 #include "render/shading/surface.hpp"
 #include "support.hpp"
 
-namespace balcony::render {
+namespace balcony::render::material_test {
 
 namespace {
 
@@ -219,4 +219,4 @@ TEST(Materials, RaysEnterAtTheOuterSide) {
     }
 }
 
-}  // namespace balcony::render
+}  // namespace balcony::render::material_test

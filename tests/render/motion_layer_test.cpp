@@ -15,7 +15,7 @@
 #include "balcony/motion.hpp"
 #include "support.hpp"
 
-namespace balcony::render::test {
+namespace balcony::render::test::motion_layer_test {
 
 namespace {
 
@@ -46,7 +46,7 @@ struct Panorama {
         return {cos(latitude) * sin(longitude), sin(latitude), -cos(latitude) * cos(longitude)};
     }
     static std::optional<V2d> place_of(const V3d& p) {
-        constexpr double pi = std::numbers::pi;
+        using std::numbers::pi;
         return V2d(0.5 * side * (1.0 + std::atan2(p.x, -p.z) / pi),
                    0.5 * side * (1.0 - 2.0 * std::asin(p.y / p.length()) / pi));
     }
@@ -275,4 +275,4 @@ TEST(MotionLayer, FramesHaveADuration) {
     }
 }
 
-}  // namespace balcony::render::test
+}  // namespace balcony::render::test::motion_layer_test

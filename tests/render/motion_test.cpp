@@ -16,11 +16,11 @@
 #include "render/shading/lights.hpp"
 #include "support.hpp"
 
-namespace balcony::render::test {
+namespace balcony::render::test::motion_test {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // A Fibonacci number of passes: the moments of the passes are then nearly equal steps. Any part of
 // the exposure has the right number of them but for less than two.
@@ -347,4 +347,4 @@ TEST(Shutter, ShapesGiveMomentsAsOftenAsTheyCount) {
     EXPECT_EQ(Shutter{}.moment(0.1, 0.9), 0.1);
 }
 
-}  // namespace balcony::render::test
+}  // namespace balcony::render::test::motion_test

@@ -13,7 +13,7 @@
 #include "balcony/probe.hpp"
 #include "support.hpp"
 
-namespace balcony::render {
+namespace balcony::render::obstacles_test {
 namespace {
 
 using test::add;
@@ -207,4 +207,4 @@ TEST(Obstacles, NonFiniteLinesAreNotHidden) {
     EXPECT_TRUE(found[3] && found[4]);
 }
 
-}  // namespace balcony::render
+}  // namespace balcony::render::obstacles_test

@@ -12,7 +12,7 @@
 #include "balcony/render.hpp"
 #include "render/sampling/pass_offset.hpp"
 
-namespace balcony::render::test {
+namespace balcony::render::test::pass_offset_test {
 namespace {
 
 // The densities as textbooks give them, up to a factor.
@@ -100,4 +100,4 @@ TEST(PassOffset, OffsetsAreMultiplesOfASmallPower) {
 }
 
 }  // namespace
-}  // namespace balcony::render::test
+}  // namespace balcony::render::test::pass_offset_test

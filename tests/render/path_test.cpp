@@ -9,7 +9,7 @@
 
 #include "support.hpp"
 
-namespace balcony::render::test {
+namespace balcony::render::test::path_test {
 namespace {
 
 scene::Material glowing(float radiance) {
@@ -209,4 +209,4 @@ TEST(Path, ClampedIndirectLightIsDarkerAndDirectLightIsNot) {
 }
 
 }  // namespace
-}  // namespace balcony::render::test
+}  // namespace balcony::render::test::path_test

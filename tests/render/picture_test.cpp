@@ -12,7 +12,7 @@
 #include "render/film/blend.hpp"
 #include "support.hpp"
 
-namespace balcony::render {
+namespace balcony::render::picture_test {
 
 namespace {
 
@@ -383,4 +383,4 @@ TEST(Blend, TransparentSourcesChangeNothing) {
     }
 }
 
-}  // namespace balcony::render
+}  // namespace balcony::render::picture_test

@@ -9,7 +9,7 @@
 
 #include "support.hpp"
 
-namespace balcony::render {
+namespace balcony::render::probe_test {
 namespace {
 
 using namespace test;
@@ -159,4 +159,4 @@ TEST(Probe, OnlyClosedOutwardFacingObjectsHaveAnInside) {
 }
 
 }  // namespace
-}  // namespace balcony::render
+}  // namespace balcony::render::probe_test

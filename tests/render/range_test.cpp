@@ -12,7 +12,7 @@
 #include "render/embree/accelerator.hpp"
 #include "support.hpp"
 
-namespace balcony::render::test {
+namespace balcony::render::test::range_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -230,4 +230,4 @@ TEST(Range, ProbesNameWhatIsLeftOut) {
 }
 
 }  // namespace
-}  // namespace balcony::render::test
+}  // namespace balcony::render::test::range_test

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace balcony::render {
+namespace balcony::render::ray_order_test {
 namespace {
 
 using Imath::V3f;
@@ -83,4 +83,4 @@ TEST(RayOrder, TakesNumbersThatAreNotFinite) {
 }
 
 }  // namespace
-}  // namespace balcony::render
+}  // namespace balcony::render::ray_order_test

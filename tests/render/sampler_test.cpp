@@ -16,7 +16,7 @@
 #include "render/sampling/sampler.hpp"
 #include "statistics.hpp"
 
-namespace balcony::render::test {
+namespace balcony::render::test::sampler_test {
 namespace {
 
 constexpr std::size_t dimensions = 8;
@@ -254,4 +254,4 @@ TEST(Sampler, ConvergesFasterThanChance) {
 }
 
 }  // namespace
-}  // namespace balcony::render::test
+}  // namespace balcony::render::test::sampler_test

@@ -11,7 +11,7 @@
 
 #include "support.hpp"
 
-namespace balcony::render::test {
+namespace balcony::render::test::terminator_test {
 namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
@@ -82,4 +82,4 @@ TEST(Terminator, IsRightInsideASphereToo) {
 }
 
 }  // namespace
-}  // namespace balcony::render::test
+}  // namespace balcony::render::test::terminator_test

@@ -15,7 +15,7 @@
 
 #include "support.hpp"
 
-namespace balcony::render::test {
+namespace balcony::render::test::texture_library_test {
 namespace {
 
 using Imath::Color4f;
@@ -307,4 +307,4 @@ TEST(TextureLibrary, ValuesThatAreNotFiniteAreZeroWithAWarning) {
 }
 
 }  // namespace
-}  // namespace balcony::render::test
+}  // namespace balcony::render::test::texture_library_test

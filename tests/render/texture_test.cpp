@@ -12,7 +12,7 @@
 
 #include "support.hpp"
 
-namespace balcony::render::test {
+namespace balcony::render::test::texture_test {
 namespace {
 
 using Pixel = std::vector<std::uint8_t>;
@@ -220,4 +220,4 @@ TEST(Texture, PixelsThatCannotBeReadAreAWarningOnce) {
 }
 
 }  // namespace
-}  // namespace balcony::render::test
+}  // namespace balcony::render::test::texture_test

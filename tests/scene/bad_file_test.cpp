@@ -6,7 +6,7 @@
 #include "../laws/scene_laws.hpp"
 #include "scene_files.hpp"
 
-namespace balcony::scene::testing {
+namespace balcony::scene::testing::bad_file_test {
 
 namespace {
 
@@ -307,4 +307,4 @@ TEST_F(BadFiles, NamesAreFitToPrint) {
     EXPECT_TRUE(says(scene, "node '?[31m' is skipped"));
 }
 
-}  // namespace balcony::scene::testing
+}  // namespace balcony::scene::testing::bad_file_test

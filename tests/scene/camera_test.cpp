@@ -6,7 +6,7 @@
 
 #include "scene_files.hpp"
 
-namespace balcony::scene::testing {
+namespace balcony::scene::testing::camera_test {
 
 namespace {
 
@@ -105,4 +105,4 @@ TEST_F(Cameras, ThatAreBrokenAreSkippedByName) {
     EXPECT_TRUE(says(load_glb(missing), "camera 'Bad' is skipped"));
 }
 
-}  // namespace balcony::scene::testing
+}  // namespace balcony::scene::testing::camera_test

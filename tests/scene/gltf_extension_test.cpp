@@ -7,7 +7,7 @@
 
 #include "scene_files.hpp"
 
-namespace balcony::scene::testing {
+namespace balcony::scene::testing::gltf_extension_test {
 
 namespace {
 
@@ -227,4 +227,4 @@ TEST_F(GltfExtensions, AMaterialSurvivesWriting) {
     EXPECT_EQ(before.unlit, after.unlit);
 }
 
-}  // namespace balcony::scene::testing
+}  // namespace balcony::scene::testing::gltf_extension_test

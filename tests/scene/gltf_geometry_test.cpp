@@ -7,7 +7,7 @@
 
 #include "scene_files.hpp"
 
-namespace balcony::scene::testing {
+namespace balcony::scene::testing::gltf_geometry_test {
 
 namespace {
 
@@ -276,4 +276,4 @@ TEST_F(GltfGeometry, BuffersMayBeDataUris) {
     EXPECT_EQ(scene->meshes[0].positions, (std::vector<V3f>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
 }
 
-}  // namespace balcony::scene::testing
+}  // namespace balcony::scene::testing::gltf_geometry_test

@@ -3,7 +3,7 @@
 
 #include "scene_files.hpp"
 
-namespace balcony::scene::testing {
+namespace balcony::scene::testing::gltf_material_test {
 
 namespace {
 
@@ -218,4 +218,4 @@ TEST_F(GltfMaterials, ABadMaterialIsReplaced) {
     EXPECT_EQ(scene->materials[0].base_color, Color3f(1.0F));
 }
 
-}  // namespace balcony::scene::testing
+}  // namespace balcony::scene::testing::gltf_material_test

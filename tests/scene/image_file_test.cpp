@@ -13,7 +13,7 @@
 
 #include "scene_files.hpp"
 
-namespace balcony::scene::testing {
+namespace balcony::scene::testing::image_file_test {
 
 namespace {
 
@@ -273,4 +273,4 @@ TEST_F(Images, ChangedBytesDoNoHarm) {
     }
 }
 
-}  // namespace balcony::scene::testing
+}  // namespace balcony::scene::testing::image_file_test

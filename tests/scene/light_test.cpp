@@ -6,7 +6,7 @@
 
 #include "scene_files.hpp"
 
-namespace balcony::scene::testing {
+namespace balcony::scene::testing::light_test {
 
 namespace {
 
@@ -90,4 +90,4 @@ TEST_F(Lights, BadLightsAreLeftOut) {
     EXPECT_TRUE(says(negative, "light 'lamp' is skipped: its 'intensity' is not in the range 0"));
 }
 
-}  // namespace balcony::scene::testing
+}  // namespace balcony::scene::testing::light_test

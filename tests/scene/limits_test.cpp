@@ -5,7 +5,7 @@
 
 #include "scene_files.hpp"
 
-namespace balcony::scene::testing {
+namespace balcony::scene::testing::limits_test {
 
 namespace {
 
@@ -265,4 +265,4 @@ TEST_F(Limits, BoundsOfTooManyVerticesAreThoseOfBoxes) {
     EXPECT_EQ(scene.bounds().max, V3f(V3d(right.x, end.y, 1.0)));
 }
 
-}  // namespace balcony::scene::testing
+}  // namespace balcony::scene::testing::limits_test

@@ -10,13 +10,13 @@
 #include "balcony/motion.hpp"
 #include "scene_files.hpp"
 
-namespace balcony::scene::testing {
+namespace balcony::scene::testing::motion_test {
 
 namespace {
 
 using Motions = SceneFiles;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 // Times and values of files are floats, of the order of 1.
 constexpr double float_rounding = 4e-7;
 
@@ -445,4 +445,4 @@ TEST_F(Motions, BadDeformationsAreNamed) {
     }
 }
 
-}  // namespace balcony::scene::testing
+}  // namespace balcony::scene::testing::motion_test

@@ -13,7 +13,7 @@
 #include "../laws/scene_laws.hpp"
 #include "scene_files.hpp"
 
-namespace balcony::scene::testing {
+namespace balcony::scene::testing::mutation_test {
 
 namespace {
 
@@ -170,4 +170,4 @@ TEST_F(MeshMutations, OfObjNeverCrash) {
     try_mutations("scene.obj", whole);
 }
 
-}  // namespace balcony::scene::testing
+}  // namespace balcony::scene::testing::mutation_test

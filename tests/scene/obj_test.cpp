@@ -6,7 +6,7 @@
 
 #include "scene_files.hpp"
 
-namespace balcony::scene::testing {
+namespace balcony::scene::testing::obj_test {
 
 namespace {
 
@@ -368,4 +368,4 @@ TEST_F(Obj, BytesNeedNoFile) {
     EXPECT_FALSE(load("square.glb", bytes));
 }
 
-}  // namespace balcony::scene::testing
+}  // namespace balcony::scene::testing::obj_test

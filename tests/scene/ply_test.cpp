@@ -6,7 +6,7 @@
 
 #include "scene_files.hpp"
 
-namespace balcony::scene::testing {
+namespace balcony::scene::testing::ply_test {
 
 namespace {
 
@@ -159,4 +159,4 @@ TEST_F(Ply, AHeaderThatIsNotUnderstoodIsAnError) {
                     "no triangles"));
 }
 
-}  // namespace balcony::scene::testing
+}  // namespace balcony::scene::testing::ply_test

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace balcony::scene::testing {
+namespace balcony::scene::testing::polygon_test {
 
 namespace {
 
@@ -123,4 +123,4 @@ TEST(Polygons, WithoutAShapeGiveTriangles) {
     }
 }
 
-}  // namespace balcony::scene::testing
+}  // namespace balcony::scene::testing::polygon_test

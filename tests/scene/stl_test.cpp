@@ -6,7 +6,7 @@
 
 #include "scene_files.hpp"
 
-namespace balcony::scene::testing {
+namespace balcony::scene::testing::stl_test {
 
 namespace {
 
@@ -103,4 +103,4 @@ TEST_F(Stl, BrokenFilesKeepWhatCanBeUsed) {
     EXPECT_FALSE(load(write("a.stl", std::string(84, '\xff'))));
 }
 
-}  // namespace balcony::scene::testing
+}  // namespace balcony::scene::testing::stl_test

@@ -10,11 +10,11 @@
 
 #include "balcony/motion.hpp"
 
-namespace balcony::scene::testing {
+namespace balcony::scene::testing::track_test {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 // The values of tracks are floats, of the order of 1.
 constexpr double float_rounding = 4e-7;
 
@@ -93,4 +93,4 @@ TEST(Track, RotationsTakeTheShortWay) {
     EXPECT_NEAR(std::abs(2.0 * std::atan2(turn.v.z, turn.r)), pi / 4.0, float_rounding);
 }
 
-}  // namespace balcony::scene::testing
+}  // namespace balcony::scene::testing::track_test

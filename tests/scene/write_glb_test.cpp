@@ -12,7 +12,7 @@
 #include "balcony/scene.hpp"
 #include "glb_file.hpp"
 
-namespace balcony::scene::testing {
+namespace balcony::scene::testing::write_glb_test {
 
 namespace {
 
@@ -132,4 +132,4 @@ TEST(WriteGlb, KeepsColorsForOurOwnReader) {
 
 }  // namespace
 
-}  // namespace balcony::scene::testing
+}  // namespace balcony::scene::testing::write_glb_test

@@ -11,9 +11,9 @@ namespace balcony::plates {
 namespace {
 
 // Letters are signed distances (negative inside), in a cell whose middle is the origin.
-constexpr double half_height = 0.66;
-constexpr double half_width = 0.142;
-constexpr double stroke = 0.094;
+constexpr double letter_half_height = 0.66;
+constexpr double letter_half_width = 0.142;
+constexpr double letter_stroke = 0.094;
 constexpr double pitch = 0.334;
 
 double rectangle(const V2d& p, const V2d& low, const V2d& high) {
@@ -24,39 +24,39 @@ double rectangle(const V2d& p, const V2d& low, const V2d& high) {
 // The outline, one stroke wide, of a rectangle with round corners; low and high are its outside.
 double ring(const V2d& p, const V2d& low, const V2d& high) {
     constexpr double corner = 0.075;
-    const V2d in(stroke / 2.0 + corner, stroke / 2.0 + corner);
-    return std::abs(rectangle(p, low + in, high - in) - corner) - stroke / 2.0;
+    const V2d in(letter_stroke / 2.0 + corner, letter_stroke / 2.0 + corner);
+    return std::abs(rectangle(p, low + in, high - in) - corner) - letter_stroke / 2.0;
 }
 
 double segment(const V2d& p, const V2d& from, const V2d& to) {
     const V2d along = to - from;
     const double t = std::clamp((p - from).dot(along) / along.length2(), 0.0, 1.0);
-    return (p - from - along * t).length() - stroke / 2.0;
+    return (p - from - along * t).length() - letter_stroke / 2.0;
 }
 
-const V2d low(-half_width, -half_height);
-const V2d high(half_width, half_height);
+const V2d low(-letter_half_width, -letter_half_height);
+const V2d high(letter_half_width, letter_half_height);
 
 double stem(const V2d& p, double left) {
-    return rectangle(p, {left, low.y}, {left + stroke, high.y});
+    return rectangle(p, {left, low.y}, {left + letter_stroke, high.y});
 }
 
 double letter_b(const V2d& p) {
     constexpr double waist = 0.05;
     return std::min({stem(p, low.x),
-                     ring(p, {low.x, waist - stroke / 2.0}, {high.x - 0.012, high.y}),
-                     ring(p, low, {high.x, waist + stroke / 2.0}),
-                     rectangle(p, {low.x, high.y - stroke}, {0.0, high.y}),
-                     rectangle(p, low, {0.0, low.y + stroke})});
+                     ring(p, {low.x, waist - letter_stroke / 2.0}, {high.x - 0.012, high.y}),
+                     ring(p, low, {high.x, waist + letter_stroke / 2.0}),
+                     rectangle(p, {low.x, high.y - letter_stroke}, {0.0, high.y}),
+                     rectangle(p, low, {0.0, low.y + letter_stroke})});
 }
 
 double letter_a(const V2d& p) {
     const double arch = std::max(ring(p, low - V2d(0.0, 0.5), high), low.y - p.y);
-    return std::min(arch, rectangle(p, {low.x, -0.24}, {high.x, -0.24 + stroke}));
+    return std::min(arch, rectangle(p, {low.x, -0.24}, {high.x, -0.24 + letter_stroke}));
 }
 
 double letter_l(const V2d& p) {
-    return std::min(stem(p, low.x), rectangle(p, low, {high.x, low.y + stroke}));
+    return std::min(stem(p, low.x), rectangle(p, low, {high.x, low.y + letter_stroke}));
 }
 
 double letter_c(const V2d& p) {
@@ -67,16 +67,17 @@ double letter_o(const V2d& p) { return ring(p, low, high); }
 
 double letter_n(const V2d& p) {
     const double slant = segment(p, {low.x + 0.02, high.y + 0.06}, {high.x - 0.02, low.y - 0.06});
-    return std::min(
-        {stem(p, low.x), stem(p, high.x - stroke), std::max(slant, rectangle(p, low, high))});
+    return std::min({stem(p, low.x), stem(p, high.x - letter_stroke),
+                     std::max(slant, rectangle(p, low, high))});
 }
 
 double letter_y(const V2d& p) {
     const V2d fork(0.0, -0.08);
     const double arms = std::min(segment(p, {-0.098, high.y + 0.05}, fork),
                                  segment(p, {0.098, high.y + 0.05}, fork));
-    return std::min(std::max(arms, p.y - high.y), stem({p.x, std::max(p.y, -0.65)}, -stroke / 2.0) +
-                                                      (p.y > fork.y ? p.y - fork.y : 0.0));
+    return std::min(std::max(arms, p.y - high.y),
+                    stem({p.x, std::max(p.y, -0.65)}, -letter_stroke / 2.0) +
+                        (p.y > fork.y ? p.y - fork.y : 0.0));
 }
 
 double word(const V2d& p) {
@@ -88,7 +89,7 @@ double word(const V2d& p) {
     for (int n = std::max(nearest - 1, 0); n <= std::min(nearest + 1, 6); ++n) {
         minimum = std::min(minimum, letters[n]({p.x - (n - 3) * pitch, p.y}));
     }
-    return std::max(minimum, std::abs(p.y) - half_height);
+    return std::max(minimum, std::abs(p.y) - letter_half_height);
 }
 
 // The local zoom of the picture: what is seen at p stands at the returned point of the flat poster.

@@ -12,7 +12,7 @@ namespace balcony::plates {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 const double golden_angle = pi * (3.0 - std::sqrt(5.0));
 
 constexpr int seed_count = 900;

@@ -13,7 +13,7 @@ namespace balcony::plates {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // One turn about the middle is this vector of the tile lattice, so that the weave closes.
 constexpr int tiles_across = 9;

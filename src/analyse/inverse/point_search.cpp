@@ -12,9 +12,7 @@ namespace balcony::analyse {
 
 namespace {
 
-// How far from the centre of its patch an iteration may start and move, in half sizes: seams may
-// hide a strip of the neighbour from the neighbour's own centre.
-constexpr double reach = 1.25;
+// How far from the centre of its patch an iteration may move, in half sizes.
 constexpr double farthest = 1.6;
 constexpr double position_tolerance = 1e-7;  // pixels
 constexpr int max_evaluations = 40;
@@ -162,7 +160,7 @@ Sighting sighting_of(std::size_t point, const V2d& place, const Ray& ray,
 void add_starts(const RayPatch& patch, std::size_t number, const V3d& point,
                 std::vector<SearchStart>& starts) {
     const Approach approach(patch.ray, point);
-    const V2d maximum = reach * patch.half;
+    const V2d maximum = RayPatch::reach * patch.half;
     const V2d step = best_step(approach, -maximum, maximum).step;
     const double bend = patch.bend(approach.distance);
     // Twice, because bends are estimates and the range extends beyond the patch.

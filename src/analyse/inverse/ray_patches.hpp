@@ -13,6 +13,10 @@ namespace balcony::analyse {
 
 /// A rectangle of the picture with the ray at its centre.
 struct RayPatch {
+    /// Bounds and starting points extend a quarter of a patch beyond it, in half sizes, because a
+    /// seam next to it may hide a strip of a neighbour from that neighbour's centre.
+    static constexpr double reach = 1.25;
+
     V2d center;
     V2d half;  ///< Half its size, in pixels.
     Ray ray;

@@ -15,20 +15,16 @@ namespace balcony::analyse {
 
 namespace {
 
-// Bounds extend a quarter of a patch beyond it, because a seam next to it may hide a strip of a
-// neighbour from that neighbour's centre.
-constexpr double reach = 1.25;
-
 // The radii of the bounds of a patch's own rays.
 double origin_radius(const RayPatch& patch) {
-    return reach * ((patch.ray.origin_by_x * patch.half.x).length() +
-                    (patch.ray.origin_by_y * patch.half.y).length()) +
+    return RayPatch::reach * ((patch.ray.origin_by_x * patch.half.x).length() +
+                              (patch.ray.origin_by_y * patch.half.y).length()) +
            patch.origin_bend;
 }
 
 double cone_angle(const RayPatch& patch) {
-    const double chord = reach * ((patch.ray.direction_by_x * patch.half.x).length() +
-                                  (patch.ray.direction_by_y * patch.half.y).length()) +
+    const double chord = RayPatch::reach * ((patch.ray.direction_by_x * patch.half.x).length() +
+                                            (patch.ray.direction_by_y * patch.half.y).length()) +
                          patch.direction_bend;
     return 2.0 * std::asin(std::min(0.5 * chord, 1.0));
 }

@@ -97,11 +97,6 @@ Made make_toroid(const Arguments& arguments) {
 
 using Parameters = std::vector<StageParameter>;
 
-Parameters operator+(Parameters first, const Parameters& second) {
-    first.insert(first.end(), second.begin(), second.end());
-    return first;
-}
-
 Parameters half_axes() {
     return {positive_parameter("a", 1.0, "half axis along x"),
             positive_parameter("b", 1.0, "half axis along y"),

@@ -193,12 +193,6 @@ std::vector<StageParameter> net_parameters(std::vector<std::size_t> coordinates,
              .meaning = "number of points per row, along u"}};
 }
 
-std::vector<StageParameter> operator+(std::vector<StageParameter> some,
-                                      const std::vector<StageParameter>& more) {
-    some.insert(some.end(), more.begin(), more.end());
-    return some;
-}
-
 constexpr std::string_view bspline_degree =
     "degree of the pieces; by default 3, or the number of points minus 1";
 constexpr std::string_view bspline_ends =

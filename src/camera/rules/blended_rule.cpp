@@ -6,12 +6,11 @@
 #include <algorithm>
 
 #include "camera/families.hpp"
+#include "camera/stage_parameters.hpp"
 
 namespace balcony::camera {
 
 namespace {
-
-ObjectVector to_unit_length(const ObjectVector& a) { return (1.0 / sqrt(dot(a, a))) * a; }
 
 /// Weight 0 is the first rule, 1 the second; other weights extrapolate.
 class BlendedRule : public DirectionRule {

@@ -13,8 +13,6 @@ namespace balcony::camera {
 
 namespace {
 
-ObjectVector to_unit_length(const ObjectVector& a) { return (1.0 / sqrt(dot(a, a))) * a; }
-
 /// What happens to a direction at a surface: at the eye object, from which the ray then starts, or
 /// at the direction object. The direction is that of another rule, or from the other object.
 class OpticalRule : public DirectionRule {

@@ -18,8 +18,6 @@ struct Stretch {
     Scalar from, to;
 };
 
-ObjectVector unit(const ObjectVector& v) { return (1.0 / sqrt(dot(v, v))) * v; }
-
 Expr clamp(Expr value, Expr from, Expr to) { return min(max(value, min(from, to)), max(from, to)); }
 
 /// From 0 at the first height to 1 at the second.
@@ -32,7 +30,7 @@ class Twist final : public ObjectTransformer {
 public:
     Twist(Stretch along, Scalar angle) : along_(std::move(along)), angle_(std::move(angle)) {}
     ObjectPoint transform(const ObjectPoint& p, Emitter& emit) const override {
-        const ObjectVector axis = unit(vector_of(along_.axis, emit));
+        const ObjectVector axis = to_unit_length(vector_of(along_.axis, emit));
         const ObjectVector d = p - point_of(along_.at, emit);
         const Expr height = dot(axis, d);
         const Expr angle = emit(angle_) * progress(height, along_, emit);
@@ -49,7 +47,7 @@ class Taper final : public ObjectTransformer {
 public:
     Taper(Stretch along, Scalar factor) : along_(std::move(along)), factor_(std::move(factor)) {}
     ObjectPoint transform(const ObjectPoint& p, Emitter& emit) const override {
-        const ObjectVector axis = unit(vector_of(along_.axis, emit));
+        const ObjectVector axis = to_unit_length(vector_of(along_.axis, emit));
         const ObjectVector d = p - point_of(along_.at, emit);
         const Expr height = dot(axis, d);
         const ObjectVector aside = d + (-height) * axis;
@@ -72,9 +70,9 @@ public:
     Bend(Stretch along, Triple toward, Scalar angle)
         : along_(std::move(along)), toward_(std::move(toward)), angle_(std::move(angle)) {}
     ObjectPoint transform(const ObjectPoint& p, Emitter& emit) const override {
-        const ObjectVector axis = unit(vector_of(along_.axis, emit));
+        const ObjectVector axis = to_unit_length(vector_of(along_.axis, emit));
         const ObjectVector given = vector_of(toward_, emit);
-        const ObjectVector side = unit(given + (-dot(axis, given)) * axis);
+        const ObjectVector side = to_unit_length(given + (-dot(axis, given)) * axis);
         const ObjectVector d = p - point_of(along_.at, emit);
         const Expr h = dot(axis, d);
         const Expr n = dot(side, d);

@@ -10,11 +10,6 @@ namespace balcony::camera {
 
 namespace {
 
-ObjectVector unit_vector_of(const Triple& t, Emitter& emit) {
-    const ObjectVector v = vector_of(t, emit);
-    return (1.0 / sqrt(dot(v, v))) * v;
-}
-
 class Translate final : public ObjectTransformer {
 public:
     explicit Translate(Triple by) : by_(std::move(by)) {}
@@ -32,7 +27,7 @@ public:
     Rotate(Triple axis, Scalar angle, Triple at)
         : axis_(std::move(axis)), angle_(std::move(angle)), at_(std::move(at)) {}
     ObjectPoint transform(const ObjectPoint& p, Emitter& emit) const override {
-        const ObjectVector axis = unit_vector_of(axis_, emit);
+        const ObjectVector axis = to_unit_length(vector_of(axis_, emit));
         const ObjectPoint at = point_of(at_, emit);
         const ObjectVector d = p - at;
         const Expr c = cos(emit(angle_));
@@ -65,7 +60,7 @@ class Mirror final : public ObjectTransformer {
 public:
     Mirror(Triple axis, Triple at) : axis_(std::move(axis)), at_(std::move(at)) {}
     ObjectPoint transform(const ObjectPoint& p, Emitter& emit) const override {
-        const ObjectVector axis = unit_vector_of(axis_, emit);
+        const ObjectVector axis = to_unit_length(vector_of(axis_, emit));
         const ObjectVector d = p - point_of(at_, emit);
         return p + (-2.0 * dot(axis, d)) * axis;
     }

@@ -10,9 +10,9 @@ namespace balcony::camera {
 
 namespace {
 
-class Translate final : public ParameterTransformer {
+class ParameterTranslation final : public ParameterTransformer {
 public:
-    explicit Translate(Pair by) : by_(std::move(by)) {}
+    explicit ParameterTranslation(Pair by) : by_(std::move(by)) {}
     ParameterPoint transform(const ParameterPoint& p, Emitter& emit) const override {
         const ParameterPoint by = parameter_point_of(by_, emit);
         return {p.u + by.u, p.v + by.v};
@@ -22,9 +22,9 @@ private:
     Pair by_;
 };
 
-class Scale final : public ParameterTransformer {
+class ParameterScaling final : public ParameterTransformer {
 public:
-    Scale(Pair factor, Pair at) : factor_(std::move(factor)), at_(std::move(at)) {}
+    ParameterScaling(Pair factor, Pair at) : factor_(std::move(factor)), at_(std::move(at)) {}
     ParameterPoint transform(const ParameterPoint& p, Emitter& emit) const override {
         const ParameterPoint factor = parameter_point_of(factor_, emit);
         const ParameterPoint at = parameter_point_of(at_, emit);
@@ -35,9 +35,9 @@ private:
     Pair factor_, at_;
 };
 
-class Rotate final : public ParameterTransformer {
+class ParameterRotation final : public ParameterTransformer {
 public:
-    Rotate(Scalar angle, Pair at) : angle_(std::move(angle)), at_(std::move(at)) {}
+    ParameterRotation(Scalar angle, Pair at) : angle_(std::move(angle)), at_(std::move(at)) {}
     ParameterPoint transform(const ParameterPoint& p, Emitter& emit) const override {
         const Expr c = cos(emit(angle_));
         const Expr s = sin(emit(angle_));
@@ -52,9 +52,9 @@ private:
     Pair at_;
 };
 
-class Shear final : public ParameterTransformer {
+class ParameterShear final : public ParameterTransformer {
 public:
-    explicit Shear(Pair factor) : factor_(std::move(factor)) {}
+    explicit ParameterShear(Pair factor) : factor_(std::move(factor)) {}
     ParameterPoint transform(const ParameterPoint& p, Emitter& emit) const override {
         const ParameterPoint factor = parameter_point_of(factor_, emit);
         return {p.u + factor.u * p.v, p.v + factor.v * p.u};
@@ -64,9 +64,10 @@ private:
     Pair factor_;
 };
 
-class Affine final : public ParameterTransformer {
+class ParameterAffineMap final : public ParameterTransformer {
 public:
-    Affine(Pair u, Pair v, Pair at) : u_(std::move(u)), v_(std::move(v)), at_(std::move(at)) {}
+    ParameterAffineMap(Pair u, Pair v, Pair at)
+        : u_(std::move(u)), v_(std::move(v)), at_(std::move(at)) {}
     ParameterPoint transform(const ParameterPoint& p, Emitter& emit) const override {
         const ParameterPoint u = parameter_point_of(u_, emit);
         const ParameterPoint v = parameter_point_of(v_, emit);
@@ -78,7 +79,7 @@ private:
     Pair u_, v_, at_;
 };
 
-StageParameter center() { return pair_parameter("at", {0.0, 0.0}, "the fixed point"); }
+StageParameter fixed_parameters() { return pair_parameter("at", {0.0, 0.0}, "the fixed point"); }
 
 StageParameter addend(std::string_view name, std::string_view meaning) {
     return {.name = name,
@@ -100,7 +101,7 @@ std::vector<StageEntry> parameter_affine() {
          .parameters = {addend("u", "added to u"), addend("v", "added to v")},
          .make =
              [](const Arguments& a) {
-                 return made<Translate>(Pair{a.number("u"), a.number("v")});
+                 return made<ParameterTranslation>(Pair{a.number("u"), a.number("v")});
              },
          .example = R"(
 // Looks 30 degrees further to the left and 10 degrees up, with the same field of view.
@@ -123,8 +124,11 @@ The range that the picture shows grows by the factors, also the one that
          .parameters = {{.name = "factor",
                          .type = PairParameter{.one_for_both = true},
                          .meaning = "factors for u and v"},
-                        center()},
-         .make = [](const Arguments& a) { return made<Scale>(a.pair("factor"), a.pair("at")); },
+                        fixed_parameters()},
+         .make =
+             [](const Arguments& a) {
+                 return made<ParameterScaling>(a.pair("factor"), a.pair("at"));
+             },
          .example = R"(
 // Shows 1.5 times as much in width and the same in height.
 camera wider {
@@ -144,8 +148,11 @@ v′ = at₂ + (u − at₁) sin angle + (v − at₂) cos angle
          .parameters = {{.name = "angle",
                          .type = NumberParameter{.unit = Unit::angle},
                          .meaning = "angle of rotation"},
-                        center()},
-         .make = [](const Arguments& a) { return made<Rotate>(a.number("angle"), a.pair("at")); },
+                        fixed_parameters()},
+         .make =
+             [](const Arguments& a) {
+                 return made<ParameterRotation>(a.number("angle"), a.pair("at"));
+             },
          .example = R"(
 // The picture is tilted, like that of a tilted camera.
 camera askew {
@@ -165,7 +172,7 @@ camera askew {
                         number_parameter("v", 0.0, "the multiple of u added to v")},
          .make =
              [](const Arguments& a) {
-                 return made<Shear>(Pair{a.number("u"), a.number("v")});
+                 return made<ParameterShear>(Pair{a.number("u"), a.number("v")});
              },
          .example = R"(
 // Vertical lines lean like italic letters.
@@ -187,7 +194,7 @@ camera leaning {
                         pair_parameter("at", {0.0, 0.0}, "the image of (0, 0)")},
          .make =
              [](const Arguments& a) {
-                 return made<Affine>(a.pair("u"), a.pair("v"), a.pair("at"));
+                 return made<ParameterAffineMap>(a.pair("u"), a.pair("v"), a.pair("at"));
              },
          .example = R"(
 // Any affine map of the angles: here rotation, scaling and translation at once.

@@ -24,7 +24,7 @@ struct FmtOptions {
     bool json = false;
 };
 
-struct Outcome {
+struct Formatted {
     Diagnostics diagnostics;
     bool changed = false;
     bool written = true;
@@ -36,21 +36,22 @@ Diagnostic not_in_layout(std::string_view file, std::string_view command) {
 }
 
 // Formats standard input to standard output, as editors expect.
-Outcome format_input(bool only_check) {
+Formatted format_input(bool only_check) {
     const std::string text(std::istreambuf_iterator<char>(std::cin), {});
     const Result<std::string> made =
         lang::format(std::make_shared<const SourceText>("standard input", text));
     if (!made) {
         return {made.diagnostics};
     }
-    Outcome outcome{made.diagnostics, *made != text, true, only_check ? std::nullopt : made.value};
-    if (outcome.changed && only_check) {
-        outcome.diagnostics.push_back(not_in_layout("standard input", "balcony fmt -"));
+    Formatted formatted{made.diagnostics, *made != text, true,
+                        only_check ? std::nullopt : made.value};
+    if (formatted.changed && only_check) {
+        formatted.diagnostics.push_back(not_in_layout("standard input", "balcony fmt -"));
     }
-    return outcome;
+    return formatted;
 }
 
-Outcome format_file(const std::string& file, bool only_check) {
+Formatted format_file(const std::string& file, bool only_check) {
     const Result<std::shared_ptr<const SourceText>> source = lang::read_text(file);
     if (!source) {
         return {source.diagnostics};
@@ -59,15 +60,15 @@ Outcome format_file(const std::string& file, bool only_check) {
     if (!made) {
         return {made.diagnostics};
     }
-    Outcome outcome{made.diagnostics, *made != (*source)->text(), true};
-    if (outcome.changed && only_check) {
-        outcome.diagnostics.push_back(not_in_layout(file, fmt::format("balcony fmt {}", file)));
-    } else if (outcome.changed) {
+    Formatted formatted{made.diagnostics, *made != (*source)->text(), true};
+    if (formatted.changed && only_check) {
+        formatted.diagnostics.push_back(not_in_layout(file, fmt::format("balcony fmt {}", file)));
+    } else if (formatted.changed) {
         const Diagnostics failed = write_whole(file, *made);
-        outcome.written = failed.empty();
-        outcome.diagnostics.insert(outcome.diagnostics.end(), failed.begin(), failed.end());
+        formatted.written = failed.empty();
+        formatted.diagnostics.insert(formatted.diagnostics.end(), failed.begin(), failed.end());
     }
-    return outcome;
+    return formatted;
 }
 
 ExitCode format(const FmtOptions& options) {
@@ -76,22 +77,22 @@ ExitCode format(const FmtOptions& options) {
     nlohmann::json files = nlohmann::json::array();
     for (const std::string& file : options.files) {
         const bool piped = file == "-";
-        const Outcome outcome =
+        const Formatted formatted =
             piped ? format_input(options.check) : format_file(file, options.check);
-        all.insert(all.end(), outcome.diagnostics.begin(), outcome.diagnostics.end());
-        files.push_back({{"file", file}, {"changed", outcome.changed}});
-        if (outcome.text) {
-            files.back()["text"] = *outcome.text;
+        all.insert(all.end(), formatted.diagnostics.begin(), formatted.diagnostics.end());
+        files.push_back({{"file", file}, {"changed", formatted.changed}});
+        if (formatted.text) {
+            files.back()["text"] = *formatted.text;
         }
-        if (!outcome.written) {
+        if (!formatted.written) {
             code = ExitCode::environment;
-        } else if (has_errors(outcome.diagnostics) && code == ExitCode::done) {
+        } else if (has_errors(formatted.diagnostics) && code == ExitCode::done) {
             code = ExitCode::bad_input;
         }
         if (!options.json) {
-            report(outcome.diagnostics);
-            print_file(outcome.text.value_or(""));
-            if (outcome.changed && outcome.written && !piped && !options.check) {
+            report(formatted.diagnostics);
+            print_file(formatted.text.value_or(""));
+            if (formatted.changed && formatted.written && !piped && !options.check) {
                 print_result(fmt::format("{}: formatted\n", printable(file)));
             }
         }

@@ -11,32 +11,17 @@
 #include <CLI/CLI.hpp>
 
 #include "balcony/render.hpp"
+#include "cli/options/job_options.hpp"
 #include "cli/options/option_values.hpp"
 
 namespace balcony::cli {
 
 namespace {
 
-struct Unit {
-    std::string_view name;
-    double bytes;
-};
-
-constexpr std::array units{Unit{"MiB", 0x1p20}, Unit{"GiB", 0x1p30}, Unit{"MB", 1e6},
-                           Unit{"GB", 1e9}};
-
 // A number of MiB, or with a unit.
-std::optional<double> bytes_of(std::string_view text) {
-    double unit = 0x1p20;
-    for (const Unit& one : units) {
-        if (text.ends_with(one.name)) {
-            unit = one.bytes;
-            text.remove_suffix(one.name.size());
-            break;
-        }
-    }
-    const auto number = number_of<double>(text);
-    return number ? std::optional(*number * unit) : std::nullopt;
+std::optional<double> texture_bytes_of(std::string_view text) {
+    const auto mebibytes = number_of<double>(text);
+    return mebibytes ? std::optional(*mebibytes * 0x1p20) : bytes_of(text);
 }
 
 }  // namespace
@@ -51,7 +36,7 @@ void add_texture_options(CLI::App& command, TextureWords& words) {
 
 std::size_t read_texture_memory(const TextureWords& words, Diagnostics& diagnostics) {
     constexpr double largest = 0x1p50;
-    const auto bytes = bytes_of(words.memory);
+    const auto bytes = texture_bytes_of(words.memory);
     if (!bytes || *bytes < static_cast<double>(render::min_texture_memory) || *bytes > largest) {
         refuse(diagnostics, "--texture-memory", words.memory,
                fmt::format("give at least {} MiB, such as 512 or 4GiB",

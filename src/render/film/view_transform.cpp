@@ -100,21 +100,21 @@ private:
     }
 };
 
-struct Row {
+struct ViewRow {
     std::string_view name;
     std::string_view meaning;
     Color3f (*transform)(const Color3f& light);
 };
 
 // In the order of the enumerators.
-constexpr std::array rows{
-    Row{"neutral", "highlights above 0.8 are compressed", neutral},
-    Row{"standard", "highlights above 1 are clipped", unchanged},
-    Row{"filmic", "soft highlights and shadows of film, white at 16", filmic},
-    Row{"agx", "bright saturated light turns white, as in AgX", Agx::display},
+constexpr std::array view_rows{
+    ViewRow{"neutral", "highlights above 0.8 are compressed", neutral},
+    ViewRow{"standard", "highlights above 1 are clipped", unchanged},
+    ViewRow{"filmic", "soft highlights and shadows of film, white at 16", filmic},
+    ViewRow{"agx", "bright saturated light turns white, as in AgX", Agx::display},
 };
 
-const Row& row_of(ViewTransform view) { return rows[static_cast<std::size_t>(view)]; }
+const ViewRow& row_of(ViewTransform view) { return view_rows[static_cast<std::size_t>(view)]; }
 
 // NaN becomes 0.
 float clipped(float value) { return value > 0.0F ? std::min(value, 1.0F) : 0.0F; }
@@ -126,15 +126,16 @@ std::string_view name_of(ViewTransform view) { return row_of(view).name; }
 std::string_view meaning_of(ViewTransform view) { return row_of(view).meaning; }
 
 std::optional<ViewTransform> find_view_transform(std::string_view name) {
-    const auto* const row =
-        std::find_if(rows.begin(), rows.end(), [name](const Row& one) { return one.name == name; });
-    return row != rows.end() ? std::optional(static_cast<ViewTransform>(row - rows.begin()))
-                             : std::nullopt;
+    const auto* const row = std::find_if(view_rows.begin(), view_rows.end(),
+                                         [name](const ViewRow& one) { return one.name == name; });
+    return row != view_rows.end()
+               ? std::optional(static_cast<ViewTransform>(row - view_rows.begin()))
+               : std::nullopt;
 }
 
 std::vector<std::string> view_transform_names() {
     std::vector<std::string> names;
-    for (const Row& row : rows) {
+    for (const ViewRow& row : view_rows) {
         names.emplace_back(row.name);
     }
     return names;

@@ -150,31 +150,31 @@ void write_pixels(const Film& film, const std::vector<Group>& groups, Imf::Outpu
     }
     std::vector<float> values(window.width * rows_at_once * channels);
     for (std::size_t first = 0; first < window.height; first += rows_at_once) {
-        const Region rows{window.x, window.y + first, window.width,
+        const Region band{window.x, window.y + first, window.width,
                           std::min(rows_at_once, window.height - first)};
         Imf::FrameBuffer buffer;
         std::size_t channel = 0;
         for (const Group& group : groups) {
-            for_each_pixel(rows, [&](std::size_t i, std::size_t x, std::size_t y) {
+            for_each_pixel(band, [&](std::size_t i, std::size_t x, std::size_t y) {
                 group.read(film, x, y, values.data() + i * channels + channel);
             });
             for (const std::string& name : group.names) {
                 // OpenEXR addresses pixels from the picture's top left, so the base of a slice is
-                // before the current rows.
+                // before the current band.
                 const std::size_t stride = channels * sizeof(float);
                 const auto before =
-                    static_cast<std::ptrdiff_t>((rows.y * rows.width + rows.x) * stride);
+                    static_cast<std::ptrdiff_t>((band.y * band.width + band.x) * stride);
                 buffer.insert(name,
                               Imf::Slice(Imf::FLOAT,
                                          reinterpret_cast<char*>(values.data() + channel) - before,
-                                         stride, stride * rows.width));
+                                         stride, stride * band.width));
                 ++channel;
             }
         }
         std::replace_if(
             values.begin(), values.end(), [](float value) { return std::isnan(value); }, 0.0F);
         output.setFrameBuffer(buffer);
-        output.writePixels(static_cast<int>(rows.height));
+        output.writePixels(static_cast<int>(band.height));
     }
 }
 

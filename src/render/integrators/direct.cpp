@@ -18,8 +18,6 @@ namespace {
 // The minimum weight of a traced reflection: less than half a step of an 8-bit picture.
 constexpr float min_weight = 1.0F / 512.0F;
 
-float largest(const Color3f& color) { return std::max({color.x, color.y, color.z}); }
-
 bool is_mirror(const Appearance& appearance) { return appearance.roughness < mirror_roughness; }
 
 Bsdf bsdf_at(const Interaction& at, const V3f& geometric_normal) {

@@ -29,8 +29,6 @@ constexpr Color3f black(0.0F, 0.0F, 0.0F);
 // it meets the triangle, also at a grazing angle.
 constexpr float before_emitter = 1.0F - 1e-4F;
 
-float largest(const Color3f& color) { return std::max({color.x, color.y, color.z}); }
-
 bool is_black(const Color3f& color) { return !(largest(color) > 0.0F); }
 
 // The weight of a sample with one density, for a direction that a second method of sampling finds

@@ -13,11 +13,11 @@ namespace {
 
 using Imath::V3d;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double ground = 6'360'000.0;  // The radius of the earth, in metres.
 constexpr double top = ground + 100'000.0;
 constexpr double observer = ground + 1.0;
-constexpr double ground_albedo = 0.3;
+constexpr double planet_albedo = 0.3;
 
 constexpr std::size_t molecules = 0;
 constexpr std::size_t haze = 1;
@@ -313,7 +313,7 @@ Spectrum Atmosphere::mean_scattered_light(const Place& sun) const {
             const double cosine = position.dot(to_sun) / position.length();
             const Spectrum direct = sunlight({ground, cosine});
             for (std::size_t i = 0; i < Spectrum::size; ++i) {
-                once[i] += transmitted[i] * ground_albedo / pi * std::max(0.0, cosine) * direct[i] /
+                once[i] += transmitted[i] * planet_albedo / pi * std::max(0.0, cosine) * direct[i] /
                            directions;
             }
         }

@@ -18,7 +18,7 @@ using Imath::Color3f;
 using Imath::V2f;
 using Imath::V3f;
 
-constexpr float pi = std::numbers::pi_v<float>;
+using std::numbers::pi_v;
 
 // A rotation about the vertical axis that moves the centre of the picture to x.
 Imath::M33f environment_from_world(Axes axes, double rotation) {
@@ -50,7 +50,7 @@ DistantLights::DistantLights(const scene::Scene& scene,
         environment_ = environment->state();
         environment_from_world_ = environment_from_world(scene.axes, environment_->rotation);
         environment_illuminance_ =
-            pi * environment_->strength * luminance(environment_->map->mean());
+            pi_v<float> * environment_->strength * luminance(environment_->map->mean());
         for (const Sun& sun : environment_->suns) {
             suns_.push_back(
                 sun.seen_from(environment_from_world_.transposed(), environment_->strength));
@@ -137,7 +137,7 @@ V3f DistantLights::sample_environment(const V3f& normal, const V2f& random) cons
 
 float DistantLights::pdf_of_environment(const V3f& normal, const V3f& direction) const {
     if (environment_->map->is_constant() && normal != V3f(0.0F)) {
-        return std::max(0.0F, normal.dot(direction)) / pi;
+        return std::max(0.0F, normal.dot(direction)) / pi_v<float>;
     }
     return environment_->map->pdf(direction * environment_from_world_);
 }

@@ -67,7 +67,7 @@ EnvironmentMap sky_map(const Atmosphere& air) {
     constexpr std::size_t width = 256;
     constexpr std::size_t half = width / 2;
     constexpr std::size_t rows = 128;  // Above the horizon.
-    constexpr double pi = std::numbers::pi;
+    using std::numbers::pi;
     std::vector<Color3f> texels(width * 2 * rows);
     tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t row) {
         const double angle = 0.5 * pi * (static_cast<double>(row) + 0.5) / rows;

@@ -18,15 +18,15 @@ using Imath::Color3f;
 using Imath::V2f;
 using Imath::V3f;
 
-constexpr float pi = std::numbers::pi_v<float>;
+using std::numbers::pi_v;
 constexpr std::size_t max_columns = 2048;
 constexpr std::size_t max_rows = 1024;
 
 // A point of the picture, both coordinates from 0 to 1.
 V2f picture_point(const V3f& direction) {
     const float across = std::hypot(direction.x, direction.y);
-    return {0.5F - std::atan2(direction.y, direction.x) / (2.0F * pi),
-            std::atan2(across, direction.z) / pi};
+    return {0.5F - std::atan2(direction.y, direction.x) / (2.0F * pi_v<float>),
+            std::atan2(across, direction.z) / pi_v<float>};
 }
 
 std::size_t cell_of(float coordinate, std::size_t count) {
@@ -104,9 +104,9 @@ EnvironmentMap::Sample EnvironmentMap::sample(const V2f& random) const {
     const float z = top - row.within * band;
     const float part =
         (static_cast<float>(column.cell) + column.within) / static_cast<float>(columns_);
-    const float longitude = pi * (1.0F - 2.0F * part);
+    const float longitude = pi_v<float> * (1.0F - 2.0F * part);
     const float across = std::sqrt(std::max(0.0F, 1.0F - z * z));
-    const float solid_angle = 2.0F * pi * band / static_cast<float>(columns_);
+    const float solid_angle = 2.0F * pi_v<float> * band / static_cast<float>(columns_);
     return {{across * std::cos(longitude), across * std::sin(longitude), z},
             row.probability * column.probability / solid_angle};
 }
@@ -119,7 +119,7 @@ float EnvironmentMap::pdf(const V3f& direction) const {
     const float probability = (cumulative_rows_[row + 1] - cumulative_rows_[row]) *
                               (cumulative_columns_[first + 1] - cumulative_columns_[first]);
     const float band = cosines_[row] - cosines_[row + 1];
-    return probability * static_cast<float>(columns_) / (2.0F * pi * band);
+    return probability * static_cast<float>(columns_) / (2.0F * pi_v<float> * band);
 }
 
 // The weight of a pixel is its part of the interpolated picture: 3/4 of its own luminance and an
@@ -130,7 +130,7 @@ void EnvironmentMap::build_distribution() {
     rows_ = std::min(height_, max_rows);
     cosines_.resize(rows_ + 1);
     for (std::size_t row = 0; row <= rows_; ++row) {
-        cosines_[row] = std::cos(pi * static_cast<float>(row) / static_cast<float>(rows_));
+        cosines_[row] = std::cos(pi_v<float> * static_cast<float>(row) / static_cast<float>(rows_));
     }
     const auto smoothed = [this](std::size_t x, std::size_t y) {
         const std::size_t left = (x + width_ - 1) % width_;

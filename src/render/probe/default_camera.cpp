@@ -19,7 +19,7 @@ namespace {
 using Imath::V3d;
 using Imath::V3f;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double aspect = 16.0 / 9.0;
 
 /// A camera at a point that looks along a direction, for a horizontal field of view.

@@ -11,31 +11,34 @@ namespace balcony::render {
 
 namespace {
 
-double box(double random) { return random; }
+double moment_of_box(double random) { return random; }
 
 // The inverse of the distribution whose density rises to 4/3 in the first quarter, stays there, and
 // falls in the last quarter: each of the slopes has a sixth of the area.
-double trapezoid(double random) {
+double moment_of_trapezoid(double random) {
     constexpr double slope = 1.0 / 6.0;
     if (random > 0.5) {
-        return 1.0 - trapezoid(1.0 - random);
+        return 1.0 - moment_of_trapezoid(1.0 - random);
     }
     return random < slope ? std::sqrt(0.375 * random) : 0.25 + 0.75 * (random - slope);
 }
 
-struct Row {
+struct ShutterRow {
     std::string_view name;
     std::string_view meaning;
     double (*part)(double random);
 };
 
 // In the order of the enumerators.
-constexpr std::array rows{
-    Row{"box", "opens and closes at once", box},
-    Row{"trapezoid", "opens and closes during a quarter of the duration each", trapezoid},
+constexpr std::array shutter_rows{
+    ShutterRow{"box", "opens and closes at once", moment_of_box},
+    ShutterRow{"trapezoid", "opens and closes during a quarter of the duration each",
+               moment_of_trapezoid},
 };
 
-const Row& row_of(ShutterShape shape) { return rows[static_cast<std::size_t>(shape)]; }
+const ShutterRow& row_of(ShutterShape shape) {
+    return shutter_rows[static_cast<std::size_t>(shape)];
+}
 
 }  // namespace
 
@@ -45,14 +48,16 @@ std::string_view meaning_of(ShutterShape shape) { return row_of(shape).meaning; 
 
 std::optional<ShutterShape> find_shutter_shape(std::string_view name) {
     const auto* const row =
-        std::find_if(rows.begin(), rows.end(), [name](const Row& one) { return one.name == name; });
-    return row != rows.end() ? std::optional(static_cast<ShutterShape>(row - rows.begin()))
-                             : std::nullopt;
+        std::find_if(shutter_rows.begin(), shutter_rows.end(),
+                     [name](const ShutterRow& one) { return one.name == name; });
+    return row != shutter_rows.end()
+               ? std::optional(static_cast<ShutterShape>(row - shutter_rows.begin()))
+               : std::nullopt;
 }
 
 std::vector<std::string> shutter_shape_names() {
     std::vector<std::string> names;
-    for (const Row& row : rows) {
+    for (const ShutterRow& row : shutter_rows) {
         names.emplace_back(row.name);
     }
     return names;

@@ -4,6 +4,7 @@
 
 // glTF 2.0's metallic-roughness material with its extensions at a point.
 
+#include <algorithm>
 #include <vector>
 
 #include <Imath/ImathColor.h>
@@ -17,6 +18,10 @@ namespace balcony::render {
 
 using Imath::Color3f;
 using Imath::V3f;
+
+[[nodiscard]] inline float largest(const Color3f& color) {
+    return std::max({color.x, color.y, color.z});
+}
 
 /// A material with its textures evaluated. Each default means that the material has no such part.
 struct Appearance {

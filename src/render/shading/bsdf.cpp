@@ -13,10 +13,7 @@ namespace balcony::render {
 
 namespace {
 
-constexpr Color3f white(1.0F, 1.0F, 1.0F);
-constexpr float pi = std::numbers::pi_v<float>;
-
-float largest(const Color3f& color) { return std::max({color.x, color.y, color.z}); }
+using std::numbers::pi_v;
 
 // KHR_materials_specular, with KHR_materials_ior.
 Color3f dielectric_reflectance(const Appearance& appearance) {
@@ -46,7 +43,7 @@ Bsdf::Bsdf(const Appearance& appearance, const V3f& normal, const V3f& geometric
     const float metallic = appearance.metallic;
     if (metallic > 0.0F) {
         const Color3f& color = appearance.base_color;
-        specular_.add(Color3f(metallic), color, white, color);
+        specular_.add(Color3f(metallic), color, Color3f(1.0F), color);
     }
     if (metallic < 1.0F) {
         const Color3f f0 = dielectric_reflectance(appearance);
@@ -70,7 +67,7 @@ void Bsdf::add_passage(const Appearance& appearance, const Color3f& f0, bool ent
                                       entering);
     const Passage& passage = *layers_->passage;
     if (!passage.refracts) {
-        specular_.add(Color3f(passage.share), f0, Color3f(passage.f90), white);
+        specular_.add(Color3f(passage.share), f0, Color3f(passage.f90), Color3f(1.0F));
     }
 }
 
@@ -109,7 +106,7 @@ Bsdf::Value Bsdf::evaluate_plain(const View& view, const V3f& to_light) const {
         return {};
     }
     const LayerEnergy energy = energies_.at(cosine);
-    const float lambert = cosine / pi;
+    const float lambert = cosine / pi_v<float>;
     Value value{lambert * view.below * below(energy) * per_mean_below_ * diffuse_,
                 (1.0F - view.specular) * lambert};
     if (!is_mirror()) {

@@ -15,14 +15,12 @@ namespace balcony::render {
 
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
-
-float largest(const Color3f& color) { return std::max({color.x, color.y, color.z}); }
+using std::numbers::pi_v;
 
 // Evenly on the unit hemisphere about z.
 V3f sample_hemisphere(float u, float v) {
     const float radius = std::sqrt(std::max(1.0F - u * u, 0.0F));
-    const float angle = 2.0F * pi * v;
+    const float angle = 2.0F * pi_v<float> * v;
     return {radius * std::cos(angle), radius * std::sin(angle), u};
 }
 
@@ -108,7 +106,7 @@ Bsdf::Value Bsdf::evaluate_above(const LayersView& view, const V3f& to_light) co
     const float cosine = normal_.dot(to_light);
     const Covered& seen = view.covered;
     const Covered lit = covered(cosine);
-    const float lambert = cosine / pi;
+    const float lambert = cosine / pi_v<float>;
     Value value{lambert * view.below * below(lit.layer, lit.passed) * per_mean_below_ * diffuse_,
                 view.probability[diffuse_lobe] * lambert};
     const HalfVector halfway(normal_, view.direction, to_light);
@@ -132,7 +130,7 @@ Bsdf::Value Bsdf::evaluate_above(const LayersView& view, const V3f& to_light) co
         value.reflected +=
             cosine * fibres.sheen.reflectance(view.cosine, cosine, halfway.squared_sine, scale) *
             fibres.color;
-        value.pdf += view.probability[fibres_lobe] / (2.0F * pi);
+        value.pdf += view.probability[fibres_lobe] / (2.0F * pi_v<float>);
     }
     if (is_mirror()) {
         return value;
@@ -174,7 +172,7 @@ Bsdf::Value Bsdf::evaluate_refracted(const LayersView& view, const V3f& to_light
     const Passage& glass = *layers_->passage;
     const GlassSide side = glass.other_side();
     const float cosine = -normal_.dot(to_light);
-    const float lambert = cosine / pi;
+    const float lambert = cosine / pi_v<float>;
     const LayerEnergy layer = energies_.at(cosine);
     const float passed = glass.outside ? view.covered.passed : layers_->at(layer, cosine).passed;
     const float lost = glass.energies.lost(side, cosine, layer.single);

@@ -16,12 +16,6 @@ constexpr float min_transmitted = 1e-4F;
 // Nothing has no parts.
 float ratio(float part, float whole) { return whole > 1e-7F ? part / whole : 1.0F; }
 
-template <typename Entry>
-Entry between(const Entry& a, const Entry& b, float t) {
-    return {mix(a.scale, b.scale, t), mix(a.single, b.single, t),
-            mix(a.single_edge, b.single_edge, t), mix(a.all_edge, b.all_edge, t)};
-}
-
 }  // namespace
 
 CoverTable::CoverTable(std::span<const ByCosine> transmitted) : rows_(transmitted.size()) {

@@ -13,12 +13,6 @@ namespace {
 
 constexpr std::size_t width_count = 40;
 
-template <typename Entry>
-Entry between(const Entry& a, const Entry& b, float t) {
-    return {mix(a.scale, b.scale, t), mix(a.single, b.single, t),
-            mix(a.single_edge, b.single_edge, t), mix(a.all_edge, b.all_edge, t)};
-}
-
 // The mean of schlick(), weighted by the cosine.
 constexpr float mean_schlick = 1.0F / 21.0F;
 

@@ -66,6 +66,13 @@ struct LayerReflectance {
     }
 };
 
+/// Between two entries of a table.
+template <typename Entry>
+[[nodiscard]] Entry between(const Entry& a, const Entry& b, float t) {
+    return {mix(a.scale, b.scale, t), mix(a.single, b.single, t),
+            mix(a.single_edge, b.single_edge, t), mix(a.all_edge, b.all_edge, t)};
+}
+
 /// LayerEnergy of one layer by cosine. Small: made for each point of a surface. The tables behind
 /// it are made once, when the first of these is.
 class LayerEnergies {

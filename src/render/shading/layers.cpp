@@ -10,10 +10,6 @@ namespace balcony::render {
 
 namespace {
 
-constexpr Color3f white(1.0F, 1.0F, 1.0F);
-
-float largest(const Color3f& color) { return std::max({color.x, color.y, color.z}); }
-
 constexpr std::size_t coat_count = 24;
 
 float coat_alpha(const Appearance& appearance) {
@@ -96,7 +92,7 @@ Color3f Passage::reflectance(float cosine) const {
     }
     const float exact = fresnel(cosine, eta);
     if (exact >= 1.0F) {
-        return white;
+        return Color3f(1.0F);
     }
     const float least = normal_reflectance(ior);
     const float edge = std::max(exact - least, 0.0F) / (1.0F - least);

@@ -14,7 +14,7 @@ namespace balcony::render {
 
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
+using std::numbers::pi_v;
 
 // Smoother fibres would show at the very horizon only, where they reflect too much.
 constexpr float min_roughness = 0.2F;
@@ -44,10 +44,10 @@ Row make_row(const Sheen& sheen) {
             const float radius = std::sqrt(1.0F - square(light));
             const TablePosition at = position_of_cosine(light);
             for (std::size_t column = 0; column < count; ++column) {
-                const float angle = pi * midpoint(column);
+                const float angle = pi_v<float> * midpoint(column);
                 const V3f to_light(radius * std::cos(angle), radius * std::sin(angle), light);
                 const HalfVector halfway({0.0F, 0.0F, 1.0F}, to_viewer, to_light);
-                const float density = 2.0F * pi * 2.0F * midpoint(row) / (count * count);
+                const float density = 2.0F * pi_v<float> * 2.0F * midpoint(row) / (count * count);
                 transport.add(
                     node, at,
                     density * light * sheen.reflectance(viewer, light, halfway.squared_sine, 1.0F));
@@ -98,8 +98,9 @@ Sheen::Energy Sheen::at(float cosine) const {
 }
 
 float Sheen::reflectance(float viewer, float light, float facet_squared_sine, float scale) const {
-    const float density =
-        (2.0F + inverse_alpha_) * std::pow(facet_squared_sine, 0.5F * inverse_alpha_) / (2.0F * pi);
+    const float density = (2.0F + inverse_alpha_) *
+                          std::pow(facet_squared_sine, 0.5F * inverse_alpha_) /
+                          (2.0F * pi_v<float>);
     return scale * density / (4.0F * (viewer + light - viewer * light));
 }
 

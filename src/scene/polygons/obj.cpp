@@ -201,7 +201,7 @@ private:
     std::size_t not_faces_ = 0;
 };
 
-FaceSet read_faces(Import& import) {
+FaceSet read_obj_faces(Import& import) {
     const std::vector<std::uint8_t> bytes = import.bytes();
     ObjReader reader(import);
     reader.read({reinterpret_cast<const char*>(bytes.data()), bytes.size()},
@@ -213,7 +213,7 @@ FaceSet read_faces(Import& import) {
 
 void read_obj(Import& import) {
     import.scene.format = "Wavefront OBJ";
-    add_to_scene(read_faces(import), import);
+    add_to_scene(read_obj_faces(import), import);
 }
 
 }  // namespace balcony::scene

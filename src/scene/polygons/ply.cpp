@@ -306,7 +306,7 @@ private:
     std::vector<Corner> corners_;
 };
 
-FaceSet read_faces(Import& import) {
+FaceSet read_ply_faces(Import& import) {
     const std::vector<std::uint8_t> bytes = import.bytes();
     PlyReader reader(import);
     reader.read({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
@@ -319,7 +319,7 @@ void read_ply(Import& import) {
     import.scene.format = "PLY";
     import.scene.axes = Axes::z_up;
     import.scene.materials.emplace_back();
-    add_to_scene(read_faces(import), import);
+    add_to_scene(read_ply_faces(import), import);
 }
 
 }  // namespace balcony::scene

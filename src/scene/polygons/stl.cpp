@@ -133,7 +133,7 @@ private:
     FaceSet set_;
 };
 
-FaceSet read_faces(Import& import) {
+FaceSet read_stl_faces(Import& import) {
     const std::vector<std::uint8_t> bytes = import.bytes();
     StlReader reader(import);
     reader.read(bytes);
@@ -146,7 +146,7 @@ void read_stl(Import& import) {
     import.scene.format = "STL";
     import.scene.axes = Axes::z_up;
     import.scene.materials.emplace_back();
-    add_to_scene(read_faces(import), import);
+    add_to_scene(read_stl_faces(import), import);
 }
 
 }  // namespace balcony::scene

@@ -1,0 +1,35 @@
+# Most of the time to compile a file goes into the headers that its neighbours include too. With
+# BALCONY_UNITY, up to ten files of one folder are compiled as one. Each file still compiles by itself.
+
+# balcony_group_sources(TARGET): a file whose SKIP_UNITY_BUILD_INCLUSION or COMPILE_OPTIONS are set
+# stays outside.
+function(balcony_group_sources target)
+    if(NOT BALCONY_UNITY)
+        return()
+    endif()
+    set(max_files 10)
+    get_target_property(sources ${target} SOURCES)
+    foreach(source IN LISTS sources)
+        cmake_path(ABSOLUTE_PATH source OUTPUT_VARIABLE path)
+        cmake_path(GET path PARENT_PATH path)
+        cmake_path(GET path FILENAME folder)
+        list(APPEND folders ${folder})
+        list(APPEND files_in_${folder} "${source}")
+    endforeach()
+    list(REMOVE_DUPLICATES folders)
+    foreach(folder IN LISTS folders)
+        list(LENGTH files_in_${folder} count)
+        math(EXPR groups "(${count} + ${max_files} - 1) / ${max_files}")
+        set(index 0)
+        foreach(source IN LISTS files_in_${folder})
+            math(EXPR group "${index} * ${groups} / ${count}")
+            set_source_files_properties("${source}" PROPERTIES UNITY_GROUP ${folder}_${group})
+            math(EXPR index "${index} + 1")
+        endforeach()
+    endforeach()
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+    # GCC takes a file of a group for a header, where a class must not have members of private types.
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+        target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+    endif()
+endfunction()
