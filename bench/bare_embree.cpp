@@ -103,28 +103,26 @@ BareEmbree::BareEmbree(const scene::Scene& scene) : state_(std::make_unique<Stat
 BareEmbree::~BareEmbree() = default;
 BareEmbree::BareEmbree(BareEmbree&&) noexcept = default;
 
-double BareEmbree::seconds(const rays::RayProgram& rays, const std::vector<rays::Tile>& tiles,
-                           int runs) const {
-    Stopwatch stopwatch(tiles.size());
+double BareEmbree::seconds(const rays::RayProgram& rays,
+                           const std::vector<rays::Tile>& tiles) const {
+    double total = 0.0;
     rays::Scratch scratch;
     rays::RayBatch batch;
-    for (std::size_t t = 0; t < tiles.size(); ++t) {
-        rays.run(tiles[t], scratch, batch);
-        const std::vector<Packet> packets = packets_of(batch, tiles[t]);
-        for (int run = 0; run < runs; ++run) {
-            // Tracing overwrites the rays.
-            std::vector<Packet> traced = packets;
-            stopwatch.time(t, [&] {
-                for (Packet& packet : traced) {
-                    RTCIntersectContext context;
-                    rtcInitIntersectContext(&context);
-                    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-                    rtcIntersect16(packet.valid.data(), state_->world, &context, &packet.rays);
-                }
-            });
-        }
+    for (const rays::Tile& tile : tiles) {
+        rays.run(tile, scratch, batch);
+        std::vector<Packet> packets = packets_of(batch, tile);
+        Stopwatch stopwatch(1);
+        stopwatch.time(0, [&] {
+            for (Packet& packet : packets) {
+                RTCIntersectContext context;
+                rtcInitIntersectContext(&context);
+                context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+                rtcIntersect16(packet.valid.data(), state_->world, &context, &packet.rays);
+            }
+        });
+        total += stopwatch.seconds();
     }
-    return stopwatch.seconds();
+    return total;
 }
 
 }  // namespace balcony::bench

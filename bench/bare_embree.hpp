@@ -18,10 +18,10 @@ public:
     BareEmbree(BareEmbree&&) noexcept;
     BareEmbree& operator=(BareEmbree&&) = delete;
 
-    /// The least seconds, of several runs, to trace all valid rays of the tiles in coherent packets
-    /// of 4 x 4 neighbours.
-    [[nodiscard]] double seconds(const rays::RayProgram& rays, const std::vector<rays::Tile>& tiles,
-                                 int runs) const;
+    /// The seconds that Embree takes to trace all valid rays of the tiles once, tile by tile, in
+    /// coherent packets of 4 x 4 neighbours. Computing the rays does not count.
+    [[nodiscard]] double seconds(const rays::RayProgram& rays,
+                                 const std::vector<rays::Tile>& tiles) const;
 
 private:
     struct State;

@@ -9,17 +9,17 @@
 
 namespace balcony::bench {
 
-using program::max_tile_height;
 using program::max_tile_width;
 
-std::vector<program::Tile> tiles_of_picture(std::size_t width, std::size_t height) {
+std::vector<program::Tile> tiles_of_picture(std::size_t width, std::size_t height,
+                                            std::size_t tile_height) {
     std::vector<program::Tile> tiles;
-    for (std::size_t y = 0; y < height; y += max_tile_height) {
+    for (std::size_t y = 0; y < height; y += tile_height) {
         for (std::size_t x = 0; x < width; x += max_tile_width) {
             tiles.push_back({.x = static_cast<double>(x) + 0.5,
                              .y = static_cast<double>(y) + 0.5,
                              .width = std::min(max_tile_width, width - x),
-                             .height = std::min(max_tile_height, height - y)});
+                             .height = std::min(tile_height, height - y)});
         }
     }
     return tiles;

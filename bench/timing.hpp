@@ -15,7 +15,8 @@ namespace balcony::bench {
 /// The points of the largest tile.
 inline constexpr std::size_t tile_points = program::max_tile_width * program::max_tile_height;
 
-[[nodiscard]] std::vector<program::Tile> tiles_of_picture(std::size_t width, std::size_t height);
+[[nodiscard]] std::vector<program::Tile> tiles_of_picture(
+    std::size_t width, std::size_t height, std::size_t tile_height = program::max_tile_height);
 
 /// The least time of each tile.
 class Stopwatch {

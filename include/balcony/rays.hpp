@@ -83,6 +83,20 @@ public:
     [[nodiscard]] V3d direction_by_y(std::size_t i) const { return vector(direction_by_y_, i); }
     [[nodiscard]] Ray operator[](std::size_t i) const;
 
+    /// The values of all rays in parallel arrays, by axis; `valid` is 1 where there is a ray.
+    struct Arrays {
+        std::array<const double*, 3> origin;
+        std::array<const double*, 3> direction;
+        const double* valid;
+        const double* time;  ///< Null if all rays have the time of the run.
+    };
+    [[nodiscard]] Arrays arrays() const {
+        return {{values_[origin_], values_[origin_ + 1], values_[origin_ + 2]},
+                {values_[direction_], values_[direction_ + 1], values_[direction_ + 2]},
+                values_[valid_],
+                has_times() ? values_[roots_.time()] : nullptr};
+    }
+
 private:
     friend class RayProgram;
 

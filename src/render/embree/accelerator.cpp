@@ -8,13 +8,13 @@
 #include <cmath>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
 
+#include "render/embree/instance_use.hpp"
 #include "render/shading/motion_steps.hpp"
 #include "render/shading/scene_check.hpp"
 
@@ -80,61 +80,6 @@ void pass_transparent(const RTCFilterFunctionNArguments* arguments) {
             arguments->valid[i] = 0;
         }
     }
-}
-
-// Whether a matrix is finite and affine, so that it maps finite points to finite points.
-bool is_affine(const scene::M44d& m) {
-    for (int row = 0; row < 4; ++row) {
-        for (int column = 0; column < 3; ++column) {
-            if (!std::isfinite(m[row][column])) {
-                return false;
-            }
-        }
-    }
-    return m[0][3] == 0.0 && m[1][3] == 0.0 && m[2][3] == 0.0 && m[3][3] == 1.0;
-}
-
-// Whether the whole mesh can be traced, in its own coordinates and as placed.
-bool can_be_traced(const scene::Mesh& mesh, const scene::M44d& world_from_mesh) {
-    return is_affine(world_from_mesh) &&
-           std::all_of(mesh.positions.begin(), mesh.positions.end(), [&](const V3f& p) {
-               return in_range(p) && in_range(scene::V3d(p) * world_from_mesh);
-           });
-}
-
-// The largest coordinate in the image of the unit cube under a linear map.
-double norm(const scene::M44d& m) {
-    double maximum = 0.0;
-    for (int column = 0; column < 3; ++column) {
-        maximum = std::max(
-            maximum, std::abs(m[0][column]) + std::abs(m[1][column]) + std::abs(m[2][column]));
-    }
-    return maximum;
-}
-
-// The largest coordinate of a ray's origin for which Embree, which inverts the matrix in floats,
-// can transform it to the coordinates of a shared mesh. Nothing if this may fail even at 1e12: the
-// matrix is then nearly singular, or scales by more than a million.
-std::optional<double> reach_into(const scene::M44d& world_from_mesh) {
-    constexpr double max_scale = 1e6;
-    constexpr double max_condition = 1e3;  // Its square times a float's rounding is below 0.1.
-    constexpr double min_reach = 1e12;
-    if (world_from_mesh.determinant() == 0.0) {
-        return std::nullopt;
-    }
-    const scene::M44d mesh_from_world = world_from_mesh.inverse();
-    const double scale = norm(world_from_mesh);
-    const double inverse_scale = norm(mesh_from_world);
-    if (!(scale <= max_scale && inverse_scale <= max_scale &&
-          scale * inverse_scale <= max_condition)) {
-        return std::nullopt;
-    }
-    const scene::V3d shift = mesh_from_world.translation();
-    const double largest_shift =
-        std::max({std::abs(shift.x), std::abs(shift.y), std::abs(shift.z)});
-    constexpr double rounding = 0.9;
-    const double reach = (rounding * max_coordinate - largest_shift) / inverse_scale;
-    return reach >= min_reach ? std::optional(reach) : std::nullopt;
 }
 
 // A mesh as triangles, placed as an instance is if one is given.
@@ -208,54 +153,6 @@ Geometry make_instance(RTCDevice device, RTCScene mesh,
     return geometry;
 }
 
-// How an instance is built: it is skipped, copied into world space, or placed by a matrix.
-enum class Use : std::uint8_t { none, copied, placed };
-
-// A mesh with one instance that stands still is copied into world space, which is faster to trace.
-std::vector<Use> choose_uses(const scene::Scene& scene, const MotionSteps& motion) {
-    std::vector<std::size_t> counts(scene.meshes.size());
-    std::vector<Use> uses(scene.instances.size(), Use::none);
-    for (std::size_t i = 0; i < uses.size(); ++i) {
-        const scene::Instance& instance = scene.instances[i];
-        const scene::Mesh& mesh = scene.meshes[instance.mesh.value()];
-        const auto steps = motion.matrices(i);
-        if (std::all_of(steps.begin(), steps.end(), [&](const scene::M44d& world_from_mesh) {
-                return can_be_traced(mesh, world_from_mesh);
-            })) {
-            uses[i] = Use::copied;
-            ++counts[instance.mesh.value()];
-        }
-    }
-    for (std::size_t i = 0; i < uses.size(); ++i) {
-        const auto steps = motion.matrices(i);
-        const bool is_shared = counts[scene.instances[i].mesh.value()] > 1 || steps.size() > 1;
-        if (uses[i] == Use::copied && is_shared &&
-            std::all_of(steps.begin(), steps.end(), reach_into)) {
-            uses[i] = Use::placed;
-        }
-    }
-    return uses;
-}
-
-// One warning for each object with a skipped part.
-Diagnostics name_left_out(const scene::Scene& scene, const std::vector<Use>& uses) {
-    std::set<std::uint32_t> objects;
-    for (std::size_t i = 0; i < uses.size(); ++i) {
-        if (uses[i] == Use::none) {
-            objects.insert(scene.instances[i].object);
-        }
-    }
-    Diagnostics warnings;
-    for (const std::uint32_t object : objects) {
-        warnings.push_back(warning(
-            fmt::format("object '{}' extends beyond {:.3g} or is placed by a matrix that is not "
-                        "affine; it is skipped",
-                        scene.objects[object].name, max_coordinate),
-            {}, "scale the scene down, or repair its transforms"));
-    }
-    return warnings;
-}
-
 RTCRayHit to_ray_hit(const Ray& ray) {
     RTCRayHit query{};
     query.ray = {ray.origin.x,
@@ -285,6 +182,12 @@ float away_from_zero(float component) {
     return std::fabs(component) < minimum ? std::copysign(minimum, component) : component;
 }
 
+static_assert(Packet::size == 16 && offsetof(Packet, valid) == sizeof(RTCRayHit16) &&
+              offsetof(Packet, farthest) == offsetof(RTCRayHit16, ray.tfar) &&
+              offsetof(Packet, normal_x) == offsetof(RTCRayHit16, hit.Ng_x) &&
+              offsetof(Packet, geometry) == offsetof(RTCRayHit16, hit.geomID) &&
+              offsetof(Packet, placement) == offsetof(RTCRayHit16, hit.instID));
+
 void set_lane(RTCRay16& packet, std::size_t lane, const Ray& ray) {
     packet.org_x[lane] = ray.origin.x;
     packet.org_y[lane] = ray.origin.y;
@@ -298,32 +201,6 @@ void set_lane(RTCRay16& packet, std::size_t lane, const Ray& ray) {
     packet.mask[lane] = 0xffffffffU;
     packet.id[lane] = static_cast<unsigned>(lane);
     packet.flags[lane] = 0;
-}
-
-void intersect_packet(RTCScene world, std::span<const std::size_t> indices,
-                      std::span<const Ray> rays, std::span<Hit> hits) {
-    if (indices.empty()) {
-        return;
-    }
-    alignas(64) std::array<int, packet_size> valid{};
-    RTCRayHit16 packet{};
-    for (std::size_t lane = 0; lane < indices.size(); ++lane) {
-        valid[lane] = -1;
-        set_lane(packet.ray, lane, rays[indices[lane]]);
-        packet.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
-        packet.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
-    }
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    rtcIntersect16(valid.data(), world, &context, &packet);
-    for (std::size_t lane = 0; lane < indices.size(); ++lane) {
-        if (packet.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID) {
-            hits[indices[lane]] =
-                to_hit(packet.hit.instID[0][lane], packet.hit.geomID[lane], packet.hit.primID[lane],
-                       packet.hit.u[lane], packet.hit.v[lane]);
-        }
-    }
 }
 
 }  // namespace
@@ -427,22 +304,74 @@ Hit Accelerator::intersect(const Ray& ray) const {
                   query.hit.v);
 }
 
+void Packet::set(std::size_t lane, const Ray& ray) {
+    origin_x[lane] = ray.origin.x;
+    origin_y[lane] = ray.origin.y;
+    origin_z[lane] = ray.origin.z;
+    direction_x[lane] = ray.direction.x;
+    direction_y[lane] = ray.direction.y;
+    direction_z[lane] = ray.direction.z;
+    time[lane] = ray.time;
+    farthest[lane] = ray.farthest;
+    valid[lane] = -1;
+}
+
+void Accelerator::intersect(Packet& packet) const {
+    const float reach = state_->reach;
+    for (std::size_t lane = 0; lane < Packet::size; ++lane) {
+        const bool near_enough = (std::fabs(packet.origin_x[lane]) <= reach) &
+                                 (std::fabs(packet.origin_y[lane]) <= reach) &
+                                 (std::fabs(packet.origin_z[lane]) <= reach);
+        const bool directed = (std::fabs(packet.direction_x[lane]) <= max_coordinate) &
+                              (std::fabs(packet.direction_y[lane]) <= max_coordinate) &
+                              (std::fabs(packet.direction_z[lane]) <= max_coordinate);
+        const bool timely = (packet.time[lane] >= 0.0F) & (packet.time[lane] <= 1.0F) &
+                            (packet.farthest[lane] >= 0.0F);
+        packet.valid[lane] = near_enough & directed & timely ? packet.valid[lane] : 0;
+    }
+    for (Packet::Floats* components :
+         {&packet.direction_x, &packet.direction_y, &packet.direction_z}) {
+        for (float& component : *components) {
+            component = away_from_zero(component);
+        }
+    }
+    packet.mask.fill(0xffffffffU);
+    packet.geometry.fill(Hit::nothing);
+    packet.placement.fill(Hit::nothing);
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcIntersect16(packet.valid.data(), state_->world.get(), &context,
+                   reinterpret_cast<RTCRayHit16*>(&packet));
+}
+
 void Accelerator::intersect_grid(std::size_t width, std::span<const Ray> rays,
                                  std::span<const std::uint8_t> active, std::span<Hit> hits) const {
     const std::size_t height = rays.size() / width;
-    std::array<std::size_t, packet_size> indices{};
-    for (std::size_t y = 0; y < height; y += packet_side) {
-        for (std::size_t x = 0; x < width; x += packet_side) {
-            std::size_t count = 0;
-            for (std::size_t j = y; j < std::min(y + packet_side, height); ++j) {
-                for (std::size_t i = x; i < std::min(x + packet_side, width); ++i) {
-                    const std::size_t ray = j * width + i;
-                    hits[ray] = {};
-                    indices[count] = ray;
-                    count += active[ray] != 0 && state_->traceable(rays[ray]) ? 1 : 0;
+    Packet packet;
+    for (std::size_t top = 0; top < height; top += Packet::side) {
+        for (std::size_t left = 0; left < width; left += Packet::side) {
+            packet.valid.fill(0);
+            const auto for_each_lane = [&](const auto& visit) {
+                for (std::size_t y = top; y < std::min(top + Packet::side, height); ++y) {
+                    for (std::size_t x = left; x < std::min(left + Packet::side, width); ++x) {
+                        visit(y * width + x, (y - top) * Packet::side + x - left);
+                    }
                 }
+            };
+            bool any = false;
+            for_each_lane([&](std::size_t i, std::size_t lane) {
+                if (active[i] != 0) {
+                    packet.set(lane, rays[i]);
+                    any = true;
+                }
+            });
+            if (any) {
+                intersect(packet);
             }
-            intersect_packet(state_->world.get(), std::span(indices).first(count), rays, hits);
+            for_each_lane([&](std::size_t i, std::size_t lane) {
+                hits[i] = packet.valid[lane] != 0 ? packet.hit(lane) : Hit{};
+            });
         }
     }
 }

@@ -5,6 +5,7 @@
 // The only layer that uses Embree: a scene is built once and then queried for the nearest hit and
 // the transmittance between two points.
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -53,6 +54,53 @@ struct Hit {
     [[nodiscard]] bool any() const { return instance != nothing; }
 };
 
+/// The rays of a square of neighbouring points, row by row, and their nearest hits. The arrays
+/// before `valid` have the layout of Embree's own packets, so that tracing copies nothing.
+struct alignas(64) Packet {
+    static constexpr std::size_t side = 4;
+    static constexpr std::size_t size = side * side;
+    using Floats = std::array<float, size>;
+    using Numbers = std::array<std::uint32_t, size>;
+
+    Floats origin_x{}, origin_y{}, origin_z{};
+    Floats nearest{};
+    Floats direction_x{}, direction_y{}, direction_z{};
+    Floats time{};
+    Floats farthest{};  ///< Tracing sets it to the distance of the hit.
+    Numbers mask{};
+    Numbers id{};
+    Numbers flags{};
+    Floats normal_x{}, normal_y{}, normal_z{};  ///< Of the triangle, of any length and on any side;
+                                                ///< in the mesh's coordinates if it is placed.
+    Floats u{}, v{};
+    Numbers triangle{};
+    Numbers geometry{};
+    Numbers placement{};
+
+    alignas(64) std::array<std::int32_t, size> valid{};  ///< -1 where there is a ray, otherwise 0.
+
+    void set(std::size_t lane, const Ray& ray);
+
+    [[nodiscard]] V3f origin(std::size_t lane) const {
+        return {origin_x[lane], origin_y[lane], origin_z[lane]};
+    }
+    [[nodiscard]] V3f direction(std::size_t lane) const {
+        return {direction_x[lane], direction_y[lane], direction_z[lane]};
+    }
+    [[nodiscard]] V3f normal(std::size_t lane) const {
+        return {normal_x[lane], normal_y[lane], normal_z[lane]};
+    }
+    /// Whether the mesh is placed by a matrix for tracing, rather than copied into the world.
+    [[nodiscard]] bool is_placed(std::size_t lane) const { return placement[lane] != Hit::nothing; }
+    [[nodiscard]] bool any(std::size_t lane) const { return geometry[lane] != Hit::nothing; }
+    [[nodiscard]] std::uint32_t instance(std::size_t lane) const {
+        return is_placed(lane) ? placement[lane] : geometry[lane];
+    }
+    [[nodiscard]] Hit hit(std::size_t lane) const {
+        return any(lane) ? Hit{instance(lane), triangle[lane], u[lane], v[lane]} : Hit{};
+    }
+};
+
 /// The fraction of the light that a transparent surface blocks.
 class OpacitySource {
 public:
@@ -67,8 +115,8 @@ public:
 class Accelerator {
 public:
     /// Rays of a grid are traced together in squares with this side.
-    static constexpr std::size_t packet_side = 4;
-    static constexpr std::size_t packet_size = packet_side * packet_side;
+    static constexpr std::size_t packet_side = Packet::side;
+    static constexpr std::size_t packet_size = Packet::size;
 
     /// Builds the structure. An instance that Embree cannot handle (without a finite affine matrix,
     /// or with a vertex beyond max_coordinate) is skipped with a warning that names its object; a
@@ -82,6 +130,11 @@ public:
     [[nodiscard]] float reach() const;
 
     [[nodiscard]] Hit intersect(const Ray& ray) const;
+
+    /// The nearest hits of a packet, whose rays are set where `valid` says that there is one.
+    /// Clears `valid` where a ray cannot be traced; direction components of nearly 0 change by less
+    /// than their rounding error.
+    void intersect(Packet& packet) const;
 
     /// The nearest hits of a grid of neighbouring rays, given row by row; active[i] says whether
     /// ray i is to be traced. Much faster than one after another.

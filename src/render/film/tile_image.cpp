@@ -80,37 +80,50 @@ void add_means(MeanLayers& means, std::size_t at, std::uint32_t count,
 }  // namespace
 
 void add_pass(Film& film, std::size_t tile, const TileImage& image) {
-    const bool with_squares = !film.sum_of_squares.empty();
-    const bool with_data = film.layers && !image.data.empty();
-    for_each_pixel(image.region, [&](std::size_t i, std::size_t x, std::size_t y) {
-        if (!film.window.contains(x, y) || (!image.active.empty() && image.active[i] == 0)) {
-            return;
-        }
-        const std::size_t at = film.index(x, y);
-        if (!film.pixel_passes.empty()) {
+    // Each layer by itself: loops over contiguous values.
+    const auto for_each_sample = [&](const auto& visit) {
+        for_each_pixel_within(image.region, film.window,
+                              [&](std::size_t i, std::size_t x, std::size_t y) {
+                                  if (image.active.empty() || image.active[i] != 0) {
+                                      visit(i, film.index(x, y));
+                                  }
+                              });
+    };
+    if (!film.pixel_passes.empty()) {
+        for_each_sample([&](std::size_t, std::size_t at) {
             if (std::has_single_bit(film.pixel_passes[at])) {
                 film.first_half[at] = film.sum[at];
             }
             ++film.pixel_passes[at];
+        });
+    }
+    const auto add = [&](std::vector<Color4d>& sums, const std::vector<Color4f>& samples) {
+        if (!samples.empty()) {
+            for_each_sample(
+                [&](std::size_t i, std::size_t at) { sums[at] += Color4d(samples[i]); });
         }
-        const Color4d sample(image.light[i]);
-        film.sum[at] += sample;
-        if (with_squares) {
+    };
+    add(film.sum, image.light);
+    add(film.display, image.display);
+    add(film.mirrored, image.mirrored);
+    if (!film.sum_of_squares.empty()) {
+        for_each_sample([&](std::size_t i, std::size_t at) {
+            const Color4d sample(image.light[i]);
             film.sum_of_squares[at] += sample * sample;
-        }
-        if (!image.display.empty()) {
-            film.display[at] += Color4d(image.display[i]);
-        }
-        if (!image.mirrored.empty()) {
-            film.mirrored[at] += Color4d(image.mirrored[i]);
-        }
-        if (with_data && image.data[i].valid) {
-            write_data(*film.layers, at, image.data[i]);
-        }
-        if (!image.contributions.empty()) {
+        });
+    }
+    if (film.layers && !image.data.empty()) {
+        for_each_sample([&](std::size_t i, std::size_t at) {
+            if (image.data[i].valid) {
+                write_data(*film.layers, at, image.data[i]);
+            }
+        });
+    }
+    if (!image.contributions.empty()) {
+        for_each_sample([&](std::size_t i, std::size_t at) {
             add_means(film.means, at, film.passes[tile] + 1, image.contributions[i]);
-        }
-    });
+        });
+    }
     ++film.passes[tile];
 }
 

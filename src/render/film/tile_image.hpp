@@ -4,6 +4,7 @@
 
 // One pass over one tile, and its addition to the film.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -84,15 +85,26 @@ struct TileImage {
     std::vector<std::uint8_t> active{};  ///< Whether a pixel has a sample; empty if all have.
 };
 
-/// Calls visit(i, x, y) for each pixel (x, y) of a region, which is number i row by row.
+/// Calls visit(i, x, y) for each pixel (x, y) of a region that is in a window, too; i is its number
+/// in the region, row by row.
 template <class Visit>
-void for_each_pixel(const Region& region, const Visit& visit) {
-    std::size_t i = 0;
-    for (std::size_t y = region.y; y < region.y + region.height; ++y) {
-        for (std::size_t x = region.x; x < region.x + region.width; ++x) {
-            visit(i++, x, y);
+void for_each_pixel_within(const Region& region, const Region& window, const Visit& visit) {
+    const std::size_t left = std::max(region.x, window.x);
+    const std::size_t right = std::min(region.x + region.width, window.x + window.width);
+    const std::size_t top = std::max(region.y, window.y);
+    const std::size_t bottom = std::min(region.y + region.height, window.y + window.height);
+    for (std::size_t y = top; y < bottom; ++y) {
+        const std::size_t row = (y - region.y) * region.width;
+        for (std::size_t x = left; x < right; ++x) {
+            visit(row + x - region.x, x, y);
         }
     }
+}
+
+/// The same for all pixels of a region.
+template <class Visit>
+void for_each_pixel(const Region& region, const Visit& visit) {
+    for_each_pixel_within(region, region, visit);
 }
 
 /// Adds the samples of a tile's next pass that are in the film's window. Two tiles may be added at

@@ -4,6 +4,7 @@
 
 // The interface of integrators, which compute the radiance along a ray.
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -43,17 +44,13 @@ public:
 /// A faster way to the radiance alone, for integrators without random numbers.
 class LightTracer {
 public:
-    /// The camera rays of a tile with their first hits, in parallel arrays.
-    struct Rays {
-        std::span<const embree::Ray> rays;
-        std::span<const std::uint8_t> valid;  ///< Whether there is a ray.
-        std::span<const embree::Hit> hits;
-        const DifferentialSource& footprints;
-    };
+    using Lanes = std::array<Color4f, embree::Packet::size>;
 
     virtual ~LightTracer() = default;
-    /// The same radiance as that of Integrator::trace(); 0 where there is no ray.
-    virtual void trace_light(const Rays& rays, std::span<Color4f> radiance) = 0;
+    /// The radiance of a packet of camera rays with their first hits: that of Integrator::trace(),
+    /// up to rounding errors; 0 where there is no ray. The differentials are those of its lanes.
+    virtual void trace_light(const embree::Packet& packet, const DifferentialSource& differentials,
+                             Lanes& radiance) = 0;
 };
 
 /// Belongs to one thread. A new integrator needs a file with a class and a maker, and a row in

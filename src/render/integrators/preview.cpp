@@ -3,39 +3,88 @@
 
 // The base colour, lit from the ray's origin.
 
+#include <array>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "render/integrators/ray_tree.hpp"
+#include "render/shading/packet_lanes.hpp"
 
 namespace balcony::render {
 
 namespace {
 
+using embree::Packet;
+
 class Preview final : public RayTree, private LightTracer {
 public:
-    using RayTree::RayTree;
+    Preview(const TracedScene& traced, const Settings& settings) : RayTree(traced, settings) {
+        looks_.reserve(traced.scene->instances.size());
+        for (std::uint32_t i = 0; i < traced.scene->instances.size(); ++i) {
+            looks_.push_back(look_of(traced, i));
+        }
+    }
     [[nodiscard]] LightTracer* light_tracer() override { return this; }
 
 private:
-    void trace_light(const Rays& all, std::span<Color4f> radiance) override {
-        for (std::size_t i = 0; i < radiance.size(); ++i) {
-            radiance[i] = all.valid[i] != 0 ? light(all, i) : Color4f(0.0F);
+    // An instance as the integrator shows it.
+    struct Look {
+        bool is_uniform = false;  // Opaque, with the same appearance everywhere, and at rest.
+        Color4f base_color{0.0F};
+        Color4f emission{0.0F};  // With the opacity.
+        MeshNormals normals;
+    };
+
+    static Look look_of(const TracedScene& traced, std::uint32_t instance) {
+        const std::optional<MeshNormals> normals = traced.surfaces.normals_at_rest(instance);
+        const scene::MeshIndex mesh = traced.scene->instances[instance].mesh;
+        const Appearance* const everywhere =
+            traced.materials.uniform(traced.scene->meshes[mesh.value()]);
+        if (!normals || everywhere == nullptr) {
+            return {};
+        }
+        const Color3f& base = everywhere->base_color;
+        return {true, {base.x, base.y, base.z, 0.0F}, opaque(everywhere->emission), *normals};
+    }
+
+    void trace_light(const Packet& packet, const DifferentialSource& differentials,
+                     Lanes& radiance) override {
+        std::array<const Look*, Packet::size> looks{};
+        for (std::size_t lane = 0; lane < Packet::size; ++lane) {
+            if (packet.valid[lane] != 0 && packet.any(lane)) {
+                looks[lane] = &looks_[packet.instance(lane)];
+                if (looks[lane]->is_uniform) {
+                    set_normals(packet, lane, looks[lane]->normals);
+                }
+            }
+        }
+        packet_lanes::set_cosines(packet, normals_, cosines_);
+        for (std::size_t lane = 0; lane < Packet::size; ++lane) {
+            const Look* const look = looks[lane];
+            radiance[lane] = look == nullptr    ? Color4f(0.0F)
+                             : look->is_uniform ? look->emission + cosines_[lane] * look->base_color
+                                                : light(packet, lane, differentials);
         }
     }
 
-    [[nodiscard]] Color4f light(const Rays& all, std::size_t i) {
-        const embree::Ray& from_camera = all.rays[i];
-        const embree::Hit& hit = all.hits[i];
-        if (!hit.any()) {
-            return Color4f(0.0F);
-        }
-        // Most surfaces are opaque and have the same appearance everywhere.
-        if (const Appearance* everywhere = tracer().uniform_appearance(hit)) {
-            const V3f normal = tracer().normal(hit, from_camera.direction, from_camera.time);
-            return opaque(radiance(*everywhere, normal, from_camera.direction));
-        }
-        const Ray ray{from_camera.origin, from_camera.direction, all.footprints.differentials(i),
-                      from_camera.time};
+    void set_normals(const Packet& packet, std::size_t lane, const MeshNormals& mesh) {
+        const V3f smooth = mesh.smooth(packet.triangle[lane], packet.u[lane], packet.v[lane]);
+        const V3f flat = packet.is_placed(lane) ? packet.normal(lane) * mesh.world_from_mesh
+                                                : packet.normal(lane);
+        normals_.smooth_x[lane] = smooth.x;
+        normals_.smooth_y[lane] = smooth.y;
+        normals_.smooth_z[lane] = smooth.z;
+        normals_.flat_x[lane] = flat.x;
+        normals_.flat_y[lane] = flat.y;
+        normals_.flat_z[lane] = flat.z;
+    }
+
+    [[nodiscard]] Color4f light(const Packet& packet, std::size_t lane,
+                                const DifferentialSource& differentials) {
+        const Ray ray{packet.origin(lane), packet.direction(lane),
+                      differentials.differentials(lane), packet.time[lane]};
+        const embree::Hit hit = packet.hit(lane);
         const Interaction at = tracer().interaction(ray, hit);
         return at.appearance.opacity >= 1.0F
                    ? opaque(radiance(at.appearance, at.surface.normal, ray.direction))
@@ -51,6 +100,11 @@ private:
         const float cosine = std::abs(at.surface.normal.dot(ray.direction));
         return {at.appearance.emission, Color3f(0.0F), cosine * at.appearance.base_color};
     }
+
+    std::vector<Look> looks_;  // By instance.
+    // Of the packet at work.
+    packet_lanes::Normals normals_{};
+    alignas(64) Packet::Floats cosines_{};
 };
 
 }  // namespace

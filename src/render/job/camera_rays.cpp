@@ -3,13 +3,49 @@
 
 #include "render/job/camera_rays.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "render/shading/packet_lanes.hpp"
 
 namespace balcony::render {
 
 bool traceable(const rays::RayBatch& rays, std::size_t i) {
     const V3d d = rays.direction(i);
     return rays.valid(i) && embree::in_range(rays.origin(i)) && std::abs(d.length2() - 1.0) < 1e-6;
+}
+
+void set_packet(const rays::RayBatch& rays, std::size_t width, std::size_t left, std::size_t top,
+                const scene::TimeInterval& interval, float time, embree::Packet& packet) {
+    constexpr std::size_t side = embree::Packet::side;
+    const std::size_t columns = std::min(width - left, side);
+    const std::size_t rows = std::min(rays.size() / width - top, side);
+    if (columns == side && rows == side) {
+        packet_lanes::set_rays(rays.arrays(), top * width + left, width, packet);
+        packet.time.fill(time);
+        packet.farthest.fill(std::numeric_limits<float>::infinity());
+    } else {
+        packet.valid.fill(0);
+        for (std::size_t row = 0; row < rows; ++row) {
+            for (std::size_t column = 0; column < columns; ++column) {
+                const std::size_t i = (top + row) * width + left + column;
+                if (traceable(rays, i)) {
+                    packet.set(row * side + column, {.origin = V3f(rays.origin(i)),
+                                                     .direction = V3f(rays.direction(i)),
+                                                     .time = time});
+                }
+            }
+        }
+    }
+    if (rays.has_times()) {
+        for (std::size_t row = 0; row < rows; ++row) {
+            for (std::size_t column = 0; column < columns; ++column) {
+                packet.time[row * side + column] = static_cast<float>(
+                    interval.part_at(rays.time((top + row) * width + left + column)));
+            }
+        }
+    }
 }
 
 V2f parameters(const rays::RayBatch& rays, std::size_t i) {

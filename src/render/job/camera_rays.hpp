@@ -8,6 +8,7 @@
 
 #include <Imath/ImathVec.h>
 
+#include "balcony/motion.hpp"
 #include "balcony/rays.hpp"
 #include "render/shading/surface.hpp"
 
@@ -26,5 +27,11 @@ using Imath::V3d;
 /// The ray's change over a fraction of a pixel; 0 along x or y where it is not finite.
 [[nodiscard]] RayDifferentials differentials(const rays::RayBatch& rays, std::size_t i,
                                              double part);
+
+/// Sets the rays of a packet to those of a square of a tile, whose upper left corner is point
+/// (left, top); `valid` as traceable(). `time` is that of all rays, unless they have their own
+/// times, which are from 0 to 1 over the interval.
+void set_packet(const rays::RayBatch& rays, std::size_t width, std::size_t left, std::size_t top,
+                const scene::TimeInterval& interval, float time, embree::Packet& packet);
 
 }  // namespace balcony::render

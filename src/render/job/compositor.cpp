@@ -113,17 +113,17 @@ const TileImage& Compositor::sample(const TilePoints& points, const Region& coun
 }
 
 void Compositor::sample_light(const TilePoints& points, const Region& counted) {
-    rays_.find_rays_of_pass(0, points.grid, points.region, points.numbers, tile_rays_);
+    rays_.find_batch_of_pass(0, points.grid, points.region, points.numbers, tile_rays_);
     image_.light.resize(points.size());
-    tracer_.trace_light(points.region.width, tile_rays_, image_.light);
+    tracer_.trace_light(points.region, tile_rays_, image_.light);
     RayCounts& count = counts_[0];
-    for_each_pixel(points.region, [&](std::size_t i, std::size_t x, std::size_t y) {
-        const std::uint64_t counts = counted.contains(x, y) ? 1 : 0;
-        const std::uint64_t missing = tile_rays_.valid[i] == 0 ? counts : 0;
-        count.camera_rays += counts;
+    const std::uint64_t in_pass_0 = points.pass == 0 ? 1 : 0;
+    for_each_pixel_within(points.region, counted, [&](std::size_t i, std::size_t, std::size_t) {
+        const std::uint64_t missing = tile_rays_.valid[i] == 0 ? 1 : 0;
+        count.camera_rays += 1;
         count.invalid_rays += missing;
-        count.hits += image_.light[i].a > 0.0F ? counts : 0;
-        invalid_pixels_ += points.pass == 0 ? missing : 0;
+        count.hits += image_.light[i].a > 0.0F ? 1 : 0;
+        invalid_pixels_ += in_pass_0 * missing;
     });
 }
 

@@ -35,39 +35,51 @@ void PictureRays::find_rays(std::size_t layer, const rays::Tile& points, TileRay
     lens_.set_middle(points.width * points.height);
     rays.through_lens = false;
     run(layer, points, rays);
+    set_single_rays(rays);
     seconds_ += watch.seconds();
 }
 
 void PictureRays::find_rays_of_pass(std::size_t layer, const rays::Tile& points,
                                     const Region& region, const PassNumbers& numbers,
                                     TileRays& rays) {
-    if (!has_lens(layer)) {
-        find_rays(layer, points, rays);
-        return;
-    }
+    find_batch_of_pass(layer, points, region, numbers, rays);
     const Stopwatch watch;
-    lens_.set_samples(region, numbers);
-    rays.through_lens = true;
+    set_single_rays(rays);
+    seconds_ += watch.seconds();
+}
+
+void PictureRays::find_batch_of_pass(std::size_t layer, const rays::Tile& points,
+                                     const Region& region, const PassNumbers& numbers,
+                                     TileRays& rays) {
+    const Stopwatch watch;
+    rays.through_lens = has_lens(layer);
+    if (rays.through_lens) {
+        lens_.set_samples(region, numbers);
+    } else {
+        lens_.set_middle(points.width * points.height);
+    }
     run(layer, points, rays);
     seconds_ += watch.seconds();
 }
 
 void PictureRays::run(std::size_t layer, rays::Tile points, TileRays& rays) {
     points.inputs = lens_.of_layer(layer);
-    const std::size_t count = points.width * points.height;
     picture_->layers()[layer].rays.run(points, scratch_, rays.all);
+    rays.time = static_cast<float>(interval_.part_at(points.time));
+}
+
+void PictureRays::set_single_rays(TileRays& rays) const {
+    const std::size_t count = rays.all.size();
     rays.valid.assign(count, 0);
     rays.rays.resize(count);
-    const auto part_at = [this](double time) {
-        return static_cast<float>(interval_.part_at(time));
-    };
-    const float time = part_at(points.time);
     for (std::size_t i = 0; i < count; ++i) {
         if (traceable(rays.all, i)) {
             rays.valid[i] = 1;
             rays.rays[i] = {V3f(rays.all.origin(i)), V3f(rays.all.direction(i)),
                             std::numeric_limits<float>::infinity(),
-                            rays.all.has_times() ? part_at(rays.all.time(i)) : time};
+                            rays.all.has_times()
+                                ? static_cast<float>(interval_.part_at(rays.all.time(i)))
+                                : rays.time};
         }
     }
 }

@@ -10,23 +10,32 @@ namespace balcony::render {
 
 namespace {
 
+// A number minus itself is 0, or NaN if it is not finite.
 bool is_finite(const Color4f& c) {
-    return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b) && std::isfinite(c.a);
+    return (c.r - c.r) + (c.g - c.g) + (c.b - c.b) + (c.a - c.a) == 0.0F;
 }
 
-// The differentials of the rays of a tile.
-class TileDifferentials final : public DifferentialSource {
-public:
-    TileDifferentials(const rays::RayBatch& rays, double scale) : rays_(rays), scale_(scale) {}
+RayDifferentials differentials_of(const rays::RayBatch& rays, std::size_t i, double scale) {
+    return rays.has_footprints() ? differentials(rays, i, scale) : RayDifferentials{};
+}
 
-    [[nodiscard]] RayDifferentials differentials(std::size_t ray) const override {
-        return rays_.has_footprints() ? render::differentials(rays_, ray, scale_)
-                                      : RayDifferentials{};
+// Those of the lanes of a packet, whose rays are a square of a tile.
+class SquareDifferentials final : public DifferentialSource {
+public:
+    SquareDifferentials(const rays::RayBatch& rays, double scale, std::size_t first,
+                        std::size_t stride)
+        : rays_(rays), scale_(scale), first_(first), stride_(stride) {}
+
+    [[nodiscard]] RayDifferentials differentials(std::size_t lane) const override {
+        constexpr std::size_t side = embree::Packet::side;
+        return differentials_of(rays_, first_ + lane / side * stride_ + lane % side, scale_);
     }
 
 private:
     const rays::RayBatch& rays_;
     double scale_;
+    std::size_t first_;
+    std::size_t stride_;
 };
 
 }  // namespace
@@ -40,8 +49,7 @@ TileTracer::TileTracer(const TracedScene& traced, const Settings& settings, Inte
 
 Ray TileTracer::camera_ray(const TileRays& rays, std::size_t i) const {
     const embree::Ray& ray = rays.rays[i];
-    return {ray.origin, ray.direction,
-            TileDifferentials(rays.all, footprint_scale_).differentials(i), ray.time};
+    return {ray.origin, ray.direction, differentials_of(rays.all, i, footprint_scale_), ray.time};
 }
 
 void TileTracer::trace(const TilePoints& points, const TileRays& rays, const Mask& wanted) {
@@ -80,17 +88,38 @@ void TileTracer::trace(const TilePoints& points, const TileRays& rays, const Mas
     }
 }
 
-void TileTracer::trace_light(std::size_t width, const TileRays& rays, std::span<Color4f> radiance) {
-    hits_.resize(rays.rays.size());
-    traced_->accelerator.intersect_grid(width, rays.rays, rays.valid, hits_);
-    light_tracer_->trace_light(
-        {rays.rays, rays.valid, hits_, TileDifferentials(rays.all, footprint_scale_)}, radiance);
-    for (Color4f& color : radiance) {
-        if (!is_finite(color)) {
-            ++repaired_;
-            color = Color4f(0.0F);
+void TileTracer::trace_light(const Region& region, TileRays& rays, std::span<Color4f> radiance) {
+    constexpr std::size_t side = embree::Packet::side;
+    rays.valid.resize(region.size());
+    for (std::size_t top = 0; top < region.height; top += side) {
+        for (std::size_t left = 0; left < region.width; left += side) {
+            set_packet(rays.all, region.width, left, top, traced_->interval, rays.time, packet_);
+            const auto asked = packet_.valid;
+            traced_->accelerator.intersect(packet_);
+            light_tracer_->trace_light(packet_,
+                                       SquareDifferentials(rays.all, footprint_scale_,
+                                                           top * region.width + left, region.width),
+                                       lanes_);
+            const std::size_t columns = std::min(region.width - left, side);
+            for (std::size_t row = 0; row < std::min(region.height - top, side); ++row) {
+                const std::size_t i = (top + row) * region.width + left;
+                for (std::size_t column = 0; column < columns; ++column) {
+                    const std::size_t lane = row * side + column;
+                    rays.valid[i + column] = asked[lane] != 0 ? 1 : 0;
+                    radiance[i + column] = repaired(lanes_[lane]);
+                }
+            }
         }
     }
+}
+
+const Color4f& TileTracer::repaired(const Color4f& color) {
+    static constexpr Color4f black(0.0F);
+    if (is_finite(color)) {
+        return color;
+    }
+    ++repaired_;
+    return black;
 }
 
 }  // namespace balcony::render

@@ -45,14 +45,16 @@ public:
 
     /// Whether there is trace_light().
     [[nodiscard]] bool has_light_tracer() const { return light_tracer_ != nullptr; }
-    /// The radiance of all valid rays, as above, and 0 elsewhere.
-    void trace_light(std::size_t width, const TileRays& rays, std::span<Color4f> radiance);
+    /// The radiance of all rays that can be traced, as above, and 0 elsewhere. Sets `valid`.
+    void trace_light(const Region& region, TileRays& rays, std::span<Color4f> radiance);
 
     /// The number of samples whose radiance was not finite.
     [[nodiscard]] std::uint64_t repaired() const { return repaired_; }
 
 private:
     void trace(const TilePoints& points, const TileRays& rays, const Mask& wanted);
+    /// Black, and counted, if it is not finite.
+    [[nodiscard]] const Color4f& repaired(const Color4f& color);
     [[nodiscard]] Ray camera_ray(const TileRays& rays, std::size_t i) const;
 
     const TracedScene* traced_;
@@ -64,6 +66,8 @@ private:
     std::vector<std::size_t> indices_;  // Of the requested points; the others are parallel to it.
     std::vector<CameraRay> requested_;
     std::vector<Seen> seen_;
+    embree::Packet packet_;
+    LightTracer::Lanes lanes_;
     std::uint64_t repaired_ = 0;
 };
 

@@ -55,15 +55,6 @@ public:
     /// The surface at a hit of the ray.
     [[nodiscard]] Interaction interaction(const Ray& ray, const embree::Hit& hit) const;
 
-    /// The appearance at a hit if it is opaque and the same everywhere on the mesh; otherwise null.
-    [[nodiscard]] const Appearance* uniform_appearance(const embree::Hit& hit) const {
-        return traced_->materials.uniform(*traced_->surfaces.mesh_point(hit).mesh);
-    }
-    /// The normal for shading at such a hit.
-    [[nodiscard]] V3f normal(const embree::Hit& hit, const V3f& direction, float time) const {
-        return traced_->surfaces.smooth_normal(hit, direction, time);
-    }
-
     /// What the material emits at a point of a triangle, unfiltered, by its opacity.
     [[nodiscard]] Color3f emission(const embree::Hit& hit) const;
 

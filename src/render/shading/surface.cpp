@@ -273,28 +273,12 @@ Surface SurfaceFinder::find(const embree::Hit& hit, const V3f& direction, float 
     return surface;
 }
 
-V3f SurfaceFinder::smooth_normal(const embree::Hit& hit, const V3f& direction, float time) const {
-    if (!moving_.empty()) {
-        return find(hit, direction, time).smooth_normal;
+std::optional<MeshNormals> SurfaceFinder::normals_at_rest(std::uint32_t instance) const {
+    if (moving_.step_count(instance) > 1 ||
+        shapes_.step_count(scene_->instances[instance].mesh) > 1) {
+        return std::nullopt;
     }
-    const Placement& placement = placements_[hit.instance];
-    const scene::Mesh& m = *placement.mesh;
-    const auto& triangle = m.triangles[hit.triangle];
-    const auto corner = [&](std::size_t k, float share) {
-        return Corner{
-            placed(m.positions[triangle[k]], placement.world_from_mesh),
-            m.normals.empty() ? V3f(0.0F) : m.normals[triangle[k]] * placement.normal_from_mesh,
-            share};
-    };
-    const std::array<Corner, 3> corners{corner(0, 1.0F - hit.u - hit.v), corner(1, hit.u),
-                                        corner(2, hit.v)};
-    const V3f across = (corners[1].position - corners[0].position)
-                           .cross(corners[2].position - corners[0].position);
-    const V3f outside = placement.side * across.normalized();
-    const V3f geometric = outside.dot(direction) <= 0.0F ? outside : -outside;
-    const V3f unit = interpolated_normal(corners);
-    return unit.length2() > 0.0F ? bent_towards(side_of(unit, geometric) * unit, -direction)
-                                 : geometric;
+    return MeshNormals{placements_[instance].mesh, placements_[instance].normal_from_mesh};
 }
 
 }  // namespace balcony::render

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <Imath/ImathMatrix.h>
@@ -103,6 +104,23 @@ struct Surface {
                     const V3f& to_viewer);
 };
 
+/// The normals of a mesh that is placed in the world.
+struct MeshNormals {
+    const scene::Mesh* mesh = nullptr;
+    Imath::M33f world_from_mesh;
+
+    /// Interpolated from the corners, of any length; 0 if the mesh has no normals.
+    [[nodiscard]] V3f smooth(std::uint32_t triangle, float u, float v) const {
+        if (mesh->normals.empty()) {
+            return V3f(0.0F);
+        }
+        const auto& corners = mesh->triangles[triangle];
+        return ((1.0F - u - v) * mesh->normals[corners[0]] + u * mesh->normals[corners[1]] +
+                v * mesh->normals[corners[2]]) *
+               world_from_mesh;
+    }
+};
+
 /// Computes surfaces from hits.
 class SurfaceFinder {
 public:
@@ -111,8 +129,8 @@ public:
     /// The surface at the hit of a ray with a direction and a time.
     [[nodiscard]] Surface find(const embree::Hit& hit, const V3f& direction,
                                float time = 0.0F) const;
-    /// Only the smooth normal.
-    [[nodiscard]] V3f smooth_normal(const embree::Hit& hit, const V3f& direction, float time) const;
+    /// The normals of an instance; nothing if it moves or changes its shape.
+    [[nodiscard]] std::optional<MeshNormals> normals_at_rest(std::uint32_t instance) const;
     /// Only where a hit is in its mesh.
     [[nodiscard]] MeshPoint mesh_point(const embree::Hit& hit) const {
         return {placements_[hit.instance].mesh, hit.triangle, hit.u, hit.v};

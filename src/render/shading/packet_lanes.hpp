@@ -1,0 +1,32 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// What is computed for all rays of a packet together, in the widest registers of the machine. The
+// results are the same on all machines, bit for bit.
+
+#include <cstddef>
+
+#include "balcony/rays.hpp"
+#include "render/embree/accelerator.hpp"
+
+namespace balcony::render::packet_lanes {
+
+/// Sets the origins and directions of a packet to those of a square of the rays of a tile, which
+/// begins at ray `first` and whose rows are `stride` apart; `valid` as traceable().
+void set_rays(const rays::RayBatch::Arrays& rays, std::size_t first, std::size_t stride,
+              embree::Packet& packet);
+
+/// Normals in the world, of any length and on any side. A smooth normal of 0 means that the surface
+/// is flat.
+struct alignas(64) Normals {
+    embree::Packet::Floats flat_x, flat_y, flat_z;
+    embree::Packet::Floats smooth_x, smooth_y, smooth_z;
+};
+
+/// The cosines between the rays and the normal for shading, which is never negative: as
+/// with Surface::smooth_normal. Defined where the flat normal is not 0.
+void set_cosines(const embree::Packet& packet, const Normals& normals,
+                 embree::Packet::Floats& cosines);
+
+}  // namespace balcony::render::packet_lanes
