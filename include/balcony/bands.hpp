@@ -2,12 +2,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Bands: pictures that are larger than the memory, written row by row while they are rendered.
+// Bands: pictures that are larger than the memory. Band by band, from top to bottom, a film is
+// rendered with all its samples, and its tiles are appended to an EXR file.
+//
+//     BandedRender::make(renderer, picture, settings, layout, rows)
+//     TiledFile::create(file, film, window)
+//     do { job().run(); tiles.add(film()); } while (render.next());
+//     tiles.commit();
+//
+// With a checkpoint of the film of the band in progress, whose window says which it is, and the
+// unfinished file, another process continues to the very same file.
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <stop_token>
 
 #include "balcony/render.hpp"
 
@@ -16,38 +25,75 @@ namespace balcony::render {
 /// The memory that a film takes, without what a job adds to it.
 [[nodiscard]] double film_bytes(const FilmLayout& layout);
 
-/// The rows of a band whose film takes at most this many bytes, and at least one row of tiles.
+/// The side of the tiles of a file: bands have a multiple of this many rows.
+inline constexpr std::size_t file_tile_side = 64;
+
+/// The rows of a band whose film takes at most this many bytes, or one row of tiles.
 [[nodiscard]] std::size_t band_height(const FilmLayout& layout, double bytes);
 
 /// Adds the counts and times of a later run to those of earlier ones.
 void add(Summary& total, const Summary& part);
 
-/// Writes an EXR file in bands, from top to bottom. It is that of write() for the whole film.
-class BandedFile {
+/// The render of a picture in bands.
+class BandedRender {
 public:
-    /// The whole window of the picture.
-    BandedFile(const std::filesystem::path& file, const Region& window);
-    BandedFile(BandedFile&&) noexcept;
-    ~BandedFile();
+    /// Begins with the first band of the layout's window. The rows are a multiple of
+    /// file_tile_side. Adaptive sampling needs SamplingSettings::white.
+    [[nodiscard]] static Result<BandedRender> make(const Renderer& renderer,
+                                                   const camera::Picture& picture,
+                                                   const Settings& settings,
+                                                   const FilmLayout& layout, std::size_t rows);
 
-    /// The band follows on the one before. All but the last have a multiple of tile_height rows.
+    /// Of the band in progress: a job for its film.
+    [[nodiscard]] Film& film() { return *film_; }
+    [[nodiscard]] Job& job() { return *job_; }
+
+    /// Begins the band after the one in progress; false if that was the last one.
+    [[nodiscard]] bool next();
+    /// Begins another band, of whole tiles of the file. False if there is no such band.
+    [[nodiscard]] bool go_to(std::size_t first_row, std::size_t rows);
+
+    /// The part of the picture that is done, from 0 to 1, if this part of the band is.
+    [[nodiscard]] double done(double part_of_band) const;
+
+private:
+    BandedRender(const Region& window, std::size_t rows, std::unique_ptr<Film> film, Job job);
+
+    Region window_;
+    std::size_t rows_;
+    std::unique_ptr<Film> film_;  // The job knows its address.
+    std::unique_ptr<Job> job_;
+};
+
+/// An EXR file with tiles that grows. Until it is complete, its name is that of the picture with
+/// ".part" at the end; it stays there if it is not completed. A failure to write is an error, and
+/// leaves what was flushed before.
+class TiledFile {
+public:
+    /// A new file for bands like this film, over a window of the picture.
+    [[nodiscard]] static Result<TiledFile> create(const std::filesystem::path& picture,
+                                                  const Film& film, const Region& window);
+    /// The unfinished file with the rows before the film, if these were flushed; what comes after
+    /// them is removed.
+    [[nodiscard]] static Result<TiledFile> reopen(const std::filesystem::path& picture,
+                                                  const Film& film, const Region& window);
+    TiledFile(TiledFile&&) noexcept;
+    TiledFile& operator=(TiledFile&&) noexcept;
+    ~TiledFile();
+
+    [[nodiscard]] static std::filesystem::path unfinished(const std::filesystem::path& picture);
+
+    /// Appends the tiles of the next band.
     [[nodiscard]] Diagnostics add(const Film& band);
-    /// After the last band.
+    /// Everything so far is on the disk then.
+    [[nodiscard]] Diagnostics flush();
+    /// After the last band: gives the file its name.
     [[nodiscard]] Diagnostics commit();
 
 private:
     struct State;
+    explicit TiledFile(std::unique_ptr<State> state);
     std::unique_ptr<State> state_;
 };
-
-/// Renders a picture in bands of these rows, each with all its samples, and writes it to an EXR
-/// file. The picture is that of a job for the whole film. When a stop is requested, the rest of the
-/// picture is transparent. Adaptive sampling needs SamplingSettings::white.
-[[nodiscard]] Result<Summary> render_in_bands(const Renderer& renderer,
-                                              const camera::Picture& picture,
-                                              const Settings& settings, const FilmLayout& layout,
-                                              std::size_t rows, const std::filesystem::path& file,
-                                              const ProgressCallback& progress = {},
-                                              std::stop_token stop = {});
 
 }  // namespace balcony::render

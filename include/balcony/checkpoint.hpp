@@ -25,6 +25,9 @@ using RenderFacts = std::vector<RenderFact>;
 [[nodiscard]] Diagnostics write_checkpoint(const Film& film, const RenderFacts& facts,
                                            const std::filesystem::path& file);
 
+/// What the film of a checkpoint depends on, without checking the rest of the file.
+[[nodiscard]] Result<RenderFacts> read_facts(const std::filesystem::path& file);
+
 /// Reads a checkpoint into a film that a job was made for. A file that is damaged, of another
 /// version of Balcony, of a film of another kind, or of other facts is an error, which names what
 /// differs; the film is unchanged then.

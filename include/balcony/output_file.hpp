@@ -43,6 +43,13 @@ private:
     int reason_ = 0;
 };
 
+/// Renames a complete file so that it replaces another one, as OutputFile::commit() does.
+[[nodiscard]] Diagnostics move_into_place(const std::filesystem::path& complete,
+                                          const std::filesystem::path& file);
+
+/// The file itself where its name is a link.
+[[nodiscard]] std::filesystem::path resolved(const std::filesystem::path& file);
+
 /// Writes a complete file or none; if it fails, an existing file is unchanged.
 [[nodiscard]] Diagnostics write_whole(const std::filesystem::path& file, std::string_view bytes);
 [[nodiscard]] Diagnostics write_whole(const std::filesystem::path& file,

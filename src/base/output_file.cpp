@@ -47,15 +47,13 @@ fs::path make_beside(const fs::path& file) {
     return {};
 }
 
-// Follows links, so that the target is replaced and not the link.
-fs::path resolved(const fs::path& file) {
-    std::error_code failed;
-    fs::path real = fs::weakly_canonical(file, failed);
-    return failed ? file : real;
-}
-
 fs::path folder_of(const fs::path& file) {
     return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+Diagnostic cannot_write(const fs::path& file, int number) {
+    const std::string reason = number != 0 ? ": " + std::generic_category().message(number) : "";
+    return error(fmt::format("'{}' cannot be written{}", file.string(), reason));
 }
 
 Diagnostic not_a_file(const fs::path& file) {
@@ -64,6 +62,30 @@ Diagnostic not_a_file(const fs::path& file) {
 }
 
 }  // namespace
+
+// Follows links, so that the target is replaced and not the link.
+fs::path resolved(const fs::path& file) {
+    std::error_code failed;
+    fs::path real = fs::weakly_canonical(file, failed);
+    return failed ? file : real;
+}
+
+Diagnostics move_into_place(const fs::path& complete, const fs::path& file) {
+    std::error_code failed;
+    const fs::file_status before = fs::status(file, failed);
+    if (fs::exists(before)) {
+        // Moving a file there would replace the device or the pipe itself.
+        if (!fs::is_regular_file(before)) {
+            return {not_a_file(file)};
+        }
+        if (::access(file.c_str(), W_OK) != 0) {
+            return {cannot_write(file, errno)};
+        }
+        fs::permissions(complete, before.permissions(), failed);
+    }
+    fs::rename(complete, file, failed);
+    return failed ? Diagnostics{cannot_write(file, failed.value())} : Diagnostics{};
+}
 
 Diagnostics OutputFile::check(const fs::path& file) {
     std::error_code failed;
@@ -107,23 +129,8 @@ Diagnostics OutputFile::commit() {
         reason_ = errno != 0 ? errno : reason_;
         return {failure()};
     }
-    std::error_code failed;
-    const fs::file_status before = fs::status(file_, failed);
-    if (fs::exists(before)) {
-        // Moving a file there would replace the device or the pipe itself.
-        if (!fs::is_regular_file(before)) {
-            return {not_a_file(file_)};
-        }
-        if (::access(file_.c_str(), W_OK) != 0) {
-            reason_ = errno;
-            return {failure()};
-        }
-        fs::permissions(beside_, before.permissions(), failed);
-    }
-    fs::rename(beside_, file_, failed);
-    if (failed) {
-        reason_ = failed.value();
-        return {failure()};
+    if (Diagnostics found = move_into_place(beside_, file_); !found.empty()) {
+        return found;
     }
     beside_.clear();
     return {};
@@ -131,9 +138,7 @@ Diagnostics OutputFile::commit() {
 
 Diagnostic OutputFile::failure() const {
     // A write that failed before the commit left its reason.
-    const int number = reason_ != 0 ? reason_ : errno;
-    const std::string reason = number != 0 ? ": " + std::generic_category().message(number) : "";
-    return error(fmt::format("'{}' cannot be written{}", file_.string(), reason));
+    return cannot_write(file_, reason_ != 0 ? reason_ : errno);
 }
 
 Diagnostics write_whole(const fs::path& file, std::string_view bytes) {

@@ -3,15 +3,23 @@
 
 #include "cli/checkpoint_file.hpp"
 
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "balcony/content_hash.hpp"
+#include "cli/options/option_values.hpp"
 
 namespace balcony::cli {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view rows_fact = "the rows";
+
+}  // namespace
 
 CheckpointFile::CheckpointFile(const fs::path& picture, render::RenderFacts options,
                                std::vector<fs::path> inputs, FileWatch::Time since)
@@ -28,7 +36,7 @@ bool CheckpointFile::exists() const {
 }
 
 // The files are hashed once, when it is certain that there will be a checkpoint.
-const render::RenderFacts& CheckpointFile::facts(const render::Film& film) {
+render::RenderFacts CheckpointFile::facts(const render::Film& film) {
     if (!facts_) {
         facts_ = {{"Balcony", BALCONY_VERSION},
                   {"the size", fmt::format("{}x{}", film.width, film.height)}};
@@ -39,7 +47,28 @@ const render::RenderFacts& CheckpointFile::facts(const render::Film& film) {
                                hash ? fmt::format("#{:016x}", *hash) : "#unreadable"});
         }
     }
-    return *facts_;
+    render::RenderFacts all = *facts_;
+    all.push_back(
+        {std::string(rows_fact), fmt::format("{}+{}", film.window.y, film.window.height)});
+    return all;
+}
+
+Result<std::pair<std::size_t, std::size_t>> CheckpointFile::rows() const {
+    const Result<render::RenderFacts> facts = render::read_facts(file_);
+    if (!facts) {
+        return facts.diagnostics;
+    }
+    for (const render::RenderFact& fact : *facts) {
+        const std::size_t plus = fact.name == rows_fact ? fact.value.find('+') : std::string::npos;
+        if (plus != std::string::npos) {
+            const std::string_view text = fact.value;
+            const auto first = number_of<std::size_t>(text.substr(0, plus));
+            const auto count = number_of<std::size_t>(text.substr(plus + 1));
+            return std::pair(first.value_or(0), count.value_or(0));
+        }
+    }
+    return error(fmt::format("'{}' cannot be resumed: it does not name its rows", file_.string()),
+                 {}, "render without --resume to begin anew");
 }
 
 Diagnostics CheckpointFile::load(render::Film& film) {

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "balcony/checkpoint.hpp"
@@ -22,6 +23,8 @@ public:
     [[nodiscard]] const std::filesystem::path& file() const { return file_; }
     [[nodiscard]] bool exists() const;
 
+    /// The rows of the picture that are in the film of the checkpoint: the first one, and how many.
+    [[nodiscard]] Result<std::pair<std::size_t, std::size_t>> rows() const;
     /// Continues the film of the checkpoint.
     [[nodiscard]] Diagnostics load(render::Film& film);
     /// Replaces the checkpoint. The second failure in succession is silent.
@@ -32,7 +35,7 @@ public:
     [[nodiscard]] bool is_used() const { return used_; }
 
 private:
-    [[nodiscard]] const render::RenderFacts& facts(const render::Film& film);
+    [[nodiscard]] render::RenderFacts facts(const render::Film& film);
 
     std::filesystem::path file_;
     render::RenderFacts options_;

@@ -28,7 +28,7 @@ Result<render::Summary> run_with_pauses(render::Job& job, const RunLimits& limit
     const Clock::time_point begin = Clock::now();
     std::vector<double> due;  // Of each pause, in seconds since the beginning.
     for (const Pause& pause : limits.pauses) {
-        due.push_back(pause.seconds);
+        due.push_back(pause.first.value_or(pause.seconds));
     }
     const double end = limits.seconds.value_or(std::numeric_limits<double>::infinity());
     std::size_t tiles = 0;

@@ -17,6 +17,7 @@ namespace balcony::cli {
 struct Pause {
     double seconds = 0.0;
     std::function<void()> act;
+    std::optional<double> first{};  ///< The seconds until the first time, if these are others.
 };
 
 /// The limits of a run.

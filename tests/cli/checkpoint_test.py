@@ -6,6 +6,7 @@ import os
 import random
 import resource
 import shutil
+import signal
 import time
 
 import support
@@ -240,22 +241,99 @@ class Crop(support.CommandTest):
 class Bands(support.CommandTest):
     WORDS = ("render", "scene.obj", "-c", "my.cam:above", "--integrator", "preview", "-q")
 
-    def test_the_file_is_the_same(self):
-        for words in ((), ("--crop", "100x120+20+30")):
-            self.run_command(*self.WORDS, "--size", "200x300", *words, "-o", "whole.exr")
-            facts = self.json_of(*self.WORDS, "--size", "200x300", *words, "--film-memory", "1MB",
-                                 "-o", "bands.exr")
-            self.assertEqual(facts["passes"], 16)
-            self.assertEqual((self.folder / "bands.exr").read_bytes(),
-                             (self.folder / "whole.exr").read_bytes())
+    # Takes seconds, in five bands.
+    LONG = ("render", "scene.obj", "-c", "my.cam:above", "--integrator", "preview", "-q",
+            "--size", "200x300", "-s", "600", "--film-memory", "1MB", "--checkpoint-every", "0.05s")
+
+    def bytes_of(self, name):
+        return (self.folder / name).read_bytes()
+
+    def test_the_file_does_not_depend_on_the_memory(self):
+        for words in ((), ("--crop", "150x220+20+30")):
+            for memory in ("1MB", "3MB"):
+                facts = self.json_of(*self.WORDS, "--size", "200x300", *words, "--film-memory",
+                                     memory, "-o", f"{memory}.exr")
+                self.assertEqual(facts["passes"], 16)
+            self.assertEqual(self.bytes_of("1MB.exr"), self.bytes_of("3MB.exr"))
+
+    def test_killed_at_random_times_it_gives_the_same_file(self):
+        dice = random.Random(2)
+        self.run_command(*self.LONG, "-o", "whole.exr")
+        kills = 0
+        while kills < 20:
+            process = self.start(*self.LONG, "--resume", "-o", "p.exr")
+            time.sleep(dice.uniform(0.05, 0.5))
+            if process.poll() is not None:
+                process.communicate()
+                self.assertEqual(self.bytes_of("p.exr"), self.bytes_of("whole.exr"))
+                (self.folder / "p.exr").unlink()
+                continue
+            process.kill()
+            process.communicate()
+            kills += 1
+        self.run_command(*self.LONG, "--resume", "-o", "p.exr")
+        self.assertEqual(self.bytes_of("p.exr"), self.bytes_of("whole.exr"))
+        self.assertFalse(list(self.folder.glob("p.exr.*")))
+
+    def killed_with_checkpoint(self):
+        process = self.start(*self.LONG, "-o", "p.exr")
+        while not (self.folder / "p.exr.checkpoint").exists():
+            self.assertIsNone(process.poll(), "it ended early")
+            time.sleep(0.002)
+        process.kill()
+        process.communicate()
+
+    def test_ctrl_c_loses_nothing(self):
+        process = self.start(*self.LONG, "-o", "p.exr")
+        while not (self.folder / "p.exr.checkpoint").exists():
+            time.sleep(0.01)
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate()
+        self.assertEqual(process.returncode, 130, err)
+        self.assertFalse((self.folder / "p.exr").exists())
+        self.run_command(*self.LONG, "--resume", "-o", "p.exr")
+        self.run_command(*self.LONG, "-o", "whole.exr")
+        self.assertEqual(self.bytes_of("p.exr"), self.bytes_of("whole.exr"))
+
+    def test_what_cannot_be_continued(self):
+        self.killed_with_checkpoint()
+        checkpoint = self.bytes_of("p.exr.checkpoint")
+        words = [word.replace("600", "601") for word in self.LONG]
+        self.refused(*words, "--resume", "-o", "p.exr", code=3, says="--samples was '600'")
+        (self.folder / "p.exr.part").rename(self.folder / "aside")
+        self.refused(*self.LONG, "--resume", "-o", "p.exr", code=3, says="is missing",
+                     helps="render without --resume")
+        (self.folder / "p.exr.part").write_bytes(b"no picture")
+        self.refused(*self.LONG, "--resume", "-o", "p.exr", code=3, says="is damaged")
+        (self.folder / "p.exr.checkpoint").write_bytes(b"no checkpoint")
+        self.refused(*self.LONG, "--resume", "-o", "p.exr", code=3, says="damaged")
+        (self.folder / "aside").rename(self.folder / "p.exr.part")
+        (self.folder / "p.exr.checkpoint").write_bytes(checkpoint)
+        self.run_command(*self.LONG, "--resume", "-o", "p.exr")
+
+    def test_a_full_disk_keeps_the_checkpoint(self):
+        self.killed_with_checkpoint()
+        before = (self.folder / "p.exr.part").stat().st_size
+
+        def little_room():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (before + 100, before + 100))
+
+        _, err = self.run_command(*self.LONG, "--resume", "-o", "p.exr", code=3,
+                                  preexec_fn=little_room)
+        self.assertIn("p.exr.part' cannot be written", err)
+        self.assertIn("continue with --resume", err)
+        self.run_command(*self.LONG, "--resume", "-o", "p.exr")
+        self.run_command(*self.LONG, "-o", "whole.exr")
+        self.assertEqual(self.bytes_of("p.exr"), self.bytes_of("whole.exr"))
 
     def test_what_bands_exclude(self):
-        for words in (("--resume",), ("--save-every", "10s"), ("--time-limit", "1h")):
+        for words in (("--save-every", "10s"), ("--time-limit", "1h")):
             self.refused(*self.WORDS, "--size", "200x300", "--film-memory", "1MB", *words,
                          "-o", "p.exr", code=2, says="rendered in bands", helps="--film-memory")
 
     def test_too_large(self):
-        self.refused(*self.WORDS, "--size", "1000000x1000000", "-o", "p.exr", code=3,
+        self.refused(*self.WORDS, "--size", "1000000x1000000", "-o", "p.exr", code=1,
                      says="a picture of 1000000 x 1000000 pixels is too large")
         self.refused(*self.WORDS, "--size", "1000000x1000000", "-o", "p.png", code=1,
                      says="a film of 1000000 x 1000000 pixels needs", helps=".exr")

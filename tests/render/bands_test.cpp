@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// Bands: the file is that of the whole film, within the memory that was asked for.
+// Bands: the picture is that of the whole film, in a file that does not depend on the bands.
 
 #include "balcony/bands.hpp"
 
@@ -9,8 +9,11 @@
 #include <fstream>
 #include <iterator>
 
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
 #include <gtest/gtest.h>
 
+#include "balcony/checkpoint.hpp"
 #include "support.hpp"
 
 namespace balcony::render::test::bands_test {
@@ -43,57 +46,130 @@ protected:
 
     void SetUp() override { fs::create_directories(folder); }
     void TearDown() override { fs::remove_all(folder); }
+
+    // Renders to the end, or until so many bands are in the file, which then stays unfinished.
+    void render_all(BandedRender& bands, TiledFile& file, std::size_t most = 1000) {
+        std::size_t count = 0;
+        do {
+            if (count++ == most) {
+                return;
+            }
+            const auto summary = bands.job().run();
+            ASSERT_TRUE(summary && !summary->interrupted);
+            ASSERT_TRUE(file.add(bands.film()).empty());
+        } while (bands.next());
+        ASSERT_TRUE(file.commit().empty());
+    }
+
+    std::string rendered(std::size_t rows, const std::string& name) {
+        auto bands = BandedRender::make(renderer, camera, settings, layout, rows);
+        auto file = TiledFile::create(folder / name, bands->film(), window());
+        render_all(*bands, *file);
+        EXPECT_FALSE(fs::exists(TiledFile::unfinished(folder / name)));
+        return bytes_of(folder / name);
+    }
+
+    [[nodiscard]] Region window() const {
+        return layout.window.value_or(Region{0, 0, layout.width, layout.height});
+    }
 };
 
-TEST_F(Bands, TheFileIsThatOfTheWholeFilm) {
-    for (const std::optional<Region>& window :
+TEST_F(Bands, ThePixelsAreThoseOfTheWholeFilm) {
+    for (const std::optional<Region>& part :
          {std::optional<Region>{}, std::optional(Region{20, 11, 100, 150})}) {
-        layout.window = window;
+        layout.window = part;
+        layout.layers = {LayerId::magnification, LayerId::crypto_object, LayerId::variance};
         Film film = *make_film(layout);
         ASSERT_TRUE(render::render(renderer, camera, settings, film));
         ASSERT_FALSE(has_errors(write(film, folder / "whole.exr")));
-        for (const std::size_t rows : {32U, 96U, 320U}) {
-            const auto summary =
-                render_in_bands(renderer, camera, settings, layout, rows, folder / "bands.exr");
-            ASSERT_TRUE(summary);
-            EXPECT_EQ(summary->camera_rays, 3 * film.window.size());
-            EXPECT_FALSE(summary->interrupted);
-            EXPECT_EQ(bytes_of(folder / "bands.exr"), bytes_of(folder / "whole.exr")) << rows;
-        }
+        const std::string first = rendered(64, "bands.exr");
+        EXPECT_EQ(first, rendered(128, "more.exr"));
+        EXPECT_EQ(first, rendered(256, "one.exr"));
+        const OIIO::ImageBuf whole((folder / "whole.exr").string());
+        const OIIO::ImageBuf tiled((folder / "bands.exr").string());
+        EXPECT_EQ(tiled.spec().tile_width, 64);
+        EXPECT_EQ(tiled.spec().channelnames, whole.spec().channelnames);
+        EXPECT_EQ(tiled.roi(), whole.roi());
+        const auto difference = OIIO::ImageBufAlgo::compare(whole, tiled, 0.0F, 0.0F);
+        EXPECT_EQ(difference.maxerror, 0.0);
+        EXPECT_FALSE(difference.error);
     }
+}
+
+// As after a crash: bands were appended after the checkpoint, and the one in progress has some of
+// its samples.
+TEST_F(Bands, AnotherProcessContinuesToTheSameFile) {
+    const std::string whole = rendered(64, "whole.exr");
+    const RenderFacts facts{{"test", "1"}};
+    {
+        auto bands = BandedRender::make(renderer, camera, settings, layout, 64);
+        auto file = TiledFile::create(folder / "p.exr", bands->film(), window());
+        render_all(*bands, *file, 1);
+        const std::vector<std::uint32_t> some(bands->film().tile_count(), 2);
+        ASSERT_TRUE(bands->job().run(some));
+        ASSERT_TRUE(file->flush().empty());
+        ASSERT_TRUE(write_checkpoint(bands->film(), facts, folder / "checkpoint").empty());
+        render_all(*bands, *file, 1);
+        ASSERT_TRUE(file->flush().empty());
+    }
+    auto bands = BandedRender::make(renderer, camera, settings, layout, 128);
+    ASSERT_TRUE(bands->go_to(64, 64));
+    ASSERT_TRUE(read_checkpoint(bands->film(), facts, folder / "checkpoint").empty());
+    EXPECT_EQ(bands->film().samples(0, 64), 2U);
+    auto file = TiledFile::reopen(folder / "p.exr", bands->film(), window());
+    ASSERT_TRUE(file) << to_text(file.diagnostics);
+    render_all(*bands, *file);
+    EXPECT_EQ(bytes_of(folder / "p.exr"), whole);
+}
+
+TEST_F(Bands, OnlyFilesOfThePictureAreContinued) {
+    auto bands = BandedRender::make(renderer, camera, settings, layout, 64);
+    const auto reopened = [&] {
+        return static_cast<bool>(TiledFile::reopen(folder / "p.exr", bands->film(), window()));
+    };
+    EXPECT_FALSE(reopened());
+    {
+        auto file = TiledFile::create(folder / "p.exr", bands->film(), window());
+        render_all(*bands, *file, 1);
+        EXPECT_FALSE(reopened()) << "not flushed";
+        ASSERT_TRUE(file->flush().empty());
+    }
+    EXPECT_TRUE(reopened());
+    ASSERT_TRUE(bands->next());
+    EXPECT_FALSE(reopened()) << "a row of tiles is missing";
+    ASSERT_TRUE(bands->go_to(64, 64));
+    const fs::path part = TiledFile::unfinished(folder / "p.exr");
+    fs::resize_file(part, fs::file_size(part) - 1);
+    EXPECT_FALSE(reopened()) << "cut off";
+    layout.layers = {LayerId::magnification};
+    auto others = BandedRender::make(renderer, camera, settings, layout, 64);
+    EXPECT_FALSE(TiledFile::reopen(folder / "p.exr", others->film(), window()));
+}
+
+TEST_F(Bands, BandsBeginAtTiles) {
+    auto bands = BandedRender::make(renderer, camera, settings, layout, 64);
+    EXPECT_FALSE(bands->go_to(32, 64));
+    EXPECT_FALSE(bands->go_to(64, 32));
+    EXPECT_FALSE(bands->go_to(192, 64));
+    EXPECT_FALSE(bands->go_to(0, 0));
+    EXPECT_TRUE(bands->go_to(192, 8));
+    EXPECT_EQ(bands->done(0.0), 0.96);
+    EXPECT_FALSE(bands->next());
 }
 
 TEST_F(Bands, HeightsFollowTheMemory) {
     FilmLayout one_row = layout;
-    one_row.window = Region{0, 0, 150, tile_height};
+    one_row.window = Region{0, 0, 150, file_tile_side};
     const double row = film_bytes(one_row);
-    EXPECT_EQ(band_height(layout, 0.0), tile_height);
-    EXPECT_EQ(band_height(layout, 1.5 * row), tile_height);
-    EXPECT_EQ(band_height(layout, 3.0 * row), 3 * tile_height);
+    EXPECT_EQ(band_height(layout, 0.0), file_tile_side);
+    EXPECT_EQ(band_height(layout, 1.5 * row), file_tile_side);
+    EXPECT_EQ(band_height(layout, 3.0 * row), 3 * file_tile_side);
     EXPECT_GE(band_height(layout, 1e12), layout.height);
-}
-
-TEST_F(Bands, AStopLeavesTheRestTransparent) {
-    std::stop_source stop;
-    const auto summary = render_in_bands(
-        renderer, camera, settings, layout, 32, folder / "bands.exr",
-        [&](const Progress& progress) {
-            if (progress.tiles_done > progress.tiles / 2) {
-                stop.request_stop();
-            }
-        },
-        stop.get_token());
-    ASSERT_TRUE(summary);
-    EXPECT_TRUE(summary->interrupted);
-    EXPECT_TRUE(fs::exists(folder / "bands.exr"));
 }
 
 TEST_F(Bands, WhatCannotBeIsRefused) {
     const auto refused = [&] {
-        const auto summary =
-            render_in_bands(renderer, camera, settings, layout, 32, folder / "bands.exr");
-        EXPECT_FALSE(summary);
-        EXPECT_FALSE(fs::exists(folder / "bands.exr"));
+        EXPECT_FALSE(BandedRender::make(renderer, camera, settings, layout, 64));
     };
     settings.sampling.noise = 0.01;
     refused();
@@ -101,8 +177,8 @@ TEST_F(Bands, WhatCannotBeIsRefused) {
     layout.width = layout.height = 1'000'000;
     refused();
     layout = {.width = 150, .height = 200};
-    folder /= "missing";
-    refused();
+    const Film film = *make_film(layout);
+    EXPECT_FALSE(TiledFile::create(folder / "missing" / "p.exr", film, window()));
 }
 
 }  // namespace

@@ -96,8 +96,8 @@ void add_job_options(CLI::App& command, JobWords& words) {
                      "continue an interrupted render from its checkpoint, if there is one");
     command
         .add_option("--film-memory", words.film_memory,
-                    "a larger picture is rendered in bands and written to its .exr file band by "
-                    "band; auto is half of the machine's memory")
+                    "a larger picture is rendered in bands, which are appended to its .exr file "
+                    "as they finish; auto is half of the machine's memory")
         ->type_name("SIZE")
         ->capture_default_str();
 }

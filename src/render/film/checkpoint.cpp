@@ -166,6 +166,20 @@ std::optional<std::string_view> find(const RenderFacts& facts, std::string_view 
     return found != facts.end() ? std::optional<std::string_view>(found->value) : std::nullopt;
 }
 
+// The beginning of a checkpoint.
+Result<RenderFacts> read_facts(CheckpointReader& input, const fs::path& file) {
+    std::string beginning(signature.size(), '\0');
+    if (!input.read(std::as_writable_bytes(std::span(beginning))) || beginning != signature) {
+        return damaged(file);
+    }
+    const auto size = input.read_size();
+    std::string text(size.value_or(0), '\0');
+    if (!size || !input.read(std::as_writable_bytes(std::span(text)))) {
+        return damaged(file);
+    }
+    return facts_of(text);
+}
+
 // What differs, in words; empty if nothing does.
 std::string difference(const RenderFacts& before, const RenderFacts& now) {
     std::vector<std::string> found;
@@ -203,18 +217,18 @@ Diagnostics write_checkpoint(const Film& film, const RenderFacts& facts, const f
     return output.commit();
 }
 
+Result<RenderFacts> read_facts(const fs::path& file) {
+    CheckpointReader input(file);
+    return read_facts(input, file);
+}
+
 Diagnostics read_checkpoint(Film& film, const RenderFacts& facts, const fs::path& file) {
     CheckpointReader input(file);
-    std::string beginning(signature.size(), '\0');
-    if (!input.read(std::as_writable_bytes(std::span(beginning))) || beginning != signature) {
-        return {damaged(file)};
+    const Result<RenderFacts> before = read_facts(input, file);
+    if (!before) {
+        return before.diagnostics;
     }
-    const auto size = input.read_size();
-    std::string text(size.value_or(0), '\0');
-    if (!size || !input.read(std::as_writable_bytes(std::span(text)))) {
-        return {damaged(file)};
-    }
-    if (const std::string found = difference(facts_of(text), facts); !found.empty()) {
+    if (const std::string found = difference(*before, facts); !found.empty()) {
         return {refused(file, fmt::format("it is of another render: {}", found))};
     }
     Film read = film;

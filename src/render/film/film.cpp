@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <new>
+#include <span>
+#include <type_traits>
 
 #include <OpenImageIO/sysutil.h>
 #include <fmt/format.h>
 
 #include "balcony/bands.hpp"
+#include "render/film/film_arrays.hpp"
 #include "render/film/layer_rows.hpp"
 
 namespace balcony::render {
@@ -162,6 +165,28 @@ Color4d Film::variance(std::size_t x, std::size_t y) const {
     };
     return {channel(total.r, squares.r), channel(total.g, squares.g), channel(total.b, squares.b),
             channel(total.a, squares.a)};
+}
+
+void begin_anew(Film& film, const Region& window) {
+    std::vector<const LayerRow*> stored;
+    for (const LayerRow& row : layer_rows()) {
+        if (row.complete(film)) {
+            stored.push_back(&row);
+        }
+    }
+    film.window = window;
+    for_each_array(film, [&](auto& array) {
+        using Array = std::decay_t<decltype(array)>;
+        if constexpr (!std::is_same_v<Array, std::span<double>>) {
+            if (!array.empty()) {
+                array.assign(window.size(), typename Array::value_type{});
+            }
+        }
+    });
+    for (const LayerRow* row : stored) {
+        row->allocate(film);
+    }
+    film.passes.assign(film.tile_count(), 0);
 }
 
 Result<Film> make_film(const FilmLayout& layout) {

@@ -31,4 +31,7 @@ void for_each_array(AnyFilm& film, const Visit& visit) {
     }
 }
 
+/// Empties a film, and makes it one of another window of the picture with the same contents.
+void begin_anew(Film& film, const Region& window);
+
 }  // namespace balcony::render

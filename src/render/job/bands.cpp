@@ -4,9 +4,13 @@
 #include "balcony/bands.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <memory>
 
 #include <fmt/format.h>
+
+#include "render/film/film_arrays.hpp"
 
 namespace balcony::render {
 
@@ -38,10 +42,10 @@ Diagnostics check(const Settings& settings, const Region& window) {
 std::size_t band_height(const FilmLayout& layout, double bytes) {
     const Region window = window_of(layout);
     FilmLayout row = layout;
-    row.window = Region{window.x, window.y, window.width, tile_height};
+    row.window = Region{window.x, window.y, window.width, file_tile_side};
     const double rows = std::floor(bytes / film_bytes(row));
-    const double all = static_cast<double>(window.height / tile_height + 1);
-    return tile_height * static_cast<std::size_t>(std::clamp(rows, 1.0, all));
+    const double all = static_cast<double>(window.height / file_tile_side + 1);
+    return file_tile_side * static_cast<std::size_t>(std::clamp(rows, 1.0, all));
 }
 
 void add(Summary& total, const Summary& part) {
@@ -71,61 +75,58 @@ void add(Summary& total, const Summary& part) {
     total.compile_seconds = part.compile_seconds;
 }
 
-Result<Summary> render_in_bands(const Renderer& renderer, const camera::Picture& picture,
-                                const Settings& settings, const FilmLayout& layout,
-                                std::size_t rows, const std::filesystem::path& file,
-                                const ProgressCallback& progress, std::stop_token stop) {
+BandedRender::BandedRender(const Region& window, std::size_t rows, std::unique_ptr<Film> film,
+                           Job job)
+    : window_(window),
+      rows_(rows),
+      film_(std::move(film)),
+      job_(std::make_unique<Job>(std::move(job))) {}
+
+Result<BandedRender> BandedRender::make(const Renderer& renderer, const camera::Picture& picture,
+                                        const Settings& settings, const FilmLayout& layout,
+                                        std::size_t rows) {
+    assert(rows > 0 && rows % file_tile_side == 0);
     const Region window = window_of(layout);
     if (Diagnostics found = check(settings, window); !found.empty()) {
         return found;
     }
-    Result<Summary> total{Summary{}};
-    BandedFile output(file, window);
-    Progress shown;
-    shown.passes = settings.samples;
-    for (std::size_t first = 0; first < window.height; first += rows) {
-        FilmLayout part = layout;
-        part.window =
-            Region{window.x, window.y + first, window.width, std::min(rows, window.height - first)};
-        Result<Film> film = make_film(part);
-        if (!film) {
-            return std::move(film.diagnostics);
-        }
-        Result<Job> job = Job::make(renderer, picture, settings, *film);
-        if (!job) {
-            return std::move(job.diagnostics);
-        }
-        const double before = static_cast<double>(first) / static_cast<double>(window.height);
-        const double share =
-            static_cast<double>(part.window->height) / static_cast<double>(window.height);
-        const auto on_progress = [&](const Progress& state) {
-            // Of the whole picture, in parts of a band's tiles.
-            constexpr double parts = 1e6;
-            const double done = static_cast<double>(state.tiles_done) /
-                                static_cast<double>(std::max<std::size_t>(state.tiles, 1));
-            shown.pass = state.pass;
-            shown.tiles = static_cast<std::size_t>(parts);
-            shown.tiles_done = static_cast<std::size_t>(parts * (before + share * done));
-            shown.seconds = total->seconds + state.seconds;
-            if (progress) {
-                progress(shown);
-            }
-        };
-        Result<Summary> summary = job->run(on_progress, stop);
-        total.diagnostics.insert(total.diagnostics.end(), summary.diagnostics.begin(),
-                                 summary.diagnostics.end());
-        if (!summary) {
-            return std::move(total.diagnostics);
-        }
-        add(*total, *summary);
-        if (Diagnostics found = output.add(*film); has_errors(found)) {
-            return found;
-        }
+    FilmLayout first = layout;
+    first.window = Region{window.x, window.y, window.width, std::min(rows, window.height)};
+    Result<Film> made = make_film(first);
+    if (!made) {
+        return std::move(made.diagnostics);
     }
-    if (Diagnostics found = output.commit(); has_errors(found)) {
-        return found;
+    auto film = std::make_unique<Film>(std::move(*made));
+    Result<Job> job = Job::make(renderer, picture, settings, *film);
+    if (!job) {
+        return std::move(job.diagnostics);
     }
-    return total;
+    return {BandedRender(window, rows, std::move(film), std::move(*job)),
+            std::move(job.diagnostics)};
+}
+
+bool BandedRender::next() {
+    const std::size_t first = film_->window.y + film_->window.height;
+    const std::size_t end = window_.y + window_.height;
+    return first < end && go_to(first, std::min(rows_, end - first));
+}
+
+bool BandedRender::go_to(std::size_t first_row, std::size_t rows) {
+    const std::size_t end = window_.y + window_.height;
+    const auto at_tile = [&](std::size_t row) { return (row - window_.y) % file_tile_side == 0; };
+    if (first_row < window_.y || first_row >= end || rows == 0 || rows > end - first_row ||
+        !at_tile(first_row) || !(at_tile(first_row + rows) || first_row + rows == end)) {
+        return false;
+    }
+    begin_anew(*film_, {window_.x, first_row, window_.width, rows});
+    return true;
+}
+
+double BandedRender::done(double part_of_band) const {
+    const Region& band = film_->window;
+    return (static_cast<double>(band.y - window_.y) +
+            part_of_band * static_cast<double>(band.height)) /
+           static_cast<double>(window_.height);
 }
 
 }  // namespace balcony::render

@@ -1,0 +1,45 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The channels of an EXR file of a film.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+
+#include "balcony/film.hpp"
+
+namespace balcony::render {
+
+/// Some channels of the file, whose values are computed together.
+struct ChannelGroup {
+    std::vector<std::string> names;
+    void (*read)(const Film& film, std::size_t x, std::size_t y, float* channels);
+};
+
+/// The picture, its part that is not light, and the layers.
+[[nodiscard]] std::vector<ChannelGroup> channel_groups(const Film& film);
+
+/// The header of a file with scan lines whose data window is a region of the picture.
+[[nodiscard]] Imf::Header exr_header(const Film& film, const Region& window,
+                                     const std::vector<ChannelGroup>& groups);
+
+/// The values of a region, pixel by pixel, in memory that is used again.
+class ChannelValues {
+public:
+    explicit ChannelValues(const std::vector<ChannelGroup>& groups);
+
+    /// A buffer for OpenEXR, valid until the next call. NaN becomes 0.
+    [[nodiscard]] Imf::FrameBuffer read(const Film& film, const Region& region);
+
+private:
+    const std::vector<ChannelGroup>* groups_;
+    std::size_t channels_ = 0;
+    std::vector<float> values_;
+};
+
+}  // namespace balcony::render
