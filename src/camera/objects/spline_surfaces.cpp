@@ -9,6 +9,7 @@
 
 #include "camera/families.hpp"
 #include "camera/spline_tables.hpp"
+#include "camera/stage_parameters.hpp"
 
 namespace balcony::camera {
 
