@@ -179,7 +179,7 @@ void begin_anew(Film& film, const Region& window) {
         using Array = std::decay_t<decltype(array)>;
         if constexpr (!std::is_same_v<Array, std::span<double>>) {
             if (!array.empty()) {
-                array.assign(window.size(), typename Array::value_type{});
+                array.assign(window.size(), zero<typename Array::value_type>());
             }
         }
     });

@@ -3,10 +3,21 @@
 #pragma once
 
 #include <span>
+#include <type_traits>
 
 #include "balcony/film.hpp"
 
 namespace balcony::render {
+
+/// 0, also for vectors, whose default is undefined.
+template <class Value>
+[[nodiscard]] Value zero() {
+    if constexpr (std::is_constructible_v<Value, int>) {
+        return Value(0);
+    } else {
+        return Value{};
+    }
+}
 
 /// Calls visit(array) with all that jobs add to a film, in a fixed order. Jobs derive the other
 /// members from the settings and the scene.

@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include "render/film/cryptomatte.hpp"
+#include "render/film/film_arrays.hpp"
 #include "render/film/layer_rows.hpp"
 
 namespace balcony::render {
@@ -47,11 +48,7 @@ template <auto Member>
 void allocate(Film& film) {
     auto& values = *vector_of(film, Member);
     using Value = typename std::decay_t<decltype(values)>::value_type;
-    if constexpr (std::is_constructible_v<Value, int>) {
-        values.assign(film.window.size(), Value(0));
-    } else {
-        values.assign(film.window.size(), Value{});
-    }
+    values.assign(film.window.size(), zero<Value>());
 }
 
 template <auto Member>
