@@ -142,7 +142,7 @@ inline constexpr std::size_t min_texture_memory = std::size_t{1} << 26;
 
 struct RendererSettings {
     /// If all textures fit, they are held in memory; otherwise, the smaller ones are, and the
-    /// others go through a cache.
+    /// others are in a temporary file, whose parts in use are in memory.
     std::size_t texture_memory = default_texture_memory;
     /// When rays meet the scene, such as the exposure of a shutter; otherwise as it stands.
     std::optional<scene::TimeInterval> interval{};

@@ -1,14 +1,16 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// Texture look-ups by themselves: textures held in memory against the laws of filtering and against
-// OpenImageIO's texture system, which serves those that do not fit.
+// Texture look-ups by themselves: the laws of filtering, and textures that do not fit into memory.
 
 #include "render/textures/texture_library.hpp"
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
-#include <numbers>
+#include <cstdlib>
 #include <random>
+#include <thread>
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
@@ -44,7 +46,7 @@ scene::Scene grey(int width, int height, const std::function<double(int x, int y
         wrap);
 }
 
-// The linear texture of a scene, held in memory or served by the cache.
+// The linear texture of a scene, held in memory or in a file.
 class Sampled {
 public:
     Sampled(const scene::Scene& scene, std::size_t memory) : library_(scene, memory, warnings_) {
@@ -53,12 +55,12 @@ public:
     }
 
     [[nodiscard]] Color4f operator()(const TextureFootprint& footprint) const {
-        return library_.look_up(scene::TextureIndex(0), TextureEncoding::linear, footprint,
-                                library_.thread_cache());
+        return library_.look_up(scene::TextureIndex(0), TextureEncoding::linear, footprint);
     }
     [[nodiscard]] float red(const TextureFootprint& footprint) const {
         return (*this)(footprint).r;
     }
+    [[nodiscard]] const TextureLibrary& library() const { return library_; }
 
 private:
     Diagnostics warnings_;
@@ -75,63 +77,105 @@ TextureFootprint random_footprint(std::mt19937& random, float longest, float mar
             {length * part(random), length * part(random)}};
 }
 
-// Every symmetric filter returns a linear function as it is. In each of the two, half a code is the
-// rounding of the texels.
-TEST(TextureLibrary, BothSamplersReturnALinearRamp) {
+// Every symmetric filter returns a linear function as it is; half a code is the rounding of the
+// texels.
+TEST(TextureLibrary, ALinearRampStaysAsItIs) {
     const scene::Scene scene = grey(
         256, 256, [](int x, int y) { return (x + y + 1) / 512.0; }, Wrap::clamp);
     const Sampled held(scene, plenty);
-    const Sampled cached(scene, 0);
     std::mt19937 random(3);
     for (int trial = 0; trial < 500; ++trial) {
         const TextureFootprint footprint = random_footprint(random, 0.1F, 0.25F);
         const float expected = 0.5F * (footprint.at.x + footprint.at.y);
         EXPECT_NEAR(held.red(footprint), expected, half_code + 1e-5F) << trial;
-        // A half float rounds to 2^-12.
-        EXPECT_NEAR(cached.red(footprint), expected, half_code + 0x1p-12F) << trial;
     }
 }
 
-// A filter of radius r differs from the function at its centre by at most r² / 2 times the second
-// derivative. The samplers' radii are at most the longer diameter and two texels of the level in
-// use, which are no wider than the diameter or the image's texel.
-TEST(TextureLibrary, BothSamplersAgreeOnASmoothImage) {
-    constexpr double frequency = 2.0 * std::numbers::pi;
-    constexpr int side = 300;
-    const scene::Scene scene = grey(side, side, [](int x, int y) {
-        return 0.5 + 0.25 * std::cos(frequency * (x + 0.5) / side) +
-               0.25 * std::sin(frequency * (y + 0.5) / side);
-    });
-    const Sampled held(scene, plenty);
-    const Sampled cached(scene, 0);
-    std::mt19937 random(4);
-    for (int trial = 0; trial < 500; ++trial) {
-        TextureFootprint footprint = random_footprint(random, 0.05F, -1.0F);
-        const float diameter = std::sqrt(footprint.along_x.length2() + footprint.along_y.length2());
-        const float radius = diameter + 2.0F * std::max(diameter, 1.0F / side);
-        const auto bend = static_cast<float>(0.25 * frequency * frequency);
-        EXPECT_NEAR(held.red(footprint), cached.red(footprint),
-                    bend * radius * radius + 2.0F * half_code)
-            << trial;
-    }
-}
-
-TEST(TextureLibrary, BothSamplersWrapAlike) {
+TEST(TextureLibrary, TheWrapModesContinueTheImage) {
+    const auto value = [](int x, int y) { return static_cast<float>(x + 5 * y) / 14.0F; };
+    const auto index = [](Wrap wrap, int i, int count) {
+        const int repeated = (i % count + count) % count;
+        return wrap == Wrap::clamp ? std::clamp(i, 0, count - 1)
+               : wrap == Wrap::repeat || repeated == i % (2 * count) ||
+                       repeated == i % (2 * count) + 2 * count
+                   ? repeated
+                   : count - 1 - repeated;
+    };
     for (const Wrap wrap : {Wrap::repeat, Wrap::clamp, Wrap::mirror}) {
-        const scene::Scene scene = grey(
-            5, 3, [](int x, int y) { return (x + 5 * y) / 14.0; }, wrap);
+        const scene::Scene scene = grey(5, 3, value, wrap);
         const Sampled held(scene, plenty);
-        const Sampled cached(scene, 0);
-        std::mt19937 random(5);
-        std::uniform_real_distribution<float> place(-3.0F, 3.0F);
-        for (int trial = 0; trial < 500; ++trial) {
-            const TextureFootprint point{{place(random), place(random)}, V2f(0.0F), V2f(0.0F)};
-            // A half float rounds to 2^-12; positions near 3 to 2^-23, times 5 texels.
-            EXPECT_NEAR(held.red(point), cached.red(point), 0x1p-11F)
-                << static_cast<int>(wrap) << ' ' << point.at;
+        for (int y = -7; y < 9; ++y) {
+            for (int x = -12; x < 15; ++x) {
+                const V2f center((static_cast<float>(x) + 0.5F) / 5.0F,
+                                 (static_cast<float>(y) + 0.5F) / 3.0F);
+                // The rounding of a place near 3, times 5 texels, moves by at most 2e-6 texels.
+                EXPECT_NEAR(held.red({center, V2f(0.0F), V2f(0.0F)}),
+                            value(index(wrap, x, 5), index(wrap, y, 3)), half_code + 1e-5F)
+                    << static_cast<int>(wrap) << ' ' << x << ' ' << y;
+            }
         }
-        EXPECT_NEAR(held.red({{0.1F, 0.5F}, V2f(0.0F), V2f(0.0F)}), 5.0F / 14.0F, half_code);
     }
+}
+
+// Whether a texture is in memory or in a file changes no bit, though the file's chunks come and go.
+TEST(TextureLibrary, AFileGivesTheSameBitsInLittleMemory) {
+    constexpr int side = 1500;
+    std::mt19937 random(4);
+    const scene::Scene scene =
+        grey(side, side, [&](int, int) { return static_cast<double>(random() % 256) / 255.0; });
+    const Sampled held(scene, plenty);
+    const Sampled filed(scene, 0);
+    constexpr std::size_t limit = 16 * TexelBlock::chunk_bytes;
+    std::size_t most = 0;
+    for (int trial = 0; trial < 20'000; ++trial) {
+        const TextureFootprint footprint = random_footprint(random, 0.02F, -1.0F);
+        ASSERT_EQ(filed(footprint), held(footprint)) << trial;
+        most = std::max(most, filed.library().file_bytes_in_memory());
+    }
+    EXPECT_EQ(most, limit);  // The whole takes eight times as much.
+    EXPECT_EQ(held.library().file_bytes_in_memory(), 0U);
+}
+
+TEST(TextureLibrary, ThreadsMayShareAFile) {
+    const scene::Scene scene = grey(700, 700, [](int x, int y) { return x * y % 256 / 255.0; });
+    const Sampled held(scene, plenty);
+    const Sampled filed(scene, 0);
+    std::vector<std::thread> threads;
+    std::atomic<int> different = 0;
+    for (unsigned seed = 0; seed < 4; ++seed) {
+        threads.emplace_back([&, seed] {
+            std::mt19937 random(seed);
+            for (int trial = 0; trial < 5'000; ++trial) {
+                const TextureFootprint footprint = random_footprint(random, 0.02F, -1.0F);
+                different += filed(footprint) == held(footprint) ? 0 : 1;
+            }
+        });
+    }
+    for (std::thread& thread : threads) {
+        thread.join();
+    }
+    EXPECT_EQ(different, 0);
+}
+
+TEST(TextureLibrary, AFolderThatCannotHoldTheFileIsAWarning) {
+    const char* const before = std::getenv("TMPDIR");
+    const std::string restored = before != nullptr ? before : "";
+    setenv("TMPDIR", "/nowhere/at/all", 1);
+    const scene::Scene scene = grey(8, 8, [](int, int) { return 0.5; });
+    Diagnostics warnings;
+    const TextureLibrary library(scene, 0, warnings);
+    const Color4f found = library.look_up(scene::TextureIndex(0), TextureEncoding::linear,
+                                          {V2f(0.5F), V2f(0.0F), V2f(0.0F)});
+    if (before != nullptr) {
+        setenv("TMPDIR", restored.c_str(), 1);
+    } else {
+        unsetenv("TMPDIR");
+    }
+    EXPECT_EQ(found, Color4f(1.0F, 1.0F, 1.0F, 1.0F));
+    warnings = library.warnings();
+    ASSERT_EQ(warnings.size(), 1U);
+    EXPECT_NE(warnings[0].message.find("/nowhere/at/all"), std::string::npos);
+    EXPECT_NE(warnings[0].remedy.find("TMPDIR"), std::string::npos);
 }
 
 TEST(TextureLibrary, AWideFootprintIsTheMeanOfTheImage) {
@@ -266,9 +310,9 @@ TEST(TextureLibrary, HoldsTheSmallTexturesWithinItsMemory) {
         EXPECT_GE(library.held_bytes(), memory < 87'380 ? memory / 2 : memory / 3);
         library.read_all();
         for (int i = 0; i < count; ++i) {
-            const Color4f found = library.look_up(
-                scene::TextureIndex(static_cast<std::uint32_t>(i)), TextureEncoding::linear,
-                {V2f(0.5F), V2f(0.0F), V2f(0.0F)}, library.thread_cache());
+            const Color4f found =
+                library.look_up(scene::TextureIndex(static_cast<std::uint32_t>(i)),
+                                TextureEncoding::linear, {V2f(0.5F), V2f(0.0F), V2f(0.0F)});
             EXPECT_NEAR(found.r, static_cast<float>(20 * i) / 255.0F, 0x1p-12F) << memory;
         }
         EXPECT_TRUE(library.warnings().empty());
@@ -292,8 +336,7 @@ TEST(TextureLibrary, ValuesThatAreNotFiniteAreZeroWithAWarning) {
         const TextureLibrary library(scene, memory, warnings);
         const auto texel = [&](float x) {
             return library.look_up(scene::TextureIndex(0), TextureEncoding::linear,
-                                   {{(x + 0.5F) / side, 0.5F / side}, V2f(0.0F), V2f(0.0F)},
-                                   library.thread_cache());
+                                   {{(x + 0.5F) / side, 0.5F / side}, V2f(0.0F), V2f(0.0F)});
         };
         EXPECT_EQ(texel(0).r, 0.0F);
         EXPECT_EQ(texel(1).r, 0.0F);

@@ -109,9 +109,9 @@ float EmissiveTriangles::emitted(const EmissiveRun& run, std::uint32_t triangle,
     const Imath::V2f at = texture.place(coordinates[corners[0]]);
     const Imath::V2f edge_1 = texture.place(coordinates[corners[1]]) - at;
     const Imath::V2f edge_2 = texture.place(coordinates[corners[2]]) - at;
-    const Imath::Color4f mean = textures->look_up(
-        texture.index, texture.encoding,
-        {at + (edge_1 + edge_2) / 3.0F, 0.5F * edge_1, 0.5F * edge_2}, textures->thread_cache());
+    const Imath::Color4f mean =
+        textures->look_up(texture.index, texture.encoding,
+                          {at + (edge_1 + edge_2) / 3.0F, 0.5F * edge_1, 0.5F * edge_2});
     const float found = luminance(surface.emission * Color3f(mean.r, mean.g, mean.b));
     return certain * white + (1.0F - certain) * std::clamp(found, 0.0F, white);
 }

@@ -24,10 +24,7 @@ class SightTracer {
 public:
     SightTracer(const scene::Scene& scene, const embree::Accelerator& accelerator,
                 const TextureLibrary& textures)
-        : accelerator_(accelerator),
-          surfaces_(scene),
-          materials_(scene, textures),
-          cache_(textures.thread_cache()) {}
+        : accelerator_(accelerator), surfaces_(scene), materials_(scene, textures) {}
 
     [[nodiscard]] std::optional<Obstacle> operator()(const V3d& from, const V3d& to) const {
         const V3d way = to - from;
@@ -66,13 +63,12 @@ private:
     }
 
     [[nodiscard]] bool is_opaque(const Surface& surface) const {
-        return materials_.opacity(surface.in_mesh, cache_) >= 1.0F;
+        return materials_.opacity(surface.in_mesh) >= 1.0F;
     }
 
     const embree::Accelerator& accelerator_;
     SurfaceFinder surfaces_;
     MaterialSet materials_;
-    TextureLibrary::ThreadCache cache_;
 };
 
 }  // namespace

@@ -49,9 +49,9 @@ Appearance constant_part(const Material& material) {
 // so that the image is looked up once.
 class Texels {
 public:
-    Texels(const TextureLibrary& textures, TextureLibrary::ThreadCache cache,
-           const MeshPoint& point, const TriangleFootprint& footprint)
-        : textures_(textures), cache_(cache), point_(point), footprint_(footprint) {}
+    Texels(const TextureLibrary& textures, const MeshPoint& point,
+           const TriangleFootprint& footprint)
+        : textures_(textures), point_(point), footprint_(footprint) {}
 
     [[nodiscard]] Color3f color(const TextureUse& use) {
         const Color4f& texel = look_up(use);
@@ -79,14 +79,13 @@ private:
     const Color4f& look_up(const TextureUse& use) {
         if (last_ == nullptr || !last_->shares_texels(use)) {
             texel_ = textures_.look_up(use.index, use.encoding,
-                                       point_.texture_footprint(use, footprint_), cache_);
+                                       point_.texture_footprint(use, footprint_));
             last_ = &use;
         }
         return texel_;
     }
 
     const TextureLibrary& textures_;
-    TextureLibrary::ThreadCache cache_;
     const MeshPoint& point_;
     const TriangleFootprint& footprint_;
     const TextureUse* last_ = nullptr;
@@ -133,7 +132,7 @@ MaterialSet::MaterialSet(const scene::Scene& scene, const TextureLibrary& textur
 }
 
 Appearance MaterialSet::look_up(Surface& surface, const PositionDifferentials& moved,
-                                const V3f& to_viewer, TextureLibrary::ThreadCache cache) const {
+                                const V3f& to_viewer) const {
     const MeshPoint& point = surface.in_mesh;
     const Prepared& prepared = prepared_[point.mesh->material.value()];
     if (!prepared.has_textures && point.mesh->colors.empty()) {
@@ -146,7 +145,7 @@ Appearance MaterialSet::look_up(Surface& surface, const PositionDifferentials& m
     float alpha = tint.a;
     if (prepared.has_textures) {
         const TriangleFootprint footprint = surface.triangle_footprint(moved);
-        Texels texels(*textures_, cache, point, footprint);
+        Texels texels(*textures_, point, footprint);
         look_up_textures(material, texels, found, alpha);
         if (material.normal_texture.valid()) {
             surface.map_normal(mapped_normal(material, texels.color(material.normal_texture)),
@@ -157,22 +156,22 @@ Appearance MaterialSet::look_up(Surface& surface, const PositionDifferentials& m
     return found;
 }
 
-Color3f MaterialSet::emission(const MeshPoint& point, TextureLibrary::ThreadCache cache) const {
+Color3f MaterialSet::emission(const MeshPoint& point) const {
     const Material& material = scene_->materials[point.mesh->material.value()];
     Color3f found = material.emission;
     const TriangleFootprint footprint;
-    Texels(*textures_, cache, point, footprint).multiply(material.emission_texture, found);
+    Texels(*textures_, point, footprint).multiply(material.emission_texture, found);
     return found;
 }
 
-float MaterialSet::opacity(const MeshPoint& point, TextureLibrary::ThreadCache cache) const {
+float MaterialSet::opacity(const MeshPoint& point) const {
     const Material& material = scene_->materials[point.mesh->material.value()];
     if (material.alpha_mode == scene::AlphaMode::opaque) {
         return 1.0F;
     }
     float alpha = point.color().a;
     const TriangleFootprint footprint;
-    Texels(*textures_, cache, point, footprint).multiply(material.opacity_texture, alpha);
+    Texels(*textures_, point, footprint).multiply(material.opacity_texture, alpha);
     return opacity_of(material, alpha);
 }
 

@@ -54,7 +54,7 @@ public:
     /// The appearance at a surface, whose normal it bends by the normal map. `moved` is the
     /// footprint of the ray, whose direction is that to the viewer reversed.
     [[nodiscard]] Appearance look_up(Surface& surface, const PositionDifferentials& moved,
-                                     const V3f& to_viewer, TextureLibrary::ThreadCache cache) const;
+                                     const V3f& to_viewer) const;
 
     /// The appearance of a mesh if it is opaque and the same everywhere; otherwise null.
     [[nodiscard]] const Appearance* uniform(const scene::Mesh& mesh) const {
@@ -63,9 +63,9 @@ public:
     }
 
     /// The emission only.
-    [[nodiscard]] Color3f emission(const MeshPoint& point, TextureLibrary::ThreadCache cache) const;
+    [[nodiscard]] Color3f emission(const MeshPoint& point) const;
     /// The opacity only, after the alpha mask and according to the mode.
-    [[nodiscard]] float opacity(const MeshPoint& point, TextureLibrary::ThreadCache cache) const;
+    [[nodiscard]] float opacity(const MeshPoint& point) const;
 
 private:
     struct Prepared {

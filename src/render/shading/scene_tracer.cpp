@@ -24,14 +24,13 @@ Interaction SceneTracer::interaction(const Ray& ray, const embree::Hit& hit) con
     if (traced_->materials.has_textures()) {
         found.moved = found.surface.transfer(ray);
     }
-    found.appearance =
-        traced_->materials.look_up(found.surface, found.moved, -ray.direction, cache_);
+    found.appearance = traced_->materials.look_up(found.surface, found.moved, -ray.direction);
     return found;
 }
 
 Color3f SceneTracer::emission(const embree::Hit& hit) const {
     const MeshPoint point = traced_->surfaces.mesh_point(hit);
-    return traced_->materials.opacity(point, cache_) * traced_->materials.emission(point, cache_);
+    return traced_->materials.opacity(point) * traced_->materials.emission(point);
 }
 
 embree::Ray SceneTracer::shadow_ray(const Surface& surface, const V3f& to_light, float distance,
@@ -54,7 +53,7 @@ float SceneTracer::transmittance(const Surface& surface, const V3f& to_light, fl
 }
 
 float SceneTracer::opacity(const embree::Hit& hit) const {
-    return traced_->materials.opacity(traced_->surfaces.mesh_point(hit), cache_);
+    return traced_->materials.opacity(traced_->surfaces.mesh_point(hit));
 }
 
 }  // namespace balcony::render

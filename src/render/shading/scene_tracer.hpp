@@ -39,8 +39,7 @@ struct Interaction {
 /// Queries a scene; belongs to one thread.
 class SceneTracer final : private embree::OpacitySource {
 public:
-    explicit SceneTracer(const TracedScene& traced)
-        : traced_(&traced), cache_(traced.textures->thread_cache()) {}
+    explicit SceneTracer(const TracedScene& traced) : traced_(&traced) {}
 
     [[nodiscard]] const LightSet& lights() const { return traced_->lights; }
 
@@ -78,7 +77,6 @@ private:
     [[nodiscard]] float opacity(const embree::Hit& hit) const override;
 
     const TracedScene* traced_;
-    TextureLibrary::ThreadCache cache_;
 };
 
 }  // namespace balcony::render

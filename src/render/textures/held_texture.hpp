@@ -12,13 +12,13 @@
 
 namespace balcony::render {
 
-/// A texture that is decoded as a whole, once: when it is first used. Any number of threads may use
-/// it.
+/// A texture that is decoded as a whole, once: when it is first used; in memory, or in a file if
+/// one is given. Any number of threads may use it.
 class HeldTexture {
 public:
-    /// The texture must outlive this.
-    HeldTexture(const scene::Texture& texture, TextureEncoding encoding)
-        : texture_(&texture), encoding_(encoding) {}
+    /// The texture and the file must outlive this.
+    HeldTexture(const scene::Texture& texture, TextureEncoding encoding, SpillFile* file = nullptr)
+        : texture_(&texture), encoding_(encoding), file_(file) {}
 
     /// Null if the image cannot be read.
     [[nodiscard]] const MipPyramid* pyramid() const {
@@ -28,6 +28,7 @@ public:
         return pyramid_ ? &*pyramid_ : nullptr;
     }
 
+    [[nodiscard]] bool in_memory() const { return file_ == nullptr; }
     [[nodiscard]] const scene::Texture& texture() const { return *texture_; }
     /// What is known once it was read: the reason if that failed, and whether some value was not
     /// finite.
@@ -40,6 +41,7 @@ private:
 
     const scene::Texture* texture_;
     TextureEncoding encoding_;
+    SpillFile* file_;
     mutable std::once_flag once_;
     mutable std::atomic<bool> read_ = false;  // The following members are set.
     mutable std::optional<MipPyramid> pyramid_;

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 
 namespace balcony::render {
 
@@ -164,12 +165,15 @@ struct Neighbours {
 
 }  // namespace
 
-MipPyramid::MipPyramid(const TextureReader& image, scene::Wrap wrap_u, scene::Wrap wrap_v)
+MipPyramid::MipPyramid(const TextureReader& image, scene::Wrap wrap_u, scene::Wrap wrap_v,
+                       TexelBlock texels)
     : levels_(levels_of(image)),
       wrap_u_(wrap_u),
       wrap_v_(wrap_v),
       color_(&ByteScale::of(image.encoding())),
-      alpha_(&ByteScale::of(TextureEncoding::linear)) {}
+      alpha_(&ByteScale::of(TextureEncoding::linear)),
+      has_bytes_(image.has_bytes()),
+      texels_(std::move(texels)) {}
 
 std::vector<MipPyramid::Level> MipPyramid::levels_of(const TextureReader& image) {
     std::vector<Level> levels{
@@ -188,25 +192,33 @@ std::size_t MipPyramid::bytes(const TextureReader& image) {
            (image.has_bytes() ? sizeof(ByteTexel) : sizeof(HalfTexel));
 }
 
-Result<MipPyramid> MipPyramid::read(TextureReader& image, scene::Wrap wrap_u, scene::Wrap wrap_v) {
-    MipPyramid made(image, wrap_u, wrap_v);
+Result<MipPyramid> MipPyramid::read(TextureReader& image, scene::Wrap wrap_u, scene::Wrap wrap_v,
+                                    SpillFile* file) {
+    const std::size_t size = bytes(image);
+    Result<TexelBlock> texels =
+        file != nullptr ? file->allocate(size) : Result<TexelBlock>(TexelBlock(size));
+    if (!texels) {
+        return std::move(texels.diagnostics);
+    }
+    MipPyramid made(image, wrap_u, wrap_v, std::move(*texels));
     const auto failure = image.has_bytes() ? made.fill(image, ByteCodec{*made.color_, *made.alpha_})
                                            : made.fill(image, HalfCodec{});
     if (failure) {
         return *failure;
     }
+    made.texels_.finish_writing();
     return made;
 }
 
 template <class Codec>
 std::optional<Diagnostic> MipPyramid::fill(TextureReader& image, const Codec& codec) {
     using Texel = typename Codec::Texel;
-    auto& texels = texels_.emplace<std::vector<Texel>>(levels_.back().first + 1);
+    const std::span texels(reinterpret_cast<Texel*>(texels_.data()), levels_.back().first + 1);
     const std::size_t width = image.width();
     constexpr std::size_t rows_at_once = 64;
     for (std::size_t y = 0; y < image.height(); y += rows_at_once) {
         const std::size_t end = std::min(y + rows_at_once, image.height());
-        const std::span rows = std::span(texels).subspan(y * width, (end - y) * width);
+        const std::span rows = texels.subspan(y * width, (end - y) * width);
         if (auto failure = image.read_rows(y, end, rows)) {
             return failure;
         }
@@ -236,28 +248,31 @@ std::optional<Diagnostic> MipPyramid::fill(TextureReader& image, const Codec& co
 }
 
 Color4f MipPyramid::mean(const TextureFootprint& footprint) const {
-    return texels_.index() == 0 ? mean(footprint, ByteCodec{*color_, *alpha_})
-                                : mean(footprint, HalfCodec{});
+    return has_bytes_ ? mean(footprint, ByteCodec{*color_, *alpha_}) : mean(footprint, HalfCodec{});
 }
 
 // The probes lie at equal distances on the longer axis of the footprint. Each is as wide as the
 // footprint, but at least as their distance, so that there are no gaps.
 template <class Codec>
 Color4f MipPyramid::mean(const TextureFootprint& footprint, const Codec& codec) const {
-    const auto* texels = std::get<std::vector<typename Codec::Texel>>(texels_).data();
+    using Texel = typename Codec::Texel;
+    const auto* const texels = reinterpret_cast<const Texel*>(texels_.data());
     const auto bilinear = [&](const Level& level, const V2f& at) {
         const Neighbours x(at.x, level.width, wrap_u_);
         const Neighbours y(at.y, level.height, wrap_v_);
-        const auto* upper =
-            texels + level.first + static_cast<std::ptrdiff_t>(y.first) * level.width;
-        const auto* lower =
-            texels + level.first + static_cast<std::ptrdiff_t>(y.second) * level.width;
-        const auto mixed = [&](const auto* row) {
-            const Float4 left = codec.decode(row[x.first]);
-            return left + x.weight * (codec.decode(row[x.second]) - left);
+        const auto mixed = [&](int row) {
+            const std::size_t begin =
+                level.first + static_cast<std::size_t>(row) * static_cast<std::size_t>(level.width);
+            const auto decoded = [&](int column) {
+                const std::size_t texel = begin + static_cast<std::size_t>(column);
+                texels_.use(texel * sizeof(Texel));
+                return codec.decode(texels[texel]);
+            };
+            const Float4 left = decoded(x.first);
+            return left + x.weight * (decoded(x.second) - left);
         };
-        const Float4 top = mixed(upper);
-        return top + y.weight * (mixed(lower) - top);
+        const Float4 top = mixed(y.first);
+        return top + y.weight * (mixed(y.second) - top);
     };
 
     const Level& image = levels_.front();

@@ -6,7 +6,6 @@
 // Parametrics" (1983).
 
 #include <cstddef>
-#include <variant>
 #include <vector>
 
 #include <Imath/ImathColor.h>
@@ -14,6 +13,7 @@
 #include "balcony/base.hpp"
 #include "balcony/scene.hpp"
 #include "render/textures/byte_scale.hpp"
+#include "render/textures/spill_file.hpp"
 #include "render/textures/texture_footprint.hpp"
 #include "render/textures/texture_reader.hpp"
 
@@ -22,11 +22,12 @@ namespace balcony::render {
 /// Immutable; look-ups may come from any number of threads.
 class MipPyramid {
 public:
-    /// Reads the image and computes its halvings, each from the one before by the mean over the
-    /// area of each texel, in linear colours. An image of 8 bits stays one of 8 bits, with each
-    /// texel rounded once; other images have half floats. An error is that of the reader.
+    /// Reads the image into memory, or into a file if one is given, and computes its halvings, each
+    /// from the one before by the mean over the area of each texel, in linear colours. An image of
+    /// 8 bits stays one of 8 bits, with each texel rounded once; other images have half floats. An
+    /// error is that of the reader.
     [[nodiscard]] static Result<MipPyramid> read(TextureReader& image, scene::Wrap wrap_u,
-                                                 scene::Wrap wrap_v);
+                                                 scene::Wrap wrap_v, SpillFile* file = nullptr);
     /// The memory that the pyramid of an image takes, in bytes.
     [[nodiscard]] static std::size_t bytes(const TextureReader& image);
 
@@ -46,7 +47,8 @@ private:
         std::size_t first = 0;  // The index of its first texel.
     };
 
-    MipPyramid(const TextureReader& image, scene::Wrap wrap_u, scene::Wrap wrap_v);
+    MipPyramid(const TextureReader& image, scene::Wrap wrap_u, scene::Wrap wrap_v,
+               TexelBlock texels);
 
     [[nodiscard]] static std::vector<Level> levels_of(const TextureReader& image);
     template <class Codec>
@@ -59,7 +61,8 @@ private:
     scene::Wrap wrap_v_;
     const ByteScale* color_;
     const ByteScale* alpha_;
-    std::variant<std::vector<ByteTexel>, std::vector<HalfTexel>> texels_;  // Of all levels.
+    bool has_bytes_;     // ByteTexel rather than HalfTexel.
+    TexelBlock texels_;  // Of all levels.
 };
 
 }  // namespace balcony::render

@@ -91,14 +91,6 @@ std::optional<Diagnostic> problem_of(const HeldTexture& held) {
                              : std::nullopt;
 }
 
-std::optional<Diagnostic> problem_of(const TextureCache::Entry& cached) {
-    const TextureSource& source = cached.source();
-    return cached.failed()
-               ? std::optional(unreadable(*source.texture, source.failure.value_or(Diagnostic{})))
-           : source.repaired ? std::optional(not_finite(*source.texture))
-                             : std::nullopt;
-}
-
 }  // namespace
 
 TextureLibrary::TextureLibrary(const scene::Scene& scene, std::size_t memory, Diagnostics& warnings)
@@ -113,23 +105,16 @@ TextureLibrary::TextureLibrary(const scene::Scene& scene, std::size_t memory, Di
             warnings.push_back(unreadable(texture, opened.diagnostics.front()));
         }
     }
-    const std::size_t for_cache = memory / 4;
-    const std::size_t held = choose_held(textures, memory, memory - for_cache);
-    if (held < textures.size()) {
-        cache_ = std::make_unique<TextureCache>(for_cache);
-    }
+    const std::size_t for_file = memory / 4;
+    const std::size_t held = choose_held(textures, memory, memory - for_file);
+    file_ = std::make_unique<SpillFile>(for_file);
     for (std::size_t i = 0; i < textures.size(); ++i) {
         const Use& use = textures[i].use;
         const scene::Texture& texture = scene.textures[use.texture];
         Entry& entry = entries_[use.texture][static_cast<std::size_t>(use.encoding)];
-        if (i < held) {
-            entry.held = std::make_unique<const HeldTexture>(texture, use.encoding);
-            held_bytes_ += textures[i].bytes;
-        } else {
-            entry.cached =
-                cache_->add(texture, use.encoding,
-                            fmt::format("{}:{}", use.texture, static_cast<int>(use.encoding)));
-        }
+        entry.held = std::make_unique<const HeldTexture>(texture, use.encoding,
+                                                         i < held ? nullptr : file_.get());
+        held_bytes_ += i < held ? textures[i].bytes : 0;
     }
 }
 
@@ -137,7 +122,7 @@ void TextureLibrary::read_all() const {
     std::vector<const HeldTexture*> held;
     for (const std::array<Entry, 2>& pair : entries_) {
         for (const Entry& entry : pair) {
-            if (entry.held) {
+            if (entry.held && entry.held->in_memory()) {
                 held.push_back(entry.held.get());
             }
         }
@@ -152,7 +137,7 @@ void TextureLibrary::read_all() const {
 }
 
 Imath::Color4f TextureLibrary::look_up(scene::TextureIndex texture, TextureEncoding encoding,
-                                       const TextureFootprint& footprint, ThreadCache cache) const {
+                                       const TextureFootprint& footprint) const {
     const Imath::Color4f white(1.0F, 1.0F, 1.0F, 1.0F);
     if (!texture.valid() || !in_range(footprint.at)) {
         return white;
@@ -161,23 +146,16 @@ Imath::Color4f TextureLibrary::look_up(scene::TextureIndex texture, TextureEncod
     const TextureFootprint usable =
         filtered ? footprint : TextureFootprint{footprint.at, Imath::V2f(0.0F), Imath::V2f(0.0F)};
     const Entry& entry = entries_[texture.value()][static_cast<std::size_t>(encoding)];
-    if (entry.held) {
-        const MipPyramid* pyramid = entry.held->pyramid();
-        return pyramid != nullptr ? pyramid->mean(usable) : white;
-    }
-    if (entry.cached) {
-        return cache_->mean(*entry.cached, usable, cache).value_or(white);
-    }
-    return white;
+    const MipPyramid* const pyramid = entry.held ? entry.held->pyramid() : nullptr;
+    return pyramid != nullptr ? pyramid->mean(usable) : white;
 }
 
 Diagnostics TextureLibrary::warnings() const {
     Diagnostics found;
     for (const std::array<Entry, 2>& pair : entries_) {
         for (const Entry& entry : pair) {
-            const std::optional<Diagnostic> problem = entry.held     ? problem_of(*entry.held)
-                                                      : entry.cached ? problem_of(*entry.cached)
-                                                                     : std::nullopt;
+            const std::optional<Diagnostic> problem =
+                entry.held ? problem_of(*entry.held) : std::nullopt;
             if (problem && !entry.reported.exchange(true)) {
                 found.push_back(*problem);
             }
