@@ -52,7 +52,7 @@ Expr derivative_of_result(Expr f, Arguments a, Arguments da) {
     return sum;
 }
 
-const std::array<Operation, operation_count> table{{
+const std::array<Operation, operation_count> operation_table{{
     {.op = Op::constant, .name = "constant", .meaning = "a number"},
     {.op = Op::input,
      .name = "input",
@@ -383,10 +383,10 @@ const std::array<Operation, operation_count> table{{
 
 }  // namespace
 
-const std::array<Operation, operation_count>& operations() { return table; }
+const std::array<Operation, operation_count>& operations() { return operation_table; }
 
 const Operation& operation(Op op) {
-    const Operation& row = table[static_cast<std::size_t>(op)];
+    const Operation& row = operation_table[static_cast<std::size_t>(op)];
     assert(row.op == op && "the table lists the operations in the order of Op");
     return row;
 }

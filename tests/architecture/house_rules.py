@@ -7,8 +7,9 @@ Usage: house_rules.py REPOSITORY
 
 Names on standard output each file that is over 500 lines long, does not open with the licence
 header, holds a note of work left to do, or has a test that can be skipped in a suite with others:
-ctest runs suites, and counts one as skipped only if all of it was; and each picture of docs that is
-larger than 300 kB. The exit code is 1 if there is any.
+ctest runs suites, and counts one as skipped only if all of it was; each file of tests without a
+namespace of its own, as several are compiled as one; and each picture of docs that is larger than
+300 kB. The exit code is 1 if there is any.
 """
 
 import re
@@ -38,6 +39,11 @@ def suites_that_hide_a_skip(lines):
             yield number
 
 
+def lacks_namespace(path, lines):
+    opens = re.compile(rf"^namespace [\w:]+::{path.stem} {{$")
+    return path.name.endswith("_test.cpp") and not any(opens.match(line) for line in lines)
+
+
 def is_code(path, lines):
     return path.suffix in CODE_SUFFIXES or (bool(lines) and lines[0].startswith("#!"))
 
@@ -55,6 +61,8 @@ def findings(root):
                 yield f"{name}:{number}: work left to do: {line.strip()}"
         for number in suites_that_hide_a_skip(lines):
             yield f"{name}:{number}: a test that can be skipped needs a suite of its own"
+        if lacks_namespace(path, lines):
+            yield f"{name}: its tests need the namespace balcony::...::{path.stem}"
         if not is_code(path, lines):
             continue
         if len(lines) > LONGEST_FILE:

@@ -132,6 +132,10 @@ class Planted(unittest.TestCase):
             house_rules, "tests/base/planted_test.cpp", LICENCE + skipped + other, "suite of its own"
         )
 
+    def test_finds_tests_in_a_shared_namespace(self):
+        tests = LICENCE + "namespace balcony {\nTEST(Planted, Runs) {}\n}  // namespace balcony\n"
+        self.assert_found(house_rules, "tests/base/planted_test.cpp", tests, "::planted_test")
+
     def test_finds_a_large_picture(self):
         self.assert_found(house_rules, "docs/pictures/planted.png", "x" * 300_001, "300 kB")
 

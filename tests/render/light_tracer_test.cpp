@@ -11,7 +11,7 @@
 #include "render/shading/packet_lanes.hpp"
 #include "support.hpp"
 
-namespace balcony::render {
+namespace balcony::render::light_tracer_test {
 
 namespace {
 
@@ -163,4 +163,4 @@ TEST(PacketLanes, TheNormalOfATinyTriangleHasALength) {
 
 }  // namespace
 
-}  // namespace balcony::render
+}  // namespace balcony::render::light_tracer_test

@@ -14,16 +14,13 @@ namespace balcony::scene {
 
 namespace {
 
-constexpr std::uint8_t red = 0;
-constexpr std::uint8_t green = 1;
-constexpr std::uint8_t alpha = 3;
-
 void read_clearcoat(const Json& json, GltfMaterialReader& reader) {
     Material& m = reader.material;
     m.clearcoat = unit_interval_in(json, "clearcoatFactor", 0.0F);
     m.clearcoat_roughness = unit_interval_in(json, "clearcoatRoughnessFactor", 0.0F);
-    reader.read_texture(json, "clearcoatTexture", red, m.clearcoat_texture);
-    reader.read_texture(json, "clearcoatRoughnessTexture", green, m.clearcoat_roughness_texture);
+    reader.read_texture(json, "clearcoatTexture", Channel::red, m.clearcoat_texture);
+    reader.read_texture(json, "clearcoatRoughnessTexture", Channel::green,
+                        m.clearcoat_roughness_texture);
     if (!member(json, "clearcoatNormalTexture").is_null()) {
         reader.warn("the normal map of its clearcoat is not supported");
     }
@@ -49,21 +46,21 @@ void read_sheen(const Json& json, GltfMaterialReader& reader) {
     m.sheen_color = color_in(json, "sheenColorFactor", Color3f(0.0F));
     m.sheen_roughness = unit_interval_in(json, "sheenRoughnessFactor", 0.0F);
     reader.read_texture(json, "sheenColorTexture", m.sheen_color_texture);
-    reader.read_texture(json, "sheenRoughnessTexture", alpha, m.sheen_roughness_texture);
+    reader.read_texture(json, "sheenRoughnessTexture", Channel::alpha, m.sheen_roughness_texture);
 }
 
 void read_specular(const Json& json, GltfMaterialReader& reader) {
     Material& m = reader.material;
     m.specular = unit_interval_in(json, "specularFactor", 1.0F);
     m.specular_color = color_in(json, "specularColorFactor", Color3f(1.0F));
-    reader.read_texture(json, "specularTexture", alpha, m.specular_texture);
+    reader.read_texture(json, "specularTexture", Channel::alpha, m.specular_texture);
     reader.read_texture(json, "specularColorTexture", m.specular_color_texture);
 }
 
 void read_transmission(const Json& json, GltfMaterialReader& reader) {
     Material& m = reader.material;
     m.transmission = unit_interval_in(json, "transmissionFactor", 0.0F);
-    reader.read_texture(json, "transmissionTexture", red, m.transmission_texture);
+    reader.read_texture(json, "transmissionTexture", Channel::red, m.transmission_texture);
 }
 
 void read_unlit(const Json&, GltfMaterialReader& reader) { reader.material.unlit = true; }

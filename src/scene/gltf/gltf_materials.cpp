@@ -30,15 +30,12 @@ void GltfMaterialReader::read(const Json& json) {
     const Json& surface = member(json, "pbrMetallicRoughness");
     read_texture(surface, "baseColorTexture", material.base_color_texture);
     if (material.alpha_mode != AlphaMode::opaque) {
-        constexpr std::uint8_t alpha = 3;
         material.opacity_texture = material.base_color_texture;
-        material.opacity_texture.channel = alpha;
+        material.opacity_texture.channel = Channel::alpha;
     }
-    constexpr std::uint8_t green = 1;
-    constexpr std::uint8_t blue = 2;
-    read_texture(surface, "metallicRoughnessTexture", green, material.roughness_texture);
+    read_texture(surface, "metallicRoughnessTexture", Channel::green, material.roughness_texture);
     material.metallic_texture = material.roughness_texture;
-    material.metallic_texture.channel = blue;
+    material.metallic_texture.channel = Channel::blue;
     read_texture(json, "emissiveTexture", material.emission_texture);
     read_texture(json, "normalTexture", material.normal_texture);
     read_extensions(json);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <span>
@@ -13,6 +14,11 @@
 #include "scene/gltf/gltf_document.hpp"
 
 namespace balcony::scene {
+
+/// The channels of a texture's image.
+struct Channel {
+    static constexpr std::uint8_t red = 0, green = 1, blue = 2, alpha = 3;
+};
 
 /// The textures of a file, each made when a material first uses it.
 class GltfTextures {

@@ -119,15 +119,15 @@ constexpr std::array rows{
             return with_number(a, [&](float number) { to.sheen = unit(number); });
         }}};
 
-constexpr std::array maps{MtlMap{"map_Kd", &Material::base_color_texture},
-                          MtlMap{"map_Ke", &Material::emission_texture},
-                          MtlMap{"map_d", &Material::opacity_texture},
-                          MtlMap{"map_Pr", &Material::roughness_texture},
-                          MtlMap{"map_Pm", &Material::metallic_texture},
-                          MtlMap{"map_Pc", &Material::clearcoat_texture},
-                          MtlMap{"map_Pcr", &Material::clearcoat_roughness_texture},
-                          MtlMap{"map_Ps", &Material::sheen_color_texture},
-                          MtlMap{"norm", &Material::normal_texture}};
+constexpr std::array known_maps{MtlMap{"map_Kd", &Material::base_color_texture},
+                                MtlMap{"map_Ke", &Material::emission_texture},
+                                MtlMap{"map_d", &Material::opacity_texture},
+                                MtlMap{"map_Pr", &Material::roughness_texture},
+                                MtlMap{"map_Pm", &Material::metallic_texture},
+                                MtlMap{"map_Pc", &Material::clearcoat_texture},
+                                MtlMap{"map_Pcr", &Material::clearcoat_roughness_texture},
+                                MtlMap{"map_Ps", &Material::sheen_color_texture},
+                                MtlMap{"norm", &Material::normal_texture}};
 
 // Models 3 to 7 trace reflections, which are sharp unless the highlight says otherwise. The format
 // has no exponent above 1000.
@@ -211,7 +211,7 @@ Material to_material(const MtlMaterial& mtl) {
     return material;
 }
 
-std::span<const MtlMap> mtl_maps() { return maps; }
+std::span<const MtlMap> mtl_maps() { return known_maps; }
 
 namespace {
 
