@@ -2,7 +2,8 @@
 # Balcony: rendering through extended cameras.
 # SPDX-License-Identifier: Apache-2.0
 """Writes large scenes, to measure memory and time: 10 million triangles in 1,000 instances of one
-mesh, 10,000 objects with a mesh of their own, and a wall of pictures, each with a texture of its own.
+mesh, 10,000 objects with a mesh of their own, a mesh of 2 million triangles, and a wall of pictures,
+each with a texture of its own.
 
     bench/big_scenes.py FOLDER [--textures COUNT] [--texture-side PIXELS]
     /usr/bin/time -v balcony render FOLDER/instances.gltf -o instances.png
@@ -121,6 +122,8 @@ def main():
     (folder / "instances.gltf").write_text(json.dumps(instances))
     objects = document(10_000, placed(10_000, lambda i: i), 8, 4)
     (folder / "objects.gltf").write_text(json.dumps(objects))
+    mesh = document(1, placed(1, lambda i: 0), 1000, 1000)
+    (folder / "mesh.gltf").write_text(json.dumps(mesh))
     (folder / "textures.gltf").write_text(json.dumps(pictures(options.textures)))
     for i in range(options.textures):
         (folder / f"{i}.png").write_bytes(png(options.texture_side, i))

@@ -173,9 +173,9 @@ RenderReport fail(RenderReport outcome, ExitCode code, const Diagnostics& diagno
 }  // namespace
 
 RenderReport make_banded_picture(RenderReport outcome, const RenderOptions& options,
-                                 const Request& request, std::vector<std::filesystem::path> files,
-                                 const render::Renderer& renderer, const camera::Picture& picture,
-                                 const render::FilmLayout& layout, const PictureOutput& output) {
+                                 const Request& request, const Loaded& loaded,
+                                 const camera::Picture& picture, const render::FilmLayout& layout,
+                                 const PictureOutput& output) {
     if (request.job.save_every || request.job.time_limit) {
         constexpr double giga = 1e9;
         return fail(
@@ -187,7 +187,7 @@ RenderReport make_banded_picture(RenderReport outcome, const RenderOptions& opti
     }
     const double bytes = std::min(request.job.film_memory, enough_for_a_band);
     Result<render::BandedRender> bands = render::BandedRender::make(
-        renderer, picture, request.settings, layout, render::band_height(layout, bytes));
+        *loaded.renderer, picture, request.settings, layout, render::band_height(layout, bytes));
     add(outcome, bands.diagnostics);
     if (!bands) {
         return fail(std::move(outcome), ExitCode::bad_input, {});
@@ -195,7 +195,7 @@ RenderReport make_banded_picture(RenderReport outcome, const RenderOptions& opti
     const render::Region window =
         layout.window.value_or(render::Region{0, 0, layout.width, layout.height});
     const Job interruption;
-    BandedRun run(options, request, std::move(files), window, output, *bands);
+    BandedRun run(options, request, loaded.files(), window, output, *bands);
     if (const Diagnostics found = run.begin(); has_errors(found)) {
         return fail(std::move(outcome), ExitCode::environment, found);
     }
@@ -223,6 +223,7 @@ RenderReport make_banded_picture(RenderReport outcome, const RenderOptions& opti
     film.window = window;
     film.background = request.settings.background;
     describe(outcome, output, picture, film, *summary);
+    describe_preparation(outcome, loaded);
     outcome.facts["exposure"] = 0.0;
     if (summary->interrupted) {
         outcome.sentence = fmt::format("interrupted after {:.0f} %; --resume continues from {}\n",

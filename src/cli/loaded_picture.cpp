@@ -3,8 +3,14 @@
 
 #include "cli/loaded_picture.hpp"
 
+#include <chrono>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
 #include "balcony/rays.hpp"
 #include "cli/options/scene_argument.hpp"
+#include "cli/report/report.hpp"
 
 namespace balcony::cli {
 
@@ -33,7 +39,10 @@ bool load(const std::string& name, const Request& request,
         return true;
     }
     if (!loaded.scene) {
+        const auto begin = std::chrono::steady_clock::now();
         auto scene = load_scene(name, settings.time);
+        loaded.load_seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         add(outcome, scene.diagnostics);
         if (!scene) {
             return false;
@@ -46,6 +55,16 @@ bool load(const std::string& name, const Request& request,
     loaded.renderer = std::move(renderer.value);
     loaded.times = times;
     return loaded.renderer.has_value();
+}
+
+void describe_preparation(RenderReport& report, const Loaded& loaded) {
+    const render::Renderer::Preparation& preparation = loaded.renderer->preparation();
+    report.facts["load_seconds"] = loaded.load_seconds;
+    report.facts["build_seconds"] = preparation.build_seconds;
+    report.facts["texture_seconds"] = preparation.texture_seconds;
+    report.sentence +=
+        fmt::format("  scene read in {}, prepared in {}\n", duration_text(loaded.load_seconds),
+                    duration_text(preparation.build_seconds + preparation.texture_seconds));
 }
 
 }  // namespace balcony::cli

@@ -23,6 +23,7 @@ struct Loaded {
     std::shared_ptr<const scene::Scene> scene;
     std::optional<render::Renderer> renderer;
     scene::TimeInterval times{};  ///< Of the renderer's rays.
+    double load_seconds = 0.0;    ///< To read the scene.
 
     /// The files that the picture depends on.
     [[nodiscard]] std::vector<std::filesystem::path> files() const {
@@ -37,5 +38,8 @@ struct Loaded {
 [[nodiscard]] bool load(const std::string& name, const Request& request,
                         const std::optional<camera::Picture>& picture, Loaded& loaded,
                         RenderReport& outcome);
+
+/// Adds to the report of a picture how long it took to read and prepare the scene.
+void describe_preparation(RenderReport& report, const Loaded& loaded);
 
 }  // namespace balcony::cli

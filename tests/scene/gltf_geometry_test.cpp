@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <numbers>
 
@@ -274,6 +275,66 @@ TEST_F(GltfGeometry, BuffersMayBeDataUris) {
     const auto scene = load(write("scene.gltf", json.dump()));
     ASSERT_TRUE(scene) << said(scene);
     EXPECT_EQ(scene->meshes[0].positions, (std::vector<V3f>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+}
+
+// Long ones are not parsed as JSON.
+TEST_F(GltfGeometry, LongDataUris) {
+    const auto base64 = [](const std::vector<std::uint8_t>& bytes) {
+        constexpr std::string_view digits =
+            "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+        std::string text;
+        for (std::size_t i = 0; i < bytes.size(); i += 3) {
+            std::uint32_t bits = 0;
+            for (std::size_t k = 0; k < 3; ++k) {
+                bits = bits << 8U | (i + k < bytes.size() ? bytes[i + k] : 0U);
+            }
+            for (const unsigned shift : {18U, 12U, 6U, 0U}) {
+                text += digits[bits >> shift & 63U];
+            }
+        }
+        const std::size_t missing = (3 - bytes.size() % 3) % 3;
+        return text.replace(text.size() - missing, missing, missing, '=');
+    };
+    // Of every length modulo 3.
+    for (const std::size_t vertices : {600U, 601U, 602U}) {
+        std::vector<V3f> points;
+        for (std::size_t i = 0; i < vertices; ++i) {
+            const auto x = static_cast<float>(i);
+            points.emplace_back(x, x * x, -x);
+        }
+        std::vector<std::uint8_t> bytes(12 * vertices + vertices % 3);
+        std::memcpy(bytes.data(), points.data(), 12 * vertices);
+        Json json = one_triangle().json;
+        json["accessors"] = {{{"bufferView", 0},
+                              {"componentType", 5126},
+                              {"count", vertices / 3 * 3},
+                              {"type", "VEC3"}}};
+        json["bufferViews"] = {{{"buffer", 0}, {"byteLength", 12 * vertices}}};
+        json["meshes"] = {{{"primitives", {{{"attributes", {{"POSITION", 0}}}}}}}};
+        const std::string uri = "data:application/octet-stream;base64," + base64(bytes);
+        json["buffers"] = {{{"byteLength", bytes.size()}, {"uri", uri}}};
+        json["nodes"][0]["name"] = R"(a quoted "data: text)";
+        const auto whole = load(write("scene.gltf", json.dump()));
+        ASSERT_TRUE(whole) << said(whole);
+        points.resize(vertices / 3 * 3);
+        EXPECT_EQ(whole->meshes[0].positions.size(), points.size());
+        EXPECT_EQ(whole->meshes[0].positions.back(), points.back());
+        EXPECT_EQ(whole->objects[0].name, R"(a quoted "data: text)");
+        for (const char wrong : {'!', '\\', '-', '\0', '\xff'}) {
+            std::string text = json.dump();
+            text[text.find(";base64,") + 5000] = wrong;
+            EXPECT_FALSE(load(write("scene.gltf", text))) << wrong;
+        }
+        // JSON may escape slashes.
+        std::string escaped = json.dump();
+        const std::size_t slash = escaped.find('/', escaped.find("data:application"));
+        escaped.insert(slash, 1, '\\');
+        EXPECT_TRUE(load(write("scene.gltf", escaped)));
+        // A mistake behind it is shown where it is in the file.
+        const std::string broken = json.dump() + "]";
+        EXPECT_NE(said(load(write("scene.gltf", broken))).find(std::to_string(broken.size())),
+                  std::string::npos);
+    }
 }
 
 }  // namespace balcony::scene::testing::gltf_geometry_test

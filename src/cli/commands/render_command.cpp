@@ -126,6 +126,7 @@ RenderReport make_picture(RenderReport outcome, const RenderOptions& options,
                                        run.checkpoint().file().string()))});
     }
     describe(outcome, output, picture, film, *summary);
+    describe_preparation(outcome, loaded);
     if (!summary->interrupted) {
         describe_misses(outcome, *loaded.scene, picture, request.settings, film, *summary);
     }
@@ -211,8 +212,8 @@ RenderReport render_picture(const RenderOptions& options, Request request,
             add_frames(options, *loaded.scene, *picture, {width, height}, request.settings));
     }
     if (format == nullptr && render::film_bytes(layout) > request.job.film_memory) {
-        return make_banded_picture(std::move(outcome), options, request, loaded.files(),
-                                   *loaded.renderer, *picture, layout, target.output);
+        return make_banded_picture(std::move(outcome), options, request, loaded, *picture, layout,
+                                   target.output);
     }
     Result<render::Film> film = make_film(layout, request);
     if (!film) {

@@ -27,14 +27,6 @@ bool is_affine(const scene::M44d& m) {
     return m[0][3] == 0.0 && m[1][3] == 0.0 && m[2][3] == 0.0 && m[3][3] == 1.0;
 }
 
-// Whether the whole mesh can be traced, in its own coordinates and as placed.
-bool can_be_traced(const scene::Mesh& mesh, const scene::M44d& world_from_mesh) {
-    return is_affine(world_from_mesh) &&
-           std::all_of(mesh.positions.begin(), mesh.positions.end(), [&](const V3f& p) {
-               return in_range(p) && in_range(scene::V3d(p) * world_from_mesh);
-           });
-}
-
 // The largest coordinate in the image of the unit cube under a linear map.
 double norm(const scene::M44d& m) {
     double maximum = 0.0;
@@ -43,6 +35,33 @@ double norm(const scene::M44d& m) {
             maximum, std::abs(m[0][column]) + std::abs(m[1][column]) + std::abs(m[2][column]));
     }
     return maximum;
+}
+
+// The largest coordinate of a mesh; nothing if one of them is out of range.
+std::optional<double> extent(const scene::Mesh& mesh) {
+    float largest = 0.0F;
+    for (const V3f& p : mesh.positions) {
+        if (!in_range(p)) {
+            return std::nullopt;
+        }
+        largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    }
+    return largest;
+}
+
+// Whether the whole mesh, whose own coordinates are in range, can be traced as placed. Most are so
+// far from the limit that a bound decides.
+bool can_be_traced(const scene::Mesh& mesh, double largest, const scene::M44d& world_from_mesh) {
+    if (!is_affine(world_from_mesh)) {
+        return false;
+    }
+    const scene::V3d shift = world_from_mesh.translation();
+    const double bound = norm(world_from_mesh) * largest +
+                         std::max({std::abs(shift.x), std::abs(shift.y), std::abs(shift.z)});
+    constexpr double rounding = 0.9;
+    return bound <= rounding * max_coordinate ||
+           std::all_of(mesh.positions.begin(), mesh.positions.end(),
+                       [&](const V3f& p) { return in_range(scene::V3d(p) * world_from_mesh); });
 }
 
 }  // namespace
@@ -72,12 +91,16 @@ std::optional<double> reach_into(const scene::M44d& world_from_mesh) {
 std::vector<Use> choose_uses(const scene::Scene& scene, const MotionSteps& motion) {
     std::vector<std::size_t> counts(scene.meshes.size());
     std::vector<Use> uses(scene.instances.size(), Use::none);
+    std::vector<std::optional<double>> extents(scene.meshes.size());
+    std::transform(scene.meshes.begin(), scene.meshes.end(), extents.begin(), extent);
     for (std::size_t i = 0; i < uses.size(); ++i) {
         const scene::Instance& instance = scene.instances[i];
         const scene::Mesh& mesh = scene.meshes[instance.mesh.value()];
         const auto steps = motion.matrices(i);
-        if (std::all_of(steps.begin(), steps.end(), [&](const scene::M44d& world_from_mesh) {
-                return can_be_traced(mesh, world_from_mesh);
+        const std::optional<double> largest = extents[instance.mesh.value()];
+        if (largest &&
+            std::all_of(steps.begin(), steps.end(), [&](const scene::M44d& world_from_mesh) {
+                return can_be_traced(mesh, *largest, world_from_mesh);
             })) {
             uses[i] = Use::copied;
             ++counts[instance.mesh.value()];

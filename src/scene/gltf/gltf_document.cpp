@@ -4,7 +4,6 @@
 #include "scene/gltf/gltf_document.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <memory>
 
@@ -80,47 +79,7 @@ GlbChunks split_glb(Bytes bytes, const std::string& name) {
     return chunks;
 }
 
-// The value of each character as a digit of base 64, or no_digit.
-constexpr std::uint8_t no_digit = 64;
-constexpr std::array<std::uint8_t, 256> base64_digits = [] {
-    constexpr std::string_view digits =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::array<std::uint8_t, 256> values{};
-    values.fill(no_digit);
-    for (std::size_t i = 0; i < digits.size(); ++i) {
-        values[static_cast<unsigned char>(digits[i])] = static_cast<std::uint8_t>(i);
-    }
-    return values;
-}();
-
 }  // namespace
-
-std::vector<std::uint8_t> decode_data_uri(std::string_view uri) {
-    constexpr std::string_view marker = ";base64,";
-    const std::size_t at = uri.substr(0, 256).find(marker);
-    if (!uri.starts_with("data:") || at == std::string_view::npos) {
-        throw PartError{"its data URI is not in base 64"};
-    }
-    std::string_view digits = uri.substr(at + marker.size());
-    digits = digits.substr(0, digits.find('='));
-    std::vector<std::uint8_t> bytes(digits.size() / 4 * 3 + digits.size() % 4 * 3 / 4);
-    auto next = bytes.begin();
-    std::uint32_t bits = 0;
-    unsigned held = 0;
-    for (const char digit : digits) {
-        const std::uint8_t value = base64_digits[static_cast<unsigned char>(digit)];
-        if (value == no_digit) {
-            throw PartError{"its data URI is not in base 64"};
-        }
-        bits = bits << 6U | value;
-        held += 6;
-        if (held >= 8) {
-            held -= 8;
-            *next++ = static_cast<std::uint8_t>(bits >> held & 0xffU);
-        }
-    }
-    return bytes;
-}
 
 std::string decode_percent(std::string_view uri) {
     const auto hex = [](char digit) {
@@ -171,7 +130,13 @@ void GltfDocument::parse(Bytes bytes) {
                                                   std::string(bytes.begin(), bytes.end()));
     };
     try {
-        root_ = Json::parse(bytes.data(), bytes.data() + bytes.size());
+        const std::string text =
+            data_uris_.lift({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        root_ = Json::parse(text, nullptr, false);
+        if (root_.is_discarded()) {
+            // For the place of the mistake in the file.
+            root_ = Json::parse(bytes.data(), bytes.data() + bytes.size());
+        }
     } catch (const Json::parse_error& failure) {
         const std::size_t end = std::min(failure.byte, bytes.size());
         const std::string reason = failure.what();
@@ -224,7 +189,7 @@ void GltfDocument::read_buffers(Bytes binary) {
     const std::size_t count = array_size(root_, "buffers");
     for (std::size_t i = 0; i < count; ++i) {
         const Json& buffer = root_["buffers"][i];
-        const std::string_view uri = text_view_in(buffer, "uri");
+        const std::string_view uri = uri_in(buffer);
         const bool is_in_file = !uri.empty() && !uri.starts_with("data:");
         const std::string what =
             is_in_file ? in_quotes(decode_percent(uri)) : fmt::format("buffer {}", i);
@@ -251,6 +216,10 @@ void GltfDocument::read_buffers(Bytes binary) {
         size_ += content.size();
     }
     sparse_elements_ = Budget(size_, "the sparse accessors have more elements than the file bytes");
+}
+
+std::string_view GltfDocument::uri_in(const Json& owner) const {
+    return data_uris_.original(text_view_in(owner, "uri"));
 }
 
 GltfDocument::Bytes GltfDocument::view(std::size_t index) const {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "scene/budget.hpp"
+#include "scene/gltf/data_uri.hpp"
 #include "scene/gltf/gltf_accessor.hpp"
 #include "scene/gltf/gltf_json.hpp"
 #include "scene/import.hpp"
@@ -31,6 +32,9 @@ public:
     /// The size of the file in bytes, including its external buffers.
     [[nodiscard]] std::size_t size() const { return size_; }
 
+    /// The 'uri' of a buffer or an image; empty if there is none.
+    [[nodiscard]] std::string_view uri_in(const Json& owner) const;
+
     /// The bytes of a buffer view.
     [[nodiscard]] std::span<const std::uint8_t> view(std::size_t index) const;
 
@@ -48,6 +52,7 @@ private:
 
     Import& import_;
     std::vector<std::uint8_t> bytes_;
+    LiftedDataUris data_uris_;
     Json root_;
     bool is_binary_ = false;
     std::map<std::filesystem::path, std::vector<std::uint8_t>> files_;  // External files.
@@ -57,9 +62,6 @@ private:
     Budget sparse_elements_{0, ""};
     std::map<std::size_t, GltfAccessor> accessors_;
 };
-
-/// The bytes of a "data:" URI in base 64. Throws PartError if it is not one.
-[[nodiscard]] std::vector<std::uint8_t> decode_data_uri(std::string_view uri);
 
 /// A relative URI as a path: "%20" is a space.
 [[nodiscard]] std::string decode_percent(std::string_view uri);

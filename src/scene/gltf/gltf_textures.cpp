@@ -88,7 +88,7 @@ TextureIndex GltfTextures::texture(std::size_t gltf_texture, const std::string& 
 }
 
 void GltfTextures::read_image(const Json& image, Texture& texture) {
-    const std::string_view uri = text_view_in(image, "uri");
+    const std::string_view uri = document_.uri_in(image);
     if (const auto view = index_in(image, "bufferView")) {
         const auto bytes = document_.view(*view);
         image_bytes_.take(bytes.size());
