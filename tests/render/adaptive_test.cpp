@@ -18,16 +18,16 @@ namespace {
 constexpr std::size_t width = 128;
 constexpr std::size_t height = 64;
 
-// A white wall in the left half of the picture, a fence of thin bars in the right half, in front
-// of nothing.
-scene::Scene wall_and_fence() {
+// A wall in the left half of the picture, a fence of thin bars in the right half, in front of
+// nothing.
+scene::Scene wall_and_fence(const scene::Material& material = white()) {
     scene::Scene scene;
     add(scene, parallelogram({-9.0F, -9.0F, -1.0F}, {9.0F, 0.0F, 0.0F}, {0.0F, 18.0F, 0.0F}),
-        white());
+        material);
     for (int bar = 0; bar < 60; ++bar) {
         const float x = 0.1F + 0.017F * static_cast<float>(bar);
         add(scene, parallelogram({x, -9.0F, -1.0F}, {0.006F, 0.0F, 0.0F}, {0.001F, 18.0F, 0.0F}),
-            white());
+            material);
     }
     return scene;
 }
@@ -52,29 +52,68 @@ TEST(Adaptive, SamplesWhereThereIsNoise) {
     }
 }
 
-// The mean square of the errors, against many samples, follows that which was asked for. This scene
-// has edges only, and all pixels of a pass share the place of their sample, so the estimates of
-// neighbours go wrong together and end the sampling too early: the error is up to 2.1 times the
-// level here. For light sampled at random, whose errors are independent, there is no such factor.
+// The light of a square lamp behind a smaller screen, whose noise is that of random directions.
+scene::Scene wall_in_a_penumbra() {
+    scene::Scene scene;
+    add(scene, wall(-1.0F, 9.0F), white());
+    add(scene, parallelogram({-0.4F, -0.3F, 0.4F}, {0.6F, 0.0F, 0.0F}, {0.0F, 0.6F, 0.0F}),
+        white());
+    scene::Material lamp = white();
+    lamp.base_color = Color3f(0.0F);
+    lamp.emission = Color3f(3.0F);
+    add(scene, parallelogram({-1.0F, -1.0F, 1.0F}, {0.0F, 2.0F, 0.0F}, {2.0F, 0.0F, 0.0F}), lamp);
+    return scene;
+}
+
+// A pixel stops at the first power of two where the mean of 25 estimates is below the square of the
+// level. The expectation of an estimate is the square of the error, and 25 of them deviate by the
+// factor sqrt(2/25). To stop at twice the square of the level is therefore rare, 1 in 50, and each
+// doubling halves the square: on average over the powers, it is 0.8 of the square of the level,
+// and never above, wherever between two powers of two the level is reached.
 TEST(Adaptive, ReachesTheLevel) {
-    const Film reference =
-        render(wall_and_fence(), front(), request(width, height, "preview", 8192)).film;
+    const auto asked = [](double noise, std::size_t max_samples) {
+        Request wanted = request(32, 32, "path", max_samples);
+        wanted.bounces.all = 0;
+        wanted.sampling.noise = noise;
+        wanted.sampling.white = 1.0;
+        return wanted;
+    };
+    const scene::Scene scene = wall_in_a_penumbra();
+    const Film reference = render(scene, front(), asked(0.0, 4096)).film;
+    for (const double level : {0.1, 0.05, 0.025}) {
+        const Film film = render(scene, front(), asked(level, 4096)).film;
+        double squares = 0.0;
+        for (std::size_t y = 0; y < 32; ++y) {
+            for (std::size_t x = 0; x < 32; ++x) {
+                const double truth = reference.pixel(x, y).g;
+                const double error = film.pixel(x, y).g - truth;
+                squares += error * error / truth;
+            }
+        }
+        const double found = std::sqrt(squares / (32.0 * 32.0));
+        EXPECT_LT(found, level);
+    }
+}
+
+// A black fence has noise in its alpha alone. All pixels of a pass share the place of their sample,
+// so the errors of edges are not random, and no factor between them and the level is known.
+TEST(Adaptive, EdgesAreSmootherAtALowerLevel) {
+    scene::Material black = white();
+    black.base_color = Color3f(0.0F);
+    const scene::Scene scene = wall_and_fence(black);
+    const Film reference = render(scene, front(), request(width, height, "preview", 4096)).film;
     double before = 1.0;
     for (const double level : {0.05, 0.02, 0.01}) {
-        const Film film = render(wall_and_fence(), front(), adaptive_request(level, 4096)).film;
+        const Film film = render(scene, front(), adaptive_request(level, 4096)).film;
         double squares = 0.0;
-        double count = 0.0;
         for (std::size_t y = 0; y < height; ++y) {
             for (std::size_t x = 70; x < width; ++x) {
                 const double error = double{film.pixel(x, y).a} - double{reference.pixel(x, y).a};
-                squares += error * error;
-                count += 1.0;
+                squares += error * error / static_cast<double>(height * (width - 70));
             }
         }
-        const double found = std::sqrt(squares / count);
-        EXPECT_LT(found, 2.5 * level);
-        EXPECT_LT(found, before);
-        before = found;
+        EXPECT_LT(squares, before);
+        before = squares;
     }
 }
 

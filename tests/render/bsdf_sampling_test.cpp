@@ -4,61 +4,16 @@
 // The samples of a BSDF against its density.
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "bsdf_support.hpp"
+#include "directions.hpp"
 #include "statistics.hpp"
 
 namespace balcony::render::test::bsdf_sampling_test {
 namespace {
-
-using std::numbers::pi;
-
-struct SphereCells {
-    static constexpr std::size_t rows = 24;
-    static constexpr std::size_t columns = 24;
-
-    static std::size_t cell(const V3f& v) {
-        const double angle = std::atan2(double{v.y}, double{v.x}) / (2.0 * pi) + 0.5;
-        const auto row = static_cast<std::size_t>(0.5 * (double{v.z} + 1.0) * rows);
-        const auto column = static_cast<std::size_t>(angle * columns);
-        return std::min(row, rows - 1) * columns + std::min(column, columns - 1);
-    }
-
-    // The integral of a density over each cell.
-    static std::vector<double> integrate(const Bsdf& bsdf, const V3f& to_viewer) {
-        constexpr std::size_t fine = 24;
-        std::vector<double> integrals(rows * columns);
-        for (std::size_t j = 0; j < rows * fine; ++j) {
-            const double z = 2.0 * (static_cast<double>(j) + 0.5) / (rows * fine) - 1.0;
-            for (std::size_t i = 0; i < columns * fine; ++i) {
-                const double angle =
-                    2.0 * pi * ((static_cast<double>(i) + 0.5) / (columns * fine) - 0.5);
-                const double radius = std::sqrt(1.0 - z * z);
-                const V3f light(static_cast<float>(radius * std::cos(angle)),
-                                static_cast<float>(radius * std::sin(angle)),
-                                static_cast<float>(z));
-                integrals[j / fine * columns + i / fine] += double{bsdf.pdf(to_viewer, light)};
-            }
-        }
-        for (double& integral : integrals) {
-            integral *= 4.0 * pi / (rows * columns * fine * fine);
-        }
-        return integrals;
-    }
-};
-
-double sum(const std::vector<double>& values) {
-    double total = 0.0;
-    for (const double value : values) {
-        total += value;
-    }
-    return total;
-}
 
 TEST(BsdfSampling, FollowsTheDensity) {
     constexpr int draws = 100000;
@@ -68,13 +23,14 @@ TEST(BsdfSampling, FollowsTheDensity) {
         for (const float cosine : {0.15F, 0.7F}) {
             const V3f viewer = at_cosine(cosine);
             Directions random(++seed);
-            std::vector<double> expected = SphereCells::integrate(bsdf, viewer);
+            std::vector<double> expected = SphereCells::integrals(
+                [&](const V3f& light) { return double{bsdf.pdf(viewer, light)}; }, 16);
             std::vector<double> counts(expected.size());
             double others = 0.0;
             for (int draw = 0; draw < draws; ++draw) {
                 const auto sample = bsdf.sample(viewer, random.numbers());
                 if (sample && !sample->delta) {
-                    counts[SphereCells::cell(sample->to_light)] += 1.0;
+                    counts[SphereCells::cell_of(sample->to_light)] += 1.0;
                 } else {
                     others += 1.0;
                 }

@@ -177,7 +177,10 @@ TEST(Bsdf, AMirrorObeysTheLawOfReflection) {
         ASSERT_TRUE(sample && sample->delta);
         EXPECT_NEAR(sample->to_light.dot(normal), viewer.dot(normal), 1e-6F);
         EXPECT_NEAR(sample->to_light.cross(viewer).dot(normal), 0.0F, 1e-6F);
-        EXPECT_LE(brightest(sample->weight), 1.0F + 1e-6F);
+        // Schlick's reflectance.
+        const float edge = std::pow(1.0F - viewer.dot(normal), 5.0F);
+        EXPECT_NEAR(sample->weight.x, 0.8F + 0.2F * edge, 1e-6F);
+        EXPECT_NEAR(sample->weight.z, 0.4F + 0.6F * edge, 1e-6F);
         // A mirror of metal is chosen always.
         const auto chosen = bsdf.sample(viewer, {0.9F, 0.5F, 0.5F});
         ASSERT_TRUE(chosen && chosen->delta);
