@@ -58,7 +58,7 @@ scene::M44d placed(const V3d& scale, const V3d& at) {
 }
 
 // Smooth and flat balls; stretched, mirrored and shared ones, which are placed by matrices; a
-// translucent one, one that shines, and one with a texture.
+// translucent one, one that shines, and walls with textures.
 scene::Scene balls() {
     scene::Scene scene;
     scene::Material colored = white();
@@ -84,8 +84,14 @@ scene::Scene balls() {
                         return std::vector<std::uint8_t>{static_cast<std::uint8_t>(16 * x), 99,
                                                          static_cast<std::uint8_t>(16 * y)};
                     }));
-    scene::Mesh picture = wall(-0.5F, 0.9F);
-    add(scene, picture, shining);
+    add(scene, wall(-0.5F, 0.9F), shining);
+    scene::Mesh tilted =
+        parallelogram({-2.0F, 1.0F, -0.9F}, {4.0F, 0.5F, -0.3F}, {0.1F, 1.0F, -3.0F});
+    add(scene, tilted, shining);
+    // The image is emitted, too.
+    shining.emission_texture = shining.base_color_texture;
+    add(scene, wall(-0.4F, 0.2F), shining);
+    shining.emission_texture = {};
     shining.base_color_texture = {};
     add(scene, coarse_ball(true), shining, placed(V3d(0.3), {0.6, 0.6, 0.0}));
     return scene;

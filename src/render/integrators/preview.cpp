@@ -19,7 +19,8 @@ using embree::Packet;
 
 class Preview final : public RayTree, private LightTracer {
 public:
-    Preview(const TracedScene& traced, const Settings& settings) : RayTree(traced, settings) {
+    Preview(const TracedScene& traced, const Settings& settings)
+        : RayTree(traced, settings), textures_(traced.textures.get()) {
         looks_.reserve(traced.scene->instances.size());
         for (std::uint32_t i = 0; i < traced.scene->instances.size(); ++i) {
             looks_.push_back(look_of(traced, i));
@@ -30,22 +31,25 @@ public:
 private:
     // An instance as the integrator shows it.
     struct Look {
-        bool is_uniform = false;  // Opaque, with the same appearance everywhere, and at rest.
+        bool is_plain = false;  // At rest, and with a plain material; otherwise the rest is unused.
         Color4f base_color{0.0F};
         Color4f emission{0.0F};  // With the opacity.
-        MeshNormals normals;
+        const scene::TextureUse* texture = nullptr;
+        PlacedMesh mesh{};
     };
 
     static Look look_of(const TracedScene& traced, std::uint32_t instance) {
-        const std::optional<MeshNormals> normals = traced.surfaces.normals_at_rest(instance);
-        const scene::MeshIndex mesh = traced.scene->instances[instance].mesh;
-        const Appearance* const everywhere =
-            traced.materials.uniform(traced.scene->meshes[mesh.value()]);
-        if (!normals || everywhere == nullptr) {
+        const std::optional<PlacedMesh> mesh = traced.surfaces.mesh_at_rest(instance);
+        const auto material = mesh ? traced.materials.plain(*mesh->mesh) : std::nullopt;
+        if (!material) {
             return {};
         }
-        const Color3f& base = everywhere->base_color;
-        return {true, {base.x, base.y, base.z, 0.0F}, opaque(everywhere->emission), *normals};
+        const Color3f& base = material->constant->base_color;
+        return {true,
+                {base.x, base.y, base.z, 0.0F},
+                opaque(material->constant->emission),
+                material->texture,
+                *mesh};
     }
 
     void trace_light(const Packet& packet, const DifferentialSource& differentials,
@@ -54,23 +58,31 @@ private:
         for (std::size_t lane = 0; lane < Packet::size; ++lane) {
             if (packet.valid[lane] != 0 && packet.any(lane)) {
                 looks[lane] = &looks_[packet.instance(lane)];
-                if (looks[lane]->is_uniform) {
-                    set_normals(packet, lane, looks[lane]->normals);
+                if (looks[lane]->is_plain) {
+                    set_normals(packet, lane, looks[lane]->mesh);
                 }
             }
         }
         packet_lanes::set_cosines(packet, normals_, cosines_);
         for (std::size_t lane = 0; lane < Packet::size; ++lane) {
             const Look* const look = looks[lane];
-            radiance[lane] = look == nullptr    ? Color4f(0.0F)
-                             : look->is_uniform ? look->emission + cosines_[lane] * look->base_color
-                                                : light(packet, lane, differentials);
+            if (look == nullptr) {
+                radiance[lane] = Color4f(0.0F);
+            } else if (!look->is_plain) {
+                radiance[lane] = light(packet, lane, differentials);
+            } else if (look->texture == nullptr) {
+                radiance[lane] = look->emission + cosines_[lane] * look->base_color;
+            } else {
+                radiance[lane] = look->emission + cosines_[lane] * look->base_color *
+                                                      texel(packet, lane, *look, differentials);
+            }
         }
     }
 
-    void set_normals(const Packet& packet, std::size_t lane, const MeshNormals& mesh) {
-        const V3f smooth = mesh.smooth(packet.triangle[lane], packet.u[lane], packet.v[lane]);
-        const V3f flat = packet.is_placed(lane) ? packet.normal(lane) * mesh.world_from_mesh
+    void set_normals(const Packet& packet, std::size_t lane, const PlacedMesh& mesh) {
+        const V3f smooth =
+            mesh.smooth_normal(packet.triangle[lane], packet.u[lane], packet.v[lane]);
+        const V3f flat = packet.is_placed(lane) ? packet.normal(lane) * mesh.normal_from_mesh
                                                 : packet.normal(lane);
         normals_.smooth_x[lane] = smooth.x;
         normals_.smooth_y[lane] = smooth.y;
@@ -78,6 +90,18 @@ private:
         normals_.flat_x[lane] = flat.x;
         normals_.flat_y[lane] = flat.y;
         normals_.flat_z[lane] = flat.z;
+    }
+
+    [[nodiscard]] Color4f texel(const Packet& packet, std::size_t lane, const Look& look,
+                                const DifferentialSource& differentials) const {
+        const std::uint32_t triangle = packet.triangle[lane];
+        const V3f normal(normals_.flat_x[lane], normals_.flat_y[lane], normals_.flat_z[lane]);
+        const TriangleFootprint footprint =
+            look.mesh.footprint(triangle, normal, packet.direction(lane), packet.farthest[lane],
+                                differentials.differentials(lane));
+        const MeshPoint point{look.mesh.mesh, triangle, packet.u[lane], packet.v[lane]};
+        return textures_->look_up(look.texture->index, look.texture->encoding,
+                                  point.texture_footprint(*look.texture, footprint));
     }
 
     [[nodiscard]] Color4f light(const Packet& packet, std::size_t lane,
@@ -101,6 +125,7 @@ private:
         return {at.appearance.emission, Color3f(0.0F), cosine * at.appearance.base_color};
     }
 
+    const TextureLibrary* textures_;
     std::vector<Look> looks_;  // By instance.
     // Of the packet at work.
     packet_lanes::Normals normals_{};

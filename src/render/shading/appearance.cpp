@@ -126,9 +126,19 @@ MaterialSet::MaterialSet(const scene::Scene& scene, const TextureLibrary& textur
     for (const Material& material : scene.materials) {
         const Appearance constant = constant_part(material);
         const bool textured = uses_textures(material);
-        prepared_.push_back({constant, textured, !textured && constant.opacity >= 1.0F});
+        prepared_.push_back({constant, textured});
         has_textures_ = has_textures_ || prepared_.back().has_textures;
     }
+}
+
+std::optional<MaterialSet::Plain> MaterialSet::plain(const scene::Mesh& mesh) const {
+    const Material& material = scene_->materials[mesh.material.value()];
+    if (material.alpha_mode != scene::AlphaMode::opaque || !mesh.colors.empty() ||
+        material.emission_texture.valid() || material.normal_texture.valid()) {
+        return std::nullopt;
+    }
+    return Plain{&prepared_[mesh.material.value()].constant,
+                 material.base_color_texture.valid() ? &material.base_color_texture : nullptr};
 }
 
 Appearance MaterialSet::look_up(Surface& surface, const PositionDifferentials& moved,

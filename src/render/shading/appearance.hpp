@@ -5,6 +5,7 @@
 // glTF 2.0's metallic-roughness material with its extensions at a point.
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include <Imath/ImathColor.h>
@@ -56,11 +57,14 @@ public:
     [[nodiscard]] Appearance look_up(Surface& surface, const PositionDifferentials& moved,
                                      const V3f& to_viewer) const;
 
-    /// The appearance of a mesh if it is opaque and the same everywhere; otherwise null.
-    [[nodiscard]] const Appearance* uniform(const scene::Mesh& mesh) const {
-        const Prepared& prepared = prepared_[mesh.material.value()];
-        return prepared.is_uniform && mesh.colors.empty() ? &prepared.constant : nullptr;
-    }
+    /// A material of which one texture at most changes what is seen without lights.
+    struct Plain {
+        const Appearance* constant = nullptr;        ///< Without the texture.
+        const scene::TextureUse* texture = nullptr;  ///< Of the base colour; null if there is none.
+    };
+    /// The material of a mesh if it is opaque, and its emission and normals are the same as without
+    /// textures.
+    [[nodiscard]] std::optional<Plain> plain(const scene::Mesh& mesh) const;
 
     /// The emission only.
     [[nodiscard]] Color3f emission(const MeshPoint& point) const;
@@ -71,7 +75,6 @@ private:
     struct Prepared {
         Appearance constant;  // Without textures and colours of vertices.
         bool has_textures = false;
-        bool is_uniform = false;  // Opaque and without textures.
     };
 
     const scene::Scene* scene_;

@@ -273,12 +273,37 @@ Surface SurfaceFinder::find(const embree::Hit& hit, const V3f& direction, float 
     return surface;
 }
 
-std::optional<MeshNormals> SurfaceFinder::normals_at_rest(std::uint32_t instance) const {
+std::optional<PlacedMesh> SurfaceFinder::mesh_at_rest(std::uint32_t instance) const {
     if (moving_.step_count(instance) > 1 ||
         shapes_.step_count(scene_->instances[instance].mesh) > 1) {
         return std::nullopt;
     }
-    return MeshNormals{placements_[instance].mesh, placements_[instance].normal_from_mesh};
+    const Placement& placement = placements_[instance];
+    const Imath::M44f& m = placement.world_from_mesh;
+    return PlacedMesh{
+        placement.mesh,
+        {m[0][0], m[0][1], m[0][2], m[1][0], m[1][1], m[1][2], m[2][0], m[2][1], m[2][2]},
+        placement.normal_from_mesh};
+}
+
+TriangleFootprint PlacedMesh::footprint(std::uint32_t triangle, const V3f& normal,
+                                        const V3f& direction, float distance,
+                                        const RayDifferentials& differentials) const {
+    const auto& corners = mesh->triangles[triangle];
+    const V3f& first = mesh->positions[corners[0]];
+    const V3f edge_1 = (mesh->positions[corners[1]] - first) * world_from_mesh;
+    const V3f edge_2 = (mesh->positions[corners[2]] - first) * world_from_mesh;
+    const V3f across = edge_1.cross(edge_2);
+    const V3f to_u = edge_2.cross(across) / across.length2();
+    const V3f to_v = across.cross(edge_1) / across.length2();
+    const V3f by_depth = normal / normal.dot(direction);
+    const auto on_triangle = [&](const V3f& origin, const V3f& turned) {
+        const V3f moved = origin + distance * turned;
+        const V3f along = moved - moved.dot(by_depth) * direction;
+        return V2f(along.dot(to_u), along.dot(to_v));
+    };
+    return {on_triangle(differentials.origin_x, differentials.direction_x),
+            on_triangle(differentials.origin_y, differentials.direction_y)};
 }
 
 }  // namespace balcony::render

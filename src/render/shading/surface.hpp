@@ -104,21 +104,27 @@ struct Surface {
                     const V3f& to_viewer);
 };
 
-/// The normals of a mesh that is placed in the world.
-struct MeshNormals {
+/// A mesh that is placed in the world and does not move.
+struct PlacedMesh {
     const scene::Mesh* mesh = nullptr;
-    Imath::M33f world_from_mesh;
+    Imath::M33f world_from_mesh;   ///< For vectors.
+    Imath::M33f normal_from_mesh;  ///< For normals: its inverse, transposed.
 
-    /// Interpolated from the corners, of any length; 0 if the mesh has no normals.
-    [[nodiscard]] V3f smooth(std::uint32_t triangle, float u, float v) const {
+    /// In the world, interpolated from the corners, of any length; 0 if the mesh has no normals.
+    [[nodiscard]] V3f smooth_normal(std::uint32_t triangle, float u, float v) const {
         if (mesh->normals.empty()) {
             return V3f(0.0F);
         }
         const auto& corners = mesh->triangles[triangle];
         return ((1.0F - u - v) * mesh->normals[corners[0]] + u * mesh->normals[corners[1]] +
                 v * mesh->normals[corners[2]]) *
-               world_from_mesh;
+               normal_from_mesh;
     }
+    /// The footprint of a ray on a triangle that it hits at a distance, where the triangle has a
+    /// normal of any length: as Surface::transfer() and Surface::triangle_footprint().
+    [[nodiscard]] TriangleFootprint footprint(std::uint32_t triangle, const V3f& normal,
+                                              const V3f& direction, float distance,
+                                              const RayDifferentials& differentials) const;
 };
 
 /// Computes surfaces from hits.
@@ -129,8 +135,8 @@ public:
     /// The surface at the hit of a ray with a direction and a time.
     [[nodiscard]] Surface find(const embree::Hit& hit, const V3f& direction,
                                float time = 0.0F) const;
-    /// The normals of an instance; nothing if it moves or changes its shape.
-    [[nodiscard]] std::optional<MeshNormals> normals_at_rest(std::uint32_t instance) const;
+    /// The mesh of an instance; nothing if it moves or changes its shape.
+    [[nodiscard]] std::optional<PlacedMesh> mesh_at_rest(std::uint32_t instance) const;
     /// Only where a hit is in its mesh.
     [[nodiscard]] MeshPoint mesh_point(const embree::Hit& hit) const {
         return {placements_[hit.instance].mesh, hit.triangle, hit.u, hit.v};
