@@ -24,6 +24,7 @@
 #include "render/job/renderer_state.hpp"
 #include "render/job/stopwatch.hpp"
 #include "render/job/tile_worker.hpp"
+#include "render/job/visible_textures.hpp"
 
 namespace balcony::render {
 
@@ -309,6 +310,7 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
         }
         Settings complete = settings;
         PictureRays picture_rays(*compiled, traced.interval, *focus);
+        read_visible_textures(traced, picture_rays, film, settings.time);
         std::string light;
         if (traces_environment(settings.integrator)) {
             Lighting lighting = lighting_of(traced, picture_rays, film, settings);

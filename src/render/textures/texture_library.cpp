@@ -91,6 +91,16 @@ std::optional<Diagnostic> problem_of(const HeldTexture& held) {
                              : std::nullopt;
 }
 
+void decode(const std::vector<const HeldTexture*>& held) {
+    fork_and_join::before_all();
+    tbb::parallel_for(std::size_t{0}, held.size(), [&](std::size_t i) {
+        fork_and_join::before_each();
+        static_cast<void>(held[i]->pyramid());
+        fork_and_join::after_each();
+    });
+    fork_and_join::after_all();
+}
+
 }  // namespace
 
 TextureLibrary::TextureLibrary(const scene::Scene& scene, std::size_t memory, Diagnostics& warnings)
@@ -107,6 +117,7 @@ TextureLibrary::TextureLibrary(const scene::Scene& scene, std::size_t memory, Di
     }
     const std::size_t for_file = memory / 4;
     const std::size_t held = choose_held(textures, memory, memory - for_file);
+    all_fit_ = held == textures.size();
     file_ = std::make_unique<SpillFile>(for_file);
     for (std::size_t i = 0; i < textures.size(); ++i) {
         const Use& use = textures[i].use;
@@ -127,13 +138,26 @@ void TextureLibrary::read_all() const {
             }
         }
     }
-    fork_and_join::before_all();
-    tbb::parallel_for(std::size_t{0}, held.size(), [&](std::size_t i) {
-        fork_and_join::before_each();
-        static_cast<void>(held[i]->pyramid());
-        fork_and_join::after_each();
-    });
-    fork_and_join::after_all();
+    decode(held);
+}
+
+void TextureLibrary::read(std::span<const scene::Material* const> materials) const {
+    std::vector<const HeldTexture*> used;
+    for (const scene::Material* const material : materials) {
+        for (const auto texture : scene::texture_uses) {
+            const scene::TextureUse& use = material->*texture;
+            if (use.valid()) {
+                const Entry& entry =
+                    entries_[use.index.value()][static_cast<std::size_t>(use.encoding)];
+                if (entry.held) {
+                    used.push_back(entry.held.get());
+                }
+            }
+        }
+    }
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    decode(used);
 }
 
 Imath::Color4f TextureLibrary::look_up(scene::TextureIndex texture, TextureEncoding encoding,

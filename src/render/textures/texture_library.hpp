@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include <Imath/ImathColor.h>
@@ -35,6 +36,9 @@ public:
     /// Decodes the textures that fit, on all threads of the machine. Otherwise, the first look-up
     /// decodes a texture.
     void read_all() const;
+    /// Decodes the textures of some materials, whether they fit or not, on all threads.
+    void read(std::span<const scene::Material* const> materials) const;
+    [[nodiscard]] bool all_fit() const { return all_fit_; }
 
     /// The mean over the footprint: red, green, blue, alpha. White where there is no texture, it
     /// cannot be read, or the point is out of range; without a filter if the footprint is out of
@@ -60,6 +64,7 @@ private:
     // Two entries per texture, one for each encoding; null if it is not used or cannot be opened.
     std::vector<std::array<Entry, 2>> entries_;
     std::size_t held_bytes_ = 0;
+    bool all_fit_ = true;
 };
 
 }  // namespace balcony::render

@@ -1,0 +1,16 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "balcony/film.hpp"
+#include "render/job/picture_rays.hpp"
+#include "render/shading/scene_tracer.hpp"
+
+namespace balcony::render {
+
+/// Decodes the textures that do not fit into memory and that coarse rays of the picture see, on all
+/// threads. Otherwise, the first ray that meets one decodes it, while others wait.
+void read_visible_textures(const TracedScene& traced, PictureRays& rays, const Film& film,
+                           double time);
+
+}  // namespace balcony::render
