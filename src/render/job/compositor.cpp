@@ -94,7 +94,7 @@ Compositor::Compositor(const rays::CompiledPicture& picture, PictureRays rays, T
       tracer_(std::move(tracer)),
       counts_(picture.layers().size()) {}
 
-const TileImage& Compositor::sample(const TilePoints& points, const Region& counted,
+TileImage& Compositor::sample(const TilePoints& points, const Region& counted,
                                     const Wanted& wanted) {
     image_.region = points.region;
     image_.light.clear();
@@ -102,6 +102,7 @@ const TileImage& Compositor::sample(const TilePoints& points, const Region& coun
     image_.display.clear();
     image_.mirrored.clear();
     image_.contributions = {};
+    image_.active.clear();
     // One camera has no display colours, and what a light tracer shows, no mirrors.
     if (picture_->is_one_camera() && tracer_.has_light_tracer() && !wanted.data &&
         !wanted.contributions) {

@@ -34,7 +34,7 @@ public:
 
     /// One sample at each point. Only points in the region `counted` are counted. The result is
     /// valid until the next call.
-    [[nodiscard]] const TileImage& sample(const TilePoints& points, const Region& counted,
+    [[nodiscard]] TileImage& sample(const TilePoints& points, const Region& counted,
                                           const Wanted& wanted);
 
     [[nodiscard]] const std::vector<RayCounts>& ray_counts() const { return counts_; }

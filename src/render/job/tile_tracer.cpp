@@ -100,26 +100,23 @@ void TileTracer::trace_light(const Region& region, TileRays& rays, std::span<Col
                                        SquareDifferentials(rays.all, footprint_scale_,
                                                            top * region.width + left, region.width),
                                        lanes_);
+            for (Color4f& color : lanes_) {
+                if (!is_finite(color)) {
+                    ++repaired_;
+                    color = Color4f(0.0F);
+                }
+            }
             const std::size_t columns = std::min(region.width - left, side);
             for (std::size_t row = 0; row < std::min(region.height - top, side); ++row) {
                 const std::size_t i = (top + row) * region.width + left;
                 for (std::size_t column = 0; column < columns; ++column) {
                     const std::size_t lane = row * side + column;
                     rays.valid[i + column] = asked[lane] != 0 ? 1 : 0;
-                    radiance[i + column] = repaired(lanes_[lane]);
+                    radiance[i + column] = lanes_[lane];
                 }
             }
         }
     }
-}
-
-const Color4f& TileTracer::repaired(const Color4f& color) {
-    static constexpr Color4f black(0.0F);
-    if (is_finite(color)) {
-        return color;
-    }
-    ++repaired_;
-    return black;
 }
 
 }  // namespace balcony::render

@@ -53,8 +53,6 @@ public:
 
 private:
     void trace(const TilePoints& points, const TileRays& rays, const Mask& wanted);
-    /// Black, and counted, if it is not finite.
-    [[nodiscard]] const Color4f& repaired(const Color4f& color);
     [[nodiscard]] Ray camera_ray(const TileRays& rays, std::size_t i) const;
 
     const TracedScene* traced_;

@@ -85,7 +85,7 @@ bool TileWorker::render(std::size_t tile) {
                                     .contributions = film_->means.any()};
     TilePoints points = points_of(region, pass, offset(pass), *film_, *settings_);
     points.active = adaptive ? &active_ : nullptr;
-    TileImage image = compositor_.sample(points, film_->window, wanted);
+    TileImage& image = compositor_.sample(points, film_->window, wanted);
     if (adaptive) {
         image.active = active_;
     }

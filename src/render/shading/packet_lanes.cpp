@@ -91,6 +91,10 @@ void set_cosines(const Packet& packet, const Normals& normals, Packet::Floats& c
             lanes::Add(one, lanes::Mul(missing, lanes::Add(lanes::Add(cosine, cosine), missing)));
         const auto bent = lanes::Div(min_cosine, lanes::Sqrt(bent_square));
         const auto smooth = lanes::IfThenElse(lanes::Ge(cosine, min_cosine), cosine, bent);
+        if (lanes::AllTrue(tag, has_normal)) {
+            lanes::Store(smooth, tag, cosines.data() + lane);
+            continue;
+        }
 
         // The normal of a small triangle is too short to be squared.
         auto size = zero;
