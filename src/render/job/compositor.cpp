@@ -95,7 +95,7 @@ Compositor::Compositor(const rays::CompiledPicture& picture, PictureRays rays, T
       counts_(picture.layers().size()) {}
 
 TileImage& Compositor::sample(const TilePoints& points, const Region& counted,
-                                    const Wanted& wanted) {
+                              const Wanted& wanted) {
     image_.region = points.region;
     image_.light.clear();
     image_.data.clear();

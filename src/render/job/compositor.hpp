@@ -35,7 +35,7 @@ public:
     /// One sample at each point. Only points in the region `counted` are counted. The result is
     /// valid until the next call.
     [[nodiscard]] TileImage& sample(const TilePoints& points, const Region& counted,
-                                          const Wanted& wanted);
+                                    const Wanted& wanted);
 
     [[nodiscard]] const std::vector<RayCounts>& ray_counts() const { return counts_; }
     /// Points of pass 0 where nothing is drawn.
