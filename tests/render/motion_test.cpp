@@ -347,4 +347,105 @@ TEST(Shutter, ShapesGiveMomentsAsOftenAsTheyCount) {
     EXPECT_EQ(Shutter{}.moment(0.1, 0.9), 0.1);
 }
 
+namespace {
+
+/// A camera of a square picture that looks along -z, whose rays meet the scene at time(x, y): of
+/// the picture point in fractions from its top left.
+camera::Camera timed(RayFormula rays,
+                     const std::function<expr::Expr(expr::Expr, expr::Expr)>& time) {
+    camera::Camera::Parts parts = make_camera(std::move(rays)).parts();
+    const auto graph = std::make_shared<expr::Graph>();
+    const std::vector<expr::Expr> at{graph->fresh_variable(), graph->fresh_variable()};
+    parts.time = camera::Formula(graph, at, {time(at[0], at[1])});
+    Result<camera::Camera> made = camera::Camera::make(std::move(parts));
+    EXPECT_TRUE(made) << to_text(made.diagnostics);
+    return std::move(*made);
+}
+
+RayFormula straight(double width) {
+    return {[width](const camera::ParameterPoint& p, camera::Emitter& emit) {
+                return camera::ObjectPoint{width * p.u, p.v, emit(2.0)};
+            },
+            [](const camera::ParameterPoint&, camera::Emitter& emit) {
+                return camera::ObjectVector{emit(0.0), emit(0.0), emit(-1.0)};
+            }};
+}
+
+constexpr std::size_t square = 64;
+constexpr double readout = 0.25;  // Seconds from the first row or column to the last.
+constexpr double speed = 3.0;     // Of the bar, to the right.
+constexpr double bar_width = 0.25;
+constexpr std::size_t even_samples = 64;
+
+/// A bar that is in the middle of the picture at time 0.
+Film of_moving_bar(const camera::Camera& camera) {
+    scene::Scene scene;
+    add(scene, bar(0.0F, static_cast<float>(0.5 * bar_width)), white());
+    set_in_motion(scene, {{0, 0, 0}, {speed, 0, 0}});
+    auto motion = std::make_shared<scene::Motion>(*scene.motion);
+    motion->tracks[0].times = {-1.0, 1.0};
+    motion->tracks[0].values[0] = static_cast<float>(-speed);
+    scene.motion = std::move(motion);
+    EXPECT_TRUE(scene::move_to(scene, 0.0).empty());
+    const Result<Renderer> renderer =
+        Renderer::make(std::make_shared<scene::Scene>(std::move(scene)),
+                       RendererSettings{.interval = scene::TimeInterval{-readout, readout}});
+    EXPECT_TRUE(renderer) << to_text(renderer.diagnostics);
+    const Request wanted = request(square, square, "preview", even_samples);
+    Result<Film> film = make_film(wanted.layout);
+    EXPECT_TRUE(render::render(*renderer, camera, wanted, *film));
+    return std::move(*film);
+}
+
+/// The light of a row: how many pixels it fills, and where its middle is, in pixels.
+struct RowOfLight {
+    double width = 0.0;
+    double middle = 0.0;
+};
+RowOfLight light_of_row(const Film& film, std::size_t y) {
+    RowOfLight found;
+    for (std::size_t x = 0; x < film.width; ++x) {
+        found.width += red(film, x, y);
+        found.middle += red(film, x, y) * (static_cast<double>(x) + 0.5);
+    }
+    found.middle /= found.width;
+    return found;
+}
+
+// The samples are displaced by the filter, which is 3 pixels wide, along x and, times the slant of
+// 3/8 pixel per row, along y, and they see a pixel as lit or not. Their mean is as even as the
+// moments of an exposure: it errs by 2 parts in their number.
+constexpr double sampled = (3.0 + 3.0 * 3.0 / 8.0 + 1.0) * 2.0 / even_samples;
+
+}  // namespace
+
+// Each row is seen a row time after the one above: the bar leans by its speed times the row time.
+TEST(Motion, RollingShutterSlantsTheBar) {
+    const Film film = of_moving_bar(
+        timed(straight(1.0), [](expr::Expr, expr::Expr y) { return readout * (y - 0.5); }));
+    constexpr double pixels_per_unit = square / 2.0;
+    constexpr double row_time = readout / square;
+    for (std::size_t y = 2; y + 2 < square; ++y) {
+        const RowOfLight row = light_of_row(film, y);
+        EXPECT_NEAR(row.width, bar_width * pixels_per_unit, 2.0 * sampled) << y;
+        const double rows_below_the_middle = static_cast<double>(y) + 0.5 - 0.5 * square;
+        EXPECT_NEAR(row.middle - 0.5 * square,
+                    speed * row_time * pixels_per_unit * rows_below_the_middle, sampled)
+            << y;
+    }
+}
+
+// All columns show the same line, each a column time after the one to its left: the bar is as wide
+// as it takes columns to pass the line.
+TEST(Motion, SlitScanShowsHowLongTheBarTakes) {
+    const Film film = of_moving_bar(
+        timed(straight(0.0), [](expr::Expr x, expr::Expr) { return readout * (x - 0.5); }));
+    constexpr double column_time = readout / square;
+    for (std::size_t y = 2; y + 2 < square; ++y) {
+        const RowOfLight row = light_of_row(film, y);
+        EXPECT_NEAR(row.width, bar_width / (speed * column_time), 2.0 * sampled) << y;
+        EXPECT_NEAR(row.middle, 0.5 * square, sampled) << y;
+    }
+}
+
 }  // namespace balcony::render::test::motion_test
