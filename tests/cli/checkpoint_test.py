@@ -364,9 +364,9 @@ class Noise(support.CommandTest):
                  "preview", "--noise", "0.0001", "-s", "3000", "-q")
         self.run_command(*words, "-o", "whole.exr")
         process = self.start(*words, "--checkpoint-every", "0.05s", "-o", "p.exr")
-        while not (self.folder / "p.exr.checkpoint").exists() and process.poll() is None:
-            time.sleep(0.01)
-        time.sleep(0.3)
+        while not (self.folder / "p.exr.checkpoint").exists():
+            self.assertIsNone(process.poll(), "it ended early")
+            time.sleep(0.002)
         process.kill()
         process.communicate()
         self.run_command(*words, "--resume", "-o", "p.exr")

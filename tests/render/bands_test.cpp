@@ -149,11 +149,13 @@ TEST_F(Bands, OnlyFilesOfThePictureAreContinued) {
 TEST_F(Bands, BandsBeginAtTiles) {
     auto bands = BandedRender::make(renderer, camera, settings, layout, 64);
     EXPECT_FALSE(bands->go_to(32, 64));
+    EXPECT_FALSE(bands->go_to(32, 32));
     EXPECT_FALSE(bands->go_to(64, 32));
     EXPECT_FALSE(bands->go_to(192, 64));
     EXPECT_FALSE(bands->go_to(0, 0));
     EXPECT_TRUE(bands->go_to(192, 8));
     EXPECT_EQ(bands->done(0.0), 0.96);
+    EXPECT_EQ(bands->done(0.5), 0.98);
     EXPECT_FALSE(bands->next());
 }
 

@@ -91,6 +91,14 @@ protected:
 
 TEST_F(Checkpoint, EverythingReturns) {
     const Film film = filled_film();
+    // An array that is not visited would neither be filled nor compared.
+    for (const auto* sums :
+         {&film.sum, &film.sum_of_squares, &film.display, &film.mirrored, &film.first_half}) {
+        EXPECT_NE(sums->front(), Color4d(0.0));
+    }
+    EXPECT_NE(film.passes.front(), 0U);
+    EXPECT_NE(film.pixel_passes.front(), 0U);
+    EXPECT_NE(film.white, 0.0);
     ASSERT_FALSE(has_errors(write_checkpoint(film, facts, file)));
     Film read = empty_film();
     ASSERT_FALSE(has_errors(read_checkpoint(read, facts, file)));

@@ -309,6 +309,11 @@ TEST(Cryptomatte, KeepsTheLargestOfManyCoverages) {
         EXPECT_EQ(channels[2 * rank + 1], 1.0F);
     }
     EXPECT_LT(channels[11], 0.1F);
+    matte.add(200, 0.75F);
+    matte.add(201, 0.25F);
+    read_matte(matte, names, 10, channels.data());
+    EXPECT_EQ(channels[10], matte_float(matte_hash("200")));
+    EXPECT_EQ(channels[11], 0.075F);
 }
 
 // A layer of 30 % in front of another one has 30 % of each mean, and of the matte.

@@ -250,6 +250,36 @@ TEST(Motion, ShapesBlur) {
     }
 }
 
+// A wall that leans to the left and then to the right, by its corners or, while it moves in its
+// plane, by their normals.
+TEST(Motion, NormalsOfShapesTurn) {
+    for (const bool by_normals : {false, true}) {
+        scene::Scene scene;
+        scene::Mesh mesh = wall(0.0F, 9.0F);
+        mesh.normals.assign(by_normals ? 4 : 0, V3f(0.0F, 0.0F, 1.0F));
+        std::vector<V3f> moves;
+        for (const V3f& position : mesh.positions) {
+            moves.push_back(by_normals ? V3f(0.0F, 1.0F, 0.0F) : V3f(0.0F, 0.0F, position.x));
+        }
+        add(scene, mesh, white());
+        auto motion = std::make_shared<scene::Motion>();
+        motion->tracks = {{scene::Interpolation::linear, 1, {0.0, 1.0}, {-1.0F, 1.0F}}};
+        scene::Deformation deformation;
+        deformation.mesh = scene::MeshIndex(0);
+        deformation.positions = mesh.positions;
+        deformation.normals = mesh.normals;
+        deformation.targets = {
+            {moves, std::vector<V3f>(mesh.normals.size(), V3f(-1.0F, 0.0F, 0.0F))}};
+        deformation.weights = {0.0F};
+        deformation.weights_track = scene::TrackIndex(0);
+        motion->deformations = {deformation};
+        scene.motion = std::move(motion);
+        const Film film = exposed(scene, orthographic(view_down_z(0, 0, 5)), strip());
+        // The mean of cos(angle) = 1 / sqrt(1 + slope²) over slopes from -1 to 1.
+        EXPECT_NEAR(red(film, wide / 2), std::asinh(1.0), moments) << by_normals;
+    }
+}
+
 // What a moving light gives at a time is what it gives where it then stands.
 TEST(Motion, LightsAreWhereTheyAreAtTheTime) {
     scene::Scene scene;

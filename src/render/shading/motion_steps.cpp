@@ -98,7 +98,10 @@ std::optional<MeshCorners> MovingMeshes::corners(scene::MeshIndex mesh,
         const std::uint32_t vertex = triangle[i];
         found.positions[i] =
             (1.0F - place.part) * a.positions[vertex] + place.part * b.positions[vertex];
-        found.normals[i] = (1.0F - place.part) * a.normals[vertex] + place.part * b.normals[vertex];
+        if (!a.normals.empty()) {
+            found.normals[i] =
+                (1.0F - place.part) * a.normals[vertex] + place.part * b.normals[vertex];
+        }
     }
     return found;
 }
