@@ -6,6 +6,8 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <set>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -85,6 +87,26 @@ TEST(PassOffset, PassesHaveTheMomentsOfTheFilter) {
         EXPECT_NEAR(square.y, moment(2), discrepancy) << density.name;
         EXPECT_NEAR(fourth, moment(4), discrepancy) << density.name;
         EXPECT_NEAR(product, 0.0, discrepancy) << density.name;
+    }
+}
+
+// Of any 2^k passes from a multiple of 2^k on, each elementary rectangle of the unit square
+// contains one. The box filter's distribution is the position in the pixel itself.
+TEST(PassOffset, PassesFillEveryElementaryRectangle) {
+    const PixelFilter& box = *find_pixel_filter("box");
+    constexpr std::size_t digits = 6;
+    constexpr std::size_t count = std::size_t{1} << digits;
+    for (const std::size_t first : {std::size_t{0}, 5 * count}) {
+        for (std::size_t columns = 0; columns <= digits; ++columns) {
+            std::set<std::pair<int, int>> filled;
+            for (std::size_t pass = first; pass < first + count; ++pass) {
+                const Imath::V2d p = pass_offset(box, pass) + Imath::V2d(0.5, 0.5);
+                filled.emplace(
+                    static_cast<int>(std::ldexp(p.x, static_cast<int>(columns))),
+                    static_cast<int>(std::ldexp(p.y, static_cast<int>(digits - columns))));
+            }
+            EXPECT_EQ(filled.size(), count) << first << ", " << columns;
+        }
     }
 }
 

@@ -74,6 +74,14 @@ struct ShadowedLight {
     bool direct = false;
 };
 
+// A point where the light of a path is scattered.
+struct Scattering {
+    const Interaction& surface;
+    const LitPoint& point;
+    const Bsdf& bsdf;
+    Bsdf::View view;
+};
+
 class PathTracer final : public Integrator {
 public:
     PathTracer(const TracedScene& traced, const Settings& settings)
@@ -102,14 +110,12 @@ private:
     [[nodiscard]] bool advance(Path& path, Seen& seen);
     void add_distant_light(const Path& path, Seen& seen) const;
     void add_emission(const Path& path, const Interaction& at, Seen& seen) const;
-    void light(const Path& path, const Interaction& at, const LitPoint& point, const Bsdf& bsdf,
-               const V3f& random, bool alone);
-    [[nodiscard]] bool scatter(Path& path, const Interaction& at, const LitPoint& point,
-                               const Bsdf& bsdf, const V3f& random);
+    void light(const Path& path, const Scattering& at, const V3f& random, bool alone);
+    [[nodiscard]] bool scatter(Path& path, const Scattering& at) const;
     [[nodiscard]] RayDifferentials differentials_after(const Path& path, const Interaction& at,
                                                        const BsdfSample& sample) const;
     void count_bounce(Path& path, BsdfLobe lobe) const;
-    [[nodiscard]] bool survives(Path& path) const;
+    [[nodiscard]] static bool survives(Path& path);
     [[nodiscard]] float lamp_weight(float pdf_of_lamp, float pdf_of_surface) const;
     [[nodiscard]] float scattered_weight(float pdf_of_surface, float pdf_of_lamp) const;
     void add(Seen& seen, const Color3f& light, std::size_t bounces) const;
@@ -241,12 +247,11 @@ bool PathTracer::advance(Path& path, Seen& seen) {
                          bsdf.transmits() ? V3f(0.0F) : at.surface.normal, path.ray.time};
     const Imath::V2f at_light = path.sampler.next_pair();
     const V3f for_light(path.sampler.next(), at_light.x, at_light.y);
-    const Imath::V2f at_lobe = path.sampler.next_pair();
-    const V3f for_lobe(path.sampler.next(), at_lobe.x, at_lobe.y);
     const bool ends = path.bounces.all >= settings_->bounces.all && bsdf.is_rough() &&
                       settings_->lamp_sampling != LampSampling::surfaces;
-    light(path, at, point, bsdf, for_light, ends);
-    return !ends && scatter(path, at, point, bsdf, for_lobe);
+    const Scattering here{at, point, bsdf, bsdf.view_from(to_viewer)};
+    light(path, here, for_light, ends);
+    return !ends && scatter(path, here);
 }
 
 void PathTracer::add_distant_light(const Path& path, Seen& seen) const {
@@ -306,13 +311,12 @@ float PathTracer::scattered_weight(float pdf_of_surface, float pdf_of_lamp) cons
 
 // Chooses a light and adds what arrives from it, if nothing is in its way. `alone` says that no
 // other method samples light at this surface.
-void PathTracer::light(const Path& path, const Interaction& at, const LitPoint& point,
-                       const Bsdf& bsdf, const V3f& random, bool alone) {
-    const std::optional<LightSample> sample = tracer_.lights().sample(point, random);
+void PathTracer::light(const Path& path, const Scattering& at, const V3f& random, bool alone) {
+    const std::optional<LightSample> sample = tracer_.lights().sample(at.point, random);
     if (!sample || !(sample->pdf > 0.0F)) {
         return;
     }
-    const Bsdf::Value value = bsdf.evaluate(-path.ray.direction, sample->to_light);
+    const Bsdf::Value value = at.bsdf.evaluate(at.view, sample->to_light);
     if (is_black(value.reflected)) {
         return;
     }
@@ -326,22 +330,23 @@ void PathTracer::light(const Path& path, const Interaction& at, const LitPoint& 
         return;
     }
     const bool is_direct = path.bounces.all == 0;
+    const Surface& surface = at.surface.surface;
     float distance = sample->distance;
     if (distance <= 0.0F) {
-        distance = (path.eye - at.surface.position).length();
+        distance = (path.eye - surface.position).length();
     } else if (!sample->delta) {
         distance *= before_emitter;
     }
     shadowed_.push_back(
-        {SceneTracer::shadow_ray(at.surface, sample->to_light, distance, path.ray.time), unshadowed,
+        {SceneTracer::shadow_ray(surface, sample->to_light, distance, path.ray.time), unshadowed,
          path.index, path.packet, is_direct});
 }
 
 // Chooses the next ray. False where the path ends.
-bool PathTracer::scatter(Path& path, const Interaction& at, const LitPoint& point, const Bsdf& bsdf,
-                         const V3f& random) {
-    const V3f to_viewer = -path.ray.direction;
-    const std::optional<BsdfSample> sample = bsdf.sample(to_viewer, random);
+bool PathTracer::scatter(Path& path, const Scattering& at) const {
+    const Imath::V2f at_lobe = path.sampler.next_pair();
+    const V3f random(path.sampler.next(), at_lobe.x, at_lobe.y);
+    const std::optional<BsdfSample> sample = at.bsdf.sample(at.view, random);
     if (!sample) {
         return false;
     }
@@ -351,15 +356,16 @@ bool PathTracer::scatter(Path& path, const Interaction& at, const LitPoint& poin
         return false;
     }
     if (textured_) {
-        path.ray.differentials = differentials_after(path, at, *sample);
+        path.ray.differentials = differentials_after(path, at.surface, *sample);
     }
-    path.from = point;
+    const Surface& surface = at.surface.surface;
+    path.from = at.point;
     path.pdf = sample->delta ? 0.0F : sample->pdf;
     path.ray.origin =
-        sample->transmitted ? at.surface.start(sample->to_light) : at.surface.start_to_light();
+        sample->transmitted ? surface.start(sample->to_light) : surface.start_to_light();
     path.ray.direction = sample->to_light;
-    if (sample->transmitted && !at.appearance.thin_walled) {
-        path.absorption = at.surface.entering ? at.appearance.absorption : black;
+    if (sample->transmitted && !at.surface.appearance.thin_walled) {
+        path.absorption = surface.entering ? at.surface.appearance.absorption : black;
     }
     return true;
 }
@@ -389,15 +395,13 @@ void PathTracer::count_bounce(Path& path, BsdfLobe lobe) const {
     }
 }
 
-// Russian roulette: a path that carries little light ends, or carries more.
-bool PathTracer::survives(Path& path) const {
-    constexpr std::size_t certain_bounces = 2;
-    constexpr float max_probability = 0.95F;
-    const float carried = largest(path.throughput);
-    if (path.bounces.all <= certain_bounces) {
-        return carried > 0.0F;
+// Russian roulette: a path that carries little light ends, or carries more. The root is more
+// efficient than the light itself: what is saved on dark surfaces costs less than it adds in noise.
+bool PathTracer::survives(Path& path) {
+    const float probability = std::sqrt(largest(path.throughput));
+    if (!(probability < 1.0F)) {
+        return true;
     }
-    const float probability = std::min(carried, max_probability);
     if (!(path.sampler.next() < probability)) {
         return false;
     }

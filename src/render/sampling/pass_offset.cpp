@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include "balcony/render.hpp"
+#include "render/sampling/digits.hpp"
 
 namespace balcony::render {
 
@@ -71,6 +73,28 @@ double quantile(const PixelFilter& filter, double share) {
     return 0.5 * (below + above);
 }
 
+// The digits of two numbers from [0, 1), the first in the lowest bit.
+struct NetPoint {
+    std::uint32_t x = 0;
+    std::uint32_t y = 0;
+};
+
+// Sobol's first two dimensions, scrambled by Owen's method: of any 2^k passes from a multiple of
+// 2^k on, one lies in each elementary rectangle of area 2^-k.
+NetPoint scrambled_net_point(std::uint32_t pass) {
+    constexpr std::uint32_t x_seed = 0x2f1b3c5dU;
+    constexpr std::uint32_t y_seed = 0x9d6e8a47U;
+    return {scrambled(pass, x_seed), scrambled(in_powers_of_z_plus_1(pass), y_seed)};
+}
+
+// Shifted digit by digit, which preserves that, so that the first point is (1/2, 1/2).
+NetPoint net_point(std::uint32_t pass) {
+    constexpr std::uint32_t half = 1;
+    const NetPoint first = scrambled_net_point(0);
+    const NetPoint point = scrambled_net_point(pass);
+    return {point.x ^ first.x ^ half, point.y ^ first.y ^ half};
+}
+
 }  // namespace
 
 std::span<const PixelFilterInfo> pixel_filters() { return infos; }
@@ -82,16 +106,12 @@ const PixelFilter* find_pixel_filter(std::string_view name) {
 }
 
 Imath::V2d pass_offset(const PixelFilter& filter, std::size_t pass) {
-    if (pass == 0) {
-        return {0.0, 0.0};
-    }
-    // Roberts' R2 sequence: steps by the powers of the plastic number's inverse.
-    constexpr double plastic = 1.32471795724474602596;
-    const auto at = [&](double step) {
-        const double value = 0.5 + static_cast<double>(pass) * step;
-        return std::nearbyint(quantile(filter, value - std::floor(value)) * 0x1p30) * 0x1p-30;
+    const NetPoint net = net_point(static_cast<std::uint32_t>(pass));
+    const auto at = [&](std::uint32_t digits) {
+        const double share = static_cast<double>(reversed(digits)) * 0x1p-32;
+        return std::nearbyint(quantile(filter, share) * 0x1p30) * 0x1p-30;
     };
-    return {at(1.0 / plastic), at(1.0 / (plastic * plastic))};
+    return {at(net.x), at(net.y)};
 }
 
 double pass_moment(std::size_t pass) {

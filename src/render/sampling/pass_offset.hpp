@@ -21,8 +21,8 @@ struct PixelFilter {
 /// A filter by its name; null if there is none.
 [[nodiscard]] const PixelFilter* find_pixel_filter(std::string_view name);
 
-/// From the pixel's centre: the centre itself in pass 0, then points of a low-discrepancy sequence
-/// with the density of the filter. Multiples of 2^-30, so that a picture point is the same number
+/// From the pixel's centre: the centre itself in pass 0, then points of a (0, 2)-sequence with the
+/// density of the filter. Multiples of 2^-30, so that a picture point is the same number
 /// in every tile.
 [[nodiscard]] Imath::V2d pass_offset(const PixelFilter& filter, std::size_t pass);
 

@@ -71,12 +71,13 @@ public:
               morton(static_cast<std::uint32_t>(pixel_x), static_cast<std::uint32_t>(pixel_y)))) {}
 
     /// The next dimension, or the next two, which are stratified together; from [0, 1).
-    [[nodiscard]] float next() { return next_pair().x; }
+    [[nodiscard]] float next() {
+        const PassNumbers::Pair pair = pass_->pair(next_++);
+        return unit_float(reversed(scrambled(low_part(pair), pair.x_seed)));
+    }
     [[nodiscard]] Imath::V2f next_pair() {
         const PassNumbers::Pair pair = pass_->pair(next_++);
-        const std::uint32_t pixel = from_powers_of_q(scrambled(pixel_, pair.pixel_seed));
-        // q^16 = z^32 + z^16 + 1; the coefficients above z^31 matter only in powers of z + 1.
-        const std::uint32_t low = pair.pass ^ pair.pass << 16 ^ pixel;
+        const std::uint32_t low = low_part(pair);
         const std::uint32_t high = pair.pass ^ pair.pass >> 16;
         const std::uint32_t x = scrambled(low, pair.x_seed);
         const std::uint32_t y = scrambled(in_powers_of_z_plus_1(low ^ high), pair.y_seed);
@@ -86,6 +87,12 @@ public:
     }
 
 private:
+    // The coefficients of f up to z^31: q^16 = z^32 + z^16 + 1. Those above matter only in powers
+    // of z + 1.
+    [[nodiscard]] std::uint32_t low_part(const PassNumbers::Pair& pair) const {
+        return pair.pass ^ pair.pass << 16 ^ from_powers_of_q(scrambled(pixel_, pair.pixel_seed));
+    }
+
     // The 24 bits of a float below 1.
     [[nodiscard]] static float unit_float(std::uint32_t bits) {
         return static_cast<float>(static_cast<std::int32_t>(bits >> 8)) * 0x1p-24F;

@@ -88,7 +88,31 @@ float Bsdf::below(const LayerEnergy& energy, float reaching) const {
 }
 
 Bsdf::View Bsdf::view_from(const V3f& to_viewer) const {
-    View view{};
+    return layers_ ? View(layers_view_from(to_viewer)) : View(plain_view_from(to_viewer));
+}
+
+Bsdf::Value Bsdf::evaluate(const View& view, const V3f& to_light) const {
+    const auto* const plain = std::get_if<PlainView>(&view.of_);
+    return plain != nullptr ? evaluate_plain(*plain, to_light)
+                            : evaluate_layers(std::get<LayersView>(view.of_), to_light);
+}
+
+Bsdf::Value Bsdf::evaluate(const V3f& to_viewer, const V3f& to_light) const {
+    return evaluate(view_from(to_viewer), to_light);
+}
+
+std::optional<BsdfSample> Bsdf::sample(const View& view, const V3f& random) const {
+    const auto* const plain = std::get_if<PlainView>(&view.of_);
+    return plain != nullptr ? sample_plain(*plain, random)
+                            : sample_layers(std::get<LayersView>(view.of_), random);
+}
+
+std::optional<BsdfSample> Bsdf::sample(const V3f& to_viewer, const V3f& random) const {
+    return sample(view_from(to_viewer), random);
+}
+
+Bsdf::PlainView Bsdf::plain_view_from(const V3f& to_viewer) const {
+    PlainView view;
     view.direction = to_viewer;
     view.cosine = normal_.dot(to_viewer);
     view.energy = energies_.at(view.cosine);
@@ -99,7 +123,7 @@ Bsdf::View Bsdf::view_from(const V3f& to_viewer) const {
     return view;
 }
 
-Bsdf::Value Bsdf::evaluate_plain(const View& view, const V3f& to_light) const {
+Bsdf::Value Bsdf::evaluate_plain(const PlainView& view, const V3f& to_light) const {
     const float cosine = normal_.dot(to_light);
     if (cosine < min_cosine || view.cosine < min_cosine ||
         geometric_normal_.dot(to_light) <= 0.0F) {
@@ -120,19 +144,18 @@ Bsdf::Value Bsdf::evaluate_plain(const View& view, const V3f& to_light) const {
     return value;
 }
 
-std::optional<BsdfSample> Bsdf::sample_plain(const V3f& to_viewer, const V3f& random) const {
-    const View view = view_from(to_viewer);
+std::optional<BsdfSample> Bsdf::sample_plain(const PlainView& view, const V3f& random) const {
     const bool by_facet = random.x < view.specular;
     if (by_facet && is_mirror()) {
-        return mirror_sample(to_viewer,
+        return mirror_sample(view.direction,
                              specular_.at_facet(schlick(view.cosine), 1.0F) / view.specular);
     }
     const Frame frame(normal_);
     BsdfSample sample;
     if (by_facet) {
-        sample.facet_normal =
-            frame.to_world(facets_.sample_visible(frame.to_local(to_viewer), random.y, random.z));
-        sample.to_light = mirrored(to_viewer, sample.facet_normal).normalized();
+        sample.facet_normal = frame.to_world(
+            facets_.sample_visible(frame.to_local(view.direction), random.y, random.z));
+        sample.to_light = mirrored(view.direction, sample.facet_normal).normalized();
         sample.roughness = roughness_;
     } else {
         sample.facet_normal = normal_;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <variant>
 
 #include <Imath/ImathColor.h>
 #include <Imath/ImathVec.h>
@@ -81,11 +82,13 @@ public:
         /// those and of finding nothing.
         float pdf = 0.0F;
     };
+    class View;
+    /// What the viewer's direction alone decides, for any number of lights and samples.
+    [[nodiscard]] View view_from(const V3f& to_viewer) const;
+
     /// `to_light` may be below a surface that transmits light.
-    [[nodiscard]] Value evaluate(const V3f& to_viewer, const V3f& to_light) const {
-        return layers_ ? evaluate_layers(to_viewer, to_light)
-                       : evaluate_plain(view_from(to_viewer), to_light);
-    }
+    [[nodiscard]] Value evaluate(const View& view, const V3f& to_light) const;
+    [[nodiscard]] Value evaluate(const V3f& to_viewer, const V3f& to_light) const;
     [[nodiscard]] Color3f eval(const V3f& to_viewer, const V3f& to_light) const {
         return evaluate(to_viewer, to_light).reflected;
     }
@@ -95,9 +98,8 @@ public:
 
     /// A direction from three numbers in [0, 1): the first selects the lobe. Nothing if the
     /// direction points to the wrong side of the surface, or if the surface is black.
-    [[nodiscard]] std::optional<BsdfSample> sample(const V3f& to_viewer, const V3f& random) const {
-        return layers_ ? sample_layers(to_viewer, random) : sample_plain(to_viewer, random);
-    }
+    [[nodiscard]] std::optional<BsdfSample> sample(const View& view, const V3f& random) const;
+    [[nodiscard]] std::optional<BsdfSample> sample(const V3f& to_viewer, const V3f& random) const;
 
     /// Only the mirror lobe, with its whole weight; nothing if there is none. A direction that
     /// would point into the surface is reflected by the geometric normal instead.
@@ -113,17 +115,17 @@ public:
     [[nodiscard]] Color3f ambient_reflectance() const;
 
 private:
-    /// What the viewer's direction alone decides.
-    struct View {
+    // Materials without further layers.
+    struct PlainView {
         V3f direction;
-        float cosine;
-        LayerEnergy energy;
-        float below;     // The part of the light that passes the dielectric layer.
-        float specular;  // The probability with which sample() chooses the layer.
+        float cosine = 0.0F;
+        LayerEnergy energy{};
+        float below = 0.0F;     // The part of the light that passes the dielectric layer.
+        float specular = 0.0F;  // The probability with which sample() chooses the layer.
     };
-    [[nodiscard]] View view_from(const V3f& to_viewer) const;
-    [[nodiscard]] Value evaluate_plain(const View& view, const V3f& to_light) const;
-    [[nodiscard]] std::optional<BsdfSample> sample_plain(const V3f& to_viewer,
+    [[nodiscard]] PlainView plain_view_from(const V3f& to_viewer) const;
+    [[nodiscard]] Value evaluate_plain(const PlainView& view, const V3f& to_light) const;
+    [[nodiscard]] std::optional<BsdfSample> sample_plain(const PlainView& view,
                                                          const V3f& random) const;
     /// What passes the dielectric layer of the part that reaches it.
     [[nodiscard]] float below(const LayerEnergy& energy, float reaching = 1.0F) const;
@@ -159,12 +161,11 @@ private:
     [[nodiscard]] LayersView layers_view_from(const V3f& to_viewer) const;
     [[nodiscard]] Covered covered(float cosine) const;
     [[nodiscard]] float mean_below_covers() const;
-    [[nodiscard]] Value evaluate_layers(const V3f& to_viewer, const V3f& to_light) const;
     [[nodiscard]] Value evaluate_layers(const LayersView& view, const V3f& to_light) const;
     [[nodiscard]] Value evaluate_above(const LayersView& view, const V3f& to_light) const;
     [[nodiscard]] Value evaluate_through_wall(const LayersView& view, const V3f& to_light) const;
     [[nodiscard]] Value evaluate_refracted(const LayersView& view, const V3f& to_light) const;
-    [[nodiscard]] std::optional<BsdfSample> sample_layers(const V3f& to_viewer,
+    [[nodiscard]] std::optional<BsdfSample> sample_layers(const LayersView& view,
                                                           const V3f& random) const;
     [[nodiscard]] Color3f mirror_weight(const LayersView& view) const;
     [[nodiscard]] std::optional<BsdfSample> sample_straight(const LayersView& view) const;
@@ -175,6 +176,14 @@ private:
               BsdfSample& sample) const;
 
     std::optional<Layers> layers_;
+};
+
+class Bsdf::View {
+    friend class Bsdf;
+    explicit View(const PlainView& plain) : of_(plain) {}
+    explicit View(const LayersView& layers) : of_(layers) {}
+
+    std::variant<PlainView, LayersView> of_;
 };
 
 }  // namespace balcony::render

@@ -82,10 +82,6 @@ float Bsdf::mean_below_covers() const {
     return mean;
 }
 
-Bsdf::Value Bsdf::evaluate_layers(const V3f& to_viewer, const V3f& to_light) const {
-    return evaluate_layers(layers_view_from(to_viewer), to_light);
-}
-
 Bsdf::Value Bsdf::evaluate_layers(const LayersView& view, const V3f& to_light) const {
     const float cosine = normal_.dot(to_light);
     const float geometric = geometric_normal_.dot(to_light);
@@ -295,8 +291,7 @@ void Bsdf::pass(const LayersView& view, const V3f& random, const Frame& frame,
     }
 }
 
-std::optional<BsdfSample> Bsdf::sample_layers(const V3f& to_viewer, const V3f& random) const {
-    const LayersView view = layers_view_from(to_viewer);
+std::optional<BsdfSample> Bsdf::sample_layers(const LayersView& view, const V3f& random) const {
     std::size_t lobe = 0;
     float rest = random.x;
     while (lobe < passage_lobe && rest >= view.probability[lobe]) {
@@ -308,7 +303,7 @@ std::optional<BsdfSample> Bsdf::sample_layers(const V3f& to_viewer, const V3f& r
     }
     if (is_mirror() && (lobe == layer_lobe || lobe == passage_lobe)) {
         std::optional<BsdfSample> sample = lobe == layer_lobe
-                                               ? mirror_sample(to_viewer, mirror_weight(view))
+                                               ? mirror_sample(view.direction, mirror_weight(view))
                                                : sample_straight(view);
         if (sample) {
             sample->weight /= probability;

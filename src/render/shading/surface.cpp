@@ -85,6 +85,19 @@ void set_normal(const std::array<Corner, 3>& corners, const V3f& to_viewer, Surf
     }
 }
 
+// Whether the normals of the corners are that of the triangle, as on walls, so that nothing is to
+// be interpolated.
+bool is_flat(const std::array<V3f, 3>& normals, const V3f& outside,
+             const Imath::M33f& normal_from_mesh) {
+    if (normals[0] != normals[1] || normals[0] != normals[2]) {
+        return false;
+    }
+    constexpr float same = 1.0F - 1e-6F;
+    const V3f normal = normals[0] * normal_from_mesh;
+    const float along = normal.dot(outside);
+    return along > 0.0F && along * along > same * normal.length2();
+}
+
 bool is_finite(const V2f& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
 }  // namespace
@@ -255,14 +268,18 @@ Surface SurfaceFinder::find(const embree::Hit& hit, const V3f& direction, float 
     surface.mesh_normal = outside;
     surface.rounding_out = V3f(0.0F);
     if (!m.normals.empty()) {
-        const auto normal = [&](std::size_t i) {
-            return (shape ? shape->normals[i] : m.normals[triangle[i]]) *
-                   placement.normal_from_mesh;
+        const auto in_mesh = [&](std::size_t i) {
+            return shape ? shape->normals[i] : m.normals[triangle[i]];
         };
-        const std::array<Corner, 3> corners{Corner{p0, normal(0), 1.0F - hit.u - hit.v},
-                                            Corner{p1, normal(1), hit.u},
-                                            Corner{p2, normal(2), hit.v}};
-        set_normal(corners, -direction, surface);
+        const std::array<V3f, 3> normals{in_mesh(0), in_mesh(1), in_mesh(2)};
+        if (!is_flat(normals, outside, placement.normal_from_mesh)) {
+            const auto corner = [&](std::size_t i, const V3f& p, float share) {
+                return Corner{p, normals[i] * placement.normal_from_mesh, share};
+            };
+            set_normal(
+                {corner(0, p0, 1.0F - hit.u - hit.v), corner(1, p1, hit.u), corner(2, p2, hit.v)},
+                -direction, surface);
+        }
     }
     if (!m.tangents.empty()) {
         surface.tangent = placed_tangent(surface.in_mesh, placement);
