@@ -67,7 +67,7 @@ TEST(Bsdf, NoLightLeaksBetweenTheHorizons) {
                 EXPECT_EQ(bsdf.eval(viewer, -light), Color3f(0.0F)) << material.name;
             }
             const V3f below = -random.above(normal, 0.0F);
-            if (!bsdf.transmits()) {
+            if (!bsdf.material().transmits()) {
                 EXPECT_EQ(bsdf.eval(viewer, below), Color3f(0.0F)) << material.name;
             }
             const auto sample = bsdf.sample(viewer, random.numbers());
@@ -108,7 +108,7 @@ TEST(Bsdf, SmoothGlassRefractsBySnellsLaw) {
     constexpr float ior = 1.5F;
     for (const bool entering : {true, false}) {
         const Bsdf bsdf = flat({"", glass(0.0F, ior, {0.5F, 0.7F, 0.9F}), entering});
-        EXPECT_TRUE(bsdf.transmits());
+        EXPECT_TRUE(bsdf.material().transmits());
         const float eta = entering ? 1.0F / ior : ior;
         for (int trial = 0; trial < 500; ++trial) {
             const V3f viewer = random.above(up, 0.01F);

@@ -241,13 +241,14 @@ bool PathTracer::advance(Path& path, Seen& seen) {
         return false;
     }
     const V3f to_viewer = -path.ray.direction;
-    const Bsdf bsdf(appearance, at.surface.normal, at.surface.smooth_normal, at.surface.entering);
+    const Bsdf bsdf = at.bsdf();
     const LitPoint point{at.surface.position,
                          seen_directly ? to_viewer : (path.eye - at.surface.position).normalized(),
-                         bsdf.transmits() ? V3f(0.0F) : at.surface.normal, path.ray.time};
+                         bsdf.material().transmits() ? V3f(0.0F) : at.surface.normal,
+                         path.ray.time};
     const Imath::V2f at_light = path.sampler.next_pair();
     const V3f for_light(path.sampler.next(), at_light.x, at_light.y);
-    const bool ends = path.bounces.all >= settings_->bounces.all && bsdf.is_rough() &&
+    const bool ends = path.bounces.all >= settings_->bounces.all && bsdf.material().is_rough() &&
                       settings_->lamp_sampling != LampSampling::surfaces;
     const Scattering here{at, point, bsdf, bsdf.view_from(to_viewer)};
     light(path, here, for_light, ends);

@@ -34,7 +34,7 @@ public:
     // Nothing if the triangle looks small, so that sampling by area is as good; or if the angles
     // between its sides are not precise, edge-on or from close by.
     static std::optional<SphericalTriangle> of(const WorldTriangle& triangle, const V3f& from) {
-        constexpr float small = 0.5F;  // The square of an edge over that of the distance.
+        constexpr float small = 2.0F;  // The square of an edge over that of the distance.
         constexpr double min_solid_angle = 1e-3;
         constexpr double max_solid_angle = 6.2;
         const V3f a = triangle.corner - from;

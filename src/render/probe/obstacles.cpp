@@ -9,7 +9,7 @@
 #include "balcony/render.hpp"
 #include "render/embree/accelerator.hpp"
 #include "render/job/camera_rays.hpp"
-#include "render/shading/appearance.hpp"
+#include "render/shading/material_set.hpp"
 #include "render/shading/surface.hpp"
 #include "render/textures/texture_library.hpp"
 

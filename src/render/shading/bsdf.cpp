@@ -15,80 +15,19 @@ namespace {
 
 using std::numbers::pi_v;
 
-// KHR_materials_specular, with KHR_materials_ior.
-Color3f dielectric_reflectance(const Appearance& appearance) {
-    const Color3f f0 = normal_reflectance(appearance.ior) * appearance.specular_color;
-    return appearance.specular *
-           Color3f(std::min(f0.x, 1.0F), std::min(f0.y, 1.0F), std::min(f0.z, 1.0F));
-}
-
-// The width of GGX; 0 of a mirror.
-float width(float roughness) {
-    const float alpha = square(roughness);
-    return alpha < min_alpha ? 0.0F : alpha;
-}
-
 }  // namespace
 
 Bsdf::Bsdf(const Appearance& appearance, const V3f& normal, const V3f& geometric_normal,
            bool entering)
-    : diffuse_((1.0F - appearance.metallic) * (1.0F - appearance.transmission) *
-               appearance.base_color),
-      metal_(appearance.metallic * appearance.base_color),
-      roughness_(width(appearance.roughness) > 0.0F ? appearance.roughness : 0.0F),
-      facets_(width(appearance.roughness)),
-      energies_(width(appearance.roughness)),
+    : material_(BsdfMaterial(appearance, entering)),
       normal_(normal),
-      geometric_normal_(geometric_normal) {
-    const float metallic = appearance.metallic;
-    if (metallic > 0.0F) {
-        const Color3f& color = appearance.base_color;
-        specular_.add(Color3f(metallic), color, Color3f(1.0F), color);
-    }
-    if (metallic < 1.0F) {
-        const Color3f f0 = dielectric_reflectance(appearance);
-        const Color3f f90(appearance.specular);
-        const float opaque = (1.0F - metallic) * (1.0F - appearance.transmission);
-        specular_.add(Color3f(opaque), f0, f90, f0);
-        dielectric_.add(1.0F, largest(f0), appearance.specular, largest(f0));
-        if (appearance.transmission > 0.0F) {
-            add_passage(appearance, f0, entering);
-        }
-    }
-    if (appearance.clearcoat > 0.0F || largest(appearance.sheen_color) > 0.0F) {
-        add_covers(appearance);
-    }
-    const float mean = layers_ ? mean_below_covers() : below(energies_.mean());
-    per_mean_below_ = mean > 0.0F ? 1.0F / mean : 0.0F;
-}
+      geometric_normal_(geometric_normal) {}
 
-void Bsdf::add_passage(const Appearance& appearance, const Color3f& f0, bool entering) {
-    layers_.emplace().passage.emplace(appearance, width(roughness_), f0, appearance.specular,
-                                      entering);
-    const Passage& passage = *layers_->passage;
-    if (!passage.refracts) {
-        specular_.add(Color3f(passage.share), f0, Color3f(passage.f90), Color3f(1.0F));
-    }
-}
-
-void Bsdf::add_covers(const Appearance& appearance) {
-    if (!layers_) {
-        layers_.emplace();
-    }
-    if (appearance.clearcoat > 0.0F) {
-        layers_->coat.emplace(appearance, width(roughness_));
-    }
-    if (largest(appearance.sheen_color) > 0.0F) {
-        layers_->fibres.emplace(appearance, width(roughness_));
-    }
-}
-
-float Bsdf::below(const LayerEnergy& energy, float reaching) const {
-    return std::max(reaching - dielectric_.albedo(energy), 0.0F);
-}
+Bsdf::Bsdf(const BsdfMaterial& material, const V3f& normal, const V3f& geometric_normal)
+    : material_(&material), normal_(normal), geometric_normal_(geometric_normal) {}
 
 Bsdf::View Bsdf::view_from(const V3f& to_viewer) const {
-    return layers_ ? View(layers_view_from(to_viewer)) : View(plain_view_from(to_viewer));
+    return material().layers ? View(layers_view_from(to_viewer)) : View(plain_view_from(to_viewer));
 }
 
 Bsdf::Value Bsdf::evaluate(const View& view, const V3f& to_light) const {
@@ -115,10 +54,10 @@ Bsdf::PlainView Bsdf::plain_view_from(const V3f& to_viewer) const {
     PlainView view;
     view.direction = to_viewer;
     view.cosine = normal_.dot(to_viewer);
-    view.energy = energies_.at(view.cosine);
-    view.below = below(view.energy);
-    const float specular = largest(specular_.albedo(view.energy));
-    const float diffuse = largest(diffuse_) * view.below;
+    view.energy = material().energies.at(view.cosine);
+    view.below = material().below(view.energy);
+    const float specular = largest(material().specular.albedo(view.energy));
+    const float diffuse = largest(material().diffuse) * view.below;
     view.specular = specular > 0.0F ? specular / (specular + diffuse) : 0.0F;
     return view;
 }
@@ -129,16 +68,17 @@ Bsdf::Value Bsdf::evaluate_plain(const PlainView& view, const V3f& to_light) con
         geometric_normal_.dot(to_light) <= 0.0F) {
         return {};
     }
-    const LayerEnergy energy = energies_.at(cosine);
+    const LayerEnergy energy = material().energies.at(cosine);
     const float lambert = cosine / pi_v<float>;
-    Value value{lambert * view.below * below(energy) * per_mean_below_ * diffuse_,
+    Value value{lambert * view.below * material().below(energy) * material().per_mean_below *
+                    material().diffuse,
                 (1.0F - view.specular) * lambert};
-    if (!is_mirror()) {
+    if (!material().is_mirror()) {
         const HalfVector halfway(normal_, view.direction, to_light);
-        const Microfacets at(facets_, halfway, view.cosine, cosine);
+        const Microfacets at(material().facets, halfway, view.cosine, cosine);
         const float scale = view.energy.scale * energy.scale;
         value.reflected +=
-            cosine * at.reflectance * specular_.at_facet(schlick(halfway.viewer), scale);
+            cosine * at.reflectance * material().specular.at_facet(schlick(halfway.viewer), scale);
         value.pdf += view.specular * at.pdf;
     }
     return value;
@@ -146,17 +86,18 @@ Bsdf::Value Bsdf::evaluate_plain(const PlainView& view, const V3f& to_light) con
 
 std::optional<BsdfSample> Bsdf::sample_plain(const PlainView& view, const V3f& random) const {
     const bool by_facet = random.x < view.specular;
-    if (by_facet && is_mirror()) {
-        return mirror_sample(view.direction,
-                             specular_.at_facet(schlick(view.cosine), 1.0F) / view.specular);
+    if (by_facet && material().is_mirror()) {
+        return mirror_sample(
+            view.direction,
+            material().specular.at_facet(schlick(view.cosine), 1.0F) / view.specular);
     }
     const Frame frame(normal_);
     BsdfSample sample;
     if (by_facet) {
         sample.facet_normal = frame.to_world(
-            facets_.sample_visible(frame.to_local(view.direction), random.y, random.z));
+            material().facets.sample_visible(frame.to_local(view.direction), random.y, random.z));
         sample.to_light = mirrored(view.direction, sample.facet_normal).normalized();
-        sample.roughness = roughness_;
+        sample.roughness = material().roughness;
     } else {
         sample.facet_normal = normal_;
         sample.to_light = frame.to_world(sample_cosine(random.y, random.z)).normalized();
@@ -176,12 +117,12 @@ std::optional<BsdfSample> Bsdf::weighted(const BsdfSample& sample, const Value& 
 }
 
 std::optional<BsdfSample> Bsdf::sample_mirror(const V3f& to_viewer) const {
-    if (!is_mirror()) {
+    if (!material().is_mirror()) {
         return std::nullopt;
     }
-    return mirror_sample(to_viewer,
-                         layers_ ? mirror_weight(layers_view_from(to_viewer))
-                                 : specular_.at_facet(schlick(normal_.dot(to_viewer)), 1.0F));
+    return mirror_sample(to_viewer, material().layers ? mirror_weight(layers_view_from(to_viewer))
+                                                      : material().specular.at_facet(
+                                                            schlick(normal_.dot(to_viewer)), 1.0F));
 }
 
 BsdfSample Bsdf::mirror_sample(const V3f& to_viewer, const Color3f& weight) const {
@@ -196,13 +137,5 @@ BsdfSample Bsdf::mirror_sample(const V3f& to_viewer, const Color3f& weight) cons
     sample.roughness = 0.0F;
     return sample;
 }
-
-bool Bsdf::is_rough() const {
-    constexpr float wide = 0.3F;
-    const bool coat_is_rough = !layers_ || !layers_->coat || layers_->coat->roughness > wide;
-    return roughness_ > wide && coat_is_rough && !transmits();
-}
-
-Color3f Bsdf::ambient_reflectance() const { return is_mirror() ? diffuse_ : diffuse_ + metal_; }
 
 }  // namespace balcony::render

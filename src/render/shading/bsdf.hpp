@@ -13,9 +13,9 @@
 #include <Imath/ImathVec.h>
 
 #include "render/shading/appearance.hpp"
+#include "render/shading/bsdf_material.hpp"
 #include "render/shading/energy.hpp"
 #include "render/shading/layers.hpp"
-#include "render/shading/microfacets.hpp"
 
 namespace balcony::render {
 
@@ -72,6 +72,9 @@ public:
     Bsdf(const Appearance& appearance, const V3f& normal, const V3f& geometric_normal,
          bool entering = true);
 
+    /// The same from a material that outlives it and that suits the viewer's side.
+    Bsdf(const BsdfMaterial& material, const V3f& normal, const V3f& geometric_normal);
+
     struct Value {
         /// The reflectance, or transmittance, times the cosine between normal and light: the
         /// radiance towards the viewer for an irradiance of 1 on a plane perpendicular to the
@@ -105,14 +108,10 @@ public:
     /// would point into the surface is reflected by the geometric normal instead.
     [[nodiscard]] std::optional<BsdfSample> sample_mirror(const V3f& to_viewer) const;
 
-    /// Whether light passes through the surface.
-    [[nodiscard]] bool transmits() const { return layers_ && layers_->passage; }
-    /// Whether all light is scattered widely, so that sampling the lights alone finds it.
-    [[nodiscard]] bool is_rough() const;
-
-    /// The reflectance for uniform light from all directions, without the mirror and without
-    /// the Fresnel effect: an approximation for ambient light.
-    [[nodiscard]] Color3f ambient_reflectance() const;
+    [[nodiscard]] const BsdfMaterial& material() const {
+        const auto* const shared = std::get_if<const BsdfMaterial*>(&material_);
+        return shared != nullptr ? **shared : *std::get_if<BsdfMaterial>(&material_);
+    }
 
 private:
     // Materials without further layers.
@@ -127,27 +126,14 @@ private:
     [[nodiscard]] Value evaluate_plain(const PlainView& view, const V3f& to_light) const;
     [[nodiscard]] std::optional<BsdfSample> sample_plain(const PlainView& view,
                                                          const V3f& random) const;
-    /// What passes the dielectric layer of the part that reaches it.
-    [[nodiscard]] float below(const LayerEnergy& energy, float reaching = 1.0F) const;
-    [[nodiscard]] bool is_mirror() const { return roughness_ == 0.0F; }
     [[nodiscard]] BsdfSample mirror_sample(const V3f& to_viewer, const Color3f& weight) const;
     /// The sample with weight and density; nothing if it carries no light.
     [[nodiscard]] static std::optional<BsdfSample> weighted(const BsdfSample& sample,
                                                             const Value& value);
 
-    LayerReflectance<Color3f> specular_;
-    LayerReflectance<float> dielectric_;  // The brightest channel, without metal.
-    Color3f diffuse_;
-    float per_mean_below_ = 0.0F;  // 1 / (1 - Ē); 0 if no light comes below.
-    Color3f metal_;                // The metallic part of the base colour.
-    float roughness_;              // 0 of a mirror.
-    Ggx facets_;
-    LayerEnergies energies_;
+    std::variant<const BsdfMaterial*, BsdfMaterial> material_;
     V3f normal_;
     V3f geometric_normal_;
-
-    void add_passage(const Appearance& appearance, const Color3f& f0, bool entering);
-    void add_covers(const Appearance& appearance);
 
     // Materials with layers beyond the plain ones: bsdf_layers.cpp.
     struct LayersView {
@@ -159,8 +145,6 @@ private:
         std::array<float, 5> probability{};  // By lobe.
     };
     [[nodiscard]] LayersView layers_view_from(const V3f& to_viewer) const;
-    [[nodiscard]] Covered covered(float cosine) const;
-    [[nodiscard]] float mean_below_covers() const;
     [[nodiscard]] Value evaluate_layers(const LayersView& view, const V3f& to_light) const;
     [[nodiscard]] Value evaluate_above(const LayersView& view, const V3f& to_light) const;
     [[nodiscard]] Value evaluate_through_wall(const LayersView& view, const V3f& to_light) const;
@@ -174,8 +158,6 @@ private:
 
     void pass(const LayersView& view, const V3f& random, const Frame& frame,
               BsdfSample& sample) const;
-
-    std::optional<Layers> layers_;
 };
 
 class Bsdf::View {

@@ -31,31 +31,28 @@ V3f through(const V3f& v, const V3f& normal) { return v - 2.0F * v.dot(normal) *
 enum Lobe : std::size_t { coat_lobe, fibres_lobe, layer_lobe, diffuse_lobe, passage_lobe };
 }  // namespace
 
-Covered Bsdf::covered(float cosine) const {
-    const LayerEnergy layer = energies_.at(cosine);
-    return layers_->is_below_covers() ? Covered{.layer = layer} : layers_->at(layer, cosine);
-}
-
 Bsdf::LayersView Bsdf::layers_view_from(const V3f& to_viewer) const {
     LayersView view;
     view.direction = to_viewer;
     view.cosine = normal_.dot(to_viewer);
-    view.covered = covered(view.cosine);
-    view.below = below(view.covered.layer, view.covered.passed);
+    view.covered = material().covered(view.cosine);
+    view.below = material().below(view.covered.layer, view.covered.passed);
     auto& weights = view.probability;
     weights[coat_lobe] = view.covered.coat;
     weights[fibres_lobe] = view.covered.fibres;
-    weights[layer_lobe] = largest(specular_.albedo(view.covered.layer));
-    weights[diffuse_lobe] = largest(diffuse_) * view.below;
-    if (layers_->passage) {
-        const Passage& passage = *layers_->passage;
+    weights[layer_lobe] = largest(material().specular.albedo(view.covered.layer));
+    weights[diffuse_lobe] = largest(material().diffuse) * view.below;
+    if (material().layers->passage) {
+        const Passage& passage = *material().layers->passage;
         const float share = passage.share * view.covered.passed;
         const Color3f reflected = passage.reflectance(view.cosine);
         weights[passage_lobe] = share * largest(passage.transmittance(reflected));
         if (passage.refracts) {
-            weights[is_mirror() ? layer_lobe : passage_lobe] += share * largest(reflected);
-            view.lost = passage.lost * passage.energies.lost(passage.viewer_side(), view.cosine,
-                                                             energies_.at(view.cosine).single);
+            weights[material().is_mirror() ? layer_lobe : passage_lobe] +=
+                share * largest(reflected);
+            view.lost =
+                passage.lost * passage.energies.lost(passage.viewer_side(), view.cosine,
+                                                     material().energies.at(view.cosine).single);
         }
     }
     float total = 0.0F;
@@ -68,20 +65,6 @@ Bsdf::LayersView Bsdf::layers_view_from(const V3f& to_viewer) const {
     return view;
 }
 
-// Gauss and Legendre's rule, over the cosine, with the cosine as weight.
-float Bsdf::mean_below_covers() const {
-    constexpr std::array<float, 6> points{0.0337652429F, 0.1693953068F, 0.3806904070F,
-                                          0.6193095930F, 0.8306046932F, 0.9662347571F};
-    constexpr std::array<float, 6> weights{0.0856622462F, 0.1803807865F, 0.2339569673F,
-                                           0.2339569673F, 0.1803807865F, 0.0856622462F};
-    float mean = 0.0F;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const Covered at = covered(points[i]);
-        mean += 2.0F * points[i] * weights[i] * below(at.layer, at.passed);
-    }
-    return mean;
-}
-
 Bsdf::Value Bsdf::evaluate_layers(const LayersView& view, const V3f& to_light) const {
     const float cosine = normal_.dot(to_light);
     const float geometric = geometric_normal_.dot(to_light);
@@ -91,19 +74,21 @@ Bsdf::Value Bsdf::evaluate_layers(const LayersView& view, const V3f& to_light) c
     if (cosine >= min_cosine && geometric > 0.0F) {
         return evaluate_above(view, to_light);
     }
-    if (cosine > -min_cosine || geometric >= 0.0F || !layers_->passage || is_mirror()) {
+    if (cosine > -min_cosine || geometric >= 0.0F || !material().layers->passage ||
+        material().is_mirror()) {
         return {};
     }
-    return layers_->passage->refracts ? evaluate_refracted(view, to_light)
-                                      : evaluate_through_wall(view, to_light);
+    return material().layers->passage->refracts ? evaluate_refracted(view, to_light)
+                                                : evaluate_through_wall(view, to_light);
 }
 
 Bsdf::Value Bsdf::evaluate_above(const LayersView& view, const V3f& to_light) const {
     const float cosine = normal_.dot(to_light);
     const Covered& seen = view.covered;
-    const Covered lit = covered(cosine);
+    const Covered lit = material().covered(cosine);
     const float lambert = cosine / pi_v<float>;
-    Value value{lambert * view.below * below(lit.layer, lit.passed) * per_mean_below_ * diffuse_,
+    Value value{lambert * view.below * material().below(lit.layer, lit.passed) *
+                    material().per_mean_below * material().diffuse,
                 view.probability[diffuse_lobe] * lambert};
     const HalfVector halfway(normal_, view.direction, to_light);
     const float edge = schlick(halfway.viewer);
@@ -113,13 +98,13 @@ Bsdf::Value Bsdf::evaluate_above(const LayersView& view, const V3f& to_light) co
         value.pdf += probability * at.pdf;
     };
     if (seen.coat > 0.0F) {
-        const Coat& coat = *layers_->coat;
+        const Coat& coat = *material().layers->coat;
         const float scale = seen.coat_energy.scale * lit.coat_energy.scale;
         reflect(coat.facets, view.probability[coat_lobe],
                 Color3f(coat.weight * coat_reflectance(edge, scale)));
     }
     if (seen.fibres > 0.0F) {
-        const Fibres& fibres = *layers_->fibres;
+        const Fibres& fibres = *material().layers->fibres;
         // Of either direction that which the coat shades more: reciprocal, and never too much.
         const float scale =
             seen.sheen.scale * lit.sheen.scale * (1.0F - std::max(seen.coat, lit.coat));
@@ -128,22 +113,24 @@ Bsdf::Value Bsdf::evaluate_above(const LayersView& view, const V3f& to_light) co
             fibres.color;
         value.pdf += view.probability[fibres_lobe] / (2.0F * pi_v<float>);
     }
-    if (is_mirror()) {
+    if (material().is_mirror()) {
         return value;
     }
-    const float factor = layers_->cover_factor(seen, lit);
+    const float factor = material().layers->cover_factor(seen, lit);
     const float scale = seen.layer.scale * lit.layer.scale;
-    reflect(facets_, view.probability[layer_lobe], factor * specular_.at_facet(edge, scale));
-    if (layers_->passage && layers_->passage->refracts) {
-        const Passage& glass = *layers_->passage;
+    reflect(material().facets, view.probability[layer_lobe],
+            factor * material().specular.at_facet(edge, scale));
+    if (material().layers->passage && material().layers->passage->refracts) {
+        const Passage& glass = *material().layers->passage;
         const GlassSide side = glass.viewer_side();
         const float probability = view.probability[passage_lobe];
         const Color3f color = glass.reflectance(halfway.viewer);
         // Reciprocal, and together with the covers never too much.
         const float share = glass.share * std::min(seen.passed, lit.passed);
-        reflect(facets_, probability * (1.0F - view.lost) * glass.reflection_probability(color),
+        reflect(material().facets,
+                probability * (1.0F - view.lost) * glass.reflection_probability(color),
                 share * color);
-        const float lost = glass.energies.lost(side, cosine, energies_.at(cosine).single);
+        const float lost = glass.energies.lost(side, cosine, material().energies.at(cosine).single);
         value.reflected +=
             Color3f(lambert * share * view.lost * lost * glass.energies.scattered(side));
         value.pdf += probability * view.lost * glass.energies.share(side) * lambert;
@@ -152,34 +139,36 @@ Bsdf::Value Bsdf::evaluate_above(const LayersView& view, const V3f& to_light) co
 }
 
 Bsdf::Value Bsdf::evaluate_through_wall(const LayersView& view, const V3f& to_light) const {
-    const Passage& wall = *layers_->passage;
+    const Passage& wall = *material().layers->passage;
     const V3f reflected = through(to_light, normal_);
     const float cosine = normal_.dot(reflected);
-    const Covered lit = covered(cosine);
+    const Covered lit = material().covered(cosine);
     const HalfVector halfway(normal_, view.direction, reflected);
-    const Microfacets at(facets_, halfway, view.cosine, cosine);
+    const Microfacets at(material().facets, halfway, view.cosine, cosine);
     const float all = view.covered.layer.scale * lit.layer.scale *
-                      layers_->cover_factor(view.covered, lit) * wall.share;
+                      material().layers->cover_factor(view.covered, lit) * wall.share;
     return {cosine * at.reflectance * all * wall.transmittance(wall.reflectance(halfway.viewer)),
             view.probability[passage_lobe] * at.pdf};
 }
 
 Bsdf::Value Bsdf::evaluate_refracted(const LayersView& view, const V3f& to_light) const {
-    const Passage& glass = *layers_->passage;
+    const Passage& glass = *material().layers->passage;
     const GlassSide side = glass.other_side();
     const float cosine = -normal_.dot(to_light);
     const float lambert = cosine / pi_v<float>;
-    const LayerEnergy layer = energies_.at(cosine);
-    const float passed = glass.outside ? view.covered.passed : layers_->at(layer, cosine).passed;
+    const LayerEnergy layer = material().energies.at(cosine);
+    const float passed =
+        glass.outside ? view.covered.passed : material().layers->at(layer, cosine).passed;
     const float lost = glass.energies.lost(side, cosine, layer.single);
     Value value{lambert * view.lost * lost * glass.energies.scattered(side) * glass.tint,
                 view.lost * glass.energies.share(side) * lambert};
     const RefractingFacet facet(normal_, view.direction, to_light, glass.eta);
     if (facet.viewer > 0.0F && facet.light > 0.0F) {
-        const float density =
-            facets_.density(facet.cosine, facet.squared_sine) * facet.viewer * facet.per_light;
-        const float slant = facets_.slant(view.cosine);
-        const float masking = Ggx::masking(view.cosine, slant, cosine, facets_.slant(cosine));
+        const float density = material().facets.density(facet.cosine, facet.squared_sine) *
+                              facet.viewer * facet.per_light;
+        const float slant = material().facets.slant(view.cosine);
+        const float masking =
+            Ggx::masking(view.cosine, slant, cosine, material().facets.slant(cosine));
         const Color3f reflected = glass.reflectance(facet.viewer);
         value.reflected += 4.0F * cosine * masking * density * glass.transmittance(reflected);
         value.pdf += (1.0F - view.lost) * (1.0F - glass.reflection_probability(reflected)) *
@@ -189,17 +178,17 @@ Bsdf::Value Bsdf::evaluate_refracted(const LayersView& view, const V3f& to_light
 }
 
 Color3f Bsdf::mirror_weight(const LayersView& view) const {
-    Color3f weight = layers_->cover_factor(view.covered, view.covered) *
-                     specular_.at_facet(schlick(view.cosine), 1.0F);
-    if (layers_->passage && layers_->passage->refracts) {
-        const Passage& glass = *layers_->passage;
+    Color3f weight = material().layers->cover_factor(view.covered, view.covered) *
+                     material().specular.at_facet(schlick(view.cosine), 1.0F);
+    if (material().layers->passage && material().layers->passage->refracts) {
+        const Passage& glass = *material().layers->passage;
         weight += glass.share * view.covered.passed * glass.reflectance(view.cosine);
     }
     return weight;
 }
 
 std::optional<BsdfSample> Bsdf::sample_straight(const LayersView& view) const {
-    const Passage& passage = *layers_->passage;
+    const Passage& passage = *material().layers->passage;
     BsdfSample sample;
     sample.facet_normal = normal_;
     sample.lobe = BsdfLobe::transmission;
@@ -212,11 +201,11 @@ std::optional<BsdfSample> Bsdf::sample_straight(const LayersView& view) const {
         sample.eta = 1.0F / passage.eta;
         const float cosine = -normal_.dot(sample.to_light);
         if (!passage.outside) {
-            passed = layers_->at(energies_.at(cosine), cosine).passed;
+            passed = material().layers->at(material().energies.at(cosine), cosine).passed;
         }
     } else {
         sample.to_light = -view.direction;
-        passed = layers_->cover_factor(view.covered, view.covered);
+        passed = material().layers->cover_factor(view.covered, view.covered);
     }
     if (geometric_normal_.dot(sample.to_light) >= 0.0F) {
         return std::nullopt;
@@ -237,9 +226,9 @@ BsdfSample Bsdf::sample_lobe(const LayersView& view, std::size_t lobe, const V3f
     sample.facet_normal = normal_;
     switch (lobe) {
         case coat_lobe:
-            sample.facet_normal = sample_facet(layers_->coat->facets);
+            sample.facet_normal = sample_facet(material().layers->coat->facets);
             sample.to_light = mirrored(view.direction, sample.facet_normal);
-            sample.roughness = layers_->coat->roughness;
+            sample.roughness = material().layers->coat->roughness;
             break;
         case fibres_lobe:
             sample.to_light = frame.to_world(sample_hemisphere(random.y, random.z));
@@ -250,9 +239,9 @@ BsdfSample Bsdf::sample_lobe(const LayersView& view, std::size_t lobe, const V3f
             sample.lobe = BsdfLobe::diffuse;
             break;
         default:
-            sample.facet_normal = sample_facet(facets_);
+            sample.facet_normal = sample_facet(material().facets);
             sample.to_light = mirrored(view.direction, sample.facet_normal);
-            sample.roughness = roughness_;
+            sample.roughness = material().roughness;
     }
     if (lobe == passage_lobe) {
         pass(view, random, frame, sample);
@@ -264,7 +253,7 @@ BsdfSample Bsdf::sample_lobe(const LayersView& view, std::size_t lobe, const V3f
 // Makes a sample that is reflected by a facet pass the surface, or leave it in another way.
 void Bsdf::pass(const LayersView& view, const V3f& random, const Frame& frame,
                 BsdfSample& sample) const {
-    const Passage& passage = *layers_->passage;
+    const Passage& passage = *material().layers->passage;
     if (!passage.refracts) {
         sample.to_light = through(sample.to_light, normal_);
         sample.transmitted = true;
@@ -301,7 +290,7 @@ std::optional<BsdfSample> Bsdf::sample_layers(const LayersView& view, const V3f&
     if (!(probability > 0.0F) || view.cosine < min_cosine) {
         return std::nullopt;
     }
-    if (is_mirror() && (lobe == layer_lobe || lobe == passage_lobe)) {
+    if (material().is_mirror() && (lobe == layer_lobe || lobe == passage_lobe)) {
         std::optional<BsdfSample> sample = lobe == layer_lobe
                                                ? mirror_sample(view.direction, mirror_weight(view))
                                                : sample_straight(view);

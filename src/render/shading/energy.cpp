@@ -56,6 +56,20 @@ LayerEnergies::LayerEnergies(float alpha) {
     fraction_ = at.fraction;
 }
 
+void LayerEnergies::keep_row() {
+    if (lower_ == nullptr) {
+        return;
+    }
+    Row row{};
+    for (std::size_t i = 0; i < cosine_count; ++i) {
+        row.by_cosine[i] = between(lower_[0].by_cosine[i], lower_[1].by_cosine[i], fraction_);
+    }
+    row.mean = between(lower_[0].mean, lower_[1].mean, fraction_);
+    own_ = std::make_shared<const Row>(row);
+    lower_ = own_.get();
+    fraction_ = 0.0F;
+}
+
 LayerEnergy LayerEnergies::at(float cosine) const {
     if (lower_ == nullptr) {
         const float edge = schlick(cosine);
@@ -63,9 +77,11 @@ LayerEnergy LayerEnergies::at(float cosine) const {
     }
     const TablePosition at = position_of_cosine(cosine);
     const Entry* const lower = &lower_[0].by_cosine[at.node];
-    const Entry* const upper = &lower_[1].by_cosine[at.node];
-    const Entry entry = between(between(lower[0], lower[1], at.fraction),
-                                between(upper[0], upper[1], at.fraction), fraction_);
+    Entry entry = between(lower[0], lower[1], at.fraction);
+    if (fraction_ > 0.0F) {
+        const Entry* const upper = &lower_[1].by_cosine[at.node];
+        entry = between(entry, between(upper[0], upper[1], at.fraction), fraction_);
+    }
     return {entry.scale, entry.single, entry.single_edge, 1.0F, entry.all_edge};
 }
 
@@ -73,7 +89,8 @@ LayerEnergy LayerEnergies::mean() const {
     if (lower_ == nullptr) {
         return {1.0F, 1.0F, mean_schlick, 1.0F, mean_schlick};
     }
-    const Entry entry = between(lower_[0].mean, lower_[1].mean, fraction_);
+    const Entry entry =
+        fraction_ > 0.0F ? between(lower_[0].mean, lower_[1].mean, fraction_) : lower_->mean;
     return {entry.scale, entry.single, entry.single_edge, 1.0F, entry.all_edge};
 }
 

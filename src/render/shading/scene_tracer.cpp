@@ -25,7 +25,15 @@ Interaction SceneTracer::interaction(const Ray& ray, const embree::Hit& hit) con
         found.moved = found.surface.transfer(ray);
     }
     found.appearance = traced_->materials.look_up(found.surface, found.moved, -ray.direction);
+    found.uniform =
+        traced_->materials.uniform_bsdf(*found.surface.in_mesh.mesh, found.surface.entering);
     return found;
+}
+
+Bsdf Interaction::bsdf() const {
+    return uniform != nullptr
+               ? Bsdf(*uniform, surface.normal, surface.smooth_normal)
+               : Bsdf(appearance, surface.normal, surface.smooth_normal, surface.entering);
 }
 
 Color3f SceneTracer::emission(const embree::Hit& hit) const {

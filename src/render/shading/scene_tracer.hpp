@@ -11,8 +11,9 @@
 #include "balcony/scene.hpp"
 #include "render/embree/accelerator.hpp"
 #include "render/film/tile_image.hpp"
-#include "render/shading/appearance.hpp"
+#include "render/shading/bsdf.hpp"
 #include "render/shading/lights.hpp"
+#include "render/shading/material_set.hpp"
 #include "render/shading/surface.hpp"
 #include "render/textures/texture_library.hpp"
 
@@ -34,6 +35,9 @@ struct Interaction {
     Surface surface;
     PositionDifferentials moved;  ///< The ray's footprint; 0 in scenes without textures.
     Appearance appearance;
+    const BsdfMaterial* uniform = nullptr;  ///< Of the appearance, if it is the same everywhere.
+
+    [[nodiscard]] Bsdf bsdf() const;
 };
 
 /// Queries a scene; belongs to one thread.

@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "render/shading/appearance.hpp"
+#include "render/shading/material_set.hpp"
 
 #include <algorithm>
 #include <array>
@@ -127,6 +127,13 @@ MaterialSet::MaterialSet(const scene::Scene& scene, const TextureLibrary& textur
         const Appearance constant = constant_part(material);
         const bool textured = uses_textures(material);
         prepared_.push_back({constant, textured});
+        if (!textured) {
+            auto& sides = prepared_.back().bsdf;
+            sides = {BsdfMaterial(constant, false), BsdfMaterial(constant, true)};
+            for (BsdfMaterial& side : *sides) {
+                side.energies.keep_row();
+            }
+        }
         has_textures_ = has_textures_ || prepared_.back().has_textures;
     }
 }
