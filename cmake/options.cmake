@@ -11,6 +11,7 @@ set(BALCONY_SANITIZE "" CACHE STRING "Sanitizers, as -fsanitize takes them (addr
 add_library(balcony_options INTERFACE)
 target_compile_features(balcony_options INTERFACE cxx_std_20)
 target_compile_options(balcony_options INTERFACE -ffp-contract=off -fno-math-errno
+    -fno-semantic-interposition
     -Wall -Wextra -Wpedantic -Wconversion -Wnon-virtual-dtor -Wshadow)
 if(BALCONY_WERROR)
     target_compile_options(balcony_options INTERFACE -Werror)

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Compares Balcony's path tracer with Blender's Cycles on the same scene, camera and processor.
 
-Usage: compare.py BALCONY [--speed-only] [--size WxH] [--triangles COUNT] [--samples COUNT]
+Usage: compare.py BALCONY [--speed-only] [--size WxH] [--triangles COUNT] [--samples COUNT] [--matt]
 
 Needs Blender (package blender), numpy and OpenImageIO for Python (python3-numpy,
 python3-openimageio). Prints samples a second of both and their ratio. Unless --speed-only is given,
@@ -35,7 +35,8 @@ class Room:
         self.folder = Path(folder)
         self.scene = self.folder / "room.glb"
         subprocess.run([sys.executable, str(HERE / "room.py"), str(self.scene),
-                        "--triangles", str(options.triangles)], check=True)
+                        "--triangles", str(options.triangles)]
+                       + ["--matt"] * options.matt, check=True)
         self.width, self.height = map(int, options.size.split("x"))
 
     def balcony(self, samples, output, seed=0):
@@ -53,7 +54,7 @@ class Room:
         """The seconds of each render, by the list of sample counts."""
         settings = self.folder / "cycles.json"
         settings.write_text(json.dumps({
-            "scene": str(self.scene), "output": output and str(output), "width": self.width,
+            "scene": str(self.scene), "matt": self.options.matt, "output": output and str(output), "width": self.width,
             "height": self.height, "samples": samples, "bounces": self.options.bounces,
             "position": POSITION, "threads": os.cpu_count()}), encoding="utf-8")
         shown = subprocess.run(["blender", "--background", "--factory-startup", "--python",
@@ -128,6 +129,7 @@ def main():
     parser.add_argument("--few", type=int, default=4)
     parser.add_argument("--many", type=int, default=36)
     parser.add_argument("--samples", type=int, default=4096, help="of the converged pictures")
+    parser.add_argument("--matt", action="store_true", help="the room without highlights")
     parser.add_argument("--speed-only", action="store_true")
     parser.add_argument("--keep", help="a folder for the pictures")
     options = parser.parse_args()

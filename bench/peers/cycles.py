@@ -4,8 +4,9 @@
 
 Usage: blender --background --factory-startup --python cycles.py -- SETTINGS.json
 
-The settings: scene, output (EXR, or none), width, height, samples (a list: one render each), bounces,
-position (in Blender's axes), threads. The camera is the whole sphere of directions, like Balcony's
+The settings: scene, matt (a scene without highlights, which the importer does not read), output (EXR,
+or none), width, height, samples (a list: one render each), bounces, position (in Blender's axes),
+threads. The camera is the whole sphere of directions, like Balcony's
 `panorama`: the centre of the picture looks along x.
 """
 import json
@@ -29,6 +30,13 @@ def load(scene_file):
     world.color = (0, 0, 0)
     scene.world = world
     return scene
+
+
+def remove_highlights():
+    for material in bpy.data.materials:
+        for node in material.node_tree.nodes:
+            if node.type == "BSDF_PRINCIPLED":
+                node.inputs["Specular"].default_value = 0.0
 
 
 def add_camera(scene, position):
@@ -70,6 +78,8 @@ def main():
     with open(sys.argv[sys.argv.index("--") + 1], encoding="utf-8") as file:
         settings = json.load(file)
     scene = load(settings["scene"])
+    if settings["matt"]:
+        remove_highlights()
     add_camera(scene, settings["position"])
     set_up(scene, settings)
     seconds = []

@@ -3,12 +3,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes a glTF room in which renderers are compared.
 
-Usage: room.py OUT.glb [--triangles COUNT]
+Usage: room.py OUT.glb [--triangles COUNT] [--matt]
 
-A room of 6 x 4 x 3 metres with a ceiling light, a glossy floor, coloured side walls, a sphere of
-glass, one of metal, a textured picture, and seven heads (spheres with bumps) that share the given
-number of triangles. Every surface is one that glTF 2.0 and Blender's Principled BSDF describe
-alike, as far as docs/performance.md says.
+A room of 6 x 4 x 3 metres with a lamp below the ceiling, a glossy floor, coloured side walls, a
+sphere of glass, one of metal, a textured picture, and seven heads (spheres with bumps) that share
+the given number of triangles. With --matt, surfaces have no highlights and the metal is a mirror, so
+that every surface is one that glTF 2.0 and Blender's Principled BSDF describe alike.
 """
 import argparse
 import json
@@ -49,6 +49,7 @@ class Glb:
                      "bufferViews": [], "extensionsUsed": ["KHR_materials_emissive_strength",
                                                            "KHR_materials_transmission",
                                                            "KHR_materials_ior",
+                                                           "KHR_materials_specular",
                                                            "KHR_materials_volume"]}
 
     def view(self, data):
@@ -121,6 +122,24 @@ def quad(corner, along, up):
 
 def sphere(centre, radius, rows, bumps=0.0):
     """A sphere of 4 rows^2 triangles, with waves of a height relative to the radius."""
+    def wave(theta, phi):
+        return 1 + bumps * math.sin(7 * theta) ** 2 * math.sin(9 * phi)
+
+    def normal(theta, phi):
+        """Across the derivatives of the point by both angles; the poles have no waves."""
+        if not 1e-3 < theta < math.pi - 1e-3:
+            return (0.0, math.copysign(1.0, math.cos(theta)), 0.0)
+        r = wave(theta, phi)
+        r_theta = 7 * bumps * math.sin(14 * theta) * math.sin(9 * phi)
+        r_phi = 9 * bumps * math.sin(7 * theta) ** 2 * math.cos(9 * phi)
+        sine, cosine = math.sin(theta), math.cos(theta)
+        out = (sine * math.cos(phi), cosine, sine * math.sin(phi))
+        down = (cosine * math.cos(phi), -sine, cosine * math.sin(phi))
+        along = (-math.sin(phi), 0.0, math.cos(phi))
+        across = [r * o - r_theta * d - r_phi / sine * a for o, d, a in zip(out, down, along)]
+        length = math.sqrt(sum(a * a for a in across))
+        return tuple(a / length for a in across)
+
     positions, normals, points, triangles = [], [], [], []
     columns = 2 * rows
     for row in range(rows + 1):
@@ -129,9 +148,9 @@ def sphere(centre, radius, rows, bumps=0.0):
             phi = 2 * math.pi * column / columns
             unit = (math.sin(theta) * math.cos(phi), math.cos(theta),
                     math.sin(theta) * math.sin(phi))
-            wave = 1 + bumps * math.sin(7 * theta) * math.sin(9 * phi)
-            positions.append(tuple(c + radius * wave * n for c, n in zip(centre, unit)))
-            normals.append(unit)
+            positions.append(tuple(c + radius * wave(theta, phi) * n
+                                   for c, n in zip(centre, unit)))
+            normals.append(normal(theta, phi))
             points.append((column / columns, row / rows))
     for row in range(rows):
         for column in range(columns):
@@ -141,27 +160,28 @@ def sphere(centre, radius, rows, bumps=0.0):
     return positions, normals, points, triangles
 
 
-def make_room(triangles):
+def make_room(triangles, matt):
     glb = Glb()
-    white = glb.material("white", (0.8, 0.8, 0.8))
-    red = glb.material("red", (0.7, 0.15, 0.1))
-    green = glb.material("green", (0.2, 0.55, 0.15))
-    floor = glb.material("floor", (0.45, 0.3, 0.2), roughness=0.25)
-    metal = glb.material("metal", (0.9, 0.75, 0.4), roughness=0.3, metallic=1.0)
+    dull = {"extensions": {"KHR_materials_specular": {"specularFactor": 0.0}}} if matt else {}
+    white = glb.material("white", (0.8, 0.8, 0.8), **dull)
+    red = glb.material("red", (0.7, 0.15, 0.1), **dull)
+    green = glb.material("green", (0.2, 0.55, 0.15), **dull)
+    floor = glb.material("floor", (0.45, 0.3, 0.2), roughness=0.25, **dull)
+    metal = glb.material("metal", (0.9, 0.75, 0.4), roughness=0.0 if matt else 0.3, metallic=1.0)
     glass = glb.material("glass", (1, 1, 1), roughness=0.0, extensions={
         "KHR_materials_transmission": {"transmissionFactor": 1.0},
         "KHR_materials_ior": {"ior": 1.5}, "KHR_materials_volume": {"thicknessFactor": 1.0}})
     light = glb.material("light", (0, 0, 0), emissiveFactor=[1.0, 0.9, 0.75], extensions={
         "KHR_materials_emissive_strength": {"emissiveStrength": 12.0}})
     picture = glb.material("picture", (1, 1, 1),
-                           texture=glb.texture(png(256, 256, picture_pixel)))
+                           texture=glb.texture(png(256, 256, picture_pixel)), **dull)
     glb.mesh("floor", quad((-3, 0, 2), (6, 0, 0), (0, 0, -4)), floor)
     glb.mesh("ceiling", quad((-3, 3, -2), (6, 0, 0), (0, 0, 4)), white)
     glb.mesh("back wall", quad((-3, 0, -2), (6, 0, 0), (0, 3, 0)), white)
     glb.mesh("front wall", quad((3, 0, 2), (-6, 0, 0), (0, 3, 0)), white)
     glb.mesh("left wall", quad((-3, 0, 2), (0, 0, -4), (0, 3, 0)), red)
     glb.mesh("right wall", quad((3, 0, -2), (0, 0, 4), (0, 3, 0)), green)
-    glb.mesh("lamp", quad((-0.75, 2.98, -0.5), (1.5, 0, 0), (0, 0, 1)), light)
+    glb.mesh("lamp", quad((-0.75, 2.7, -0.5), (1.5, 0, 0), (0, 0, 1)), light)
     glb.mesh("picture", quad((0.6, 0.9, -1.99), (1.4, 0, 0), (0, 1.4, 0)), picture)
     glb.mesh("glass sphere", sphere((-0.9, 0.5, -0.4), 0.5, 64), glass)
     glb.mesh("metal sphere", sphere((2.0, 0.45, -0.9), 0.45, 64), metal)
@@ -178,8 +198,9 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("output")
     parser.add_argument("--triangles", type=int, default=100_000)
+    parser.add_argument("--matt", action="store_true")
     options = parser.parse_args()
-    make_room(options.triangles).write(options.output)
+    make_room(options.triangles, options.matt).write(options.output)
 
 
 if __name__ == "__main__":

@@ -53,6 +53,30 @@ TEST(Bsdf, TransmissionIsReciprocal) {
     }
 }
 
+// A material that is prepared once, with its own row of the table of energies, reflects as one that
+// is made for the point.
+TEST(Bsdf, APreparedMaterialReflectsTheSame) {
+    Directions random(10);
+    const V3f up(0.0F, 0.0F, 1.0F);
+    for (const NamedAppearance& material : all_kinds()) {
+        BsdfMaterial prepared(material.appearance, material.entering);
+        prepared.energies.keep_row();
+        const Bsdf shared(prepared, up, up);
+        const Bsdf own = flat(material);
+        for (int trial = 0; trial < 200; ++trial) {
+            const V3f viewer = random.above(up, 0.05F);
+            const V3f light = random.above(up, 0.05F);
+            const Bsdf::Value expected = own.evaluate(viewer, light);
+            const Bsdf::Value found = shared.evaluate(viewer, light);
+            // The same two interpolations, in another order: each of about ten operations rounds.
+            const float rounding = 1e-6F * std::max(expected.reflected.x, 1.0F);
+            EXPECT_NEAR(found.reflected.x, expected.reflected.x, rounding) << material.name;
+            EXPECT_NEAR(found.pdf, expected.pdf, 1e-6F * std::max(expected.pdf, 1.0F))
+                << material.name;
+        }
+    }
+}
+
 // The normal of shading and that of the geometry disagree about light between their horizons.
 TEST(Bsdf, NoLightLeaksBetweenTheHorizons) {
     Directions random(2);

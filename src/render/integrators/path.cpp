@@ -94,9 +94,7 @@ public:
         start(rays, seen);
         while (!active_.empty()) {
             shadowed_.clear();
-            std::erase_if(active_, [&](std::uint32_t i) {
-                return !advance(paths_[i], seen[paths_[i].index]);
-            });
+            advance_all(seen);
             add_shadowed_light(seen);
             trace_next();
         }
@@ -105,6 +103,7 @@ public:
 private:
     void start(std::span<const CameraRay> rays, std::span<Seen> seen);
     void trace_next();
+    void advance_all(std::span<Seen> seen);
     void add_shadowed_light(std::span<Seen> seen);
 
     [[nodiscard]] bool advance(Path& path, Seen& seen);
@@ -163,6 +162,25 @@ void PathTracer::trace_next() {
         path.hit = tracer_.nearest(path.ray);
         active_.push_back(unordered_[k]);
     }
+}
+
+// Removes the paths that end.
+void PathTracer::advance_all(std::span<Seen> seen) {
+    constexpr std::size_t steps_to_corners = 4;
+    constexpr std::size_t steps_to_triangle = 8;
+    const auto hit_in = [&](std::size_t place) -> const embree::Hit& {
+        return paths_[active_[std::min(place, active_.size() - 1)]].hit;
+    };
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < active_.size(); ++k) {
+        tracer_.request_triangle(hit_in(k + steps_to_triangle));
+        tracer_.request_corners(hit_in(k + steps_to_corners));
+        Path& path = paths_[active_[k]];
+        if (advance(path, seen[path.index])) {
+            active_[kept++] = active_[k];
+        }
+    }
+    active_.resize(kept);
 }
 
 void PathTracer::add_shadowed_light(std::span<Seen> seen) {

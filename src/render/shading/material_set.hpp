@@ -40,8 +40,8 @@ public:
     /// textures.
     [[nodiscard]] std::optional<Plain> plain(const scene::Mesh& mesh) const;
 
-    /// The reflection of a mesh if it is the same everywhere, seen from outside or inside; otherwise
-    /// null.
+    /// The reflection of a mesh if it is the same everywhere, seen from outside or inside;
+    /// otherwise null.
     [[nodiscard]] const BsdfMaterial* uniform_bsdf(const scene::Mesh& mesh, bool entering) const {
         const Prepared& prepared = prepared_[mesh.material.value()];
         return prepared.bsdf && mesh.colors.empty() ? &(*prepared.bsdf)[entering ? 1 : 0] : nullptr;
@@ -56,8 +56,8 @@ private:
     struct Prepared {
         Appearance constant;  // Without textures and colours of vertices.
         bool has_textures = false;
-        bool is_uniform = false;                            // Opaque and without textures.
-        std::optional<std::array<BsdfMaterial, 2>> bsdf{};  // From inside and outside, if uniform.
+        std::optional<std::array<BsdfMaterial, 2>>
+            bsdf{};  // From inside and outside, if it has none.
     };
 
     const scene::Scene* scene_;

@@ -55,6 +55,18 @@ public:
     /// What the layers show of a surface.
     [[nodiscard]] VisibleSurface visible(const Interaction& at) const;
 
+    /// Requests the memory that interaction() reads, for a hit of soon, in two steps.
+    void request_triangle(const embree::Hit& hit) const {
+        if (hit.any()) {
+            traced_->surfaces.request_triangle(hit);
+        }
+    }
+    void request_corners(const embree::Hit& hit) const {
+        if (hit.any()) {
+            traced_->surfaces.request_corners(hit);
+        }
+    }
+
     /// The surface at a hit of the ray.
     [[nodiscard]] Interaction interaction(const Ray& ray, const embree::Hit& hit) const;
 

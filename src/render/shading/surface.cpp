@@ -230,6 +230,20 @@ V4f SurfaceFinder::placed_tangent(const MeshPoint& point, const Placement& place
     return {placed.x, placed.y, placed.z, placement.side * first.w};
 }
 
+void SurfaceFinder::request_triangle(const embree::Hit& hit) const {
+    __builtin_prefetch(placements_[hit.instance].mesh->triangles.data() + hit.triangle);
+}
+
+void SurfaceFinder::request_corners(const embree::Hit& hit) const {
+    const scene::Mesh& mesh = *placements_[hit.instance].mesh;
+    for (const std::uint32_t corner : mesh.triangles[hit.triangle]) {
+        __builtin_prefetch(mesh.positions.data() + corner);
+        if (!mesh.normals.empty()) {
+            __builtin_prefetch(mesh.normals.data() + corner);
+        }
+    }
+}
+
 Surface SurfaceFinder::find(const embree::Hit& hit, const V3f& direction, float time) const {
     Surface surface;
     surface.in_mesh = mesh_point(hit);
