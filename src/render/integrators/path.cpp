@@ -110,7 +110,7 @@ private:
     void add_distant_light(const Path& path, Seen& seen) const;
     void add_emission(const Path& path, const Interaction& at, Seen& seen) const;
     void light(const Path& path, const Scattering& at, const V3f& random, bool alone);
-    [[nodiscard]] bool scatter(Path& path, const Scattering& at) const;
+    [[nodiscard]] bool scatter(Path& path, const Scattering& at, float choice) const;
     [[nodiscard]] RayDifferentials differentials_after(const Path& path, const Interaction& at,
                                                        const BsdfSample& sample) const;
     void count_bounce(Path& path, BsdfLobe lobe) const;
@@ -264,13 +264,13 @@ bool PathTracer::advance(Path& path, Seen& seen) {
                          seen_directly ? to_viewer : (path.eye - at.surface.position).normalized(),
                          bsdf.material().transmits() ? V3f(0.0F) : at.surface.normal,
                          path.ray.time};
+    const Imath::V2f choices = path.sampler.next_pair();
     const Imath::V2f at_light = path.sampler.next_pair();
-    const V3f for_light(path.sampler.next(), at_light.x, at_light.y);
     const bool ends = path.bounces.all >= settings_->bounces.all && bsdf.material().is_rough() &&
                       settings_->lamp_sampling != LampSampling::surfaces;
     const Scattering here{at, point, bsdf, bsdf.view_from(to_viewer)};
-    light(path, here, for_light, ends);
-    return !ends && scatter(path, here);
+    light(path, here, {choices.x, at_light.x, at_light.y}, ends);
+    return !ends && scatter(path, here, choices.y);
 }
 
 void PathTracer::add_distant_light(const Path& path, Seen& seen) const {
@@ -361,11 +361,11 @@ void PathTracer::light(const Path& path, const Scattering& at, const V3f& random
          path.index, path.packet, is_direct});
 }
 
-// Chooses the next ray. False where the path ends.
-bool PathTracer::scatter(Path& path, const Scattering& at) const {
+// Chooses the next ray, by a number that selects the lobe. False where the path ends.
+bool PathTracer::scatter(Path& path, const Scattering& at, float choice) const {
     const Imath::V2f at_lobe = path.sampler.next_pair();
-    const V3f random(path.sampler.next(), at_lobe.x, at_lobe.y);
-    const std::optional<BsdfSample> sample = at.bsdf.sample(at.view, random);
+    const std::optional<BsdfSample> sample =
+        at.bsdf.sample(at.view, {choice, at_lobe.x, at_lobe.y});
     if (!sample) {
         return false;
     }

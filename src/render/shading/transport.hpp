@@ -5,6 +5,7 @@
 // The light that a layer carries between directions, as matrices over a grid of cosines: what the
 // tables of energy.hpp are made of.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -22,8 +23,8 @@ struct TablePosition {
 /// `position` counts nodes from the first of `count`; beyond them it is moved to the nearest.
 [[nodiscard]] inline TablePosition table_position(float position, std::size_t count) {
     const float last = static_cast<float>(count - 1);
-    const float inside = position > 0.0F ? std::fmin(position, last) : 0.0F;
-    const auto node = static_cast<std::size_t>(std::fmin(inside, last - 1.0F));
+    const float inside = position > 0.0F ? std::min(position, last) : 0.0F;
+    const auto node = static_cast<std::size_t>(std::min(inside, last - 1.0F));
     return {node, inside - static_cast<float>(node)};
 }
 
@@ -34,7 +35,7 @@ struct TablePosition {
 inline constexpr std::size_t cosine_count = 48;
 
 [[nodiscard]] inline TablePosition position_of_cosine(float cosine) {
-    return table_position(std::sqrt(std::sqrt(std::fmax(cosine, 0.0F))) * (cosine_count - 1),
+    return table_position(std::sqrt(std::sqrt(std::max(0.0F, cosine))) * (cosine_count - 1),
                           cosine_count);
 }
 
