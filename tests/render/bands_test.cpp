@@ -81,12 +81,14 @@ TEST_F(Bands, ThePixelsAreThoseOfTheWholeFilm) {
         layout.layers = {LayerId::magnification, LayerId::crypto_object, LayerId::variance};
         Film film = *make_film(layout);
         ASSERT_TRUE(render::render(renderer, camera, settings, film));
-        ASSERT_FALSE(has_errors(write(film, folder / "whole.exr")));
-        const std::string first = rendered(64, "bands.exr");
+        // OpenImageIO keeps what it has read of a file, so that each needs a name of its own.
+        const std::string kind = part ? "part" : "all";
+        ASSERT_FALSE(has_errors(write(film, folder / (kind + " whole.exr"))));
+        const std::string first = rendered(64, kind + " bands.exr");
         EXPECT_EQ(first, rendered(128, "more.exr"));
         EXPECT_EQ(first, rendered(256, "one.exr"));
-        const OIIO::ImageBuf whole((folder / "whole.exr").string());
-        const OIIO::ImageBuf tiled((folder / "bands.exr").string());
+        const OIIO::ImageBuf whole((folder / (kind + " whole.exr")).string());
+        const OIIO::ImageBuf tiled((folder / (kind + " bands.exr")).string());
         EXPECT_EQ(tiled.spec().tile_width, 64);
         EXPECT_EQ(tiled.spec().channelnames, whole.spec().channelnames);
         EXPECT_EQ(tiled.roi(), whole.roi());
