@@ -22,13 +22,15 @@ struct Loaded {
     lang::Workspace cameras;
     std::shared_ptr<const scene::Scene> scene;
     std::optional<render::Renderer> renderer;
-    scene::TimeInterval times{};  ///< Of the renderer's rays.
-    double load_seconds = 0.0;    ///< To read the scene.
+    scene::TimeInterval times{};                       ///< Of the renderer's rays.
+    double load_seconds = 0.0;                         ///< To read the scene.
+    std::vector<std::filesystem::path> environment{};  ///< Its file, if there is one.
 
     /// The files that the picture depends on.
     [[nodiscard]] std::vector<std::filesystem::path> files() const {
         std::vector<std::filesystem::path> all = cameras.files();
         all.insert(all.end(), scene->files.begin(), scene->files.end());
+        all.insert(all.end(), environment.begin(), environment.end());
         return all;
     }
 };

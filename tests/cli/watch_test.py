@@ -44,6 +44,25 @@ class Watch(support.CommandTest):
         (self.folder / "new").write_text(text)
         os.replace(self.folder / "new", self.folder / name)
 
+    def test_follows_the_environment(self):
+        def environment(value):
+            header = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n"
+            (self.folder / "new").write_bytes(header + bytes([value, value, value, 128]) * 8)
+            os.replace(self.folder / "new", self.folder / "sky.hdr")
+
+        environment(100)
+        process = self.watch("scene.obj", "--environment", "sky.hdr")
+        self.wait_for("watching 2 files")
+        environment(0)
+        self.wait_for("'sky.hdr' is black", "watching")
+        (self.folder / "new").write_text("no picture")
+        os.replace(self.folder / "new", self.folder / "sky.hdr")
+        self.wait_for("'sky.hdr' cannot be used", "watching")
+        environment(50)
+        self.wait_for("p.png", "watching")
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(timeout=PATIENCE), 130)
+
     def test_follows_cameras_and_scenes(self):
         (self.folder / "more.cam").write_text(
             'import "my.cam"\ncamera mine { axes y_up map u = -1 .. 1, v = square\n'

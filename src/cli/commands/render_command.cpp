@@ -174,6 +174,10 @@ RenderReport render_picture(const RenderOptions& options, Request request,
                             const OutdatedTest& is_outdated = {}) {
     RenderReport outcome;
     add(outcome, request.warnings);
+    loaded.environment = environment_files(options.light);
+    if (has_errors(outcome.diagnostics)) {
+        return fail(std::move(outcome), ExitCode::bad_input);
+    }
     // A camera loads fast, so its mistakes are reported before a large scene is read.
     Result<camera::Picture> picture;
     const bool of_file = !options.camera.empty() && !is_of_scene(options.camera);
@@ -251,9 +255,10 @@ ExitCode finish(const RenderReport& outcome, const RenderOptions& options) {
 }
 
 /// Renders again whenever a file changes that the picture is made of. A signal ends it.
-ExitCode watch(const RenderOptions& options, const Request& request, const SceneOutput& target) {
+ExitCode watch(const RenderOptions& options, Request request, const SceneOutput& target) {
     Loaded loaded;
     std::vector<fs::path> scene_files{target.scene};
+    FileWatch environment(environment_files(options.light), request.since);
     for (;;) {
         const auto start = FileWatch::Time::clock::now();
         const bool reads_scene = !loaded.renderer;
@@ -272,7 +277,7 @@ ExitCode watch(const RenderOptions& options, const Request& request, const Scene
                 cameras.emplace(loaded.cameras.files(), start);
                 scene.emplace(scene_files, reads_scene ? start : FileWatch::Time::max());
             }
-            return cameras->has_changed() || scene->has_changed();
+            return cameras->has_changed() || scene->has_changed() || environment.has_changed();
         };
         const RenderReport outcome = render_picture(options, request, target, loaded, has_changed);
         if (!outcome.outdated) {
@@ -288,13 +293,19 @@ ExitCode watch(const RenderOptions& options, const Request& request, const Scene
         scene = scene ? scene : FileWatch(scene_files, start);
         const Job job;
         if (!options.quiet && !outcome.outdated) {
-            print_aside(fmt::format("watching {}; Ctrl-C ends\n",
-                                    counted(cameras->size() + scene->size(), "file", "files")));
+            print_aside(fmt::format(
+                "watching {}; Ctrl-C ends\n",
+                counted(cameras->size() + scene->size() + environment.size(), "file", "files")));
         }
-        if (!wait_for_change({*cameras, *scene}, job.token())) {
+        if (!wait_for_change({*cameras, *scene, environment}, job.token())) {
             return ExitCode::interrupted;
         }
         loaded.cameras.reload();
+        if (environment.has_changed()) {
+            environment =
+                FileWatch(environment_files(options.light), FileWatch::Time::clock::now());
+            request.warnings = load_environment(options.light, request.settings);
+        }
         if (scene->has_changed()) {
             loaded.renderer.reset();
             loaded.scene.reset();

@@ -142,6 +142,11 @@ bool is_file(const LightWords& words) {
     return !color || std::min({color->x, color->y, color->z}) < 0.0F;
 }
 
+std::vector<std::filesystem::path> environment_files(const LightWords& words) {
+    return is_file(words) ? std::vector<std::filesystem::path>{*words.environment}
+                          : std::vector<std::filesystem::path>{};
+}
+
 Diagnostics load_environment(const LightWords& words, render::Settings& settings) {
     if (!is_file(words)) {
         return {};

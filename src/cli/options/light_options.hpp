@@ -4,8 +4,10 @@
 
 // Light that is not part of the scene.
 
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "balcony/render.hpp"
 #include "cli/command_line.hpp"
@@ -27,6 +29,9 @@ void read_light(const LightWords& words, render::Settings& settings, Diagnostics
 
 /// Whether the environment is a picture file.
 [[nodiscard]] bool is_file(const LightWords& words);
+
+/// The file of the environment, if there is one.
+[[nodiscard]] std::vector<std::filesystem::path> environment_files(const LightWords& words);
 
 /// Reads the picture file of the environment, if it is one.
 [[nodiscard]] Diagnostics load_environment(const LightWords& words, render::Settings& settings);

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <tbb/parallel_for.h>
+
 namespace balcony::render {
 
 namespace {
@@ -184,12 +186,13 @@ double Atmosphere::extinction(const Amounts& amounts, std::size_t wavelength) co
 }
 
 void Atmosphere::tabulate_amounts() {
-    for (std::size_t h = 0; h < amount_grid.heights; ++h) {
+    amounts_.resize(amount_grid.heights * amount_grid.cosines);
+    tbb::parallel_for(std::size_t{0}, amount_grid.heights, [&](std::size_t h) {
         for (std::size_t c = 0; c < amount_grid.cosines; ++c) {
             const Place place{ground + amount_grid.height(h), amount_grid.cosine(c)};
-            amounts_.push_back(amounts_to_top(place));
+            amounts_[h * amount_grid.cosines + c] = amounts_to_top(place);
         }
-    }
+    });
 }
 
 // The irradiance of the sun, which is hidden where the earth is in its way.
@@ -250,12 +253,15 @@ Spectrum Atmosphere::sky(const V3d& direction) const {
 }
 
 void Atmosphere::tabulate_multiple_scattering() {
-    for (std::size_t h = 0; h < multiple_grid.heights; ++h) {
+    multiple_.resize(multiple_grid.heights * multiple_grid.cosines);
+    tbb::parallel_for(std::size_t{0}, multiple_grid.heights, [&](std::size_t h) {
+        const double radius = ground + multiple_grid.height(h);
+        const std::vector<ScatteringRay> rays = scattering_rays(radius);
         for (std::size_t c = 0; c < multiple_grid.cosines; ++c) {
-            multiple_.push_back(
-                mean_scattered_light({ground + multiple_grid.height(h), multiple_grid.cosine(c)}));
+            multiple_[h * multiple_grid.cosines + c] =
+                mean_scattered_light(rays, multiple_grid.cosine(c));
         }
-    }
+    });
 }
 
 Spectrum Atmosphere::multiple_scattering(const Place& sun) const {
@@ -268,53 +274,71 @@ Spectrum Atmosphere::multiple_scattering(const Place& sun) const {
     return total;
 }
 
-// Hillaire, section 5.5: the mean over all directions of the light that was scattered once, and
-// then, in equal parts by each further scattering, a geometric series.
-Spectrum Atmosphere::mean_scattered_light(const Place& sun) const {
+// Rays in all directions from a height, as far as they do not depend on the sun.
+std::vector<Atmosphere::ScatteringRay> Atmosphere::scattering_rays(double radius) const {
     constexpr int directions = 64;
-    constexpr int steps = 20;
-    const V3d to_sun(std::sqrt(1.0 - square(sun.cosine)), 0.0, sun.cosine);
-    Spectrum once;
-    Spectrum share;
+    std::vector<ScatteringRay> rays(directions);
     for (int d = 0; d < directions; ++d) {
+        ScatteringRay& ray = rays[static_cast<std::size_t>(d)];
         const double z = 1.0 - (2.0 * d + 1.0) / directions;
         const double across = std::sqrt(1.0 - z * z);
         const double turn = 2.0 * pi * d / std::numbers::phi;
         const V3d direction(across * std::cos(turn), across * std::sin(turn), z);
-        const Place start{sun.radius, z};
-        const bool down = meets_ground(start);
+        const Place start{radius, z};
+        ray.meets_ground = meets_ground(start);
         const double rise = start.radius * z;
-        const double length = down ? -rise - std::sqrt(std::max(0.0, square(rise) + square(ground) -
-                                                                         square(start.radius)))
-                                   : distance_to_top(start);
-        Spectrum transmitted(1.0);
+        const double length =
+            ray.meets_ground
+                ? -rise -
+                      std::sqrt(std::max(0.0, square(rise) + square(ground) - square(start.radius)))
+                : distance_to_top(start);
+        ray.end = V3d(0.0, 0.0, radius) + length * direction;
+        ray.transmitted = Spectrum(1.0);
+        const auto steps = static_cast<double>(ray.steps.size());
         double before = 0.0;
-        for (int step = 0; step < steps; ++step) {
-            const double after = length * square((step + 1.0) / steps);
-            const V3d position = V3d(0.0, 0.0, sun.radius) + 0.5 * (before + after) * direction;
-            const double radius = position.length();
-            const Amounts density = densities(radius);
-            const Spectrum direct = sunlight({radius, position.dot(to_sun) / radius});
+        for (std::size_t step = 0; step < ray.steps.size(); ++step) {
+            const double after = length * square((static_cast<double>(step) + 1.0) / steps);
+            const V3d position = V3d(0.0, 0.0, radius) + 0.5 * (before + after) * direction;
+            const Amounts density = densities(position.length());
+            ray.steps[step].position = position;
             for (std::size_t i = 0; i < Spectrum::size; ++i) {
                 const double scattered =
                     rayleigh_[i] * density[molecules] + haze_[i] * density[haze];
                 const double lost = extinction(density, i);
                 const double left = std::exp(-lost * (after - before));
-                const double part =
-                    transmitted[i] * scattered * (lost > 0.0 ? (1.0 - left) / lost : 0.0);
-                once[i] += part * direct[i] / (4.0 * pi) / directions;
-                share[i] += part / directions;
-                transmitted[i] *= left;
+                ray.steps[step].part[i] =
+                    ray.transmitted[i] * scattered * (lost > 0.0 ? (1.0 - left) / lost : 0.0);
+                ray.transmitted[i] *= left;
             }
             before = after;
         }
-        if (down) {
-            const V3d position = V3d(0.0, 0.0, sun.radius) + length * direction;
-            const double cosine = position.dot(to_sun) / position.length();
+    }
+    return rays;
+}
+
+// Hillaire, section 5.5: the mean over all directions of the light that was scattered once, and
+// then, in equal parts by each further scattering, a geometric series.
+Spectrum Atmosphere::mean_scattered_light(const std::vector<ScatteringRay>& rays,
+                                          double sun_cosine) const {
+    const auto directions = static_cast<double>(rays.size());
+    const V3d to_sun(std::sqrt(1.0 - square(sun_cosine)), 0.0, sun_cosine);
+    Spectrum once;
+    Spectrum share;
+    for (const ScatteringRay& ray : rays) {
+        for (const ScatteringRay::Step& step : ray.steps) {
+            const double radius = step.position.length();
+            const Spectrum direct = sunlight({radius, step.position.dot(to_sun) / radius});
+            for (std::size_t i = 0; i < Spectrum::size; ++i) {
+                once[i] += step.part[i] * direct[i] / (4.0 * pi) / directions;
+                share[i] += step.part[i] / directions;
+            }
+        }
+        if (ray.meets_ground) {
+            const double cosine = ray.end.dot(to_sun) / ray.end.length();
             const Spectrum direct = sunlight({ground, cosine});
             for (std::size_t i = 0; i < Spectrum::size; ++i) {
-                once[i] += transmitted[i] * planet_albedo / pi * std::max(0.0, cosine) * direct[i] /
-                           directions;
+                once[i] += ray.transmitted[i] * planet_albedo / pi * std::max(0.0, cosine) *
+                           direct[i] / directions;
             }
         }
     }

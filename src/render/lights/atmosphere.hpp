@@ -75,6 +75,18 @@ private:
         [[nodiscard]] Place moved(double distance) const;
     };
 
+    /// A ray through the air: the parts of the light that its steps scatter to its beginning.
+    struct ScatteringRay {
+        struct Step {
+            Imath::V3d position;
+            Spectrum part;
+        };
+        std::array<Step, 20> steps;
+        Imath::V3d end;
+        bool meets_ground = false;
+        Spectrum transmitted;
+    };
+
     [[nodiscard]] static Amounts densities(double radius);
     [[nodiscard]] static double distance_to_top(const Place& place);
     [[nodiscard]] static bool meets_ground(const Place& place);
@@ -85,7 +97,9 @@ private:
     void tabulate_amounts();
     void tabulate_multiple_scattering();
     [[nodiscard]] Spectrum multiple_scattering(const Place& sun) const;
-    [[nodiscard]] Spectrum mean_scattered_light(const Place& sun) const;
+    [[nodiscard]] std::vector<ScatteringRay> scattering_rays(double radius) const;
+    [[nodiscard]] Spectrum mean_scattered_light(const std::vector<ScatteringRay>& rays,
+                                                double sun_cosine) const;
 
     Imath::V3d to_sun_;
     Spectrum sun_outside_;                                // Irradiance.
