@@ -4,7 +4,7 @@
 
 Usage: blender --background --factory-startup --python cycles.py -- SETTINGS.json
 
-The settings: scene, matt (a scene without highlights, which the importer does not read), output (EXR,
+The settings: scene, matt (whether surfaces are matt by Lambert's law), output (EXR,
 or none), width, height, samples (a list: one render each), bounces, position (in Blender's axes),
 threads. The camera is the whole sphere of directions, like Balcony's
 `panorama`: the centre of the picture looks along x.
@@ -32,11 +32,22 @@ def load(scene_file):
     return scene
 
 
-def remove_highlights():
+def make_matt():
+    """Gives surfaces Lambert's law: the diffuse part of the Principled BSDF is Disney's, brighter at
+    grazing angles."""
     for material in bpy.data.materials:
-        for node in material.node_tree.nodes:
-            if node.type == "BSDF_PRINCIPLED":
-                node.inputs["Specular"].default_value = 0.0
+        nodes, links = material.node_tree.nodes, material.node_tree.links
+        for node in [node for node in nodes if node.type == "BSDF_PRINCIPLED"]:
+            inputs = node.inputs
+            emits = inputs["Emission"].is_linked or max(inputs["Emission"].default_value[:3]) > 0
+            if emits or inputs["Metallic"].default_value > 0 or inputs["Transmission"].default_value > 0:
+                continue
+            diffuse = nodes.new("ShaderNodeBsdfDiffuse")
+            diffuse.inputs["Color"].default_value = inputs["Base Color"].default_value
+            for link in inputs["Base Color"].links:
+                links.new(link.from_socket, diffuse.inputs["Color"])
+            for link in list(node.outputs["BSDF"].links):
+                links.new(diffuse.outputs["BSDF"], link.to_socket)
 
 
 def add_camera(scene, position):
@@ -79,7 +90,7 @@ def main():
         settings = json.load(file)
     scene = load(settings["scene"])
     if settings["matt"]:
-        remove_highlights()
+        make_matt()
     add_camera(scene, settings["position"])
     set_up(scene, settings)
     seconds = []

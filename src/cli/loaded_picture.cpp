@@ -62,9 +62,14 @@ void describe_preparation(RenderReport& report, const Loaded& loaded) {
     report.facts["load_seconds"] = loaded.load_seconds;
     report.facts["build_seconds"] = preparation.build_seconds;
     report.facts["texture_seconds"] = preparation.texture_seconds;
-    report.sentence +=
-        fmt::format("  scene read in {}, prepared in {}\n", duration_text(loaded.load_seconds),
-                    duration_text(preparation.build_seconds + preparation.texture_seconds));
+    // Most scenes are ready at once.
+    constexpr double noticeable = 0.1;
+    const double preparing = preparation.build_seconds + preparation.texture_seconds;
+    if (loaded.load_seconds + preparing >= noticeable) {
+        report.sentence +=
+            fmt::format("  scene read in {}, prepared in {}\n", duration_text(loaded.load_seconds),
+                        duration_text(preparing));
+    }
 }
 
 }  // namespace balcony::cli

@@ -219,4 +219,23 @@ TEST(Materials, RaysEnterAtTheOuterSide) {
     }
 }
 
+// Equal normals at the corners are those of a wall only if they are perpendicular to it.
+TEST(Materials, EqualNormalsMayBeTilted) {
+    scene::Scene scene = wall_with(test::white());
+    const V3f straight(0.0F, 0.0F, 1.0F);
+    const V3f tilted = V3f(0.3F, 0.0F, 1.0F).normalized();
+    embree::Hit hit;
+    hit.instance = 0;
+    hit.triangle = 0;
+    hit.u = hit.v = 0.25F;
+    for (const V3f& normal : {straight, tilted, -straight}) {
+        scene::Mesh& mesh = scene.meshes[0];
+        mesh.normals.assign(mesh.positions.size(), normal);
+        const Surface found = SurfaceFinder(scene).find(hit, V3f(0.0F, 0.0F, -1.0F));
+        const V3f expected = normal.z < 0.0F ? -normal : normal;
+        EXPECT_LT((found.smooth_normal - expected).length(), 1e-6F);
+        EXPECT_LT((found.mesh_normal - normal).length(), 1e-6F);
+    }
+}
+
 }  // namespace balcony::render::material_test

@@ -172,8 +172,6 @@ RTCRayHit to_ray_hit(const Ray& ray) {
     return query;
 }
 
-constexpr std::size_t packet_size = Accelerator::packet_size;
-
 // Embree's coherent packets lose rays with a direction component of nearly 0, whose reciprocal is
 // out of range for the bounds of a packet. The minimum passed to Embree is less than the rounding
 // error of the other components of a unit direction.
@@ -318,16 +316,19 @@ void Packet::set(std::size_t lane, const Ray& ray) {
 
 void Accelerator::intersect(Packet& packet) const {
     const float reach = state_->reach;
+    // All bits where a condition holds: the loop is vectorised.
+    const auto mask = [](bool holds) { return -static_cast<std::int32_t>(holds); };
+    const auto within = [&mask](float value, float limit) {
+        return mask(std::fabs(value) <= limit);
+    };
     for (std::size_t lane = 0; lane < Packet::size; ++lane) {
-        const bool near_enough = (std::fabs(packet.origin_x[lane]) <= reach) &
-                                 (std::fabs(packet.origin_y[lane]) <= reach) &
-                                 (std::fabs(packet.origin_z[lane]) <= reach);
-        const bool directed = (std::fabs(packet.direction_x[lane]) <= max_coordinate) &
-                              (std::fabs(packet.direction_y[lane]) <= max_coordinate) &
-                              (std::fabs(packet.direction_z[lane]) <= max_coordinate);
-        const bool timely = (packet.time[lane] >= 0.0F) & (packet.time[lane] <= 1.0F) &
-                            (packet.farthest[lane] >= 0.0F);
-        packet.valid[lane] = near_enough & directed & timely ? packet.valid[lane] : 0;
+        packet.valid[lane] &=
+            within(packet.origin_x[lane], reach) & within(packet.origin_y[lane], reach) &
+            within(packet.origin_z[lane], reach) &
+            within(packet.direction_x[lane], max_coordinate) &
+            within(packet.direction_y[lane], max_coordinate) &
+            within(packet.direction_z[lane], max_coordinate) & mask(packet.time[lane] >= 0.0F) &
+            mask(packet.time[lane] <= 1.0F) & mask(packet.farthest[lane] >= 0.0F);
     }
     for (Packet::Floats* components :
          {&packet.direction_x, &packet.direction_y, &packet.direction_z}) {
