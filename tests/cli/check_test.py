@@ -212,6 +212,17 @@ camera unused { map u = 1 .. -1, v = square eye circle(1) look tangent }
             self.assertEqual((finding["kind"], finding["share"]), ("singular", 1))
             self.assertIn(says, finding["remedy"])
 
+    def test_a_lens_is_named(self):
+        (self.folder / "lens.cam").write_text("""
+camera without { map u = 1 .. -1, v = square eye point toward plane((1, 0, 0)) }
+camera with { map u = 1 .. -1, v = square eye point toward plane((1, 0, 0)) lens(0.1, focus = 2) }
+""")
+        for name, has_lens in (("without", False), ("with", True)):
+            (report,) = self.reports(f"lens.cam:{name}")
+            self.assertIs(report["lens"], has_lens)
+            out, _ = self.run_command("check", f"lens.cam:{name}")
+            self.assertEqual("only the rays through its centre" in out, has_lens)
+
     def test_in_a_scene(self):
         (report,) = self.reports("two.cam:front", "--scene", "scene.obj")
         self.assertEqual(report["in_scene"],

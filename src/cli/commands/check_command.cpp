@@ -222,6 +222,7 @@ private:
         settings.time = request_.cameras.time;
         settings.distance = request_.distance;
         CameraCheck check;
+        check.has_lens = subject.camera.parts().lens != nullptr;
         check.by_itself = subject.by_itself;
         check.layers = subject.layers;
         if (scene_) {

@@ -201,6 +201,9 @@ std::string check_text(const CameraCheck& check) {
         fmt::format("\ncamera {}: {:.0f} x {:.0f} pixels, {} samples\n", printable(check.title()),
                     report.grid.picture_width, report.grid.picture_height, report.samples.size());
     text += line("ray origins", origins_text(report));
+    if (check.has_lens) {
+        text += line("lens", "only the rays through its centre are checked");
+    }
     if (report.magnification) {
         text += line("magnification", statistics_text(*report.magnification,
                                                       report.distance ? "; pixels per unit"
@@ -241,6 +244,7 @@ nlohmann::json check_json(const CameraCheck& check) {
                          {"samples", report.samples.size()},
                          {"valid_share", report.valid_share},
                          {"single_viewpoint", report.single_viewpoint},
+                         {"lens", check.has_lens},
                          {"origin_extent", report.origin_extent},
                          {"distance", nullptr},
                          {"magnification", statistics_json(report.magnification)},

@@ -23,6 +23,7 @@ struct CameraCheck {
         std::string picture;
         std::string number;  ///< "2", or "3.1" in the picture of layer 3.
     };
+    bool has_lens = false;      ///< The report is about the rays through its centre.
     bool by_itself = true;      ///< Whether it was also requested on its own.
     std::vector<Layer> layers;  ///< The layers that show the camera with these parameters.
 
