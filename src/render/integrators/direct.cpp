@@ -21,6 +21,9 @@ constexpr float min_weight = 1.0F / 512.0F;
 bool is_mirror(const Appearance& appearance) { return appearance.roughness < mirror_roughness; }
 
 Bsdf bsdf_at(const Interaction& at, const V3f& geometric_normal) {
+    if (at.uniform != nullptr && !at.uniform->transmits() && !is_mirror(at.appearance)) {
+        return {*at.uniform, at.surface.normal, geometric_normal};
+    }
     Appearance appearance = at.appearance;
     if (is_mirror(appearance)) {
         appearance.roughness = 0.0F;
@@ -46,6 +49,7 @@ private:
         const V3f to_viewer = -ray.direction;
         const LightSet& lights = tracer().lights();
         const LitPoint point{surface.position, to_viewer, V3f(0.0F), ray.time};
+        const Bsdf::View view = bsdf.view_from(to_viewer);
         Color3f total(0.0F);
         for (std::size_t light = 0; light < lights.size(); ++light) {
             const Illumination arriving = lights.arriving(light, point);
@@ -53,7 +57,7 @@ private:
                 continue;
             }
             const Color3f unshadowed =
-                arriving.irradiance * bsdf.eval(to_viewer, arriving.to_light);
+                arriving.irradiance * bsdf.evaluate(view, arriving.to_light).reflected;
             if (largest(unshadowed) > 0.0F) {
                 total += unshadowed * tracer().transmittance(surface, arriving.to_light,
                                                              arriving.distance, ray.time);
