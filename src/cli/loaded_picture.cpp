@@ -63,7 +63,7 @@ void describe_preparation(RenderReport& report, const Loaded& loaded) {
     report.facts["build_seconds"] = preparation.build_seconds;
     report.facts["texture_seconds"] = preparation.texture_seconds;
     // Most scenes are ready at once.
-    constexpr double noticeable = 0.1;
+    constexpr double noticeable = 0.5;
     const double preparing = preparation.build_seconds + preparation.texture_seconds;
     if (loaded.load_seconds + preparing >= noticeable) {
         report.sentence +=

@@ -12,7 +12,8 @@ import time
 import support
 
 # Takes seconds, and is written several times a second.
-SLOW = ("render", "scene.obj", "-c", "my.cam:above", "--size", "200x150", "-s", "600",
+PASSES = 3000
+SLOW = ("render", "scene.obj", "-c", "my.cam:above", "--size", "200x150", "-s", str(PASSES),
         "--integrator", "preview", "-q")
 OFTEN = ("--checkpoint-every", "0.05s")
 
@@ -58,13 +59,13 @@ class Checkpoint(support.CommandTest):
                 kills += 1
             facts = self.json_of(*SLOW, *OFTEN, "--resume", "-o", f"p.{ending}")
             self.assertEqual((self.folder / f"p.{ending}").read_bytes(), whole)
-            self.assertEqual(facts["passes"], 600)
+            self.assertEqual(facts["passes"], PASSES)
             self.assertEqual([name for name in self.files() if "checkpoint" in name], [])
 
     def test_goes_on_where_it_was(self):
         self.interrupted(*SLOW, *OFTEN, "-o", "p.png")
         facts = self.json_of(*SLOW, "--resume", "-o", "p.png")
-        self.assertLess(facts["rays"], 600 * 200 * 150)
+        self.assertLess(facts["rays"], PASSES * 200 * 150)
 
     def test_a_region_is_resumed(self):
         region = ("--crop", "120x90+30+20")
@@ -102,7 +103,7 @@ class Checkpoint(support.CommandTest):
                 (("--filter", "box"), "--filter was 'blackman-harris' and is 'box'"),
                 (("--set", "size=2"), "--set was '' and is 'size=2'"),
                 (("--crop", "50x50+0+0"), "--crop was '' and is '50x50+0+0'"),
-                (("-s", "700"), "--samples was '600' and is '700'")):
+                (("-s", "700"), f"--samples was '{PASSES}' and is '700'")):
             self.refused(*SLOW, *words, "--resume", "-o", "p.png", code=1, says=says,
                          helps="render without --resume")
         (self.folder / "my.cam").write_text(support.CAMERAS + "\n")
