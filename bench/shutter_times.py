@@ -20,25 +20,19 @@ import OpenImageIO
 SCENE = Path(__file__).resolve().parent.parent / "docs/pictures/windmill.gltf"
 EXPOSURE = 0.1
 # A time for each sample: a hash of its place in the picture.
-CAMERAS = """
-camera shared {
+VIEW = """
     axes   y_up
     aspect 8/5
     map    u = -1 .. 1, v = square
     eye    surface(u, v) = [1.2, 1.9, 11.5]
     toward surface(u, v) = [1.2 + 0.6*u, 2 + 0.6*v, 10.5]
     look   relative
-}
-
-camera own {
-    axes   y_up
-    aspect 8/5
-    map    u = -1 .. 1, v = square
-    eye    surface(u, v) = [1.2, 1.9, 11.5]
-    toward surface(u, v) = [1.2 + 0.6*u, 2 + 0.6*v, 10.5]
-    look   relative
-    time = t + 0.1*(43758.5*sin(1259*x + 10246*y) - floor(43758.5*sin(1259*x + 10246*y)) - 1/2)
-}
+"""
+HASH = "43758.5*sin(1259*x + 10246*y)"
+CAMERAS = f"""
+camera shared {{ {VIEW} }}
+camera own {{ {VIEW}    time = t + 0.1*({HASH} - floor({HASH}) - 1/2)
+}}
 """
 
 

@@ -1,5 +1,6 @@
 # Compiler options of all targets. Contraction of a*b + c to a fused multiply-add is off, so that
-# the scalar and the SIMD runner compute the same products and sums.
+# the scalar and the SIMD runner compute the same products and sums. Without semantic interposition,
+# functions of one file are inlined although the code is position independent.
 option(BALCONY_WERROR "Treat warnings as errors" OFF)
 option(BALCONY_BENCH "Build the benchmarks" ON)
 option(BALCONY_PCH "Precompile headers from outside" ON)

@@ -164,7 +164,7 @@ void PathTracer::trace_next() {
     }
 }
 
-// Removes the paths that end.
+// Removes the paths that end. Memory is requested so many paths early that it has usually arrived.
 void PathTracer::advance_all(std::span<Seen> seen) {
     constexpr std::size_t steps_to_corners = 4;
     constexpr std::size_t steps_to_triangle = 8;
@@ -414,8 +414,9 @@ void PathTracer::count_bounce(Path& path, BsdfLobe lobe) const {
     }
 }
 
-// Russian roulette: a path that carries little light ends, or carries more. The root is more
-// efficient than the light itself: what is saved on dark surfaces costs less than it adds in noise.
+// Russian roulette: a path that carries little light ends, or carries more. By the root of the
+// light and not by the light itself: the time that is saved by ending more paths is worth less than
+// the noise that it adds.
 bool PathTracer::survives(Path& path) {
     const float probability = std::sqrt(largest(path.throughput));
     if (!(probability < 1.0F)) {

@@ -31,8 +31,8 @@ V3d perpendicular(const V3d& v, const V3d& to) { return (v - v.dot(to) * to).nor
 // A triangle that looks large, projected to the unit sphere around a point.
 class SphericalTriangle {
 public:
-    // Nothing if the triangle looks small, so that sampling by area is as good; or if the angles
-    // between its sides are not precise, edge-on or from close by.
+    // Nothing if the triangle looks small, so that sampling by area is almost as good, and quicker;
+    // or if the angles between its sides are not precise, edge-on or from close by.
     static std::optional<SphericalTriangle> of(const WorldTriangle& triangle, const V3f& from) {
         constexpr float small = 2.0F;  // The square of an edge over that of the distance.
         constexpr double min_solid_angle = 1e-3;

@@ -42,7 +42,7 @@ struct BsdfMaterial {
 
     /// What passes the dielectric layer of the part that reaches it.
     [[nodiscard]] float below(const LayerEnergy& energy, float reaching = 1.0F) const;
-    /// What the covers do at a direction with this cosine.
+    /// What the covers do at a direction with this cosine, if there are layers.
     [[nodiscard]] Covered covered(float cosine) const;
 
 private:

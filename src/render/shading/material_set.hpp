@@ -56,8 +56,8 @@ private:
     struct Prepared {
         Appearance constant;  // Without textures and colours of vertices.
         bool has_textures = false;
-        std::optional<std::array<BsdfMaterial, 2>>
-            bsdf{};  // From inside and outside, if it has none.
+        // Seen from inside and from outside; nothing with textures.
+        std::optional<std::array<BsdfMaterial, 2>> bsdf{};
     };
 
     const scene::Scene* scene_;

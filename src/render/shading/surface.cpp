@@ -92,7 +92,7 @@ bool is_flat(const std::array<V3f, 3>& normals, const V3f& outside,
     if (normals[0] != normals[1] || normals[0] != normals[2]) {
         return false;
     }
-    constexpr float same = 1.0F - 1e-6F;
+    constexpr float same = 1.0F - 1e-6F;  // Of a squared cosine: a tilt of a thousandth.
     const V3f normal = normals[0] * normal_from_mesh;
     const float along = normal.dot(outside);
     return along > 0.0F && along * along > same * normal.length2();
