@@ -81,7 +81,8 @@ class Planted(unittest.TestCase):
                           '#include "balcony/picture.hpp"\n', "expr may not use camera")
 
     def test_finds_an_include_without_a_link(self):
-        self.plant("src/bridge/CMakeLists.txt", "balcony_layer(bridge SOURCES a.cpp USES camera)\n")
+        listing = self.root / "src/bridge/CMakeLists.txt"
+        listing.write_text("balcony_layer(bridge SOURCES a.cpp USES camera)\n", encoding="utf-8")
         self.plant("include/balcony/program.hpp", "")
         self.assert_found(architecture, "src/bridge/planted.cpp",
                           '#include "balcony/program.hpp"\n', "does not link bridge to program")
