@@ -13,6 +13,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -104,12 +105,37 @@ private:
     std::variant<double, Formula> value_;
 };
 
+class Stage;
+
+/// What a stage computes on the way to a ray, for programs that show a camera stage by stage.
+struct StageValues {
+    /// The path that the stage belongs to; the direction rule has its own.
+    enum class Place : std::uint8_t { eye, toward, look };
+
+    const Stage* stage = nullptr;
+    Place place = Place::eye;
+    /// The coordinates of a point of PCS (two) or of OCS, or the direction (three).
+    std::vector<Expr> values;
+};
+
+/// A value of an input of the graph.
+struct KnownInput {
+    std::string name;
+    double value = 0.0;
+};
+
 /// The output of stages: a graph and the conditions under which there is a ray.
 class Emitter {
 public:
-    /// `variables` are the values that trial() takes for variables 0, 1, ... of the graph.
-    explicit Emitter(Graph& graph, std::vector<double> variables = {})
-        : graph_(&graph), valid_(graph.constant(1.0)), variables_(std::move(variables)) {}
+    /// What trial() takes for variables 0, 1, ... of the graph, and for inputs other than x, y
+    /// and t.
+    struct Trial {
+        std::vector<double> variables{};
+        std::vector<KnownInput> inputs{};
+    };
+    explicit Emitter(Graph& graph) : Emitter(graph, Trial()) {}
+    Emitter(Graph& graph, Trial trial)
+        : graph_(&graph), valid_(graph.constant(1.0)), trial_(std::move(trial)) {}
 
     [[nodiscard]] Graph& graph() const { return *graph_; }
     [[nodiscard]] Expr operator()(double value) const { return graph_->constant(value); }
@@ -137,15 +163,19 @@ public:
     /// chooses its formula by trying it out. A camera is emitted for pictures of any size; here its
     /// picture has the aspect that the camera is made for.
     [[nodiscard]] std::vector<double> trial(std::span<const Expr> expressions, double x,
-                                            double y) const {
-        return expr::evaluate(expressions, {x, y, 0.0, variables_});
-    }
+                                            double y) const;
+
+    /// Records what a stage computes.
+    void record(StageValues values) { stages_.push_back(std::move(values)); }
+    /// In the order in which the stages apply.
+    [[nodiscard]] std::vector<StageValues>& stages() { return stages_; }
 
 private:
     Graph* graph_;
     Expr valid_;
     Diagnostics problems_;
-    std::vector<double> variables_;
+    Trial trial_;
+    std::vector<StageValues> stages_;
 };
 
 // ------------------------------------------------------------------------------------- ports
@@ -397,6 +427,11 @@ public:
         double aspect = 16.0 / 9.0;  ///< Width divided by height.
         Axes axes = Axes::z_up;
         SourceSpan lens_span{};  ///< Where a file has the lens, for problems with the scene.
+        /// How a file writes its stages, for texts about the camera.
+        std::map<const Stage*, std::string> written{};
+        /// Further inputs of its formulas, such as parameters that a program may move, with values
+        /// for stages that choose their formula by trying it out.
+        std::vector<KnownInput> inputs{};
     };
 
     /// Checks that the parts fit together: all are there, the rule and the object transformers get
@@ -416,6 +451,9 @@ public:
     [[nodiscard]] RayExpressions emit(Graph& graph, double width, double height) const;
     /// The same for a point mapped by the arrangers of a larger picture.
     [[nodiscard]] RayExpressions emit(const PicturePoint& picture) const;
+    /// What the stages compute for this point, in the order in which they apply: the nodes that its
+    /// ray is made of.
+    [[nodiscard]] std::vector<StageValues> emit_stages(const PicturePoint& picture) const;
 
 private:
     /// The parts and the ray that they make in a picture of any size.
@@ -426,9 +464,14 @@ private:
         Graph graph;
         PicturePoint picture;  ///< Picture x and y; the size is two variables.
         RayExpressions ray;    ///< Of this point of the camera's own picture.
+        std::vector<StageValues> stages;
         Diagnostics problems;  ///< What the stages reported.
     };
     explicit Camera(std::shared_ptr<const Emitted> emitted) : emitted_(std::move(emitted)) {}
+    [[nodiscard]] PicturePoint own_point(const PicturePoint& whole, Emitter& emit) const;
+    /// Puts a point of the camera's own picture in the place of the one that was emitted.
+    [[nodiscard]] std::array<expr::Substitution, 4> put(const PicturePoint& picture) const;
+
     std::shared_ptr<const Emitted> emitted_;
 };
 

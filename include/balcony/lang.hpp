@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -70,6 +71,26 @@ struct ExplainedPicture {
     Explanation explanation;
 };
 
+/// A number among a camera's parameters that stays open: an input of its formulas.
+struct OpenParameter {
+    std::string name;
+    std::string written;  ///< The source text of its value.
+    double value = 0.0;   ///< In radians if it is an angle.
+    bool is_angle = false;
+};
+
+/// The name of the input of an open parameter.
+[[nodiscard]] std::string parameter_input(std::string_view parameter);
+
+/// A camera with open parameters.
+struct OpenCamera {
+    camera::Camera camera;
+    std::vector<OpenParameter> open;
+    /// The names of those that cannot be open: tuples and lists, and numbers that determine the
+    /// structure of a stage, such as its tables.
+    std::vector<std::string> closed;
+};
+
 /// Where cameras are written: a .cam file or the name of a built-in camera, or a text.
 class CameraSource {
 public:
@@ -112,6 +133,12 @@ public:
     [[nodiscard]] Result<camera::Camera> make_camera(const CameraSource& source,
                                                      std::string_view name = "",
                                                      const std::vector<Override>& overrides = {});
+
+    /// The same with parameters that stay open: the named ones, or all of them without a list. An
+    /// unknown name is an error.
+    [[nodiscard]] Result<OpenCamera> make_open_camera(
+        const CameraSource& source, std::string_view name, const std::vector<Override>& overrides,
+        const std::optional<std::vector<std::string>>& open = {});
 
     /// Makes a picture, or of a camera the picture that shows it alone.
     [[nodiscard]] Result<camera::Picture> make_picture(const CameraSource& source,

@@ -69,6 +69,14 @@ void check_path(const Path& path, std::string_view object, const std::string& ca
 
 }  // namespace
 
+std::vector<double> Emitter::trial(std::span<const Expr> expressions, double x, double y) const {
+    std::vector<expr::InputValue> inputs;
+    for (const KnownInput& input : trial_.inputs) {
+        inputs.push_back({input.name, input.value});
+    }
+    return expr::evaluate(expressions, {x, y, 0.0, trial_.variables, inputs});
+}
+
 Expr ClipShape::coverage(const PicturePoint& picture, Expr softness, Emitter& emit) const {
     const Expr depth = -distance(picture, emit);
     const Expr sharp = select(0.0 <= depth, emit(1.0), emit(0.0));
@@ -154,9 +162,15 @@ RayExpressions ray_in_own_picture(const Camera::Parts& parts, const PicturePoint
     const PathPoint eye = parts.eye.emit(picture, emit, parts.look->needs_second_derivative());
     std::optional<PathPoint> toward;
     if (parts.toward) {
+        const std::size_t of_eye = emit.stages().size();
         toward = parts.toward->emit(picture, emit);
+        for (StageValues& stage : std::span(emit.stages()).subspan(of_eye)) {
+            stage.place = StageValues::Place::toward;
+        }
     }
     const ObjectVector direction = parts.look->direction(eye, toward ? &*toward : nullptr, emit);
+    emit.record(
+        {parts.look.get(), StageValues::Place::look, {direction.x, direction.y, direction.z}});
 
     constexpr double min_squared_length = 0x1p-960;
     const Expr squared_length = dot(direction, direction);
@@ -177,18 +191,22 @@ Camera::Emitted::Emitted(Parts made_of)
     constexpr double height = 1000.0;
     const std::array<double, 2> own =
         arranged_size(parts.arrangers, height * parts.aspect, height, 0.0);
-    Emitter emit(graph, {own[0], own[1]});
+    const Emitter::Trial trial{{own[0], own[1]}, parts.inputs};
+    Emitter emit(graph, trial);
     ray = ray_in_own_picture(parts, picture, emit);
+    stages = std::move(emit.stages());
     problems = emit.problems();
     if (parts.lens && parts.lens->radius().constant() != 0.0) {
-        Emitter lens_emit(graph, {own[0], own[1]});
+        Emitter lens_emit(graph, trial);
         ray.lens = lens_around(ray, *parts.lens, picture, lens_emit);
         problems.insert(problems.end(), lens_emit.problems().begin(), lens_emit.problems().end());
     }
     if (parts.time) {
         const std::array fractions{picture.point.x / picture.size.width,
                                    picture.point.y / picture.size.height};
-        ray = at_time(ray, parts.time->emit(graph, fractions).front());
+        const Expr time = parts.time->emit(graph, fractions).front();
+        ray = at_time(ray, time);
+        stages = substitute(graph, stages, std::array{expr::Substitution{graph.time(), time}});
     }
 }
 
@@ -206,23 +224,37 @@ RayExpressions Camera::emit(Graph& graph, double width, double height) const {
     return emit(whole_picture(graph, width, height));
 }
 
-RayExpressions Camera::emit(const PicturePoint& whole) const {
-    Graph& graph = whole.size.width.graph();
-    Emitter emit(graph);
+// The point of the camera's own picture.
+PicturePoint Camera::own_point(const PicturePoint& whole, Emitter& emit) const {
     const PicturePoint picture = arranged(whole, parts().arrangers, emit);
     // In a layer with a soft edge, the camera extends beyond its image where it is defined.
     if (!parts().arrangers.empty()) {
         emit.require(inside(arranged(clamped(whole), parts().arrangers, emit)));
     }
+    return picture;
+}
+
+std::array<expr::Substitution, 4> Camera::put(const PicturePoint& picture) const {
     const PicturePoint& own = emitted_->picture;
-    const std::array put{expr::Substitution{own.point.x, picture.point.x},
-                         expr::Substitution{own.point.y, picture.point.y},
-                         expr::Substitution{own.size.width, picture.size.width},
-                         expr::Substitution{own.size.height, picture.size.height}};
-    RayExpressions ray = substitute(graph, emitted_->ray, put);
+    return {expr::Substitution{own.point.x, picture.point.x},
+            expr::Substitution{own.point.y, picture.point.y},
+            expr::Substitution{own.size.width, picture.size.width},
+            expr::Substitution{own.size.height, picture.size.height}};
+}
+
+RayExpressions Camera::emit(const PicturePoint& whole) const {
+    Graph& graph = whole.size.width.graph();
+    Emitter emit(graph);
+    RayExpressions ray = substitute(graph, emitted_->ray, put(own_point(whole, emit)));
     emit.require(ray.valid);
     ray.valid = emit.valid();
     return ray;
+}
+
+std::vector<StageValues> Camera::emit_stages(const PicturePoint& whole) const {
+    Graph& graph = whole.size.width.graph();
+    Emitter unused(graph);
+    return substitute(graph, emitted_->stages, put(own_point(whole, unused)));
 }
 
 }  // namespace balcony::camera

@@ -6,14 +6,18 @@
 
 #include "balcony/camera.hpp"
 
+#include "camera/ray_expressions.hpp"
+
 namespace balcony::camera {
 
 namespace {
 
 ParameterPoint parameters_of(const Path& path, const PicturePoint& picture, Emitter& emit) {
     ParameterPoint p = path.mapper->map(picture, emit);
+    emit.record({path.mapper.get(), {}, {p.u, p.v}});
     for (const ParameterTransformerPointer& transformer : path.parameter_transformers) {
         p = transformer->transform(p, emit);
+        emit.record({transformer.get(), {}, {p.u, p.v}});
     }
     return p;
 }
@@ -76,8 +80,13 @@ PathPoint Path::emit(const PicturePoint& picture, Emitter& emit,
     ObjectElement element{
         generator->generate({u, v}, object_emit), generator->normal({u, v}, object_emit), {u, v}};
     const bool has_own_normal = element.own_normal.has_value();
+    const auto record = [&](const Stage& stage) {
+        object_emit.record({&stage, {}, {element.point.x, element.point.y, element.point.z}});
+    };
+    record(*generator);
     for (const ObjectTransformerPointer& transformer : object_transformers) {
         element = transformer->transform_element(element, object_emit);
+        record(*transformer);
     }
     const ObjectPoint& p = element.point;
     const ObjectVector along_u = differentiate(p, u);
@@ -97,6 +106,9 @@ PathPoint Path::emit(const PicturePoint& picture, Emitter& emit,
     }
     const std::vector<Expr> put = expr::substitute(graph, made, free);
     emit.require(put[13]);
+    for (StageValues& stage : substitute(graph, object_emit.stages(), free)) {
+        emit.record(std::move(stage));
+    }
 
     const Expr zero = graph.constant(0.0);
     const Expr turned_over = put[12] < zero;

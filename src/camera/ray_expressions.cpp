@@ -83,6 +83,15 @@ RayExpressions substitute(Graph& target, const RayExpressions& ray,
     return made;
 }
 
+std::vector<StageValues> substitute(Graph& target, std::span<const StageValues> stages,
+                                    std::span<const expr::Substitution> put) {
+    std::vector<StageValues> made(stages.begin(), stages.end());
+    for (StageValues& stage : made) {
+        stage.values = expr::substitute(target, stage.values, put);
+    }
+    return made;
+}
+
 RayFootprint footprint(const RayExpressions& ray) {
     Graph& graph = ray.origin.x.graph();
     const std::array values{ray.origin.x,    ray.origin.y,    ray.origin.z,

@@ -5,6 +5,7 @@
 // The formulas of a ray after its direction is known: its lens and its time.
 
 #include <span>
+#include <vector>
 
 #include "balcony/camera.hpp"
 
@@ -13,6 +14,11 @@ namespace balcony::camera {
 /// A ray with leaves replaced, in the graph of the replacements.
 [[nodiscard]] RayExpressions substitute(Graph& target, const RayExpressions& ray,
                                         std::span<const expr::Substitution> put);
+
+/// What stages compute with leaves replaced, in the same way.
+[[nodiscard]] std::vector<StageValues> substitute(Graph& target,
+                                                  std::span<const StageValues> stages,
+                                                  std::span<const expr::Substitution> put);
 
 /// The lens around a ray of the camera's own picture.
 [[nodiscard]] LensExpressions lens_around(const RayExpressions& ray, const Lens& lens,

@@ -12,6 +12,7 @@
 #include "lang/names/session.hpp"
 #include "lang/names/unused_names.hpp"
 #include "lang/tools/explain.hpp"
+#include "lang/tools/open_camera.hpp"
 
 namespace balcony::lang {
 
@@ -104,6 +105,24 @@ std::optional<LocatedDefinition> find_camera(const Module* module, std::string_v
         return std::nullopt;
     }
     return place;
+}
+
+// Reports names that are no parameters of a camera.
+void check_parameters(const LocatedDefinition& place, const std::vector<std::string>& names,
+                      Reporter& reporter) {
+    std::vector<std::string> known;
+    for (const DefinitionParameter& parameter : place.camera->parameters) {
+        known.emplace_back(parameter.name.text);
+    }
+    for (const std::string& name : names) {
+        if (std::find(known.begin(), known.end(), name) == known.end()) {
+            reporter.error(
+                {},
+                fmt::format("the camera '{}' has no parameter '{}'", place.camera->name.text, name),
+                known.empty() ? "it has no parameters"
+                              : suggestion(name, known, "its parameters are"));
+        }
+    }
 }
 
 // The result of `build`. A graph that grows too large is an error of the whole definition.
@@ -242,6 +261,31 @@ Result<camera::Camera> Workspace::make_camera(const CameraSource& source, std::s
     const auto build = [&] { return build_camera(*place, {overrides, {}}, session, true); };
     return finish(place ? within_graph(*place, session, build) : std::nullopt, module,
                   session.reporter());
+}
+
+Result<OpenCamera> Workspace::make_open_camera(
+    const CameraSource& source, std::string_view name, const std::vector<Override>& overrides,
+    const std::optional<std::vector<std::string>>& open) {
+    const auto make = [&](const std::vector<std::string>& names) -> Result<OpenAttempt> {
+        Session session(implementation_->files);
+        const Module* module = read(session, source);
+        const auto place = find_camera(module, name, session.reporter());
+        std::vector<Value> values;
+        const auto build = [&] {
+            return build_camera(*place, {overrides, {}, names}, session, true, &values);
+        };
+        if (place && names.empty() && open) {
+            check_parameters(*place, *open, session.reporter());
+        }
+        std::optional<camera::Camera> camera =
+            place ? within_graph(*place, session, build) : std::nullopt;
+        std::optional<OpenAttempt> made;
+        if (camera) {
+            made = open_attempt(std::move(*camera), *place, overrides, values);
+        }
+        return finish(std::move(made), module, session.reporter());
+    };
+    return open_camera(make, open);
 }
 
 Result<camera::Picture> Workspace::make_picture(const CameraSource& source, std::string_view name,

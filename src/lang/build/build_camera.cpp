@@ -21,6 +21,7 @@ public:
     CameraBuilder(const LocatedDefinition& place, Scope& scope, Session& session)
         : tree_(place.module->tree),
           camera_(*place.camera),
+          session_(session),
           reporter_(session.reporter()),
           stages_(*place.module, scope, session),
           statements_(tree_, camera_.statements, reporter_) {}
@@ -29,6 +30,7 @@ public:
         const std::size_t errors_before = reporter_.error_count();
         camera::Camera::Parts parts;
         parts.name = std::string(camera_.name.text);
+        parts.inputs = session_.inputs();
         parts.arrangers = make_arrangers(camera_.statements,
                                          {StatementKind::place, StatementKind::arrange}, stages_);
         aspect(parts);
@@ -42,6 +44,7 @@ public:
         look(parts);
         lens(parts);
         time(parts);
+        parts.written = stages_.written();
         // A null result without a diagnostic here has been reported at its source.
         return reporter_.error_count() == errors_before && complete(parts)
                    ? finish(std::move(parts))
@@ -330,6 +333,7 @@ private:
 
     const SyntaxTree& tree_;
     const DefinitionSyntax& camera_;
+    Session& session_;
     Reporter& reporter_;
     StageBuilder stages_;
     Statements statements_;
@@ -341,7 +345,7 @@ private:
 
 std::optional<camera::Camera> build_camera(const LocatedDefinition& place,
                                            const GivenParameters& given, Session& session,
-                                           bool warn_of_unused) {
+                                           bool warn_of_unused, std::vector<Value>* values) {
     const std::size_t errors_before = session.reporter().error_count();
     DefinitionScope scope(place, given, session);
     std::optional<camera::Camera> made = CameraBuilder(place, scope.names(), session).run();
@@ -350,6 +354,9 @@ std::optional<camera::Camera> build_camera(const LocatedDefinition& place,
     }
     if (warn_of_unused && session.reporter().error_count() == 0) {
         scope.warn_of_unused();
+    }
+    if (values != nullptr) {
+        *values = scope.values();
     }
     return made ? std::optional(std::get<camera::Camera>(
                       session.share(place, scope.values(), std::move(*made))))

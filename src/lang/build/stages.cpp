@@ -68,6 +68,20 @@ const StageEntry* find_of_any_kind(const camera::Catalogue& catalogue, std::stri
     return found;
 }
 
+// A text with single spaces in the place of all white space.
+std::string on_one_line(std::string_view text) {
+    std::string line;
+    for (const char c : text) {
+        const bool space = c == ' ' || c == '\n' || c == '\t' || c == '\r';
+        if (!space) {
+            line += c;
+        } else if (!line.empty() && line.back() != ' ') {
+            line += ' ';
+        }
+    }
+    return line;
+}
+
 }  // namespace
 
 // ------------------------------------------------------------------------------- the whole stage
@@ -79,14 +93,19 @@ StageBuilder::Stage StageBuilder::make_stage(StageKind kind, ExpressionId call) 
         return nullptr;
     }
     const std::optional<Arguments> given = arguments(*row, node);
-    return given ? make_from_row(*row, *given, row->shape ? node.name.span : node.span) : nullptr;
+    return given ? make_from_row(*row, *given, row->shape ? node.name.span : node.span, node.span)
+                 : nullptr;
 }
 
 StageBuilder::Stage StageBuilder::make_from_row(const StageEntry& row, const Arguments& arguments,
-                                                Span span) {
+                                                Span named, Span whole) {
     Result<Stage> made = camera::make_stage(row, arguments);
-    report(std::move(made.diagnostics), span);
-    return made ? *made : nullptr;
+    report(std::move(made.diagnostics), named);
+    if (!made) {
+        return nullptr;
+    }
+    written_[made->get()] = on_one_line(tree_.text(whole));
+    return *made;
 }
 
 const StageEntry* StageBuilder::find_row(StageKind kind, const Identifier& name) {

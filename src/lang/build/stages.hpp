@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cassert>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -42,8 +43,13 @@ public:
         const camera::StageEntry* row = camera::catalogue().find(camera::kind_of<Port>(), name);
         assert(row != nullptr);
         const std::optional<camera::Arguments> given = arguments(*row, values, span);
-        return given ? std::static_pointer_cast<const Port>(make_from_row(*row, *given, span))
+        return given ? std::static_pointer_cast<const Port>(make_from_row(*row, *given, span, span))
                      : nullptr;
+    }
+
+    /// How the file writes the stages made so far, each on one line.
+    [[nodiscard]] const std::map<const camera::Stage*, std::string>& written() const {
+        return written_;
     }
 
     /// The arguments of a call, checked against a row; nothing after an error, which is reported.
@@ -74,8 +80,9 @@ private:
     using Stage = std::shared_ptr<const camera::Stage>;
 
     Stage make_stage(camera::StageKind kind, ExpressionId call);
+    /// Problems are reported at `named`, a part of what the file writes.
     Stage make_from_row(const camera::StageEntry& row, const camera::Arguments& arguments,
-                        Span span);
+                        Span named, Span whole);
     const camera::StageEntry* find_row(camera::StageKind kind, const Identifier& name);
 
     // ------------------------------------------------------ which parameter an argument is for
@@ -159,6 +166,7 @@ private:
     Scope& scope_;
     std::shared_ptr<expr::Graph> graph_;
     Reporter& reporter_;
+    std::map<const camera::Stage*, std::string> written_;
 };
 
 }  // namespace balcony::lang

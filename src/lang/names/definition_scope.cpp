@@ -22,7 +22,8 @@ DefinitionScope::DefinitionScope(const LocatedDefinition& place, const GivenPara
       tree_(place.module->tree),
       session_(session),
       scope_(place.module->scope.get()),
-      values_(given.values) {
+      values_(given.values),
+      open_(given.open) {
     read_overrides(given.overrides);
     check_names(given.values);
     std::vector<const Statement*> lets;
@@ -112,10 +113,25 @@ void DefinitionScope::define_parameter(const DefinitionParameter& parameter) {
     if (passed != values_.end()) {
         value = checked(passed->value, passed->value_place, value, name);
     }
+    if (std::find(open_.begin(), open_.end(), name) != open_.end()) {
+        value = opened(value, name);
+    }
     const SourceSpan place = tree_.at(parameter.name.span);
     if (!scope_.define(name, {value, place, "parameter", false})) {
         report_duplicate(parameter.name, place, scope_.find_here(name)->place, session_.reporter());
     }
+}
+
+// An input in the place of a number that does not change.
+Value DefinitionScope::opened(const Value& value, std::string_view name) {
+    if (!value.is_constant()) {
+        return value;
+    }
+    const std::string input = parameter_input(name);
+    session_.inputs().push_back({input, value.constant()});
+    Value made = value;
+    made.expr = session_.graph()->input(input);
+    return made;
 }
 
 Value DefinitionScope::overridden(const Given& given, const Value& default_value,

@@ -24,6 +24,7 @@ struct ParameterValue {
 struct GivenParameters {
     std::vector<Override> overrides;
     std::vector<ParameterValue> values;
+    std::vector<std::string> open{};  ///< Parameters that become inputs of the formulas.
 };
 
 /// The names of one camera or picture: its lets and its parameters, with given or default
@@ -47,6 +48,7 @@ private:
     void read_overrides(const std::vector<Override>& overrides);
     void define_parameters();
     void define_parameter(const DefinitionParameter& parameter);
+    [[nodiscard]] Value opened(const Value& value, std::string_view name);
     void check_names(const std::vector<ParameterValue>& values);
     [[nodiscard]] Value overridden(const Given& given, const Value& default_value,
                                    std::string_view name);
@@ -60,6 +62,7 @@ private:
     Scope scope_;
     std::vector<Given> given_;
     const std::vector<ParameterValue> values_;
+    const std::vector<std::string> open_;
 };
 
 }  // namespace balcony::lang

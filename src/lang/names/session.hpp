@@ -67,6 +67,9 @@ public:
     [[nodiscard]] Shown share(const LocatedDefinition& place, const std::vector<Value>& parameters,
                               Shown made);
 
+    /// Further inputs of the formulas: parameters that stay open.
+    [[nodiscard]] std::vector<camera::KnownInput>& inputs() { return inputs_; }
+
     /// Keeps the tree of an override alive, since other values refer to its text.
     const SyntaxTree& keep(SyntaxTree tree);
 
@@ -96,6 +99,7 @@ private:
     std::map<std::string, std::unique_ptr<Module>> modules_;
     std::vector<Opened> opened_;  // The current chain of imports.
     std::vector<std::unique_ptr<SyntaxTree>> overrides_;
+    std::vector<camera::KnownInput> inputs_;
     // By their syntax and their parameters' values: nodes with units, forms with lengths.
     using ParameterKey = std::vector<std::pair<std::size_t, std::variant<Dimension, Value::Form>>>;
     static void add_to_key(const Value& value, ParameterKey& key);
