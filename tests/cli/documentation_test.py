@@ -79,7 +79,8 @@ class Documentation(support.CommandTest):
     def test_json_fields(self):
         page = (support.REPOSITORY / "docs" / "command.md").read_text()
         runs = {"render": ("room.glb", "--size", "8"), "check": ("my.cam",), "list": ("zoom",),
-                "info": ("room.glb",), "draw": ("pinhole", "-o", "p.svg")}
+                "info": ("room.glb",), "draw": ("pinhole", "-o", "p.svg"),
+                "rays": ("pinhole", "--size", "8", "-o", "r.npy")}
         for command, words in runs.items():
             (row,) = re.findall(rf"^\| `{command}` \| (.*) \|$", page, re.MULTILINE)
             document = self.json_of(command, *words)
@@ -91,7 +92,7 @@ class Documentation(support.CommandTest):
     def test_help(self):
         lines = []
         for words in ((), ("render",), ("check",), ("list",), ("info",), ("draw",),
-                      ("explain",), ("locate",)):
+                      ("explain",), ("locate",), ("rays",)):
             lines += command_lines(self.run_command(*words, "--help")[0])
         self.assertGreaterEqual(len(lines), 10)
         self.run_all(lines)

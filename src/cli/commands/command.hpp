@@ -16,6 +16,7 @@ namespace balcony::cli {
 /// else to standard error. With --json, a subcommand prints one JSON object with a list
 /// "diagnostics".
 void add_render_command(CLI::App& app, ExitCode& code);
+void add_rays_command(CLI::App& app, ExitCode& code);
 void add_check_command(CLI::App& app, ExitCode& code);
 void add_explain_command(CLI::App& app, ExitCode& code);
 void add_fmt_command(CLI::App& app, ExitCode& code);

@@ -115,13 +115,6 @@ std::vector<V3d> read_points(const LocateOptions& options, Diagnostics& usage, D
     return points;
 }
 
-std::optional<Axes> read_axes(const std::string& text, Diagnostics& diagnostics) {
-    if (!text.empty() && text != "y_up" && text != "z_up") {
-        refuse(diagnostics, "--axes", text, "write y_up or z_up");
-    }
-    return text.empty() ? std::nullopt : std::optional(text == "y_up" ? Axes::y_up : Axes::z_up);
-}
-
 // The points to locate and the positions found.
 struct Located {
     std::string camera;

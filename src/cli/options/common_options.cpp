@@ -119,6 +119,13 @@ void add_time_option(CLI::App& command, std::string& time) {
         ->capture_default_str();
 }
 
+std::optional<Axes> read_axes(const std::string& text, Diagnostics& diagnostics) {
+    if (!text.empty() && text != "y_up" && text != "z_up") {
+        refuse(diagnostics, "--axes", text, "write y_up or z_up");
+    }
+    return text.empty() ? std::nullopt : std::optional(text == "y_up" ? Axes::y_up : Axes::z_up);
+}
+
 void add_quiet_option(CLI::App& command, bool& quiet) {
     command.add_flag("-q,--quiet", quiet, "print only warnings and errors");
 }

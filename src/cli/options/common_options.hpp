@@ -45,6 +45,8 @@ void add_fit_option(CLI::App& command, SizeWords& words);
 
 /// Adds --time.
 void add_time_option(CLI::App& command, std::string& time);
+/// The value of --axes; nothing if it was not given.
+[[nodiscard]] std::optional<Axes> read_axes(const std::string& text, Diagnostics& diagnostics);
 /// Adds -q and --quiet.
 void add_quiet_option(CLI::App& command, bool& quiet);
 

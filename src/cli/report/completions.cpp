@@ -179,6 +179,12 @@ void add_axes(const Before&, Candidates& words) {
     words.add("z_up");
 }
 
+void add_number_formats(const Before&, Candidates& words) {
+    for (const char* name : {"text", "float", "double"}) {
+        words.add(name);
+    }
+}
+
 void add_maps(const Before&, Candidates& words) {
     for (const analyse::MapDescription& row : analyse::map_kinds()) {
         words.add(row.name);
@@ -219,6 +225,7 @@ constexpr std::array values{
     Values{"--shutter-shape", add_shutter_shapes},
     Values{"--axes", add_axes},
     Values{"--map", add_maps},
+    Values{"--format", add_number_formats},
     Values{"--background", add_backgrounds},
     Values{"WHAT", add_what_is_listed},
     Values{"--output", add_any_file},

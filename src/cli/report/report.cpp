@@ -44,8 +44,9 @@ void print_file(std::string_view text) {
     }
 }
 
-void print_bytes(std::span<const std::uint8_t> bytes) {
+bool print_bytes(std::span<const std::uint8_t> bytes) {
     write_output({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    return output_trouble == 0;
 }
 
 void print_json(const nlohmann::json& document) {

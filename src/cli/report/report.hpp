@@ -26,8 +26,8 @@ void print_result(std::string_view text);
 /// Writes the text of a file to standard output; unchanged unless that is a terminal.
 void print_file(std::string_view text);
 
-/// Writes the bytes of a file to standard output.
-void print_bytes(std::span<const std::uint8_t> bytes);
+/// Writes the bytes of a file to standard output; false if it did not take all that was written.
+bool print_bytes(std::span<const std::uint8_t> bytes);
 
 /// Writes a JSON document to standard output in ASCII. Replaces bytes that are not UTF-8.
 void print_json(const nlohmann::json& document);
