@@ -10,10 +10,11 @@
 namespace balcony::rays {
 
 /// How far the other ray is from an exact ray, in pixels: by how much the picture point of the
-/// exact ray must move so that its ray passes through the other ray's point at a distance from the
-/// origin, to first order. An infinite distance compares directions. The exact ray has its
-/// footprint; both are valid, with directions of unit length. Infinite where the footprint at this
-/// distance is a point but the rays differ.
+/// exact ray must move to get the other ray, to first order and by least squares, and what remains,
+/// in pixels too. Origins and directions count alike at a distance: a change of the origin by this
+/// length is as much as one radian. With an infinite distance directions alone count. The exact ray
+/// has its footprint; both are valid, with directions of unit length. Infinite where the footprint
+/// is a point but the rays differ.
 [[nodiscard]] double pixels_between(const Ray& exact, const Ray& other, double distance);
 
 }  // namespace balcony::rays

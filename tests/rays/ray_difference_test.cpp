@@ -43,20 +43,23 @@ TEST(RayDifference, IsTheDistanceOfThePicturePoints) {
     }
 }
 
-TEST(RayDifference, OfDirectionsIsWhatIsSeenFarAway) {
-    const auto [here, there] = neighbours("superelliptic", 1e-3, 2e-3);
-    EXPECT_NEAR(pixels_between(here, there, everywhere), pixels_between(here, there, 1e9), 1e-6);
-    const auto [left, right] = neighbours("orthographic", 1e-3, 0.0);
-    EXPECT_EQ(pixels_between(left, right, everywhere), 0.0) << "all directions are equal";
-    EXPECT_NEAR(pixels_between(left, right, 1.0), 1e-3, 1e-9);
+TEST(RayDifference, CountsWhatNoPointOfThePictureHas) {
+    // A pinhole's origin never moves: a tenth of the distance is as much as a tenth of a radian.
+    auto [here, there] = neighbours("pinhole", 0.0, 0.0);
+    there.origin += 5.0 * here.direction;
+    const double radians_per_pixel =
+        std::max(here.direction_by_x.length(), here.direction_by_y.length());
+    EXPECT_NEAR(pixels_between(here, there, 50.0), 0.1 / radians_per_pixel, 1e-9);
+    EXPECT_EQ(pixels_between(here, there, everywhere), 0.0);
 }
 
 TEST(RayDifference, IsInfiniteWhereAPixelIsAPoint) {
-    auto [here, there] = neighbours("pinhole", 0.0, 0.0);
-    EXPECT_EQ(pixels_between(here, there, 0.0), 0.0);
-    there.origin.x += 1.0;
-    there.origin.y += 1.0;
-    EXPECT_EQ(pixels_between(here, there, 0.0), everywhere);
+    const auto [left, right] = neighbours("orthographic", 1e-3, 0.0);
+    EXPECT_EQ(pixels_between(left, right, everywhere), 0.0) << "all directions are equal";
+    EXPECT_NEAR(pixels_between(left, right, 1.0), 1e-3, 1e-9);
+    auto turned = right;
+    turned.direction = -right.direction;
+    EXPECT_EQ(pixels_between(left, turned, everywhere), everywhere);
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ void add_fmt_command(CLI::App& app, ExitCode& code);
 void add_list_command(CLI::App& app, ExitCode& code);
 void add_locate_command(CLI::App& app, ExitCode& code);
 void add_draw_command(CLI::App& app, ExitCode& code);
+void add_export_command(CLI::App& app, ExitCode& code);
 void add_info_command(CLI::App& app, ExitCode& code);
 
 /// The body of such a function. `describe` adds the options, whose values it stores in an Options;

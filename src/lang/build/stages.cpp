@@ -104,7 +104,8 @@ StageBuilder::Stage StageBuilder::make_from_row(const StageEntry& row, const Arg
     if (!made) {
         return nullptr;
     }
-    written_[made->get()] = on_one_line(tree_.text(whole));
+    written_[made->get()] =
+        whole.begin == whole.end ? std::string(row.name) : on_one_line(tree_.text(whole));
     return *made;
 }
 

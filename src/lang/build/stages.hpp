@@ -43,7 +43,8 @@ public:
         const camera::StageEntry* row = camera::catalogue().find(camera::kind_of<Port>(), name);
         assert(row != nullptr);
         const std::optional<camera::Arguments> given = arguments(*row, values, span);
-        return given ? std::static_pointer_cast<const Port>(make_from_row(*row, *given, span, span))
+        return given ? std::static_pointer_cast<const Port>(
+                           make_from_row(*row, *given, span, values.empty() ? Span{} : span))
                      : nullptr;
     }
 
@@ -80,7 +81,7 @@ private:
     using Stage = std::shared_ptr<const camera::Stage>;
 
     Stage make_stage(camera::StageKind kind, ExpressionId call);
-    /// Problems are reported at `named`, a part of what the file writes.
+    /// Problems are reported at `named`. `whole` is what the file writes, nothing if it is implied.
     Stage make_from_row(const camera::StageEntry& row, const camera::Arguments& arguments,
                         Span named, Span whole);
     const camera::StageEntry* find_row(camera::StageKind kind, const Identifier& name);

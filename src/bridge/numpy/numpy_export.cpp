@@ -1,0 +1,230 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// A camera as one Python function that computes many rays at a time with NumPy.
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "bridge/text/c_like.hpp"
+#include "bridge/text/targets.hpp"
+
+namespace balcony::bridge {
+
+namespace {
+
+constexpr std::string_view minimum_helper =
+    "def _minimum(a, b):\n    return np.where(b < a, b, a)\n\n";
+constexpr std::string_view maximum_helper =
+    "def _maximum(a, b):\n    return np.where(a < b, b, a)\n\n";
+
+constexpr Spellings numpy_spellings{
+    structure(Op::constant),
+    structure(Op::input),
+    structure(Op::variable),
+    symbol(Op::negate, "-"),
+    symbol(Op::add, "+"),
+    symbol(Op::subtract, "-"),
+    symbol(Op::multiply, "*"),
+    symbol(Op::divide, "/"),
+    function(Op::modulo, "_modulo", "def _modulo(a, b):\n    return a - b * np.floor(a / b)\n\n"),
+    function(Op::minimum, "_minimum", minimum_helper),
+    function(Op::maximum, "_maximum", maximum_helper),
+    function(Op::absolute, "np.abs"),
+    function(Op::sign, "np.sign"),
+    function(Op::floor, "np.floor"),
+    function(Op::square_root, "np.sqrt"),
+    function(Op::power, "np.power"),
+    function(Op::exponential, "np.exp"),
+    function(Op::logarithm, "np.log"),
+    function(Op::sine, "np.sin"),
+    function(Op::cosine, "np.cos"),
+    function(Op::tangent, "np.tan"),
+    function(Op::arcsine, "np.arcsin"),
+    function(Op::arccosine, "np.arccos"),
+    function(Op::arctangent, "np.arctan"),
+    function(Op::arctangent2, "np.arctan2"),
+    function(Op::hyperbolic_sine, "np.sinh"),
+    function(Op::hyperbolic_cosine, "np.cosh"),
+    function(Op::hyperbolic_tangent, "np.tanh"),
+    function(Op::inverse_hyperbolic_sine, "np.arcsinh"),
+    function(Op::inverse_hyperbolic_cosine, "np.arccosh"),
+    function(Op::inverse_hyperbolic_tangent, "np.arctanh"),
+    symbol(Op::less, "<"),
+    symbol(Op::less_equal, "<="),
+    symbol(Op::equal, "=="),
+    symbol(Op::logical_and, "&"),
+    symbol(Op::logical_or, "|"),
+    function(Op::logical_not, "np.logical_not"),
+    function(Op::is_finite, "np.isfinite"),
+    function(Op::select, "np.where"),
+    structure(Op::call),
+    structure(Op::result),
+};
+static_assert(complete(numpy_spellings));
+
+// Looks into a table as expr::Table does, for arrays of positions.
+constexpr std::string_view lookup_helper = R"(
+def _lookup(coefficients, axes, *at):
+    """A piecewise polynomial over the cells of a box; axes: (first, last, cells, degree) each."""
+    cell, steps = 0, []
+    for (first, last, cells, _), a in zip(axes, at):
+        position = (a - first) * (cells / (last - first))
+        number = np.clip(np.nan_to_num(np.floor(position)), 0.0, cells - 1.0)
+        cell = cell * cells + number.astype(int)
+        steps.append(position - number)
+    values = coefficients.reshape([-1] + [degree + 1 for *_, degree in axes])[cell]
+    for step in reversed(steps):
+        step = step[(...,) + (np.newaxis,) * (values.ndim - 1 - np.ndim(step))]
+        value = values[..., -1]
+        for power in range(values.shape[-1] - 2, -1, -1):
+            value = value * step + values[..., power]
+        values = value
+    return values
+
+)";
+
+std::string number(double value) {
+    return std::isfinite(value) ? decimal(value)
+           : std::isnan(value)  ? "np.nan"
+           : value > 0.0        ? "np.inf"
+                                : "-np.inf";
+}
+
+const std::set<std::string_view> python_words{
+    "False",   "None",     "True",     "and",    "as",        "assert", "async",  "await",
+    "break",   "class",    "continue", "def",    "del",       "elif",   "else",   "except",
+    "finally", "for",      "from",     "global", "if",        "import", "in",     "is",
+    "lambda",  "nonlocal", "not",      "or",     "pass",      "raise",  "return", "try",
+    "while",   "with",     "yield",    "np",     "x",         "y",      "t",      "width",
+    "height",  "lens_x",   "lens_y",   "origin", "direction", "valid"};
+
+class NumpyExport {
+public:
+    NumpyExport(const ExportSource& source, const ExportOptions& options)
+        : source_(source),
+          axes_(options.axes.value_or(source.camera.parts().axes)),
+          name_(names_.unique(source.camera.name())) {
+        for (const ExportParameter& parameter : source.parameters) {
+            parameters_.push_back(names_.unique(parameter.name));
+        }
+    }
+
+    Result<std::string> run() {
+        const Result<CameraFormulas> formulas = formulas_of(source_.camera, {axes_, false});
+        if (!formulas) {
+            return formulas.diagnostics;
+        }
+        lens_ = formulas->lens;
+        const Dialect dialect{
+            numpy_spellings, number, "np.where({0}, 1.0, 0.0)", "(({0}) != 0.0)", {}};
+        const Listing listing =
+            listing_of(*formulas, dialect, names_, "_",
+                       [this](std::string_view input) { return input_text(input); });
+        std::string text = commented(opening_lines(source_), "#") + "\nimport numpy as np\n\n\n";
+        for (const std::string& helper : listing.helpers) {
+            text += helper + "\n";
+        }
+        return text + tables(listing) + function(listing);
+    }
+
+private:
+    [[nodiscard]] std::string input_text(std::string_view input) const {
+        for (std::size_t i = 0; i < parameters_.size(); ++i) {
+            if (source_.parameters[i].input == input) {
+                return parameters_[i];
+            }
+        }
+        return std::string(input);
+    }
+
+    // A table is an array of coefficients, and a function that looks into it.
+    [[nodiscard]] static std::string tables(const Listing& listing) {
+        std::string text(listing.tables.empty() ? "" : lookup_helper.substr(1));
+        for (const ListedTable& listed : listing.tables) {
+            std::string axes;
+            for (const expr::Table::Axis& axis : listed.table->axes) {
+                axes += fmt::format("({}, {}, {}, {}), ", number(axis.first), number(axis.last),
+                                    axis.cells, axis.degree);
+            }
+            std::vector<std::string> values;
+            for (const double value : listed.table->coefficients) {
+                values.push_back(number(value));
+            }
+            text += fmt::format(
+                "\n_coefficients{0} = np.array([{1}])\n\n\n"
+                "def {0}(*at):\n    return _lookup(_coefficients{0}, ({2}), *at)\n\n",
+                listed.name, wrapped(values, 4), axes);
+        }
+        return text.empty() ? text : text + "\n";
+    }
+
+    [[nodiscard]] std::string function(const Listing& listing) const {
+        std::string given = "x, y, width, height, t=0.0";
+        given += lens_ ? ", lens_x=0.0, lens_y=0.0" : "";
+        for (std::size_t i = 0; i < parameters_.size(); ++i) {
+            given += fmt::format(", {}={}", parameters_[i], number(source_.parameters[i].value));
+        }
+        std::string text = fmt::format(
+            "def {}_ray({}):\n"
+            "    \"\"\"The rays of points (x, y) of a picture of width x height pixels, at time "
+            "t.\n"
+            "\n"
+            "    x is to the right and y down from the top left corner, with pixel centres at .5; "
+            "both are\n"
+            "    numbers or arrays. Returns origins and unit directions, arrays of shape (..., 3), "
+            "and\n"
+            "    whether there is a ray. {}\n{}"
+            "    \"\"\"\n",
+            name_, given, world(axes_),
+            lens_ ? "    A ray passes the point (lens_x, lens_y) of the lens, each from -1 to 1.\n"
+                  : "");
+        text +=
+            "    x, y = np.broadcast_arrays(np.asarray(x, float), np.asarray(y, float))\n"
+            "    with np.errstate(all=\"ignore\"):\n";
+        for (const ListedSection& section : listing.sections) {
+            text += fmt::format("        # {}\n", comment_line(section.comment));
+            for (const ListedLine& line : section.lines) {
+                text += fmt::format("        {} = {}\n", line.name, line.text);
+            }
+            text += section.lines.empty() ? "" : "\n";
+        }
+        return text + vector(listing, "origin", CameraFormulas::origin) +
+               vector(listing, "direction", CameraFormulas::direction) +
+               fmt::format(
+                   "        valid = ({}) & np.ones(x.shape, bool)\n"
+                   "    return origin, direction, valid\n",
+                   listing.roots[CameraFormulas::valid].text);
+    }
+
+    [[nodiscard]] static std::string vector(const Listing& listing, std::string_view name,
+                                            std::size_t first) {
+        std::string text = fmt::format("        {} = np.stack(np.broadcast_arrays(\n", name);
+        for (std::size_t i = 0; i < 3; ++i) {
+            text += fmt::format("            {},\n", listing.roots[first + i].text);
+        }
+        return text + "            x)[:3], axis=-1)\n";
+    }
+
+    const ExportSource& source_;
+    const Axes axes_;
+    Names names_{python_words};
+    const std::string name_;
+    std::vector<std::string> parameters_;
+    bool lens_ = false;
+};
+
+Result<std::string> write_numpy(const ExportSource& source, const ExportOptions& options) {
+    return NumpyExport(source, options).run();
+}
+
+}  // namespace
+
+ExportTarget numpy_target() {
+    return {"numpy", "one Python function that computes many rays at a time with NumPy",
+            ".py",   false,
+            false,   write_numpy};
+}
+
+}  // namespace balcony::bridge

@@ -1,0 +1,138 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "bridge/text/c_like.hpp"
+
+#include <fmt/format.h>
+
+namespace balcony::bridge {
+
+namespace {
+
+using expr::Table;
+
+std::size_t coefficients_in_cell(const Table& table) {
+    std::size_t count = 1;
+    for (const Table::Axis& axis : table.axes) {
+        count *= axis.degree + 1;
+    }
+    return count;
+}
+
+// Along an axis: the number of the cell as k, and the position in it as s.
+std::string find_cell(const CLike& language, const Table::Axis& axis, std::size_t i) {
+    const auto cells = static_cast<double>(axis.cells);
+    std::string text =
+        fmt::format("    {0}{1} p{2} = (a{2} - {3}) * {4};\n", language.constant, language.real, i,
+                    language.number(axis.first), language.number(cells / (axis.last - axis.first)));
+    text += fmt::format("    {0}{1} f{2} = {3}(p{2});\n", language.constant, language.real, i,
+                        language.floor);
+    text += fmt::format("    {0}{1} k{2} = f{2} > {3} ? (f{2} < {4} ? f{2} : {4}) : {3};\n",
+                        language.constant, language.real, i, language.number(0.0),
+                        language.number(cells - 1.0));
+    return text +
+           fmt::format("    {0}{1} s{2} = p{2} - k{2};\n", language.constant, language.real, i);
+}
+
+// Horner's rule along each axis, the first one outermost.
+std::string horner(const CLike& language, const Table& table) {
+    std::string text;
+    std::string offset;
+    const std::size_t axes = table.axes.size();
+    for (std::size_t i = 0; i < axes; ++i) {
+        const std::string margin(4 * (i + 1), ' ');
+        const std::size_t degree = table.axes[i].degree;
+        text += fmt::format("{}{} v{} = {};\n", margin, language.real, i, language.number(0.0));
+        text +=
+            fmt::format("{0}for (int i{1} = {2}; i{1} >= 0; i{1} -= 1) {{\n", margin, i, degree);
+        offset = i == 0 ? "i0" : fmt::format("({}) * {} + i{}", offset, degree + 1, i);
+    }
+    for (std::size_t i = axes; i-- > 0;) {
+        const std::string margin(4 * (i + 2), ' ');
+        const std::string inner =
+            i + 1 == axes ? fmt::format("c[at + {}]", offset) : fmt::format("v{}", i + 1);
+        text += fmt::format("{0}v{1} = i{1} == {2} ? {3} : v{1} * s{1} + {3};\n", margin, i,
+                            table.axes[i].degree, inner);
+        text += fmt::format("{}}}\n", std::string(4 * (i + 1), ' '));
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string definitions(const CLike& language, const Listing& listing) {
+    std::string text;
+    bool above = true;  // There are lines above.
+    for (const ListedSection& section : listing.sections) {
+        text += fmt::format("{}    // {}\n", above ? "\n" : "", comment_line(section.comment));
+        above = !section.lines.empty();
+        for (const ListedLine& line : section.lines) {
+            text += fmt::format("    {}{} {} = {};\n", language.constant,
+                                line.condition ? language.condition : language.real, line.name,
+                                line.text);
+        }
+    }
+    return text;
+}
+
+std::string table_function(const CLike& language, const ListedTable& listed) {
+    const Table& table = *listed.table;
+    std::string parameters;
+    for (std::size_t i = 0; i < table.axes.size(); ++i) {
+        parameters += fmt::format("{}{} a{}", i == 0 ? "" : ", ", language.real, i);
+    }
+    std::vector<std::string> values;
+    for (const double value : table.coefficients) {
+        values.push_back(language.number(value));
+    }
+    std::string text =
+        fmt::format("{}{} {}({}) {{\n", language.local, language.real, listed.name, parameters);
+    text += "    " + language.array("c", values) + "\n";
+    std::string cell;
+    for (std::size_t i = 0; i < table.axes.size(); ++i) {
+        text += find_cell(language, table.axes[i], i);
+        const std::string k = filled(language.truncate, {fmt::format("k{}", i)});
+        cell = i == 0 ? k : fmt::format("({}) * {} + {}", cell, table.axes[i].cells, k);
+    }
+    text += fmt::format("    int at = ({}) * {};\n", cell, coefficients_in_cell(table));
+    return text + horner(language, table) + "    return v0;\n}\n";
+}
+
+std::vector<std::string> opening_lines(const ExportSource& source) {
+    std::vector<std::string> lines{
+        source.title.empty()
+            ? fmt::format("{}: an extended camera, exported by Balcony.", source.camera.name())
+            : fmt::format("{}: an extended camera, exported by Balcony from {}.",
+                          source.camera.name(), source.title)};
+    if (!source.comment.empty()) {
+        lines.emplace_back();
+        for (std::string& line : lines_of(source.comment)) {
+            lines.push_back(std::move(line));
+        }
+    }
+    return lines;
+}
+
+std::string world(Axes axes) {
+    return fmt::format("The world is right-handed, with {} up.", axes == Axes::z_up ? "z" : "y");
+}
+
+std::string commented(const std::vector<std::string>& lines, std::string_view mark) {
+    std::string text;
+    for (const std::string& line : lines) {
+        text += fmt::format("{}{}{}\n", mark, line.empty() ? "" : " ", comment_line(line));
+    }
+    return text;
+}
+
+std::vector<std::string> lines_of(std::string_view text) {
+    std::vector<std::string> lines;
+    while (!text.empty()) {
+        const std::size_t end = text.find('\n');
+        lines.emplace_back(text.substr(0, end));
+        text = end == std::string_view::npos ? std::string_view() : text.substr(end + 1);
+    }
+    return lines;
+}
+
+}  // namespace balcony::bridge

@@ -1,0 +1,47 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// What C and the languages that look like it share: definitions, sections with comments, and
+// functions that look into tables.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bridge/text/listing.hpp"
+
+namespace balcony::bridge {
+
+struct CLike {
+    std::string_view real;       ///< The type of numbers.
+    std::string_view condition;  ///< The type of conditions.
+    std::string_view constant;   ///< Before the type of what does not change: "const ".
+    std::string_view local;      ///< Before a function: "static ".
+    std::string_view floor;      ///< The function that rounds down.
+    std::string_view truncate;   ///< The whole part of a number as an integer: "(int){0}".
+    std::string (*number)(double value);
+    /// A constant array of numbers: a definition of some name with some values.
+    std::string (*array)(std::string_view name, const std::vector<std::string>& values);
+};
+
+/// The definitions of a listing, each on a line with a margin of four spaces; each section after
+/// its comment.
+[[nodiscard]] std::string definitions(const CLike& language, const Listing& listing);
+
+/// A function of the variables of a table that returns its value.
+[[nodiscard]] std::string table_function(const CLike& language, const ListedTable& table);
+
+/// What the text of every language says first: which camera it is, and what its author says.
+[[nodiscard]] std::vector<std::string> opening_lines(const ExportSource& source);
+/// One sentence about the axes of the rays.
+[[nodiscard]] std::string world(Axes axes);
+
+/// Lines that begin with the mark of a comment.
+[[nodiscard]] std::string commented(const std::vector<std::string>& lines,
+                                    std::string_view mark = "//");
+
+/// The lines of a text.
+[[nodiscard]] std::vector<std::string> lines_of(std::string_view text);
+
+}  // namespace balcony::bridge

@@ -1,0 +1,184 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "bridge/text/camera_formulas.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+namespace balcony::bridge {
+
+namespace {
+
+using camera::StageValues;
+using expr::Graph;
+using expr::NodeId;
+
+// The statement of a stage and the words for its port, which follow from its place in the camera
+// and from whether it is the first one there with values of its kind.
+struct Role {
+    std::string_view statement;
+    std::string_view port;
+};
+
+Role role_of(StageValues::Place place, bool point, bool first) {
+    if (place == StageValues::Place::look) {
+        return {"look", "direction rule"};
+    }
+    if (!point) {
+        return first ? Role{"map", "picture mapper"} : Role{"warp", "parameter transformer"};
+    }
+    const bool eye = place == StageValues::Place::eye;
+    return first ? Role{eye ? "eye" : "toward", "object generator"}
+                 : Role{"move", "object transformer"};
+}
+
+// u and v, eye_x, toward_u, look_z, ...; from the second stage on with its number.
+std::vector<std::string> names_of(StageValues::Place place, std::size_t count, std::size_t number) {
+    static constexpr std::array parameters{"u", "v"};
+    static constexpr std::array coordinates{"x", "y", "z"};
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < count; ++i) {
+        const char* axis = count == 2 ? parameters[i] : coordinates[i];
+        std::string name = place == StageValues::Place::look     ? fmt::format("look_{}", axis)
+                           : place == StageValues::Place::toward ? fmt::format("toward_{}", axis)
+                           : count == 2                          ? axis
+                                                                 : fmt::format("eye_{}", axis);
+        names.push_back(number == 1 ? name : fmt::format("{}_{}", name, number));
+    }
+    return names;
+}
+
+std::vector<StageFormulas> named_stages(const camera::Camera& camera,
+                                        const std::vector<StageValues>& stages) {
+    std::vector<StageFormulas> made;
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        const StageValues& stage = stages[i];
+        const auto same = [&](const StageValues& other) {
+            return other.place == stage.place && other.values.size() == stage.values.size();
+        };
+        const auto number = static_cast<std::size_t>(
+            1 +
+            std::count_if(stages.begin(), stages.begin() + static_cast<std::ptrdiff_t>(i), same));
+        const Role role = role_of(stage.place, stage.values.size() == 3, number == 1);
+        const auto& written = camera.parts().written;
+        const auto found = written.find(stage.stage);
+        std::string text = fmt::format("{} ({})", role.statement, role.port);
+        if (found != written.end()) {
+            text = found->second.starts_with("map ")
+                       ? found->second
+                       : fmt::format("{} {}", role.statement, found->second);
+        }
+        made.push_back({fmt::format("the {}", role.port), text, stage.values,
+                        names_of(stage.place, stage.values.size(), number)});
+    }
+    return made;
+}
+
+std::vector<Expr> roots_of(const camera::RayExpressions& central, Axes from,
+                           const FormulaRequest& request) {
+    const camera::RayExpressions ray = central.lens ? camera::through_lens(central) : central;
+    std::vector<Expr> roots;
+    const auto add = [&](const auto& vector) {
+        const auto v = turned(vector, from, request.axes);
+        roots.insert(roots.end(), {v.x, v.y, v.z});
+    };
+    add(ray.origin);
+    add(ray.direction);
+    roots.push_back(ray.valid);
+    if (request.footprints) {
+        const camera::RayFootprint slopes =
+            central.lens ? camera::footprint_through_lens(central) : camera::footprint(ray);
+        add(slopes.origin_by_x);
+        add(slopes.origin_by_y);
+        add(slopes.direction_by_x);
+        add(slopes.direction_by_y);
+    }
+    return roots;
+}
+
+// The stage in whose formulas a node first occurs; null for the ray itself.
+const StageFormulas* stage_with(const CameraFormulas& made, NodeId node) {
+    for (const StageFormulas& stage : made.stages) {
+        const std::vector<NodeId> nodes = expr::reachable(*made.graph, stage.values);
+        if (std::find(nodes.begin(), nodes.end(), node) != nodes.end()) {
+            return &stage;
+        }
+    }
+    return nullptr;
+}
+
+// What no formula can express: functions without one, and what only a scene knows.
+Diagnostics inexpressible(const CameraFormulas& made, const camera::Camera& camera) {
+    const Graph& graph = *made.graph;
+    for (const NodeId id : expr::reachable(graph, made.roots)) {
+        const expr::Node& node = graph[id];
+        if (node.op == Op::call && graph.call_of(id).native) {
+            const StageFormulas* stage = stage_with(made, id);
+            return {error(
+                fmt::format("'{}' of the camera '{}' cannot be exported: '{}' is a search in data, "
+                            "which has no formula",
+                            stage != nullptr ? stage->written : "a stage", camera.name(),
+                            graph.call_of(id).native->name()),
+                {},
+                "give the rays themselves to the other program with 'balcony rays', or replace "
+                "this object by a surface with a formula")};
+        }
+        if (node.op == Op::input) {
+            const std::string& name = graph.input_names()[node.detail];
+            if (name.starts_with("distance of ")) {
+                return {error(fmt::format("the lens of the camera '{}' cannot be exported: it "
+                                          "focuses on an object of a scene ({})",
+                                          camera.name(), name),
+                              camera.parts().lens_span,
+                              "focus at a distance or on a point: lens(0.1, focus = 5)")};
+            }
+        }
+    }
+    return {};
+}
+
+CameraFormulas emitted(const camera::Camera& camera, const FormulaRequest& request) {
+    CameraFormulas made;
+    made.graph = std::make_unique<Graph>();
+    Graph& graph = *made.graph;
+    const camera::PicturePoint picture{{graph.picture_x(), graph.picture_y()},
+                                       {graph.input(width_input), graph.input(height_input)}};
+    const camera::RayExpressions ray = camera.emit(picture);
+    made.lens = ray.lens.has_value();
+    made.stages = named_stages(camera, camera.emit_stages(picture));
+    std::vector<Expr> all = roots_of(ray, camera.parts().axes, request);
+    const std::size_t root_count = all.size();
+    for (const StageFormulas& stage : made.stages) {
+        all.insert(all.end(), stage.values.begin(), stage.values.end());
+    }
+    all = expr::simplify(all);
+    made.roots.assign(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(root_count));
+    std::size_t next = root_count;
+    for (StageFormulas& stage : made.stages) {
+        for (Expr& value : stage.values) {
+            value = all[next++];
+        }
+    }
+    return made;
+}
+
+}  // namespace
+
+Result<CameraFormulas> formulas_of(const camera::Camera& camera, const FormulaRequest& request) {
+    try {
+        CameraFormulas made = emitted(camera, request);
+        Diagnostics found = inexpressible(made, camera);
+        if (!found.empty()) {
+            return found;
+        }
+        return made;
+    } catch (const expr::GraphTooLarge&) {
+        return error(fmt::format("camera '{}' is too large to be exported", camera.name()), {},
+                     "repeat fewer stages, or give its rays with 'balcony rays'");
+    }
+}
+
+}  // namespace balcony::bridge

@@ -1,0 +1,59 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The formulas of a camera, ready to be written in another language.
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "balcony/export.hpp"
+
+namespace balcony::bridge {
+
+using expr::Expr;
+using expr::Op;
+
+/// The inputs beside x, y and t: the size of the picture in pixels.
+inline constexpr std::string_view width_input = "width";
+inline constexpr std::string_view height_input = "height";
+
+/// A stage with what it computes.
+struct StageFormulas {
+    std::string name;                ///< In words: "warp zoom".
+    std::string written;             ///< As the camera's file has it: "warp zoom(at = (1, 0))".
+    std::vector<Expr> values;        ///< Two or three, simplified.
+    std::vector<std::string> names;  ///< Of the values: "u", "v".
+};
+
+struct CameraFormulas {
+    // The roots in their order.
+    static constexpr std::size_t origin = 0;
+    static constexpr std::size_t direction = 3;
+    static constexpr std::size_t valid = 6;
+    static constexpr std::size_t origin_by_x = 7;
+    static constexpr std::size_t origin_by_y = 10;
+    static constexpr std::size_t direction_by_x = 13;
+    static constexpr std::size_t direction_by_y = 16;
+
+    std::unique_ptr<expr::Graph> graph;
+    std::vector<StageFormulas> stages;
+    /// Simplified; the last twelve are there if they were requested.
+    std::vector<Expr> roots;
+    bool lens = false;  ///< The ray depends on the inputs of a lens.
+};
+
+struct FormulaRequest {
+    Axes axes = Axes::z_up;
+    bool footprints = false;
+};
+
+/// The formulas of a camera in a picture of any size. An error if they are too large, if they need
+/// a scene, or if a stage has no formula.
+[[nodiscard]] Result<CameraFormulas> formulas_of(const camera::Camera& camera,
+                                                 const FormulaRequest& request);
+
+}  // namespace balcony::bridge

@@ -1,0 +1,320 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "balcony/export.hpp"
+#include "balcony/lang.hpp"
+#include "balcony/output_file.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/options/camera_argument.hpp"
+#include "cli/options/common_options.hpp"
+#include "cli/options/option_values.hpp"
+#include "cli/report/json.hpp"
+#include "cli/report/report.hpp"
+
+namespace balcony::cli {
+
+namespace {
+
+using bridge::ExportTarget;
+
+struct CameraExportOptions {
+    std::string camera;
+    std::string to;
+    std::string output;
+    std::vector<std::string> set;
+    std::string parameters = "auto";
+    std::string precision = "double";
+    std::string axes = "auto";
+    SizeWords size;
+    bool quiet = false;
+    bool json = false;
+};
+
+std::vector<std::string> target_names() {
+    std::vector<std::string> names;
+    for (const ExportTarget& target : bridge::export_targets()) {
+        names.emplace_back(target.name);
+    }
+    return names;
+}
+
+// The target of --to, or else the one whose files end as the output does.
+const ExportTarget* chosen_target(const CameraExportOptions& options, Diagnostics& diagnostics) {
+    if (!options.to.empty()) {
+        check_name("--to", options.to, target_names(), diagnostics);
+        return bridge::find_export_target(options.to);
+    }
+    for (const ExportTarget& target : bridge::export_targets()) {
+        if (!options.output.empty() && ending_of(options.output) == target.ending) {
+            return &target;
+        }
+    }
+    diagnostics.push_back(
+        error("what the camera is exported to is not known", {},
+              fmt::format("add --to and one of {}", fmt::join(target_names(), ", "))));
+    return nullptr;
+}
+
+bridge::ExportOptions read_export(const CameraExportOptions& options, const ExportTarget* target,
+                                  Diagnostics& diagnostics) {
+    bridge::ExportOptions made;
+    if (options.precision != "double" && options.precision != "single") {
+        refuse(diagnostics, "--precision", options.precision, "give single or double");
+    }
+    made.single = options.precision == "single" || (target != nullptr && target->always_single);
+    if (options.axes == "z_up" || options.axes == "y_up") {
+        made.axes = options.axes == "y_up" ? Axes::y_up : Axes::z_up;
+    } else if (options.axes != "auto") {
+        refuse(diagnostics, "--axes", options.axes, "give z_up or y_up");
+    }
+    return made;
+}
+
+// The parameters that stay open; nothing for all of them.
+std::optional<std::vector<std::string>> open_names(const CameraExportOptions& options,
+                                                   const ExportTarget& target) {
+    const bool all =
+        options.parameters == "all" || (options.parameters == "auto" && target.opens_parameters);
+    if (all) {
+        return std::nullopt;
+    }
+    std::vector<std::string> names;
+    if (options.parameters == "auto" || options.parameters == "none") {
+        return names;
+    }
+    std::string_view rest = options.parameters;
+    while (!rest.empty()) {
+        const std::size_t comma = rest.find(',');
+        names.emplace_back(rest.substr(0, comma));
+        rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 1);
+    }
+    return names;
+}
+
+std::string comment_of(lang::Workspace& workspace, const CameraArgument& wanted,
+                       const std::string& camera) {
+    const auto described = workspace.describe(wanted.file);
+    if (described) {
+        for (const lang::Description& description : *described) {
+            if (description.name == camera) {
+                return description.comment;
+            }
+        }
+    }
+    return {};
+}
+
+std::string title_of(const CameraExportOptions& options) {
+    std::string title = options.camera;
+    for (const std::string& value : options.set) {
+        title += " --set " + value;
+    }
+    return title;
+}
+
+struct ReadyCamera {
+    bridge::ExportSource source;
+    std::vector<std::string> closed;
+};
+
+Result<ReadyCamera> load(const CameraExportOptions& options, const ExportTarget& target) {
+    const Result<CameraArgument> wanted = read_camera(options.camera, options.set);
+    if (!wanted) {
+        return wanted.diagnostics;
+    }
+    lang::Workspace workspace;
+    Result<lang::OpenCamera> opened = workspace.make_open_camera(
+        wanted->file, wanted->name, wanted->overrides, open_names(options, target));
+    if (!opened) {
+        return std::move(opened.diagnostics);
+    }
+    ReadyCamera made{{opened->camera,
+                      {},
+                      title_of(options),
+                      comment_of(workspace, *wanted, opened->camera.name())},
+                     std::move(opened->closed)};
+    for (const lang::OpenParameter& parameter : opened->open) {
+        made.source.parameters.push_back({parameter.name, lang::parameter_input(parameter.name),
+                                          parameter.written, parameter.value, parameter.is_angle});
+    }
+    if (opened->camera.parts().time) {
+        opened.diagnostics.push_back(
+            warning(fmt::format("the rays of the camera '{}' have times of their own, which other "
+                                "programs do not know",
+                                opened->camera.name()),
+                    {}, "all of a picture is seen at the time of that program"));
+    }
+    return {std::move(made), std::move(opened.diagnostics)};
+}
+
+constexpr double visible = 0.1;  // Pixels.
+
+void judge(const bridge::SinglePrecision& found, Diagnostics& diagnostics) {
+    if (found.largest > visible) {
+        diagnostics.push_back(warning(
+            fmt::format("in single precision, rays move by up to {:.2g} pixels (at x = {}, y = {}; "
+                        "99 % move by less than {:.2g})",
+                        found.largest, found.x, found.y, found.usual),
+            {},
+            "move the camera's world closer to the origin, or use a target with double "
+            "precision"));
+    }
+    if (found.lost > 0) {
+        diagnostics.push_back(warning(fmt::format(
+            "in single precision, {} of {} rays are there that are not in double precision, or the "
+            "other way round",
+            found.lost, found.rays)));
+    }
+}
+
+nlohmann::json precision_json(const bridge::SinglePrecision& found) {
+    return {{"rays", found.rays},        {"lost", found.lost}, {"largest_pixels", found.largest},
+            {"p99_pixels", found.usual}, {"x", found.x},       {"y", found.y}};
+}
+
+struct ExportOutcome {
+    ExitCode code = ExitCode::done;
+    Diagnostics diagnostics{};
+    std::string text{};
+    std::string facts{};  // For a person.
+    nlohmann::json document = nlohmann::json::object();
+
+    /// Takes diagnostics over; false if there is an error among them.
+    bool accept(const Diagnostics& found, ExitCode code_of_errors) {
+        diagnostics.insert(diagnostics.end(), found.begin(), found.end());
+        code = has_errors(found) ? code_of_errors : code;
+        return !has_errors(found);
+    }
+};
+
+void make_text(const CameraExportOptions& options, const ExportTarget& target,
+               const bridge::ExportOptions& wanted, const PictureSize& size, ExportOutcome& made) {
+    const Result<ReadyCamera> ready = load(options, target);
+    if (!made.accept(ready.diagnostics, ExitCode::bad_input)) {
+        return;
+    }
+    const Result<std::string> text = target.write(ready->source, wanted);
+    if (!made.accept(text.diagnostics, ExitCode::bad_input)) {
+        return;
+    }
+    made.text = *text;
+    nlohmann::json open = nlohmann::json::array();
+    for (const bridge::ExportParameter& parameter : ready->source.parameters) {
+        open.push_back(parameter.name);
+    }
+    made.document["parameters"] = {{"open", open}, {"closed", ready->closed}};
+    if (wanted.single) {
+        const auto [width, height] = size.resolve(ready->source.camera.parts().aspect);
+        const auto found = bridge::measure_single_precision(ready->source, width, height);
+        if (made.accept(found.diagnostics, ExitCode::bad_input)) {
+            judge(*found, made.diagnostics);
+            made.document["single_precision"] = precision_json(*found);
+            made.facts = fmt::format("; single precision moves rays by {:.1g} pixels at most",
+                                     found->largest);
+        }
+    }
+}
+
+ExportOutcome make_export(const CameraExportOptions& options) {
+    ExportOutcome made;
+    Diagnostics usage;
+    const ExportTarget* target = chosen_target(options, usage);
+    const bridge::ExportOptions wanted = read_export(options, target, usage);
+    const PictureSize size = read_size(options.size, usage);
+    if (!made.accept(usage, ExitCode::wrong_usage)) {
+        return made;
+    }
+    made.document["target"] = target->name;
+    if (!options.output.empty() &&
+        !made.accept(OutputFile::check(options.output), ExitCode::environment)) {
+        return made;
+    }
+    make_text(options, *target, wanted, size, made);
+    if (made.code == ExitCode::done && !options.output.empty()) {
+        made.accept(write_whole(options.output, made.text), ExitCode::environment);
+    }
+    return made;
+}
+
+ExitCode export_camera(const CameraExportOptions& options) {
+    ExportOutcome made = make_export(options);
+    const bool done = made.code == ExitCode::done;
+    if (options.json) {
+        made.document["diagnostics"] = to_json(made.diagnostics);
+        made.document["output"] = nullptr;
+        if (done && options.output.empty()) {
+            made.document["text"] = made.text;
+        } else if (done) {
+            made.document["output"] = options.output;
+        }
+        print_json(made.document);
+        return made.code;
+    }
+    report(made.diagnostics);
+    if (done && options.output.empty()) {
+        print_file(made.text);
+    } else if (done && !options.quiet) {
+        print_result(fmt::format("{}: exported{}\n", printable(options.output), made.facts));
+    }
+    return made.code;
+}
+
+std::string target_list() {
+    std::string text;
+    for (const ExportTarget& target : bridge::export_targets()) {
+        text += fmt::format("  {:<8}{}\n", target.name, target.meaning);
+    }
+    return text;
+}
+
+}  // namespace
+
+void add_export_command(CLI::App& app, ExitCode& code) {
+    const auto describe = [](CLI::App& command, CameraExportOptions& options) {
+        add_camera_option(command, options.camera);
+        command
+            .add_option("--to", options.to,
+                        fmt::format("the language, one of {}; without it, that of the output file",
+                                    fmt::join(target_names(), ", ")))
+            ->type_name("LANGUAGE");
+        command
+            .add_option("-o,--output", options.output,
+                        "output file; without it, the text goes to standard output")
+            ->type_name("FILE");
+        add_set_option(command, options.set);
+        command
+            .add_option("--parameters", options.parameters,
+                        "the camera's parameters that stay open: all, none, or names with commas "
+                        "between them (default: what suits the language)")
+            ->type_name("NAMES");
+        command
+            .add_option("--precision", options.precision, "single or double, where both exist (c)")
+            ->type_name("PRECISION")
+            ->capture_default_str();
+        command
+            .add_option("--axes", options.axes,
+                        "the world of the rays: z_up or y_up (default: the camera's own)")
+            ->type_name("AXES");
+        add_size_options(command, options.size,
+                         "size in pixels of the picture that single precision is judged in; the "
+                         "text is good for any size");
+        add_quiet_option(command, options.quiet);
+        command.add_flag("--json", options.json, "print file name, facts and diagnostics as JSON");
+        command.footer("Languages:\n" + target_list() +
+                       "\nExamples:\n"
+                       "  balcony export superelliptic --to c -o superelliptic.c\n"
+                       "  balcony export my.cam:closeup --set gamma=1/2 -o closeup.py\n"
+                       "  balcony export my.cam --to c --precision single --parameters all");
+    };
+    add_command<CameraExportOptions>(app, code, "export",
+                                     "writes a camera as a function or shader of another language",
+                                     export_camera, describe);
+}
+
+}  // namespace balcony::cli
