@@ -85,6 +85,7 @@ ExitCode run(CLI::App& app, int argc, char** argv) {
     cli::add_draw_command(app, code);
     cli::add_rays_command(app, code);
     cli::add_export_command(app, code);
+    cli::add_pov_command(app, code);
     // Looked up before the command line is parsed, since parsing may fail.
     const bool as_json = std::any_of(
         argv, argv + argc, [](const char* word) { return std::string_view(word) == "--json"; });

@@ -25,6 +25,7 @@ void add_locate_command(CLI::App& app, ExitCode& code);
 void add_draw_command(CLI::App& app, ExitCode& code);
 void add_export_command(CLI::App& app, ExitCode& code);
 void add_info_command(CLI::App& app, ExitCode& code);
+void add_pov_command(CLI::App& app, ExitCode& code);
 
 /// The body of such a function. `describe` adds the options, whose values it stores in an Options;
 /// `run` is the subcommand.

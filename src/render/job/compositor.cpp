@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "render/job/layer_weights.hpp"
+#include "render/job/point_blender.hpp"
 
 namespace balcony::render {
 
@@ -23,45 +24,6 @@ Mask both(Mask a, const Mask& b) {
     std::transform(a.begin(), a.end(), b.begin(), a.begin(), std::bit_and<>());
     return a;
 }
-
-// Composites all elements at a point, from back to front.
-class Blender {
-public:
-    Blender(const TileCoverages& coverages, const std::vector<std::vector<Drawn>>& layers)
-        : coverages_(coverages), layers_(layers) {}
-
-    [[nodiscard]] Drawn operator()(const std::vector<rays::CompiledPicture::Element>& elements,
-                                   std::size_t i) const {
-        Drawn all;
-        bool over_nothing = true;
-        for (const rays::CompiledPicture::Element& element : elements) {
-            const float part = coverages_.coverage(element, i);
-            if (part <= 0.0F) {
-                continue;
-            }
-            const bool hides = part >= 1.0F && element.blend == camera::BlendMode::normal;
-            all = over_nothing && hides ? source(element, i)
-                                        : composed(all, source(element, i), part, element.blend);
-            over_nothing = false;
-        }
-        return all;
-    }
-
-private:
-    [[nodiscard]] Drawn source(const rays::CompiledPicture::Element& element, std::size_t i) const {
-        if (!element.group.empty()) {
-            return (*this)(element.group, i);
-        }
-        if (element.paint) {
-            return {Color4f(0.0F), coverages_.paint(*element.paint, i), Color4f(0.0F), 1.0F};
-        }
-        const std::vector<Drawn>& layer = layers_[*element.layer];
-        return layer.empty() ? Drawn{} : layer[i];
-    }
-
-    const TileCoverages& coverages_;
-    const std::vector<std::vector<Drawn>>& layers_;
-};
 
 }  // namespace
 
@@ -141,7 +103,7 @@ void Compositor::sample_all(const TilePoints& points, const Region& counted, con
                   wanted.contributions ? picture_->layers().size() : 0)};
     Veil veil{Mask(size, 0), std::vector<float>(size, 1.0F)};
     trace(picture_->elements(), veil, work);
-    const Blender blend(work.coverages, work.layers);
+    const PointBlender blend(work.coverages, work.layers);
     image_.light.reserve(size);
     image_.display.reserve(wanted.display ? size : 0);
     image_.mirrored.reserve(wanted.mirrored ? size : 0);

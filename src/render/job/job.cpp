@@ -21,6 +21,7 @@
 #include "render/job/ambient.hpp"
 #include "render/job/fork_and_join.hpp"
 #include "render/job/lighting.hpp"
+#include "render/job/point_blender.hpp"
 #include "render/job/renderer_state.hpp"
 #include "render/job/stopwatch.hpp"
 #include "render/job/tile_worker.hpp"
@@ -231,12 +232,6 @@ private:
     std::mutex progress_mutex_;
     std::size_t tiles_done_ = 0;
 };
-
-// Whether frames or lines are drawn.
-bool paints(const std::vector<rays::CompiledPicture::Element>& elements) {
-    return std::any_of(elements.begin(), elements.end(),
-                       [](const auto& element) { return element.paint || paints(element.group); });
-}
 
 // The motion of what is seen, if the film has a layer for it. All data are of pass 0.
 std::shared_ptr<const FrameMotion> motion_of(const TracedScene& traced,

@@ -31,11 +31,17 @@ TileCoverages PictureRays::coverages(const rays::Tile& points) {
 }
 
 void PictureRays::find_rays(std::size_t layer, const rays::Tile& points, TileRays& rays) {
+    find_batch(layer, points, rays);
+    const Stopwatch watch;
+    set_single_rays(rays);
+    seconds_ += watch.seconds();
+}
+
+void PictureRays::find_batch(std::size_t layer, const rays::Tile& points, TileRays& rays) {
     const Stopwatch watch;
     lens_.set_middle(points.width * points.height);
     rays.through_lens = false;
     run(layer, points, rays);
-    set_single_rays(rays);
     seconds_ += watch.seconds();
 }
 

@@ -64,6 +64,8 @@ public:
     }
     /// The central rays. Fills `rays`, whose memory is used again.
     void find_rays(std::size_t layer, const rays::Tile& points, TileRays& rays);
+    /// The same rays, but only `all` and `time`.
+    void find_batch(std::size_t layer, const rays::Tile& points, TileRays& rays);
     /// The rays through the lens, if the layer has one, for the samples of a pass.
     void find_rays_of_pass(std::size_t layer, const rays::Tile& points, const Region& region,
                            const PassNumbers& numbers, TileRays& rays);

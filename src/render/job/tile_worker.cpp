@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "render/job/adaptive.hpp"
+#include "render/job/pass_grid.hpp"
 #include "render/job/stopwatch.hpp"
 
 namespace balcony::render {
@@ -28,21 +29,11 @@ Region traced_part(const Region& tile, const Region& window) {
     return {x, y, width, height};
 }
 
-// Samples that the filter puts beyond the picture are moved to its border, because the camera may
-// see something else or be undefined there; just inside, for cameras that end at the border.
 TilePoints points_of(const Region& region, std::size_t pass, const Imath::V2d& offset,
                      const Film& film, const Settings& settings) {
-    constexpr double just_inside = 1e-6;
-    const auto limits = [](std::size_t extent) {
-        return rays::Tile::Limits{just_inside, static_cast<double>(extent) - just_inside};
-    };
-    return {region,
-            pass,
-            PassNumbers(pass, settings.sampling.seed),
-            {static_cast<double>(region.x) + 0.5 + offset.x,
-             static_cast<double>(region.y) + 0.5 + offset.y, 1.0, region.width, region.height,
-             settings.shutter.moment(settings.time, pass_moment(pass)), limits(film.width),
-             limits(film.height)}};
+    return {region, pass, PassNumbers(pass, settings.sampling.seed),
+            pass_grid(region, offset, film.width, film.height,
+                      settings.shutter.moment(settings.time, pass_moment(pass)))};
 }
 
 }  // namespace
