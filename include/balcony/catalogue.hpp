@@ -94,6 +94,15 @@ struct TexturedMesh {
     std::vector<std::array<Corner, 3>> triangles{};
 };
 
+/// A map over a picture, such as that of the rays of its pixels: some numbers for each pixel, row
+/// by row from the top left.
+struct PixelMap {
+    std::size_t width = 0;
+    std::size_t height = 0;
+    std::vector<std::vector<double>> channels{};  ///< Finite where valid.
+    std::vector<std::uint8_t> valid{};            ///< 1 where the pixel has numbers.
+};
+
 // ---------------------------------------------------------------------- parameters of stages
 // What a parameter takes is one of the types that follow. Without a default value it must be given,
 // unless it is optional.
@@ -172,9 +181,19 @@ struct ImageParameter {};
 /// A TexturedMesh: "vase.obj".
 struct MeshParameter {};
 
-using ParameterType = std::variant<NumberParameter, CountParameter, PairParameter, TripleParameter,
-                                   ChoiceParameter, PointsParameter, NestedStageParameter,
-                                   FormulaParameter, NameParameter, ImageParameter, MeshParameter>;
+/// A PixelMap of rays, origin and direction in six channels, or of positions in another picture:
+/// s from its left to its right side and t from its bottom to its top. "rays.exr".
+struct MapParameter {
+    enum class Content : std::uint8_t { rays, positions };
+    Content content = Content::rays;
+
+    [[nodiscard]] std::size_t channels() const { return content == Content::rays ? 6 : 2; }
+};
+
+using ParameterType =
+    std::variant<NumberParameter, CountParameter, PairParameter, TripleParameter, ChoiceParameter,
+                 PointsParameter, NestedStageParameter, FormulaParameter, NameParameter,
+                 ImageParameter, MeshParameter, MapParameter>;
 
 struct StageParameter {
     std::string_view name;
@@ -193,9 +212,10 @@ struct StageParameter {
 class Arguments {
 public:
     using StagePointer = std::shared_ptr<const Stage>;
-    using Value = std::variant<std::vector<Scalar>, std::string, PointList, StagePointer,
-                               std::vector<StagePointer>, Formula, std::shared_ptr<const GreyImage>,
-                               std::shared_ptr<const TexturedMesh>>;
+    using Value =
+        std::variant<std::vector<Scalar>, std::string, PointList, StagePointer,
+                     std::vector<StagePointer>, Formula, std::shared_ptr<const GreyImage>,
+                     std::shared_ptr<const TexturedMesh>, std::shared_ptr<const PixelMap>>;
 
     /// Replaces an earlier value; the name must outlive this object, as a row's does.
     void set(std::string_view name, Value value);
@@ -230,6 +250,7 @@ public:
     [[nodiscard]] const Formula& formula(std::string_view name) const;
     [[nodiscard]] const std::shared_ptr<const GreyImage>& image(std::string_view name) const;
     [[nodiscard]] const std::shared_ptr<const TexturedMesh>& mesh(std::string_view name) const;
+    [[nodiscard]] const PixelMap& map(std::string_view name) const;
     /// The formula of a stage that is itself a formula.
     [[nodiscard]] const Formula& formula() const { return *formula_; }
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Data: files that a camera file names in quotation marks: tables of numbers, grey images, meshes.
+// Data: files that a camera file names in quotation marks: tables of numbers, grey images, meshes,
+// maps of rays and of picture positions.
 //
 // Limits prevent a wrong file from filling the memory; a file beyond a limit is an error.
 
@@ -21,11 +22,12 @@
 
 namespace balcony::data {
 
-inline constexpr std::size_t max_table = 16'000'000;       ///< Bytes.
-inline constexpr std::size_t max_numbers = 262'144;        ///< Of a table.
-inline constexpr std::size_t max_pixels = 16'777'216;      ///< Of an image.
-inline constexpr std::size_t max_mesh_file = 500'000'000;  ///< Bytes.
-inline constexpr std::size_t max_triangles = 5'000'000;    ///< Of a mesh.
+inline constexpr std::size_t max_table = 16'000'000;        ///< Bytes.
+inline constexpr std::size_t max_numbers = 262'144;         ///< Of a table.
+inline constexpr std::size_t max_pixels = 16'777'216;       ///< Of an image.
+inline constexpr std::size_t max_map_file = 1'500'000'000;  ///< Bytes.
+inline constexpr std::size_t max_mesh_file = 500'000'000;   ///< Bytes.
+inline constexpr std::size_t max_triangles = 5'000'000;     ///< Of a mesh.
 
 /// A file on the disk, or one whose bytes are in memory: one that comes with Balcony, or what was
 /// read from standard input.
@@ -80,5 +82,17 @@ struct NumberTable {
 /// up. u and v are the texture coordinates, with v from the bottom of the image to its top.
 /// Triangles without an area in space or in texture coordinates are skipped with a warning.
 [[nodiscard]] Result<std::shared_ptr<const camera::TexturedMesh>> read_mesh(const File& file);
+
+/// Reads a ray map as `balcony rays` writes it or as another program does: an EXR file with the
+/// channels origin.X, .Y, .Z and direction.X, .Y, .Z, or an array for NumPy (.npy) of the shape
+/// (height, width, 6 or more) with these numbers in front. Where valid.A, or the seventh number of
+/// an array, is not above one half, and where the direction is 0, there is no ray. Other channels
+/// are ignored. A number that is not finite is an error where there is a ray.
+[[nodiscard]] Result<std::shared_ptr<const camera::PixelMap>> read_ray_map(const File& file);
+
+/// Reads an STMap, an image whose red is s and whose green is t: a position in another picture,
+/// from (0, 0) at its bottom left to (1, 1) at its top right. Where there is an alpha channel and
+/// it is not above one half, there is no position.
+[[nodiscard]] Result<std::shared_ptr<const camera::PixelMap>> read_st_map(const File& file);
 
 }  // namespace balcony::data

@@ -43,6 +43,7 @@ std::string described(const ArgumentValue& given) {
         std::string operator()(const std::shared_ptr<const TexturedMesh>&) const {
             return "a mesh";
         }
+        std::string operator()(const std::shared_ptr<const PixelMap>&) const { return "a map"; }
         std::string operator()(const Unsuitable& other) const { return other.what; }
         std::string operator()(const Failed&) const { return {}; }
     };
@@ -305,6 +306,26 @@ void Binder::set(const NameParameter&) {
 void Binder::set(const ImageParameter&) { set_file<GreyImage>("an image", "mask.png"); }
 
 void Binder::set(const MeshParameter&) { set_file<TexturedMesh>("a mesh", "vase.obj"); }
+
+void Binder::set(const MapParameter& type) {
+    const bool rays = type.content == MapParameter::Content::rays;
+    const auto* map = given<std::shared_ptr<const PixelMap>>();
+    if (map != nullptr && *map != nullptr && !fits(**map, type.channels())) {
+        report(Kind::wrong_form,
+               fmt::format("{} takes a map with {} channels", what(), type.channels()),
+               "give each channel and `valid` a value for each pixel");
+        return;
+    }
+    set_file<PixelMap>(rays ? "a ray map" : "an STMap", rays ? "rays.exr" : "lens.exr");
+}
+
+// A map may come from a program.
+bool Binder::fits(const PixelMap& map, std::size_t channels) {
+    const std::size_t size = map.width * map.height;
+    return size > 0 && map.valid.size() == size && map.channels.size() == channels &&
+           std::all_of(map.channels.begin(), map.channels.end(),
+                       [size](const auto& channel) { return channel.size() == size; });
+}
 
 Quantity degrees(double number) {
     return {Scalar(number * (std::numbers::pi / 180.0)), Dimension::angle};

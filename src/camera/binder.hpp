@@ -82,6 +82,8 @@ private:
     void set(const NameParameter&);
     void set(const ImageParameter&);
     void set(const MeshParameter&);
+    void set(const MapParameter& type);
+    [[nodiscard]] static bool fits(const PixelMap& map, std::size_t channels);
     template <class Data>
     void set_file(std::string_view noun, std::string_view example);
 

@@ -145,6 +145,7 @@ struct Contradiction {
     std::string operator()(const NameParameter&) const { return {}; }
     std::string operator()(const ImageParameter&) const { return {}; }
     std::string operator()(const MeshParameter&) const { return {}; }
+    std::string operator()(const MapParameter&) const { return {}; }
 
     static std::string of(const FormulaShape& shape) {
         return shape.min_results >= 1 && shape.min_results <= shape.max_results
@@ -312,6 +313,10 @@ const std::shared_ptr<const GreyImage>& Arguments::image(std::string_view name) 
 
 const std::shared_ptr<const TexturedMesh>& Arguments::mesh(std::string_view name) const {
     return std::get<std::shared_ptr<const TexturedMesh>>(value(name));
+}
+
+const PixelMap& Arguments::map(std::string_view name) const {
+    return *std::get<std::shared_ptr<const PixelMap>>(value(name));
 }
 
 }  // namespace balcony::camera

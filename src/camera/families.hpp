@@ -56,6 +56,8 @@ Result<std::shared_ptr<const Stage>> as_stage(Result<std::shared_ptr<const Port>
 [[nodiscard]] std::vector<StageEntry> sweeps();
 [[nodiscard]] std::vector<StageEntry> formula_objects();
 [[nodiscard]] std::vector<StageEntry> mesh_surface();
+[[nodiscard]] std::vector<StageEntry> ray_maps();
+[[nodiscard]] std::vector<StageEntry> st_maps();
 [[nodiscard]] std::vector<StageEntry> object_affine();
 [[nodiscard]] std::vector<StageEntry> parallel_surface();
 [[nodiscard]] std::vector<StageEntry> normal_rule();
@@ -89,6 +91,7 @@ inline constexpr auto families = {
     sweeps,
     formula_objects,
     mesh_surface,
+    ray_maps,
     object_affine,
     parallel_surface,
     normal_rule,
@@ -105,6 +108,7 @@ inline constexpr auto families = {
     grids,
     seed_warps,
     line_pair_warp,
+    st_maps,
 };
 
 }  // namespace balcony::camera

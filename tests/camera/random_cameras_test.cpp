@@ -120,7 +120,8 @@ TEST(RandomCameras, WhereThereIsARayItIsFiniteAndOfUnitDirection) {
             }
         }
     }
-    EXPECT_GT(rays_seen, 2 * without);
+    // Many rays fall beside the maps, which have rays in a box alone.
+    EXPECT_GT(rays_seen, without);
     EXPECT_GT(without, 0U);
 }
 

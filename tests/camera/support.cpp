@@ -88,6 +88,21 @@ Formula some_formula(const FormulaShape& shape) {
 }
 
 // The default value of a parameter, or one that its maker takes.
+// Channel k is 0.2 k + x or, for odd k, 0.2 k + y, with x and y from 0 to 1.
+std::shared_ptr<const PixelMap> some_map(const MapParameter& type) {
+    PixelMap map{4, 3, {}, std::vector<std::uint8_t>(12, 1)};
+    for (std::size_t k = 0; k < type.channels(); ++k) {
+        std::vector<double>& channel = map.channels.emplace_back();
+        for (std::size_t i = 0; i < 12; ++i) {
+            const double x = (static_cast<double>(i % 4) + 0.5) / 4.0;
+            const double y = 1.0 - (static_cast<double>(i / 4) + 0.5) / 3.0;
+            const double number = static_cast<double>(k);
+            channel.push_back(0.2 * number + (k % 2 == 0 ? x : y));
+        }
+    }
+    return std::make_shared<const PixelMap>(std::move(map));
+}
+
 struct SomeValue {
     Arguments::Value operator()(const NumberParameter& type) const {
         return numbers({type.default_value.value_or(0.7)});
@@ -119,6 +134,7 @@ struct SomeValue {
     Arguments::Value operator()(const NameParameter&) const { return std::string("Vase"); }
     Arguments::Value operator()(const ImageParameter&) const { return some_image(); }
     Arguments::Value operator()(const MeshParameter&) const { return some_mesh(); }
+    Arguments::Value operator()(const MapParameter& type) const { return some_map(type); }
 };
 
 }  // namespace

@@ -49,9 +49,14 @@ void for_every(StageKind kind, const Check& check) {
 TEST(ParameterTransformers, DerivativesAreNeighbourDifferences) {
     for_every(StageKind::parameter_transformer, [](const std::shared_ptr<const Stage>& stage) {
         const WarpProbe probe(std::dynamic_pointer_cast<const ParameterTransformer>(stage));
+        // Beside the box of a map there is nothing.
+        std::size_t checked = 0;
         for (const auto& [u, v] : {std::array{0.37, 0.23}, {-0.61, 0.87}, {0.53, -0.42}}) {
             const WarpSample here = probe(u, v);
-            ASSERT_TRUE(here.valid);
+            if (!here.valid) {
+                continue;
+            }
+            ++checked;
             for (std::size_t i = 0; i < 2; ++i) {
                 const double by_u =
                     (probe(u + step, v).point[i] - probe(u - step, v).point[i]) / (2.0 * step);
@@ -61,6 +66,7 @@ TEST(ParameterTransformers, DerivativesAreNeighbourDifferences) {
                 EXPECT_NEAR(here.by_v[i], by_v, tolerance(by_v));
             }
         }
+        EXPECT_GT(checked, 0U);
     });
 }
 

@@ -87,6 +87,7 @@ struct TypeText {
     std::string operator()(const camera::NameParameter&) const { return "\"name\""; }
     std::string operator()(const camera::ImageParameter&) const { return "\"image.png\""; }
     std::string operator()(const camera::MeshParameter&) const { return "\"mesh.obj\""; }
+    std::string operator()(const camera::MapParameter&) const { return "\"map.exr\""; }
 };
 
 struct DefaultText {

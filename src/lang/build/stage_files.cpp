@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// Arguments that are files: tables of points, images, meshes.
+// Arguments that are files: tables of points, images, meshes, maps.
 
 #include <utility>
 
@@ -29,6 +29,13 @@ StageBuilder::Located StageBuilder::mesh(ExpressionId given) {
     return file(
         given, [this](const data::File& found) -> const auto& {
             return session_.files().mesh(found);
+        });
+}
+
+StageBuilder::Located StageBuilder::map(camera::MapParameter::Content content, ExpressionId given) {
+    return file(
+        given, [ this, content ](const data::File& found) -> const auto& {
+            return session_.files().map(found, content);
         });
 }
 

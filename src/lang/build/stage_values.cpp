@@ -77,6 +77,9 @@ StageBuilder::Located StageBuilder::value(const camera::StageParameter& paramete
         Located operator()(const camera::MeshParameter&) const {
             return builder.mesh(given.front());
         }
+        Located operator()(const camera::MapParameter& type) const {
+            return builder.map(type.content, given.front());
+        }
     };
     return std::visit(Reader{*this, parameter.name, given}, parameter.type);
 }

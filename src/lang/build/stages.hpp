@@ -144,6 +144,7 @@ private:
     Located table(const camera::PointsParameter& type, ExpressionId given);
     Located image(ExpressionId given);
     Located mesh(ExpressionId given);
+    Located map(camera::MapParameter::Content content, ExpressionId given);
     std::optional<data::File> file(const Expression& node);
     template <class Read>
     Located file(ExpressionId given, Read read);

@@ -95,4 +95,11 @@ const Result<std::shared_ptr<const camera::TexturedMesh>>& Files::mesh(const dat
     return read_once(meshes_, file, data::read_mesh);
 }
 
+const Result<std::shared_ptr<const camera::PixelMap>>& Files::map(
+    const data::File& file, camera::MapParameter::Content content) {
+    return content == camera::MapParameter::Content::rays
+               ? read_once(ray_maps_, file, data::read_ray_map)
+               : read_once(st_maps_, file, data::read_st_map);
+}
+
 }  // namespace balcony::lang

@@ -50,6 +50,9 @@ public:
     [[nodiscard]] const Result<std::shared_ptr<const camera::TexturedMesh>>& mesh(
         const data::File& file);
 
+    [[nodiscard]] const Result<std::shared_ptr<const camera::PixelMap>>& map(
+        const data::File& file, camera::MapParameter::Content content);
+
     /// The files on the disk that were read or looked for.
     [[nodiscard]] const std::set<std::filesystem::path>& paths() const { return paths_; }
 
@@ -67,6 +70,8 @@ private:
     std::map<std::string, Result<data::NumberTable>> tables_;
     std::map<std::string, Result<std::shared_ptr<const camera::GreyImage>>> images_;
     std::map<std::string, Result<std::shared_ptr<const camera::TexturedMesh>>> meshes_;
+    std::map<std::string, Result<std::shared_ptr<const camera::PixelMap>>> ray_maps_;
+    std::map<std::string, Result<std::shared_ptr<const camera::PixelMap>>> st_maps_;
 };
 
 }  // namespace balcony::lang

@@ -120,11 +120,14 @@ struct ImageFile::State {
     std::unique_ptr<OIIO::ImageInput> input;
     OIIO::ImageSpec spec;
     int next_row = 0;  // After the last row that was read.
+    ImageChannels which = ImageChannels::first_four;
 
     [[nodiscard]] static Result<ImageFile> open(std::unique_ptr<IOProxy> bytes,
-                                                const fs::path& name);
+                                                const fs::path& name, ImageChannels channels);
 
-    [[nodiscard]] int channels() const { return std::min(spec.nchannels, 4); }
+    [[nodiscard]] int channels() const {
+        return which == ImageChannels::all ? spec.nchannels : std::min(spec.nchannels, 4);
+    }
 
     [[nodiscard]] std::optional<Diagnostic> open_input() {
         next_row = 0;
@@ -188,8 +191,10 @@ struct ImageFile::State {
     }
 };
 
-Result<ImageFile> ImageFile::State::open(std::unique_ptr<IOProxy> bytes, const fs::path& name) {
+Result<ImageFile> ImageFile::State::open(std::unique_ptr<IOProxy> bytes, const fs::path& name,
+                                         ImageChannels channels) {
     auto state = std::make_unique<State>();
+    state->which = channels;
     state->bytes = std::move(bytes);
     state->format = image_format(*state->bytes, name);
     if (state->format == nullptr) {
@@ -206,7 +211,7 @@ Result<ImageFile> ImageFile::State::open(std::unique_ptr<IOProxy> bytes, const f
     return ImageFile(std::move(state));
 }
 
-Result<ImageFile> ImageFile::open(const fs::path& file) {
+Result<ImageFile> ImageFile::open(const fs::path& file, ImageChannels channels) {
     std::error_code code;
     if (!fs::is_regular_file(file, code)) {
         return error("there is no such file");
@@ -215,12 +220,13 @@ Result<ImageFile> ImageFile::open(const fs::path& file) {
     if (!bytes->opened()) {
         return error("it cannot be opened", {}, "check its read permission");
     }
-    return State::open(std::move(bytes), file);
+    return State::open(std::move(bytes), file, channels);
 }
 
-Result<ImageFile> ImageFile::open(const fs::path& name, std::span<const std::uint8_t> bytes) {
+Result<ImageFile> ImageFile::open(const fs::path& name, std::span<const std::uint8_t> bytes,
+                                  ImageChannels channels) {
     return State::open(std::make_unique<OIIO::Filesystem::IOMemReader>(bytes.data(), bytes.size()),
-                       name);
+                       name, channels);
 }
 
 ImageFile::ImageFile(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -233,6 +239,18 @@ std::size_t ImageFile::width() const { return static_cast<std::size_t>(state_->s
 std::size_t ImageFile::height() const { return static_cast<std::size_t>(state_->spec.height); }
 
 std::size_t ImageFile::channels() const { return static_cast<std::size_t>(state_->channels()); }
+
+std::vector<std::string> ImageFile::channel_names() const {
+    const std::vector<std::string>& all = state_->spec.channelnames;
+    return {all.begin(),
+            all.begin() + std::min<std::ptrdiff_t>(std::ssize(all), state_->channels())};
+}
+
+bool ImageFile::is_whole_picture() const {
+    const OIIO::ImageSpec& spec = state_->spec;
+    return spec.x == spec.full_x && spec.y == spec.full_y && spec.width == spec.full_width &&
+           spec.height == spec.full_height;
+}
 
 bool ImageFile::is_float() const { return state_->spec.format.is_floating_point(); }
 
