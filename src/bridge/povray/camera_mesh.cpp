@@ -34,6 +34,29 @@ double flatness(const V3d& a, const V3d& b, const V3d& c) {
     return longest2 > 0.0 ? ((b - a) % (c - a)).length() / longest2 : 0.0;
 }
 
+/// Two unit vectors across a ray and across each other; first x second is the ray's direction.
+struct Plane {
+    V3d first, second;
+
+    explicit Plane(const V3d& direction) {
+        const V3d other = std::abs(direction.x) < 0.6 ? V3d(1.0, 0.0, 0.0) : V3d(0.0, 1.0, 0.0);
+        first = (direction % other).normalized();
+        second = direction % first;
+    }
+    [[nodiscard]] V3d at(const V2d& place) const { return place.x * first + place.y * second; }
+};
+
+// A triangle with its centroid at the origin of a ray and its normal along it, by POV-Ray's rule:
+// (c - a) x (b - a).
+void add_face_across(const V3d& origin, const V3d& direction, double size, CameraMesh& mesh) {
+    const Plane plane(direction);
+    const auto a = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (const V2d& corner : {V2d(1.0, 0.0), V2d(-0.5, -0.75), V2d(-0.5, 0.75)}) {
+        mesh.vertices.emplace_back(origin + size * plane.at(corner));
+    }
+    mesh.faces.push_back({a, a + 1, a + 2});
+}
+
 /// A rectangle of pixels of a band, with corners at the nodes of the same numbers.
 struct Cell {
     std::size_t x = 0, y = 0;
@@ -85,15 +108,12 @@ public:
         const V3d direction = rays.direction(i);
         const V3d middle = rays.origin(i) - frame_.center + frame_.offset * direction;
         const double size = 1e-3 * frame_.extent;
-        V3d across =
-            direction % (std::abs(direction.x) < 0.6 ? V3d(1.0, 0.0, 0.0) : V3d(0.0, 1.0, 0.0));
-        across.normalize();
-        const V3d up = direction % across;
+        const Plane plane(direction);
         constexpr std::array<V2d, 3> corners{V2d(0.0, 0.4), V2d(-0.35, -0.2), V2d(0.35, -0.2)};
         Face face{};
         for (std::size_t k = 0; k < 3; ++k) {
             const V2d& corner = corners[k];
-            face[k] = add_vertex(middle + size * (corner.x * across + corner.y * up), direction,
+            face[k] = add_vertex(middle + size * plane.at(corner), direction,
                                  {static_cast<double>(x) + corner.x,
                                   static_cast<double>(first_row_ + y) + corner.y});
         }
@@ -387,24 +407,23 @@ CameraMesh make_single_faces(render::PictureSamples& samples, std::size_t layer,
                              const render::Region& region, const MeshFrame& frame,
                              std::vector<std::uint8_t>& seen) {
     CameraMesh mesh;
+    mesh.vertices.reserve(3 * region.size());
+    mesh.faces.reserve(region.size());
+    seen.clear();
     rays::RayBatch rays;
-    samples.find_rays(layer, pass, region, rays, seen);
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-        seen[i] = seen[i] != 0 && usable(rays, i) ? 1 : 0;
-        mesh.rays += seen[i];
-        // A face is needed for each sample, with a ray or without.
-        const V3d direction = seen[i] != 0 ? rays.direction(i) : V3d(0.0, 1.0, 0.0);
-        const V3d origin = seen[i] != 0 ? rays.origin(i) - frame.center : V3d(0.0);
-        V3d across =
-            direction % (std::abs(direction.x) < 0.6 ? V3d(1.0, 0.0, 0.0) : V3d(0.0, 1.0, 0.0));
-        across.normalize();
-        const V3d up = direction % across;
-        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-        constexpr std::array<V2d, 3> corners{V2d(1.0, 0.0), V2d(-0.5, -0.75), V2d(-0.5, 0.75)};
-        for (const V2d& corner : corners) {
-            mesh.vertices.emplace_back(origin + frame.extent * (corner.x * across + corner.y * up));
+    std::vector<std::uint8_t> wanted;
+    for (std::size_t y = 0; y < region.height; y += cell_side) {
+        const render::Region band{region.x, region.y + y, region.width,
+                                  std::min(cell_side, region.height - y)};
+        samples.find_rays(layer, pass, band, rays, wanted);
+        for (std::size_t i = 0; i < wanted.size(); ++i) {
+            wanted[i] = wanted[i] != 0 && usable(rays, i) ? 1 : 0;
+            add_face_across(wanted[i] != 0 ? rays.origin(i) - frame.center : V3d(0.0),
+                            wanted[i] != 0 ? rays.direction(i) : V3d(0.0, 1.0, 0.0), frame.extent,
+                            mesh);
+            mesh.rays += wanted[i];
         }
-        mesh.faces.push_back({first, first + 1, first + 2});
+        seen.insert(seen.end(), wanted.begin(), wanted.end());
     }
     mesh.single_rays = mesh.rays;
     return mesh;

@@ -224,8 +224,8 @@ std::string axes_help() {
 
 void add_pov_command(CLI::App& app, ExitCode& code) {
     const auto describe = [](CLI::App& command, PovOptions& options) {
-        command.add_option("scene", options.scene, "scene file of POV-Ray (.pov)")
-            ->type_name("SCENE")
+        command.add_option("SCENE.pov", options.scene, "scene file of POV-Ray")
+            ->type_name("")
             ->required();
         command
             .add_option("-c,--camera", options.camera,
@@ -250,9 +250,9 @@ void add_pov_command(CLI::App& app, ExitCode& code) {
         value("--time", options.time, "t in the camera's formulas, and POV-Ray's clock", "T");
         value("--axes", options.axes, axes_help(), "AXES");
         command
-            .add_option("povray", options.povray,
+            .add_option("OPTION", options.povray,
                         "options for POV-Ray itself, after --, such as +Q5 or Declare=Night=1")
-            ->type_name("OPTION");
+            ->type_name("");
         add_quiet_option(command, options.quiet);
         command.add_flag("--json", options.json, "print file name, counts and diagnostics as JSON");
         command.footer(

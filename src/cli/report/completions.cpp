@@ -17,6 +17,7 @@
 
 #include "balcony/diagnose.hpp"
 #include "balcony/lang.hpp"
+#include "balcony/povray.hpp"
 #include "balcony/render.hpp"
 #include "cli/options/camera_argument.hpp"
 #include "cli/options/scene_argument.hpp"
@@ -97,6 +98,10 @@ void add_folders(const Before&, Candidates& words) {
 
 void add_scenes(const Before&, Candidates& words) { add_files(words, is_scene_file); }
 
+void add_povray_scenes(const Before&, Candidates& words) {
+    add_files(words, [](const std::string& name) { return name.ends_with(".pov"); });
+}
+
 void add_camera_files(const Before&, Candidates& words) {
     add_files(words, [](const std::string& name) { return name.ends_with(".cam"); });
 }
@@ -174,7 +179,13 @@ void add_shutter_shapes(const Before&, Candidates& words) {
     }
 }
 
-void add_axes(const Before&, Candidates& words) {
+void add_axes(const Before& before, Candidates& words) {
+    if (before.command.get_name() == "pov") {
+        for (const bridge::PovrayAxes& row : bridge::povray_axes()) {
+            words.add(row.name, row.meaning);
+        }
+        return;
+    }
     words.add("y_up");
     words.add("z_up");
 }
@@ -216,6 +227,7 @@ struct Values {
 constexpr std::array values{
     Values{"SCENE", add_scenes},
     Values{"--scene", add_scenes},
+    Values{"SCENE.pov", add_povray_scenes},
     Values{"CAMERA", add_cameras},
     Values{"--camera", add_cameras},
     Values{"FILE", add_cameras},
