@@ -112,11 +112,9 @@ public:
         }
         lens_ = formulas->lens;
         const Dialect dialect{
-            c_spellings,
-            number_,
-            "(REAL)({0})",
-            "(({0}) != 0)",
-            {{"@", name_}, {"~", single_ ? "f" : ""}, {"REAL", std::string(real_)}}};
+            c_spellings,   number_,
+            "(REAL)({0})", "(({0}) != 0)",
+            single_,       {{"@", name_}, {"~", single_ ? "f" : ""}, {"REAL", std::string(real_)}}};
         const Listing listing =
             listing_of(*formulas, dialect, names_, name_ + "_",
                        [this](std::string_view input) { return input_text(input); });

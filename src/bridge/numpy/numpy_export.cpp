@@ -117,8 +117,7 @@ public:
             return formulas.diagnostics;
         }
         lens_ = formulas->lens;
-        const Dialect dialect{
-            numpy_spellings, number, "np.where({0}, 1.0, 0.0)", "(({0}) != 0.0)", {}};
+        const Dialect dialect{numpy_spellings, number, "np.where({0}, 1.0, 0.0)", "(({0}) != 0.0)"};
         const Listing listing =
             listing_of(*formulas, dialect, names_, "_",
                        [this](std::string_view input) { return input_text(input); });

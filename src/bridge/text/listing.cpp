@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
+
+#include "bridge/text/coarse_table.hpp"
 
 namespace balcony::bridge {
 
@@ -245,14 +248,14 @@ private:
     }
 
     std::string table_name(const expr::Call& call) {
-        for (const ListedTable& known : made_.tables) {
-            if (known.table == call.table) {
-                return known.name;
-            }
+        const auto [entry, is_new] = table_names_.try_emplace(call.table.get());
+        if (is_new) {
+            entry->second =
+                names_.unique(fmt::format("{}table_{}", prefix_, made_.tables.size() + 1));
+            made_.tables.push_back(
+                {dialect_.single ? coarse_table(call.table) : call.table, entry->second});
         }
-        made_.tables.push_back({call.table, names_.unique(fmt::format("{}table_{}", prefix_,
-                                                                      made_.tables.size() + 1))});
-        return made_.tables.back().name;
+        return entry->second;
     }
 
     const CameraFormulas& formulas_;
@@ -266,6 +269,7 @@ private:
     std::vector<std::string> stage_names_;
     std::vector<Formula> formulas_of_nodes_;
     std::size_t shared_count_ = 0;
+    std::map<const expr::Table*, std::string> table_names_;
     Listing made_;
 };
 
@@ -301,7 +305,11 @@ Names::Names(const std::set<std::string_view>& reserved)
 std::string Names::unique(std::string_view wanted) {
     std::string base;
     for (const char c : wanted) {
-        base += is_part_of_name(c) ? c : '_';
+        // GLSL reserves names with two underscores in a row.
+        const char kept = is_part_of_name(c) ? c : '_';
+        if (kept != '_' || base.empty() || base.back() != '_') {
+            base += kept;
+        }
     }
     if (base.empty() || (base.front() >= '0' && base.front() <= '9')) {
         base = "camera_" + base;

@@ -24,6 +24,7 @@ struct Dialect {
     /// A condition where a number is needed, and a number where a condition is needed: patterns.
     std::string_view number_of_condition = "{0}";
     std::string_view condition_of_number = "{0}";
+    bool single = false;  ///< Numbers are single precision, and tables as coarse as they allow.
     /// Words in spellings and what stands for them, such as the type of numbers.
     std::vector<std::pair<std::string, std::string>> words{};
 

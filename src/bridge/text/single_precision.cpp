@@ -10,6 +10,7 @@
 
 #include "balcony/ray_difference.hpp"
 #include "bridge/text/camera_formulas.hpp"
+#include "bridge/text/coarse_table.hpp"
 
 namespace balcony::bridge {
 
@@ -34,7 +35,7 @@ public:
           values_(formulas.graph->size()) {
         for (const NodeId id : nodes_) {
             if ((*formulas.graph)[id].op == Op::call) {
-                tables_.try_emplace(id, rounded(*formulas.graph->call_of(id).table));
+                tables_.try_emplace(id, kept(formulas.graph->call_of(id).table));
             }
         }
     }
@@ -70,7 +71,9 @@ public:
     }
 
 private:
-    [[nodiscard]] expr::Table rounded(expr::Table table) const {
+    // The table as a text in this precision has it.
+    [[nodiscard]] expr::Table kept(const std::shared_ptr<const expr::Table>& given) const {
+        expr::Table table = round_ == to_single ? *coarse_table(given) : *given;
         for (double& coefficient : table.coefficients) {
             coefficient = round_(coefficient);
         }

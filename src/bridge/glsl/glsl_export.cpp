@@ -1,0 +1,219 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// A camera as a function of GLSL ES 3.00 (WebGL 2) and of desktop GLSL from 3.30 on.
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "bridge/text/c_like.hpp"
+#include "bridge/text/targets.hpp"
+
+namespace balcony::bridge {
+
+namespace {
+
+// In these texts @ is the camera's name. GLSL leaves pow() of a negative number undefined.
+constexpr std::string_view glsl_power = R"(float @_power(float a, float b) {
+    float size = a == 0.0 ? (b == 0.0 ? 1.0 : b > 0.0 ? 0.0 : @_infinity()) : pow(abs(a), b);
+    float sign = b != floor(b) ? @_infinity() - @_infinity() : mod(b, 2.0) == 0.0 ? 1.0 : -1.0;
+    return a < 0.0 ? sign * size : size;
+}
+)";
+
+constexpr Spellings glsl_spellings{
+    structure(Op::constant),
+    structure(Op::input),
+    structure(Op::variable),
+    symbol(Op::negate, "-"),
+    symbol(Op::add, "+"),
+    symbol(Op::subtract, "-"),
+    symbol(Op::multiply, "*"),
+    symbol(Op::divide, "/"),
+    function(Op::modulo, "mod"),
+    function(Op::minimum, "min"),
+    function(Op::maximum, "max"),
+    function(Op::absolute, "abs"),
+    function(Op::sign, "sign"),
+    function(Op::floor, "floor"),
+    function(Op::square_root, "sqrt"),
+    function(Op::power, "@_power", glsl_power),
+    function(Op::exponential, "exp"),
+    function(Op::logarithm, "log"),
+    function(Op::sine, "sin"),
+    function(Op::cosine, "cos"),
+    function(Op::tangent, "tan"),
+    function(Op::arcsine, "asin"),
+    function(Op::arccosine, "acos"),
+    function(Op::arctangent, "atan"),
+    function(Op::arctangent2, "atan"),
+    function(Op::hyperbolic_sine, "sinh"),
+    function(Op::hyperbolic_cosine, "cosh"),
+    function(Op::hyperbolic_tangent, "tanh"),
+    function(Op::inverse_hyperbolic_sine, "asinh"),
+    function(Op::inverse_hyperbolic_cosine, "acosh"),
+    function(Op::inverse_hyperbolic_tangent, "atanh"),
+    symbol(Op::less, "<"),
+    symbol(Op::less_equal, "<="),
+    symbol(Op::equal, "=="),
+    symbol(Op::logical_and, "&&"),
+    symbol(Op::logical_or, "||"),
+    symbol(Op::logical_not, "!"),
+    // Not by isinf() and isnan(), which drivers may take for false throughout.
+    function(Op::is_finite, "@_is_finite",
+             "bool @_is_finite(float a) { return abs(a) <= 3.4e38; }\n"),
+    pattern(Op::select, "({0} ? {1} : {2})"),
+    structure(Op::call),
+    structure(Op::result),
+};
+static_assert(complete(glsl_spellings));
+
+std::string glsl_number(double value) {
+    const double rounded = static_cast<double>(static_cast<float>(value));
+    return std::isfinite(rounded) ? single_decimal(value)
+           : std::isnan(rounded)  ? "uintBitsToFloat(0x7fc00000u)"
+           : rounded > 0.0        ? "uintBitsToFloat(0x7f800000u)"
+                                  : "uintBitsToFloat(0xff800000u)";
+}
+
+std::string glsl_array(std::string_view name, const std::vector<std::string>& values) {
+    return fmt::format("const float {}[{}] = float[{}]({});", name, values.size(), values.size(),
+                       wrapped(values, 8));
+}
+
+// Words of GLSL that cameras might use, its functions, and names that the text needs itself.
+const std::set<std::string_view> glsl_words{
+    "active",    "attribute", "buffer", "centroid", "coherent",   "common",    "const",
+    "discard",   "double",    "filter", "fixed",    "flat",       "float",     "goto",
+    "half",      "highp",     "image",  "in",       "inout",      "input",     "int",
+    "invariant", "layout",    "long",   "lowp",     "main",       "mat2",      "mat3",
+    "mat4",      "mediump",   "noise",  "out",      "output",     "partition", "patch",
+    "precise",   "precision", "public", "resource", "sample",     "sampler2D", "shared",
+    "short",     "smooth",    "static", "struct",   "subroutine", "switch",    "template",
+    "texture",   "this",      "uint",   "uniform",  "union",      "unsigned",  "using",
+    "varying",   "vec2",      "vec3",   "vec4",     "void",       "volatile",  "bool",
+    "radians",   "degrees",   "length", "distance", "dot",        "cross",     "normalize",
+    "reflect",   "refract",   "step",   "mix",      "clamp",      "sin",       "cos",
+    "tan",       "exp",       "log",    "pow",      "sqrt",       "abs",       "sign",
+    "floor",     "ceil",      "fract",  "mod",      "min",        "max",       "x",
+    "y",         "t",         "width",  "height",   "lens_x",     "lens_y",    "origin",
+    "direction"};
+
+class GlslExport {
+public:
+    GlslExport(const ExportSource& source, const ExportOptions& options)
+        : source_(source),
+          axes_(options.axes.value_or(source.camera.parts().axes)),
+          name_(names_.unique(source.camera.name())) {
+        for (const ExportParameter& parameter : source.parameters) {
+            parameters_.push_back(names_.unique(parameter.name));
+        }
+    }
+
+    Result<std::string> run() {
+        const Result<CameraFormulas> formulas = formulas_of(source_.camera, {axes_, false});
+        if (!formulas) {
+            return formulas.diagnostics;
+        }
+        lens_ = formulas->lens;
+        const Dialect dialect{glsl_spellings,   glsl_number, "float({0})",
+                              "(({0}) != 0.0)", true,        {{"@", name_}}};
+        const Listing listing =
+            listing_of(*formulas, dialect, names_, name_ + "_",
+                       [this](std::string_view input) { return input_text(input); });
+        const CLike language{"float", "bool", "", "", "floor", "int({0})", glsl_number, glsl_array};
+        std::string text = head() + "\n#ifdef GL_ES\nprecision highp float;\n#endif\n\n";
+        text += fmt::format("float {}_infinity() {{ return uintBitsToFloat(0x7f800000u); }}\n\n",
+                            name_);
+        for (const std::string& helper : listing.helpers) {
+            text += helper + "\n";
+        }
+        for (const ListedTable& table : listing.tables) {
+            text += table_function(language, table) + "\n";
+        }
+        return text + defaults() + signature() + " {\n" + definitions(language, listing) +
+               results(listing) + "}\n";
+    }
+
+private:
+    [[nodiscard]] std::string input_text(std::string_view input) const {
+        for (std::size_t i = 0; i < parameters_.size(); ++i) {
+            if (source_.parameters[i].input == input) {
+                return parameters_[i];
+            }
+        }
+        return std::string(input);
+    }
+
+    [[nodiscard]] std::string head() const {
+        std::vector<std::string> lines = opening_lines(source_);
+        lines.insert(lines.end(),
+                     {"",
+                      fmt::format("{}_ray() gives the ray of a point (x, y) of a picture of width "
+                                  "x height pixels at time t:",
+                                  name_),
+                      "x to the right and y down from the top left corner, so that x is "
+                      "gl_FragCoord.x and y is height -",
+                      "gl_FragCoord.y. It returns whether there is a ray, with its origin and its "
+                      "direction of unit length.",
+                      world(axes_)});
+        if (lens_) {
+            lines.insert(lines.end(),
+                         {"The ray passes a point of the lens: lens_x and lens_y are from -1 to 1, "
+                          "(0, 0) is the centre,",
+                          "and even steps of them spread evenly over the lens."});
+        }
+        return commented(lines);
+    }
+
+    // The values of the parameters as constants; angles are in radians.
+    [[nodiscard]] std::string defaults() const {
+        std::string text;
+        for (std::size_t i = 0; i < parameters_.size(); ++i) {
+            text += fmt::format("const float {}_default_{} = {};  // {}\n", name_, parameters_[i],
+                                glsl_number(source_.parameters[i].value),
+                                comment_line(source_.parameters[i].written));
+        }
+        return text.empty() ? text : text + "\n";
+    }
+
+    [[nodiscard]] std::string signature() const {
+        std::string given = "float x, float y, float width, float height, float t";
+        given += lens_ ? ", float lens_x, float lens_y" : "";
+        for (const std::string& parameter : parameters_) {
+            given += ", float " + parameter;
+        }
+        return fmt::format("bool {}_ray({},\n        out vec3 origin, out vec3 direction)", name_,
+                           given);
+    }
+
+    [[nodiscard]] static std::string results(const Listing& listing) {
+        const auto vector = [&listing](std::size_t first) {
+            return fmt::format("vec3({}, {}, {})", listing.roots[first].text,
+                               listing.roots[first + 1].text, listing.roots[first + 2].text);
+        };
+        return fmt::format("\n    origin = {};\n    direction = {};\n    return {};\n",
+                           vector(CameraFormulas::origin), vector(CameraFormulas::direction),
+                           listing.roots[CameraFormulas::valid].text);
+    }
+
+    const ExportSource& source_;
+    const Axes axes_;
+    Names names_{glsl_words};
+    const std::string name_;
+    std::vector<std::string> parameters_;
+    bool lens_ = false;
+};
+
+Result<std::string> write_glsl(const ExportSource& source, const ExportOptions& options) {
+    return GlslExport(source, options).run();
+}
+
+}  // namespace
+
+ExportTarget glsl_target() {
+    return {"glsl", "a function for WebGL 2 and desktop shaders", ".glsl", true, false, write_glsl};
+}
+
+}  // namespace balcony::bridge
