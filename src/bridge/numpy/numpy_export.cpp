@@ -179,9 +179,17 @@ private:
             name_, given, world(axes_),
             lens_ ? "    A ray passes the point (lens_x, lens_y) of the lens, each from -1 to 1.\n"
                   : "");
-        text +=
+        std::string inputs = "width, height, t";
+        inputs += lens_ ? ", lens_x, lens_y" : "";
+        for (const std::string& parameter : parameters_) {
+            inputs += ", " + parameter;
+        }
+        // NumPy's numbers are divided by 0 without an exception.
+        text += fmt::format(
             "    x, y = np.broadcast_arrays(np.asarray(x, float), np.asarray(y, float))\n"
-            "    with np.errstate(all=\"ignore\"):\n";
+            "    {0} = (np.asarray(a, float) for a in ({0}))\n"
+            "    with np.errstate(all=\"ignore\"):\n",
+            inputs);
         for (const ListedSection& section : listing.sections) {
             text += fmt::format("        # {}\n", comment_line(section.comment));
             for (const ListedLine& line : section.lines) {

@@ -1,0 +1,197 @@
+#!/usr/bin/env python3
+# Balcony: rendering through extended cameras.
+# SPDX-License-Identifier: Apache-2.0
+"""The NumPy functions and the GLSL functions of all examples of cameras, run by NumPy and by a
+browser's WebGL 2.
+
+Usage: exports_test.py BALCONY REPOSITORY WRITE_EXPORTS
+"""
+
+import json
+import math
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+WRITE_EXPORTS = Path(sys.argv.pop(3)).resolve()
+
+from guide import main, python_with, skip  # noqa: E402 (reads the other arguments)
+
+BROWSER = shutil.which("chromium") or shutil.which("chromium-browser")
+# Cameras whose GLSL is too large for a browser to compile in a test: two megabytes of noise.
+TOO_LARGE = 500_000
+
+RUN_NUMPY = """
+import importlib, json, sys
+import numpy as np
+sys.path.insert(0, sys.argv[1])
+exports = json.load(open(sys.argv[1] + "/exports.json"))
+x, y = np.array(exports["points"]).T
+made = {}
+for name in exports["examples"]:
+    if "numpy" in exports["examples"][name].get("languages", ()):
+        ray = getattr(importlib.import_module(name), name + "_ray")
+        rays = ray(x, y, exports["width"], exports["height"])
+        # A single point and a grid give the same.
+        one = ray(x[7], y[7], exports["width"], exports["height"])
+        grid = ray(x.reshape(9, 16), y.reshape(9, 16), exports["width"], exports["height"])
+        assert one[0].shape == (3,) and grid[0].shape == (9, 16, 3), name
+        assert one[2] == rays[2][7] and np.array_equal(one[1], rays[1][7], equal_nan=True), name
+        assert np.array_equal(grid[1].reshape(-1, 3), rays[1], equal_nan=True), name
+        made[name] = [[*o, *d] if valid else None for o, d, valid in
+                      zip(*(a.tolist() for a in rays))]
+json.dump(made, sys.stdout)
+"""
+
+PAGE = """<!DOCTYPE html><pre id="out"></pre><script>
+const cameras = CAMERAS, points = POINTS;
+const canvas = document.createElement("canvas");
+const gl = canvas.getContext("webgl2");
+gl.getExtension("EXT_color_buffer_float");
+function shader(kind, text) {
+    const made = gl.createShader(kind);
+    gl.shaderSource(made, text);
+    gl.compileShader(made);
+    if (!gl.getShaderParameter(made, gl.COMPILE_STATUS)) throw gl.getShaderInfoLog(made);
+    return made;
+}
+function texture() {
+    const made = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, made);
+    gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, points.length, 1);
+    return made;
+}
+function rays(text, lens, name) {
+    const program = gl.createProgram();
+    gl.attachShader(program, shader(gl.VERTEX_SHADER,
+        "#version 300 es\\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, " +
+        "gl_VertexID == 2 ? 3 : -1, 0, 1); }"));
+    gl.attachShader(program, shader(gl.FRAGMENT_SHADER, "#version 300 es\\n" + text +
+        "\\nuniform vec2 points[" + points.length + "];\\nlayout(location = 0) out vec4 o;\\n" +
+        "layout(location = 1) out vec4 d;\\nvoid main() { vec3 a, b;\\n" +
+        "vec2 p = points[int(gl_FragCoord.x)];\\n" +
+        "bool valid = " + name + "_ray(p.x, p.y, WIDTH, HEIGHT, 0.0, " + (lens ? "0.0, 0.0, " : "") +
+        "a, b);\\no = vec4(a, valid ? 1.0 : 0.0); d = vec4(b, 0.0); }"));
+    gl.linkProgram(program);
+    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw gl.getProgramInfoLog(program);
+    gl.useProgram(program);
+    gl.uniform2fv(gl.getUniformLocation(program, "points"), points.flat());
+    gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
+    const places = [gl.COLOR_ATTACHMENT0, gl.COLOR_ATTACHMENT1];
+    for (const place of places)
+        gl.framebufferTexture2D(gl.FRAMEBUFFER, place, gl.TEXTURE_2D, texture(), 0);
+    gl.drawBuffers(places);
+    gl.viewport(0, 0, points.length, 1);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    return places.map(place => {
+        const values = new Float32Array(4 * points.length);
+        gl.readBuffer(place);
+        gl.readPixels(0, 0, points.length, 1, gl.RGBA, gl.FLOAT, values);
+        return Array.from(values, value => Number.isFinite(value) ? value : null);
+    });
+}
+const made = {};
+for (const [name, [text, lens]] of Object.entries(cameras)) {
+    try { made[name] = rays(text, lens, name); } catch (problem) { made[name] = String(problem); }
+}
+document.getElementById("out").textContent = "RESULT" + JSON.stringify(made) + "END";
+</script>"""
+
+
+def length(v):
+    return math.sqrt(sum(a * a for a in v))
+
+
+def pixels_between(exact, origin, direction, distance=10.0):
+    """As rays::pixels_between()."""
+    def change(o, d):
+        return [a / distance for a in o] + list(d)
+
+    def dot(a, b):
+        return sum(p * q for p, q in zip(a, b))
+
+    by_x = change(exact["origin_by_x"], exact["direction_by_x"])
+    by_y = change(exact["origin_by_y"], exact["direction_by_y"])
+    apart = change([a - b for a, b in zip(origin, exact["origin"])],
+                   [a - b for a, b in zip(direction, exact["direction"])])
+    xx, yy, xy = dot(by_x, by_x), dot(by_y, by_y), dot(by_x, by_y)
+    ex, ey, square = dot(by_x, apart), dot(by_y, apart), dot(apart, apart)
+    if square == 0.0:
+        return 0.0
+    longer, determinant = max(xx, yy), xx * yy - xy * xy
+    if determinant > 1e-12 * longer * longer:
+        a, b = (yy * ex - xy * ey) / determinant, (xx * ey - xy * ex) / determinant
+    else:
+        a, b = (ex / xx, 0.0) if xx == longer else (0.0, ey / yy)
+    return math.hypot(a, b) + math.sqrt(max(0.0, square - a * ex - b * ey) / longer)
+
+
+class ExportsTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = Path(tempfile.mkdtemp(prefix="balcony-exports-"))
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        subprocess.run([WRITE_EXPORTS, cls.folder], check=True)
+        cls.exports = json.loads((cls.folder / "exports.json").read_text())
+
+    def compare(self, made, tolerance):
+        """The largest difference in pixels; every camera must keep to the tolerance."""
+        largest = (0.0, "")
+        for name, rays in made.items():
+            for exact, ray in zip(self.exports["examples"][name]["rays"], rays):
+                with self.subTest(camera=name):
+                    self.assertEqual(exact is None, ray is None, "there is a ray")
+                    if exact is not None:
+                        pixels = pixels_between(exact, ray[:3], ray[3:])
+                        self.assertLess(pixels, tolerance)
+                        largest = max(largest, (pixels, name))
+        print(f"{len(made)} cameras; the largest difference is {largest[0]:.2g} pixels, of "
+              f"{largest[1]}")
+
+    def test_numpy(self):
+        python = python_with("numpy")
+        done = subprocess.run([python, "-c", RUN_NUMPY, self.folder], check=True,
+                              stdout=subprocess.PIPE)
+        made = json.loads(done.stdout)
+        self.assertGreaterEqual(len(made) + 2, len(self.exports["examples"]), "all but meshes")
+        self.compare(made, 1e-6)
+
+    def test_glsl(self):
+        texts = {name: [(self.folder / f"{name}.glsl").read_text(), entry["lens"]]
+                 for name, entry in self.exports["examples"].items()
+                 if "glsl" in entry.get("languages", ())}
+        small = {name: text for name, text in texts.items() if len(text[0]) < TOO_LARGE}
+        self.assertGreaterEqual(len(small) + 2, len(texts), "only the fractals are too large")
+        page = (PAGE.replace("CAMERAS", json.dumps(small)).replace(
+            "POINTS", json.dumps(self.exports["points"])).replace(
+            "WIDTH", f"{self.exports['width']:.1f}").replace(
+            "HEIGHT", f"{self.exports['height']:.1f}"))
+        (self.folder / "page.html").write_text(page)
+        done = subprocess.run(
+            [BROWSER, "--headless=new", "--no-sandbox", "--use-angle=swiftshader",
+             "--enable-unsafe-swiftshader", "--virtual-time-budget=1000000",
+             f"--user-data-dir={self.folder}/profile", "--dump-dom",
+             (self.folder / "page.html").as_uri()],
+            check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        result = re.search(r"RESULT(.*)END</pre>", done.stdout, re.DOTALL)
+        self.assertTrue(result, done.stdout[-1000:])
+        made = {}
+        for name, values in json.loads(result[1]).items():
+            self.assertNotIsInstance(values, str, f"{name}: {values}")
+            o, d = values
+            made[name] = [[*o[i:i + 3], *d[i:i + 3]] if o[i + 3] == 1 else None
+                          for i in range(0, len(o), 4)]
+        self.compare(made, 0.05)
+
+
+if __name__ == "__main__":
+    if python_with("numpy") is None:
+        skip("NumPy is not installed")
+    if BROWSER is None:
+        skip("Chromium is not installed")
+    main()
