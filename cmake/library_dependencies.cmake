@@ -12,4 +12,5 @@ set(BALCONY_LIBRARY_DEPENDENCIES
     "hwy 1.0"             # hwy::hwy
     "SLEEF 3.5"           # SLEEF::sleef
     "nlohmann_json 3.11"  # nlohmann_json::nlohmann_json
+    "yaml-cpp 0.7"        # yaml-cpp
 )

@@ -218,6 +218,13 @@ public:
                                                    Emitter& emit) const = 0;
 };
 
+/// A rectangle of parameter space: u from the left to the right edge of a picture, v from its
+/// bottom to its top.
+struct ParameterRectangle {
+    double u_first = 0.0, u_last = 1.0;
+    double v_first = 0.0, v_last = 1.0;
+};
+
 /// PCS → OCS: a parametric point (dimension 0), curve in u (1) or surface (2).
 class ObjectGenerator : public Stage {
 public:
@@ -234,6 +241,11 @@ public:
     /// pole, which reverses the cross product; most parametrisations do not.
     [[nodiscard]] virtual Expr orientation(const ParameterPoint&, Emitter& emit) const {
         return emit(1.0);
+    }
+    /// The part of parameter space that a picture shows if its camera has no map: of an object that
+    /// is defined by a picture, with the same units for u and v.
+    [[nodiscard]] virtual std::optional<ParameterRectangle> own_picture() const {
+        return std::nullopt;
     }
 };
 

@@ -103,6 +103,33 @@ struct PixelMap {
     std::vector<std::uint8_t> valid{};            ///< 1 where the pixel has numbers.
 };
 
+/// The position and orientation of a calibrated camera: x_camera = rotation x_world + translation,
+/// with camera axes x right, y down, z forward.
+struct CameraPose {
+    std::array<std::array<double, 3>, 3> rotation{};  ///< Row by row; orthonormal.
+    std::array<double, 3> translation{};
+};
+
+/// A calibrated camera of a file: the name of an object generator, and numbers for its parameters.
+struct Calibration {
+    struct Number {
+        std::string name;
+        double value = 0.0;  ///< In radians if it is an angle.
+    };
+    std::optional<std::size_t> id{};  ///< Its number in a file of several cameras.
+    std::string model{};  ///< Without a name, any model that has the numbers' parameters.
+    std::vector<Number> numbers{};
+    std::vector<double> distortion{};  ///< OpenCV's coefficients, in the order of the model.
+    std::string origin{};              ///< The choice of the parameter of that name.
+    std::optional<CameraPose> pose{};
+};
+
+/// A file of calibrated cameras, at least one.
+struct CalibrationFile {
+    std::string name;  ///< For messages.
+    std::vector<Calibration> cameras{};
+};
+
 // ---------------------------------------------------------------------- parameters of stages
 // What a parameter takes is one of the types that follow. Without a default value it must be given,
 // unless it is optional.
@@ -190,10 +217,13 @@ struct MapParameter {
     [[nodiscard]] std::size_t channels() const { return content == Content::rays ? 6 : 2; }
 };
 
+/// A CalibrationFile: "calibration.yml".
+struct CalibrationParameter {};
+
 using ParameterType =
     std::variant<NumberParameter, CountParameter, PairParameter, TripleParameter, ChoiceParameter,
                  PointsParameter, NestedStageParameter, FormulaParameter, NameParameter,
-                 ImageParameter, MeshParameter, MapParameter>;
+                 ImageParameter, MeshParameter, MapParameter, CalibrationParameter>;
 
 struct StageParameter {
     std::string_view name;
@@ -212,10 +242,10 @@ struct StageParameter {
 class Arguments {
 public:
     using StagePointer = std::shared_ptr<const Stage>;
-    using Value =
-        std::variant<std::vector<Scalar>, std::string, PointList, StagePointer,
-                     std::vector<StagePointer>, Formula, std::shared_ptr<const GreyImage>,
-                     std::shared_ptr<const TexturedMesh>, std::shared_ptr<const PixelMap>>;
+    using Value = std::variant<std::vector<Scalar>, std::string, PointList, StagePointer,
+                               std::vector<StagePointer>, Formula, std::shared_ptr<const GreyImage>,
+                               std::shared_ptr<const TexturedMesh>, std::shared_ptr<const PixelMap>,
+                               std::shared_ptr<const CalibrationFile>>;
 
     /// Replaces an earlier value; the name must outlive this object, as a row's does.
     void set(std::string_view name, Value value);
@@ -251,6 +281,8 @@ public:
     [[nodiscard]] const std::shared_ptr<const GreyImage>& image(std::string_view name) const;
     [[nodiscard]] const std::shared_ptr<const TexturedMesh>& mesh(std::string_view name) const;
     [[nodiscard]] const PixelMap& map(std::string_view name) const;
+    [[nodiscard]] const std::shared_ptr<const CalibrationFile>& calibration(
+        std::string_view name) const;
     /// The formula of a stage that is itself a formula.
     [[nodiscard]] const Formula& formula() const { return *formula_; }
 

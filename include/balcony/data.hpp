@@ -3,7 +3,7 @@
 #pragma once
 
 // Data: files that a camera file names in quotation marks: tables of numbers, grey images, meshes,
-// maps of rays and of picture positions.
+// maps of rays and of picture positions, calibrated cameras.
 //
 // Limits prevent a wrong file from filling the memory; a file beyond a limit is an error.
 
@@ -27,6 +27,7 @@ inline constexpr std::size_t max_numbers = 262'144;         ///< Of a table.
 inline constexpr std::size_t max_pixels = 16'777'216;       ///< Of an image.
 inline constexpr std::size_t max_map_file = 1'500'000'000;  ///< Bytes.
 inline constexpr std::size_t max_mesh_file = 500'000'000;   ///< Bytes.
+inline constexpr std::size_t max_calibration = 4'000'000;   ///< Bytes.
 inline constexpr std::size_t max_triangles = 5'000'000;     ///< Of a mesh.
 
 /// A file on the disk, or one whose bytes are in memory: one that comes with Balcony, or what was
@@ -94,5 +95,11 @@ struct NumberTable {
 /// from (0, 0) at its bottom left to (1, 1) at its top right. Where there is an alpha channel and
 /// it is not above one half, there is no position.
 [[nodiscard]] Result<std::shared_ptr<const camera::PixelMap>> read_st_map(const File& file);
+
+/// Reads calibrated cameras: one from YAML as OpenCV, ROS and their users write it, or all of
+/// COLMAP's cameras.txt. The text decides which it is. Missing, unreadable and impossible entries
+/// are errors at their line.
+[[nodiscard]] Result<std::shared_ptr<const camera::CalibrationFile>> read_calibration(
+    const File& file);
 
 }  // namespace balcony::data

@@ -59,7 +59,7 @@ struct ArgumentValue {
     using Form = std::variant<Quantity, Tuple, Points, std::string, std::shared_ptr<const Stage>,
                               Stages, FormulaValue, std::shared_ptr<const GreyImage>,
                               std::shared_ptr<const TexturedMesh>, std::shared_ptr<const PixelMap>,
-                              Unsuitable, Failed>;
+                              std::shared_ptr<const CalibrationFile>, Unsuitable, Failed>;
 
     template <class Value>
     requires(!std::same_as<std::remove_cvref_t<Value>, ArgumentValue> &&

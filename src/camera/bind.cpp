@@ -44,6 +44,9 @@ std::string described(const ArgumentValue& given) {
             return "a mesh";
         }
         std::string operator()(const std::shared_ptr<const PixelMap>&) const { return "a map"; }
+        std::string operator()(const std::shared_ptr<const CalibrationFile>&) const {
+            return "a calibration";
+        }
         std::string operator()(const Unsuitable& other) const { return other.what; }
         std::string operator()(const Failed&) const { return {}; }
     };
@@ -325,6 +328,10 @@ bool Binder::fits(const PixelMap& map, std::size_t channels) {
     return size > 0 && map.valid.size() == size && map.channels.size() == channels &&
            std::all_of(map.channels.begin(), map.channels.end(),
                        [size](const auto& channel) { return channel.size() == size; });
+}
+
+void Binder::set(const CalibrationParameter&) {
+    set_file<CalibrationFile>("a calibration", "calibration.yml");
 }
 
 Quantity degrees(double number) {

@@ -84,6 +84,7 @@ private:
     void set(const MeshParameter&);
     void set(const MapParameter& type);
     [[nodiscard]] static bool fits(const PixelMap& map, std::size_t channels);
+    void set(const CalibrationParameter&);
     template <class Data>
     void set_file(std::string_view noun, std::string_view example);
 

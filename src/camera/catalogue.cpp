@@ -146,6 +146,7 @@ struct Contradiction {
     std::string operator()(const ImageParameter&) const { return {}; }
     std::string operator()(const MeshParameter&) const { return {}; }
     std::string operator()(const MapParameter&) const { return {}; }
+    std::string operator()(const CalibrationParameter&) const { return {}; }
 
     static std::string of(const FormulaShape& shape) {
         return shape.min_results >= 1 && shape.min_results <= shape.max_results
@@ -317,6 +318,10 @@ const std::shared_ptr<const TexturedMesh>& Arguments::mesh(std::string_view name
 
 const PixelMap& Arguments::map(std::string_view name) const {
     return *std::get<std::shared_ptr<const PixelMap>>(value(name));
+}
+
+const std::shared_ptr<const CalibrationFile>& Arguments::calibration(std::string_view name) const {
+    return std::get<std::shared_ptr<const CalibrationFile>>(value(name));
 }
 
 }  // namespace balcony::camera

@@ -58,6 +58,11 @@ Result<std::shared_ptr<const Stage>> as_stage(Result<std::shared_ptr<const Port>
 [[nodiscard]] std::vector<StageEntry> mesh_surface();
 [[nodiscard]] std::vector<StageEntry> ray_maps();
 [[nodiscard]] std::vector<StageEntry> st_maps();
+[[nodiscard]] std::vector<StageEntry> panini();
+[[nodiscard]] std::vector<StageEntry> mirrors();
+[[nodiscard]] std::vector<StageEntry> distorted_cameras();
+[[nodiscard]] std::vector<StageEntry> closed_form_cameras();
+[[nodiscard]] std::vector<StageEntry> calibration_files();
 [[nodiscard]] std::vector<StageEntry> object_affine();
 [[nodiscard]] std::vector<StageEntry> parallel_surface();
 [[nodiscard]] std::vector<StageEntry> normal_rule();
@@ -92,6 +97,11 @@ inline constexpr auto families = {
     formula_objects,
     mesh_surface,
     ray_maps,
+    panini,
+    mirrors,
+    calibration_files,
+    distorted_cameras,
+    closed_form_cameras,
     object_affine,
     parallel_surface,
     normal_rule,

@@ -75,6 +75,17 @@ std::shared_ptr<const TexturedMesh> some_mesh() {
     return std::make_shared<const TexturedMesh>(TexturedMesh{{{a, b, c}, {a, c, d}}});
 }
 
+// A camera of both kinds of files.
+std::shared_ptr<const CalibrationFile> some_calibration() {
+    return std::make_shared<const CalibrationFile>(CalibrationFile{
+        "some.yml",
+        {{.numbers =
+              {{"width", 400.0}, {"height", 300.0}, {"fx", 350.0}, {"cx", 195.0}, {"cy", 148.0}},
+          .distortion = {-0.1, 0.02, 0.001, 0.002},
+          .origin = "pixel_center",
+          .pose = CameraPose{{{{0.0, -1.0, 0.0}, {0.0, 0.0, -1.0}, {1.0, 0.0, 0.0}}}, {}}}}});
+}
+
 // Curved in every parameter, and of full rank.
 Formula some_formula(const FormulaShape& shape) {
     return formula(shape.parameters, [&](Graph& graph, const std::vector<Expr>& p) {
@@ -135,7 +146,23 @@ struct SomeValue {
     Arguments::Value operator()(const ImageParameter&) const { return some_image(); }
     Arguments::Value operator()(const MeshParameter&) const { return some_mesh(); }
     Arguments::Value operator()(const MapParameter& type) const { return some_map(type); }
+    Arguments::Value operator()(const CalibrationParameter&) const { return some_calibration(); }
 };
+
+/// Calibrated cameras as direction objects, whose points have tangents. OCamCalib's
+/// first coefficient is negative.
+std::optional<Arguments::Value> value_of_calibrated(const StageEntry& row, std::string_view name) {
+    const std::map<std::string_view, std::vector<double>> values{
+        {"width", {400.0}}, {"height", {300.0}}, {"fx", {350.0}}, {"radius", {1.0}}};
+    if (row.section != "Calibrated cameras") {
+        return std::nullopt;
+    }
+    if (name == "coefficients") {
+        return PointList{1, {-300.0, 0.0, 5e-4}};
+    }
+    const auto found = values.find(name);
+    return found != values.end() ? std::optional(numbers(found->second)) : std::nullopt;
+}
 
 }  // namespace
 
@@ -145,6 +172,8 @@ Arguments arguments_for(const StageEntry& row, const Given& given) {
         const auto value = given.find(parameter.name);
         if (value != given.end()) {
             arguments.set(parameter.name, value->second);
+        } else if (const auto fitting = value_of_calibrated(row, parameter.name)) {
+            arguments.set(parameter.name, *fitting);
         } else if (!parameter.optional) {
             arguments.set(parameter.name, std::visit(SomeValue{}, parameter.type));
         }

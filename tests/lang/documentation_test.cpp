@@ -10,16 +10,26 @@
 namespace balcony::lang::documentation_test {
 namespace {
 
+// The first block of a page that begins with a line.
+std::string block(const std::string& text, const std::string& opening) {
+    const std::size_t begin = text.find(opening) + opening.size();
+    return text.substr(begin, text.find("```", begin) - begin);
+}
+
 // How many snippets a page has; each is tried.
 std::size_t try_snippets(const std::filesystem::path& page) {
     const std::string text = test::read_file(page);
     const std::string opening = "```cam\n";
+    const std::string calibration =
+        block(test::read_file(BALCONY_SOURCE_DIR "/docs/calibrated.md"), "```yaml\n");
     std::size_t count = 0;
     for (std::size_t at = text.find(opening); at != std::string::npos;
          at = text.find(opening, at)) {
         at += opening.size();
         const test::TemporaryFolder folder;
         folder.write("lengths.cam", "let room_length = 9");
+        folder.write("calibration.yml", calibration);
+        folder.write("plain.yml", "K: [620, 620, 800, 600]\nD: [0, 0, 0, 0]\n");
         const std::string snippet = text.substr(at, text.find("```", at) - at);
         EXPECT_EQ(to_text(test::check(folder.write("snippet.cam", snippet))), "")
             << page << snippet;

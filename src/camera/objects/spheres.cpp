@@ -70,6 +70,29 @@ class AzimuthalEqualAreaSphere final : public Sphere {
     }
 };
 
+/// The distance from the centre is the angle to (1, 0, 0).
+class AzimuthalEquidistantSphere final : public Sphere {
+    using Sphere::Sphere;
+    ObjectPoint unit_sphere(const ParameterPoint& p, Emitter& emit) const override {
+        constexpr double tiny = 1e-20;  // makes sin(r)/r equal 1 in the centre
+        const Expr q = p.u * p.u + p.v * p.v;
+        emit.require(q < pi * pi);
+        const Expr angle = sqrt(max(q, emit(tiny)));
+        const Expr ratio = sin(angle) / angle;
+        return {cos(angle), ratio * p.u, ratio * p.v};
+    }
+};
+
+/// Parallel projection along x: the front hemisphere.
+class OrthographicSphere final : public Sphere {
+    using Sphere::Sphere;
+    ObjectPoint unit_sphere(const ParameterPoint& p, Emitter& emit) const override {
+        const Expr squared_cosine = 1.0 - p.u * p.u - p.v * p.v;
+        emit.require(0.0 < squared_cosine);
+        return {sqrt(squared_cosine), p.u, p.v};
+    }
+};
+
 /// Lambert's cylindrical map: by longitude and height.
 class CylindricalEqualAreaSphere final : public Sphere {
     using Sphere::Sphere;
@@ -143,6 +166,12 @@ Result<std::shared_ptr<const Stage>> make_sphere(const Arguments& a) {
     if (by == "equal_area") {
         return made<AzimuthalEqualAreaSphere>(radius);
     }
+    if (by == "equidistant") {
+        return made<AzimuthalEquidistantSphere>(radius);
+    }
+    if (by == "orthographic") {
+        return made<OrthographicSphere>(radius);
+    }
     if (by == "cylindrical_equal_area") {
         return made<CylindricalEqualAreaSphere>(radius);
     }
@@ -171,6 +200,8 @@ p = radius e with the unit vector e, and q = u² + v²:
 latitude         e = (cos u cos v, sin u cos v, sin v)
 stereographic    e = (4 − q, 4u, 4v)/(4 + q)
 equal_area       e = (1 − q/2, u √(1 − q/4), v √(1 − q/4)),   q < 4
+equidistant      e = (cos r, u sin(r)/r, v sin(r)/r),   r = √q < π
+orthographic     e = (√(1 − q), u, v),   q < 1
 cylindrical_equal_area   e = (√(1 − v²) cos u, √(1 − v²) sin u, v),   |v| < 1
 mollweide        at longitude π u/(2√2 cos θ) and latitude φ,
                  sin θ = v/√2,   π sin φ = 2θ + sin 2θ
@@ -184,12 +215,15 @@ equiangular_cube   the same with tan(π s/4) and tan(π t/4) for s and t
              {positive_parameter("radius", 1.0, "the radius"),
               {.name = "by",
                .type = ChoiceParameter{.choices = {"latitude", "stereographic", "equal_area",
+                                                   "equidistant", "orthographic",
                                                    "cylindrical_equal_area", "mollweide", "cube",
                                                    "equiangular_cube"}},
                .meaning =
                    "the parametrisation: longitude and latitude; plane coordinates of the "
                    "stereographic projection, the hemisphere within 2; of Lambert's azimuthal "
-                   "projection, the sphere within 2, the hemisphere within the square root of 2; "
+                   "projection, the sphere within 2, the hemisphere within the square root of 2, "
+                   "which is an equisolid fisheye; of the equidistant one, in radians; of the "
+                   "orthographic one, the hemisphere within 1; "
                    "longitude and z/radius; Mollweide's ellipse of 2.83 by 1.41; a cube unfolded "
                    "to a cross of faces that are 2 wide: the front from -1 to 1, all from u = 5 .. "
                    "-3 and v = -3 .. 3, flat or in equal angles"}},

@@ -88,6 +88,9 @@ struct TypeText {
     std::string operator()(const camera::ImageParameter&) const { return "\"image.png\""; }
     std::string operator()(const camera::MeshParameter&) const { return "\"mesh.obj\""; }
     std::string operator()(const camera::MapParameter&) const { return "\"map.exr\""; }
+    std::string operator()(const camera::CalibrationParameter&) const {
+        return "\"calibration.yml\"";
+    }
 };
 
 struct DefaultText {

@@ -4,6 +4,7 @@
 #include "lang/build/build_camera.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -41,6 +42,7 @@ public:
         shared_.object_transformers =
             list<camera::ObjectTransformer>(statements_, StatementKind::move);
         paths(parts);
+        own_picture(parts);
         look(parts);
         lens(parts);
         time(parts);
@@ -200,13 +202,33 @@ private:
         }
     }
 
+    // An object that is defined by a picture brings the map and the aspect that are not given.
+    void own_picture(camera::Camera::Parts& parts) {
+        const auto shown = parts.eye.generator ? parts.eye.generator->own_picture() : std::nullopt;
+        if (shown && statements_.find(StatementKind::map) == nullptr &&
+            statements_.lacks(StatementKind::aspect)) {
+            parts.aspect =
+                std::abs((shown->u_last - shown->u_first) / (shown->v_last - shown->v_first));
+        }
+    }
+
+    static camera::PictureMapperPointer own_map(const camera::ObjectGeneratorPointer& object) {
+        const auto shown = object ? object->own_picture() : std::nullopt;
+        if (!shown) {
+            return nullptr;
+        }
+        return *camera::make_stage<camera::PictureMapper>("range", {{"u_first", shown->u_first},
+                                                                    {"u_last", shown->u_last},
+                                                                    {"v_first", shown->v_first},
+                                                                    {"v_last", shown->v_last}});
+    }
+
     // The path's own warps follow the camera's; its own moves precede the camera's.
     camera::Path path(const Statement& statement, bool& shared_map_used) {
         camera::Path made = shared_;
         if (!statement.stages().empty()) {
             made.generator = generator(statement.stages().front());
-            shared_map_used = true;
-            require_map(statement);
+            shared_map(made, statement, shared_map_used);
             check_moves(made, statements_, 0, statement);
             return made;
         }
@@ -219,8 +241,7 @@ private:
                   "add one to its block, for example object sphere(1)");
         }
         if (own.lacks(StatementKind::map)) {
-            shared_map_used = true;
-            require_map(statement);
+            shared_map(made, statement, shared_map_used);
         } else {
             made.mapper = mapper(own);
         }
@@ -249,6 +270,17 @@ private:
                       "write it in the block of an object that is a surface, for example eye { "
                       "object sphere(1)  move offset(1) }");
             }
+        }
+    }
+
+    // The camera's map, or that of the path's object if the camera has none.
+    void shared_map(camera::Path& path, const Statement& statement, bool& used) {
+        used = true;
+        if (statements_.lacks(StatementKind::map)) {
+            path.mapper = own_map(path.generator);
+        }
+        if (!path.mapper && path.generator) {
+            require_map(statement);
         }
     }
 

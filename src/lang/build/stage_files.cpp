@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// Arguments that are files: tables of points, images, meshes, maps.
+// Arguments that are files: tables of points, images, meshes, maps, calibrations.
 
 #include <utility>
 
@@ -36,6 +36,13 @@ StageBuilder::Located StageBuilder::map(camera::MapParameter::Content content, E
     return file(
         given, [ this, content ](const data::File& found) -> const auto& {
             return session_.files().map(found, content);
+        });
+}
+
+StageBuilder::Located StageBuilder::calibration(ExpressionId given) {
+    return file(
+        given, [this](const data::File& found) -> const auto& {
+            return session_.files().calibration(found);
         });
 }
 

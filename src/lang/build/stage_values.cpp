@@ -80,6 +80,9 @@ StageBuilder::Located StageBuilder::value(const camera::StageParameter& paramete
         Located operator()(const camera::MapParameter& type) const {
             return builder.map(type.content, given.front());
         }
+        Located operator()(const camera::CalibrationParameter&) const {
+            return builder.calibration(given.front());
+        }
     };
     return std::visit(Reader{*this, parameter.name, given}, parameter.type);
 }

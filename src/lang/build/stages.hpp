@@ -145,6 +145,7 @@ private:
     Located image(ExpressionId given);
     Located mesh(ExpressionId given);
     Located map(camera::MapParameter::Content content, ExpressionId given);
+    Located calibration(ExpressionId given);
     std::optional<data::File> file(const Expression& node);
     template <class Read>
     Located file(ExpressionId given, Read read);

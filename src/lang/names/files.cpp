@@ -102,4 +102,9 @@ const Result<std::shared_ptr<const camera::PixelMap>>& Files::map(
                : read_once(st_maps_, file, data::read_st_map);
 }
 
+const Result<std::shared_ptr<const camera::CalibrationFile>>& Files::calibration(
+    const data::File& file) {
+    return read_once(calibrations_, file, data::read_calibration);
+}
+
 }  // namespace balcony::lang

@@ -49,6 +49,8 @@ public:
         const data::File& file);
     [[nodiscard]] const Result<std::shared_ptr<const camera::TexturedMesh>>& mesh(
         const data::File& file);
+    [[nodiscard]] const Result<std::shared_ptr<const camera::CalibrationFile>>& calibration(
+        const data::File& file);
 
     [[nodiscard]] const Result<std::shared_ptr<const camera::PixelMap>>& map(
         const data::File& file, camera::MapParameter::Content content);
@@ -72,6 +74,7 @@ private:
     std::map<std::string, Result<std::shared_ptr<const camera::TexturedMesh>>> meshes_;
     std::map<std::string, Result<std::shared_ptr<const camera::PixelMap>>> ray_maps_;
     std::map<std::string, Result<std::shared_ptr<const camera::PixelMap>>> st_maps_;
+    std::map<std::string, Result<std::shared_ptr<const camera::CalibrationFile>>> calibrations_;
 };
 
 }  // namespace balcony::lang

@@ -1,0 +1,121 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "camera/calibrated/image_model.hpp"
+
+#include "camera/stage_parameters.hpp"
+
+namespace balcony::camera {
+
+namespace {
+
+/// Its points are the viewpoint, or at a distance from it on the rays; its normals are the rays.
+class CalibratedCamera final : public ObjectGenerator {
+public:
+    CalibratedCamera(const ImageFrame& frame, std::shared_ptr<const ImageModel> model,
+                     Scalar radius)
+        : frame_(frame), model_(std::move(model)), radius_(std::move(radius)) {}
+    int dimension() const override { return 2; }
+    ObjectPoint generate(const ParameterPoint& p, Emitter& emit) const override {
+        const ObjectVector along = ray(p, emit);
+        const Expr d = emit(radius_);
+        return {d * along.x, d * along.y, d * along.z};
+    }
+    std::optional<ObjectVector> normal(const ParameterPoint& p, Emitter& emit) const override {
+        return ray(p, emit);
+    }
+    std::optional<ParameterRectangle> own_picture() const override {
+        return ParameterRectangle{0.0, frame_.width, frame_.height, 0.0};
+    }
+
+private:
+    /// In the camera's axes: forward is x, left is y and up is z.
+    ObjectVector ray(const ParameterPoint& p, Emitter& emit) const {
+        const auto [x, y] = frame_.normalized(p.u, p.v);
+        const ObjectVector d = to_unit_length(model_->direction(x, y, emit));
+        return {d.z, -d.x, -d.y};
+    }
+
+    ImageFrame frame_;
+    std::shared_ptr<const ImageModel> model_;
+    Scalar radius_;
+};
+
+StageParameter frame_number(std::string_view name, std::string_view meaning, bool positive,
+                            bool optional) {
+    return {.name = name,
+            .type =
+                NumberParameter{
+                    .range = positive ? Range{.minimum = 0.0, .excludes_minimum = true} : Range{},
+                    .constant = true},
+            .optional = optional,
+            .meaning = meaning};
+}
+
+}  // namespace
+
+std::vector<StageParameter> frame_parameters() {
+    return {
+        frame_number("width", "the width of the calibrated image in pixels", true, false),
+        frame_number("height", "its height in pixels", true, false),
+        frame_number("fx", "the focal length in pixels along x", true, false),
+        frame_number("fy", "the focal length in pixels along y; without it, fx", true, true),
+        frame_number("cx", "x of the centre of the lens in pixels; without it, of the image", false,
+                     true),
+        frame_number("cy",
+                     "y of the centre of the lens in pixels, from the top; without it, of the "
+                     "image",
+                     false, true),
+        {.name = "skew",
+         .type = NumberParameter{.default_value = 0.0, .constant = true},
+         .meaning = "how much x in pixels grows with y in focal lengths"},
+        {.name = "origin",
+         .type = ChoiceParameter{.choices = {"pixel_center", "pixel_corner"}},
+         .meaning =
+             "where cx = cy = 0 is: in the centre of the top left pixel, as in OpenCV, or in "
+             "its outer corner, as in COLMAP"},
+    };
+}
+
+ImageFrame frame_of(const Arguments& a) {
+    const auto given = [&a](std::string_view name, double otherwise) {
+        return a.has(name) ? a.constant(name) : otherwise;
+    };
+    const double corner = a.choice("origin") == "pixel_center" ? 0.5 : 0.0;
+    ImageFrame frame{.width = a.constant("width"),
+                     .height = a.constant("height"),
+                     .fx = a.constant("fx"),
+                     .skew = a.constant("skew")};
+    frame.fy = given("fy", frame.fx);
+    frame.cx = given("cx", 0.5 * frame.width - corner) + corner;
+    frame.cy = given("cy", 0.5 * frame.height - corner) + corner;
+    return frame;
+}
+
+StageParameter sphere_parameter() {
+    return number_parameter("radius", 0.0,
+                            "the radius of the sphere of its points: 0 for an eye object, whose "
+                            "rays are its normals; 1 for a direction object");
+}
+
+StageParameter coefficient_parameter(std::string_view name, double value,
+                                     std::string_view meaning) {
+    return {.name = name,
+            .type = NumberParameter{.default_value = value, .constant = true},
+            .meaning = meaning};
+}
+
+std::shared_ptr<const Stage> calibrated_camera(const Arguments& a, const ImageFrame& frame,
+                                               std::shared_ptr<const ImageModel> model) {
+    return std::make_shared<const CalibratedCamera>(frame, std::move(model), a.number("radius"));
+}
+
+StageEntry calibrated_row(StageEntry row) {
+    row.kind = StageKind::object_generator;
+    row.parameters = frame_parameters() + row.parameters + std::vector{sphere_parameter()};
+    row.dimension = 2;
+    row.section = "Calibrated cameras";
+    return row;
+}
+
+}  // namespace balcony::camera
