@@ -12,7 +12,10 @@ namespace balcony::camera {
 
 namespace {
 
-constexpr double tolerance = 1e-12;    // of what is needed: far below a thousandth of a pixel
+// Parts of what is needed: how exact the inverse is, and what is no inverse at all. The second also
+// holds where a program computes in single precision, whose roundings are some 1e-7.
+constexpr double accuracy = 1e-13;
+constexpr double doubt = 1e-5;
 constexpr std::size_t max_steps = 12;  // Newton doubles the number of digits in each
 constexpr int spokes = 24;             // along which a distortion without symmetry is tried
 
@@ -138,23 +141,28 @@ void Undistortion::fit_guess() {
     guess_ = interpolated(ratios);
 }
 
-// Up to where a fold makes Newton's method slow: the rest is less than a part in a million of the
-// image.
+// Tries the inverse all over the disc, which ends before a fold, where Newton's method is slow:
+// what is lost there is about a millionth of the image.
 void Undistortion::count_steps() {
     constexpr int rings = 64;
-    const double enough = 0.1 * tolerance * needed_;
+    const double whole = folds_ ? radius_ * (1.0 - 1e-3) : radius_;
+    radius_ = 0.0;
     for (int ring = 1; ring <= rings; ++ring) {
-        const double radius = radius_ * (1.0 - 1e-3) * ring / rings;
+        const double radius = whole * ring / rings;
         for (int spoke = 0; spoke < (distortion_.is_radial() ? 1 : spokes); ++spoke) {
             const PlanePoint<double> p = distorted(distortion_, on_spoke(spoke, radius));
             const auto is_solved = [&] {
                 const auto [x, y] = distorted(distortion_, solved(p, steps_));
-                return std::hypot(x - p.a, y - p.b) <= enough;
+                return std::hypot(x - p.a, y - p.b) <= accuracy * needed_;
             };
-            while (steps_ < max_steps && !is_solved()) {
-                ++steps_;
+            while (!is_solved()) {
+                if (++steps_ > max_steps) {
+                    steps_ = max_steps;
+                    return;
+                }
             }
         }
+        radius_ = radius;
     }
 }
 
@@ -202,7 +210,7 @@ PlanePoint<Expr> Undistortion::emit(const PlanePoint<Expr>& p, Emitter& emit) co
     const auto [x, y] = distorted(distortion_, found);
     const Expr miss_x = x - p.a;
     const Expr miss_y = y - p.b;
-    const double allowed = tolerance * needed_;
+    const double allowed = doubt * needed_;
     emit.require(miss_x * miss_x + miss_y * miss_y <= emit(allowed * allowed));
     emit.require(found.a * found.a + found.b * found.b <= emit(radius_ * radius_));
     return found;

@@ -23,8 +23,8 @@ public:
 
     /// Nothing if the distortion folds at once.
     [[nodiscard]] bool exists() const { return radius_ > 0.0; }
-    /// The point that the distortion maps to p. Requires that it does, to within
-    /// 1e-12 of what is needed.
+    /// The point that the distortion maps to p, to within 1e-13 of what is needed. Requires that
+    /// there is one in the disc.
     [[nodiscard]] PlanePoint<Expr> emit(const PlanePoint<Expr>& p, Emitter& emit) const;
     /// The radius of the disc of results.
     [[nodiscard]] double radius() const { return radius_; }
