@@ -59,6 +59,9 @@ public:
     /// The rays of a rectangle of pixels, row by row.
     void run(std::size_t x, std::size_t y, std::size_t width, std::size_t height,
              rays::Scratch& scratch, rays::RayBatch& rays) const;
+    /// The rays of any points of the picture, in pixels.
+    void run_at(std::span<const double> x, std::span<const double> y, rays::Scratch& scratch,
+                rays::RayBatch& rays) const;
 
 private:
     RayGrid(rays::VisibleLayer layer, const RaySettings& settings)

@@ -84,6 +84,8 @@ ExitCode run(CLI::App& app, int argc, char** argv) {
     cli::add_info_command(app, code);
     cli::add_draw_command(app, code);
     cli::add_rays_command(app, code);
+    cli::add_stmap_command(app, code);
+    cli::add_warp_command(app, code);
     cli::add_export_command(app, code);
     cli::add_pov_command(app, code);
     // Looked up before the command line is parsed, since parsing may fail.

@@ -76,9 +76,9 @@ void add_vector(std::vector<RayColumn>& columns, std::array<std::string_view, 3>
 }  // namespace
 
 Result<RayGrid> RayGrid::make(const camera::Picture& picture, const RaySettings& settings) {
-    auto layers = rays::compile_layers(picture, static_cast<double>(settings.width),
-                                       static_cast<double>(settings.height),
-                                       {.axes = settings.axes, .footprints = settings.footprints});
+    auto layers = rays::compile_layers(
+        picture, static_cast<double>(settings.width), static_cast<double>(settings.height),
+        {.axes = settings.axes, .footprints = settings.footprints, .points = true});
     if (!layers) {
         return std::move(layers.diagnostics);
     }
@@ -96,6 +96,11 @@ void RayGrid::run(std::size_t x, std::size_t y, std::size_t width, std::size_t h
                      .height = height,
                      .time = time_},
                     scratch, rays);
+}
+
+void RayGrid::run_at(std::span<const double> x, std::span<const double> y, rays::Scratch& scratch,
+                     RayBatch& rays) const {
+    layer_.rays.run(rays::Points{x, y, time_}, scratch, rays);
 }
 
 std::vector<RayColumn> ray_columns(const RayGrid& grid) {

@@ -7,79 +7,55 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <memory>
-#include <span>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/info.h>
-#include <tbb/parallel_pipeline.h>
 
 #include "balcony/ray_maps.hpp"
+#include "bridge/maps/in_order.hpp"
 
 namespace balcony::bridge {
 
-/// Some whole rows of a picture.
+/// The rays of some rows.
 template <class Number>
-struct Rows {
-    std::size_t first = 0;
-    std::size_t count = 0;
+struct RayRows {
+    RowSpan span;
     std::size_t valid = 0;       ///< Rays of these rows.
     std::vector<Number> values;  ///< Ray by ray, with all columns of a ray together.
     std::string text;            ///< What `prepare` made of them.
 };
 
 /// Computes rows of rays in parallel, and what `prepare(rows)` makes of them; `use(rows)` receives
-/// them one after the other in their order, and returns false to end the run. A few hundred
-/// thousand rays are in memory at a time.
+/// them one after the other in their order, and returns false to end the run.
 template <class Number>
 class RowRun {
 public:
     RowRun(const RayGrid& grid, std::vector<RayColumn> columns)
         : grid_(grid), columns_(std::move(columns)) {}
 
-    using Prepare = std::function<void(Rows<Number>&)>;
-    using Use = std::function<bool(const Rows<Number>&)>;
+    using Prepare = std::function<void(RayRows<Number>&)>;
+    using Use = std::function<bool(const RayRows<Number>&)>;
 
     [[nodiscard]] RaysWritten operator()(const Prepare& prepare, const Use& use,
                                          const std::stop_token& stop) {
-        // Enough rows that what depends on the column alone is shared, in bounded memory.
-        constexpr std::size_t rays_at_once = std::size_t{1} << 17U;
-        const std::size_t count =
-            std::clamp<std::size_t>(rays_at_once / grid_.width(), 1, program::max_tile_height);
         RaysWritten written;
-        std::size_t next = 0;
-        bool refused = false;
-        using Block = std::unique_ptr<Rows<Number>>;
-        const auto begin = [&](tbb::flow_control& control) -> Block {
-            if (next == grid_.height() || refused || stop.stop_requested()) {
-                control.stop();
-                return nullptr;
-            }
-            auto rows = std::make_unique<Rows<Number>>();
-            rows->first = next;
-            rows->count = std::min(count, grid_.height() - next);
-            next += rows->count;
-            return rows;
-        };
-        const auto compute = [&](Block rows) {
-            fill(*rows);
-            prepare(*rows);
-            return rows;
-        };
-        const auto end = [&](const Block& rows) {
-            refused = refused || !use(*rows);
-            written.rays += refused ? 0 : rows->count * grid_.width();
-            written.valid += refused ? 0 : rows->valid;
-        };
-        const auto blocks = static_cast<std::size_t>(2 * tbb::info::default_concurrency());
-        tbb::parallel_pipeline(
-            blocks, tbb::make_filter<void, Block>(tbb::filter_mode::serial_in_order, begin) &
-                        tbb::make_filter<Block, Block>(tbb::filter_mode::parallel, compute) &
-                        tbb::make_filter<Block, void>(tbb::filter_mode::serial_in_order, end));
-        written.complete = written.rays == grid_.size();
+        written.complete = run_in_order<RayRows<Number>>(
+            grid_.width(), grid_.height(),
+            [&](const RowSpan& span) {
+                RayRows<Number> rows = compute(span);
+                prepare(rows);
+                return rows;
+            },
+            [&](const RayRows<Number>& rows) {
+                const bool used = use(rows);
+                written.rays += used ? rows.span.count * grid_.width() : 0;
+                written.valid += used ? rows.valid : 0;
+                return used;
+            },
+            stop);
         return written;
     }
 
@@ -89,17 +65,19 @@ private:
         rays::RayBatch rays;
     };
 
-    void fill(Rows<Number>& rows) {
-        rows.values.resize(rows.count * grid_.width() * columns_.size());
+    RayRows<Number> compute(const RowSpan& span) {
+        RayRows<Number> rows{span, 0, {}, {}};
+        rows.values.resize(span.count * grid_.width() * columns_.size());
         Memory& memory = memory_.local();
         for (std::size_t x = 0; x < grid_.width(); x += program::max_tile_width) {
             const std::size_t width = std::min(program::max_tile_width, grid_.width() - x);
-            grid_.run(x, rows.first, width, rows.count, memory.scratch, memory.rays);
-            for (std::size_t y = 0; y < rows.count; ++y) {
+            grid_.run(x, span.first, width, span.count, memory.scratch, memory.rays);
+            for (std::size_t y = 0; y < span.count; ++y) {
                 Number* to = rows.values.data() + (y * grid_.width() + x) * columns_.size();
                 rows.valid += put(memory.rays, y * width, width, to);
             }
         }
+        return rows;
     }
 
     // Returns how many of the rays are valid.

@@ -16,7 +16,7 @@ constexpr std::size_t numbers_of_ray = 6;
 // The longest shortest text is -1.2345678901234567e-308.
 constexpr std::size_t longest_number = 24;
 
-void write_lines(Rows<double>& rows) {
+void write_lines(RayRows<double>& rows) {
     rows.text.resize(rows.values.size() * (longest_number + 1));
     char* to = rows.text.data();
     char* const end = to + rows.text.size();
@@ -31,8 +31,8 @@ template <class Number>
 RaysWritten stream_numbers(const RayGrid& grid, std::vector<RayColumn> columns,
                            const ByteSink& sink, const std::stop_token& stop) {
     return RowRun<Number>(grid, std::move(columns))(
-        [](Rows<Number>&) {},
-        [&sink](const Rows<Number>& rows) {
+        [](RayRows<Number>&) {},
+        [&sink](const RayRows<Number>& rows) {
             return sink({reinterpret_cast<const char*>(rows.values.data()),
                          rows.values.size() * sizeof(Number)});
         },
@@ -53,7 +53,7 @@ RaysWritten stream_rays(const RayGrid& grid, NumberFormat format, const ByteSink
         case NumberFormat::text: break;
     }
     return RowRun<double>(grid, std::move(columns))(
-        write_lines, [&sink](const Rows<double>& rows) { return sink(rows.text); }, stop);
+        write_lines, [&sink](const RayRows<double>& rows) { return sink(rows.text); }, stop);
 }
 
 }  // namespace balcony::bridge

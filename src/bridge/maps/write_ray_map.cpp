@@ -3,19 +3,12 @@
 
 #include <algorithm>
 #include <bit>
-#include <exception>
 #include <ostream>
-#include <stdexcept>
 
-#include <OpenEXR/ImfChannelList.h>
-#include <OpenEXR/ImfFrameBuffer.h>
-#include <OpenEXR/ImfHeader.h>
-#include <OpenEXR/ImfIO.h>
-#include <OpenEXR/ImfOutputFile.h>
-#include <OpenEXR/ImfStringAttribute.h>
 #include <fmt/format.h>
 
 #include "balcony/output_file.hpp"
+#include "bridge/maps/exr_rows.hpp"
 #include "bridge/maps/ray_rows.hpp"
 
 namespace balcony::bridge {
@@ -24,79 +17,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// ------------------------------------------------------------------------------------------ EXR
-
-/// An EXR file that OpenEXR writes through a stream; a failure to write throws.
-class ExrStream final : public Imf::OStream {
-public:
-    explicit ExrStream(std::ostream& stream) : Imf::OStream("ray map"), stream_(stream) {}
-
-    void write(const char* bytes, int count) override { check(stream_.write(bytes, count)); }
-    std::uint64_t tellp() override { return static_cast<std::uint64_t>(stream_.tellp()); }
-    void seekp(std::uint64_t position) override {
-        check(stream_.seekp(static_cast<std::streamoff>(position)));
-    }
-
-private:
-    static void check(const std::ostream& stream) {
-        if (!stream) {
-            throw std::runtime_error("the file cannot be written");
-        }
-    }
-
-    std::ostream& stream_;
-};
-
-Imf::Header header_of(const RayGrid& grid, const std::vector<RayColumn>& columns) {
-    Imf::Header header(static_cast<int>(grid.width()), static_cast<int>(grid.height()));
-    header.compression() = Imf::NO_COMPRESSION;
-    for (const RayColumn& column : columns) {
-        header.channels().insert(std::string(column.name), Imf::Channel(Imf::FLOAT));
-    }
-    header.insert("axes", Imf::StringAttribute(grid.axes() == Axes::y_up ? "y_up" : "z_up"));
-    header.insert("camera", Imf::StringAttribute(grid.name()));
-    return header;
-}
-
-// Rows of all channels; OpenEXR counts from the first row of the picture.
-Imf::FrameBuffer buffer_of(const RayGrid& grid, const std::vector<RayColumn>& columns,
-                           const Rows<float>& rows) {
-    const std::size_t pixel = columns.size() * sizeof(float);
-    const std::size_t row = grid.width() * pixel;
-    Imf::FrameBuffer buffer;
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-        // OpenEXR wants to be able to write to it.
-        auto* first = const_cast<float*>(rows.values.data() + i);
-        buffer.insert(
-            std::string(columns[i].name),
-            Imf::Slice::Make(Imf::FLOAT, first, Imath::V2i(0, static_cast<int>(rows.first)),
-                             static_cast<std::int64_t>(grid.width()),
-                             static_cast<std::int64_t>(rows.count), pixel, row));
-    }
-    return buffer;
-}
-
 RaysWritten write_exr(const RayGrid& grid, std::ostream& stream, const std::stop_token& stop) {
     const std::vector<RayColumn> columns = ray_columns(grid);
-    ExrStream to(stream);
-    try {
-        constexpr int no_threads = 0;
-        Imf::OutputFile output(to, header_of(grid, columns), no_threads);
-        return RowRun<float>(grid, columns)(
-            [](Rows<float>&) {},
-            [&](const Rows<float>& rows) {
-                output.setFrameBuffer(buffer_of(grid, columns, rows));
-                output.writePixels(static_cast<int>(rows.count));
-                return true;
-            },
-            stop);
-    } catch (const std::exception&) {
-        stream.setstate(std::ios::failbit);
-        return {};
+    std::vector<std::string> names;
+    for (const RayColumn& column : columns) {
+        names.emplace_back(column.name);
     }
+    ExrRows output(
+        stream, grid.width(), grid.height(), names,
+        {{"axes", grid.axes() == Axes::y_up ? "y_up" : "z_up"}, {"camera", grid.name()}});
+    const RaysWritten written =
+        RowRun<float>(grid, columns)([](RayRows<float>&) {},
+                                     [&output](const RayRows<float>& rows) {
+                                         return output.write(rows.span, rows.values.data());
+                                     },
+                                     stop);
+    (void)output.finish();
+    return written;
 }
-
-// ------------------------------------------------------------------------------------------ npy
 
 // The format's version 1: a magic text, the length of the header, and the header, a Python
 // dictionary that ends where the numbers begin, at a multiple of 64 bytes
@@ -121,8 +59,8 @@ RaysWritten write_npy(const RayGrid& grid, std::ostream& stream, const std::stop
     const std::vector<RayColumn> columns = ray_columns(grid);
     stream << npy_header(grid, columns.size(), sizeof(Number) == 4 ? "f4" : "f8");
     return RowRun<Number>(grid, columns)(
-        [](Rows<Number>&) {},
-        [&stream](const Rows<Number>& rows) {
+        [](RayRows<Number>&) {},
+        [&stream](const RayRows<Number>& rows) {
             return static_cast<bool>(
                 stream.write(reinterpret_cast<const char*>(rows.values.data()),
                              static_cast<std::streamsize>(rows.values.size() * sizeof(Number))));

@@ -17,6 +17,8 @@ namespace balcony::cli {
 /// "diagnostics".
 void add_render_command(CLI::App& app, ExitCode& code);
 void add_rays_command(CLI::App& app, ExitCode& code);
+void add_stmap_command(CLI::App& app, ExitCode& code);
+void add_warp_command(CLI::App& app, ExitCode& code);
 void add_check_command(CLI::App& app, ExitCode& code);
 void add_explain_command(CLI::App& app, ExitCode& code);
 void add_fmt_command(CLI::App& app, ExitCode& code);
