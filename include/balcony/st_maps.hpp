@@ -106,7 +106,7 @@ public:
 
     [[nodiscard]] std::size_t width() const;
     [[nodiscard]] std::size_t height() const;
-    /// Whether it has more than 8 bits per channel.
+    /// Whether it has whole numbers of more than 8 bits.
     [[nodiscard]] bool is_deep() const;
 
     struct Pixels;
@@ -119,8 +119,8 @@ private:
 
 /// Warps a photo: each pixel is the mean of the part of the photo that it shows, in linear light,
 /// filtered by OpenImageIO; transparent where the photo shows nothing. The file's extension says
-/// the format: .exr has linear light, the others are sRGB, limited to 0 .. 1, with as many bits as
-/// the photo if the format has them.
+/// the format: .exr has linear light, the others are sRGB, limited to 0 .. 1. A deep photo gives a
+/// deep file if the format permits it.
 [[nodiscard]] StMapWritten warp_photo(const StMap& map, const Photo& photo,
                                       const std::filesystem::path& file,
                                       const std::stop_token& stop = {});

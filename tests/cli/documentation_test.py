@@ -10,7 +10,7 @@ import support
 
 FENCED = re.compile(r"^```(?:sh|console)\n(.*?)^```", re.MULTILINE | re.DOTALL)
 # tests/guides runs all steps of these pages.
-GUIDES = ("blender.md", "calibrated.md", "python.md")
+GUIDES = ("blender.md", "calibrated.md", "python.md", "raymaps.md")
 STARTS = ("balcony ", "build/release/balcony ")
 
 
@@ -38,6 +38,7 @@ class Documentation(support.CommandTest):
         for name in ("gallery", "room", "my"):
             (self.folder / f"{name}.cam").write_text(poster + support.CAMERAS)
         (self.folder / "filmed.gltf").write_text(support.gltf_text_with_cameras())
+        self.run_command("render", "scene.glb", "--size", "16x8", "-s", "1", "-o", "photo.png")
         (self.folder / "corners.csv").write_text("1,2,3\n-1,0,0.5\n")
 
     def run_all(self, lines):
@@ -80,7 +81,10 @@ class Documentation(support.CommandTest):
         page = (support.REPOSITORY / "docs" / "command.md").read_text()
         runs = {"render": ("room.glb", "--size", "8"), "check": ("my.cam",), "list": ("zoom",),
                 "info": ("room.glb",), "draw": ("pinhole", "-o", "p.svg"),
-                "rays": ("pinhole", "--size", "8", "-o", "r.npy")}
+                "rays": ("pinhole", "--size", "8", "-o", "r.npy"),
+                "stmap": ("pinhole", "--from", "panorama", "--size", "8", "-o", "st.exr"),
+                "warp": ("photo.png", "--from", "panorama", "--camera", "pinhole", "--size", "8",
+                         "-o", "w.png")}
         for command, words in runs.items():
             (row,) = re.findall(rf"^\| `{command}` \| (.*) \|$", page, re.MULTILINE)
             document = self.json_of(command, *words)
@@ -92,7 +96,7 @@ class Documentation(support.CommandTest):
     def test_help(self):
         lines = []
         for words in ((), ("render",), ("check",), ("list",), ("info",), ("draw",),
-                      ("explain",), ("locate",), ("rays",)):
+                      ("explain",), ("locate",), ("rays",), ("stmap",), ("warp",)):
             lines += command_lines(self.run_command(*words, "--help")[0])
         self.assertGreaterEqual(len(lines), 10)
         self.run_all(lines)

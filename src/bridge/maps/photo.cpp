@@ -56,7 +56,7 @@ Result<Photo> Photo::load(const std::filesystem::path& file) {
     auto made = std::make_shared<Pixels>();
     made->width = input->width();
     made->height = input->height();
-    made->deep = !input->has_bytes();
+    made->deep = !input->has_bytes() && !input->is_float();
     made->values.reserve(4 * made->width * made->height);
     const PhotoForm form{input->channels(), input->is_float(),
                          input->unassociated_alpha().has_value()};

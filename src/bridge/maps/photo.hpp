@@ -14,7 +14,7 @@ namespace balcony::bridge {
 struct Photo::Pixels {
     std::size_t width = 0;
     std::size_t height = 0;
-    bool deep = false;  ///< More than 8 bits per channel.
+    bool deep = false;  ///< Whole numbers of more than 8 bits.
     std::vector<float> values;
 };
 

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "balcony/display_file.hpp"
 #include "balcony/output_file.hpp"
@@ -61,7 +63,7 @@ std::vector<Sample> display_samples(const std::vector<float>& values, bool alpha
 Diagnostics write_display(const std::vector<float>& values, const StMap& map, bool deep,
                           const render::DisplayFormat& format, const std::filesystem::path& file) {
     const render::DisplaySize size{map.width(), map.height(), format.has_alpha ? 4U : 3U};
-    const bool wide = deep && format.max_bits > 8;
+    const bool wide = (deep ? format.max_bits : format.bits) > 8;
     const auto bytes =
         wide
             ? render::encode(display_samples<std::uint16_t>(values, format.has_alpha), size, format)

@@ -133,7 +133,8 @@ void add_warp_command(CLI::App& app, ExitCode& code) {
         command.add_flag("--json", options.json, "print facts and diagnostics as JSON");
         command.footer(
             "Examples:\n"
-            "  balcony warp photo.png --from panorama --camera my.cam -o view.png\n"
+            "  balcony warp photo.png --from panorama --camera pinhole --set yaw=30deg -o "
+            "view.png\n"
             "  balcony warp photo.png --from panorama --camera fisheye --set pitch=90deg -o "
             "sky.png");
     };

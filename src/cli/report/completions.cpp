@@ -230,6 +230,8 @@ constexpr std::array values{
     Values{"SCENE.pov", add_povray_scenes},
     Values{"CAMERA", add_cameras},
     Values{"--camera", add_cameras},
+    Values{"--from", add_cameras},
+    Values{"PHOTO", add_any_file},
     Values{"FILE", add_cameras},
     Values{"--set", add_parameters},
     Values{"--integrator", add_integrators},

@@ -1,0 +1,111 @@
+# Balcony: rendering through extended cameras.
+# SPDX-License-Identifier: Apache-2.0
+"""balcony stmap and balcony warp: photos in the picture of a camera."""
+
+import struct
+import zlib
+
+import support
+
+
+def write_png(path, rows):
+    """Writes rows of (r, g, b) with 8 bits."""
+    def chunk(kind, body):
+        return (struct.pack(">I", len(body)) + kind + body
+                + struct.pack(">I", zlib.crc32(kind + body)))
+
+    raw = b"".join(b"\0" + bytes(value for pixel in row for value in pixel) for row in rows)
+    path.write_bytes(b"\x89PNG\r\n\x1a\n"
+                     + chunk(b"IHDR", struct.pack(">IIBBBBB", len(rows[0]), len(rows), 8, 2, 0, 0, 0))
+                     + chunk(b"IDAT", zlib.compress(raw)) + chunk(b"IEND", b""))
+
+
+class Warp(support.CommandTest):
+    def setUp(self):
+        super().setUp()
+        # No two pixels are alike.
+        self.rows = [[(40 + 3 * x, 50 + 5 * y, (x * y) % 256) for x in range(64)] for y in range(32)]
+        write_png(self.folder / "photo.png", self.rows)
+
+    def warped(self, *words):
+        self.run_command("warp", "photo.png", *words, "-o", "out.png")
+        return support.png_pixels(self.folder / "out.png")
+
+    def test_to_its_own_camera_a_photo_stays_as_it_is(self):
+        for camera in ("pinhole", "panorama"):
+            width, height, rows = self.warped("--from", camera, "--camera", camera, "--size",
+                                              "64x32", "--fit", "stretch")
+            self.assertEqual((width, height), (64, 32))
+            wanted = [[(*pixel, 255) for pixel in row] for row in self.rows]
+            self.assertEqual([[tuple(pixel) for pixel in row] for row in rows], wanted, camera)
+
+    def test_a_photo_is_not_mirrored(self):
+        # The middle of a panorama looks along x; a quarter to its left is 90 degrees to the left.
+        for yaw, column in (("0deg", 32), ("90deg", 16), ("-90deg", 48)):
+            _, _, rows = self.warped("--from", "panorama", "--camera", "pinhole", "--set",
+                                     f"yaw={yaw}", "--set", "fov=10deg", "--size", "2x2")
+            for value in (pixel[0] for row in rows for pixel in row):
+                self.assertAlmostEqual(value, 40 + 3 * (column - 0.5), delta=3)
+        # Upwards is towards the first row.
+        _, _, up = self.warped("--from", "panorama", "--camera", "pinhole", "--set", "pitch=60deg",
+                               "--set", "fov=10deg", "--size", "1x1")
+        self.assertAlmostEqual(up[0][0][1], 50 + 5 * (32 * 30 / 180 - 0.5), delta=5)
+
+    def test_is_transparent_beside_the_photo(self):
+        _, _, rows = self.warped("--from", "pinhole", "--camera", "panorama", "--size", "40x20")
+        self.assertEqual(rows[10][0][3], 0)
+        self.assertEqual(rows[10][20][3], 255)
+        self.run_command("warp", "photo.png", "--from", "pinhole", "--camera", "panorama", "--size",
+                         "40x20", "-o", "out.jpg")
+        document = self.json_of("warp", "photo.png", "--from", "pinhole", "--camera", "panorama",
+                                "--size", "40x20", "-o", "out.exr")
+        self.assertEqual(document["valid"], sum(pixel[3] == 255 for row in rows for pixel in row))
+
+    def test_a_map_of_its_own_is_read_back_as_a_warp(self):
+        """stmap writes what the stage stmap reads."""
+        document = self.json_of("stmap", "pinhole", "--set", "fov=50deg", "--from", "pinhole",
+                                "--size", "64x36", "-o", "st.exr")
+        self.assertEqual(document["valid"], 64 * 36)
+        (self.folder / "zoomed.cam").write_text(
+            "camera zoomed {\n"
+            "    let w = tan(30deg)\n"
+            "    map u = w .. -w, v = -w*9/16 .. w*9/16\n"
+            '    warp stmap("st.exr", from = (w, -w*9/16), to = (-w, w*9/16))\n'
+            "    eye point\n    toward plane((1, 0, 0))\n}\n")
+        streams = []
+        for words in (("zoomed.cam",), ("pinhole", "--set", "fov=50deg")):
+            with self.start("rays", *words, "--size", "48x27") as process:
+                out, _ = process.communicate(timeout=60)
+            streams.append([float(word) for word in out.split()])
+        for one, other in zip(*streams, strict=True):
+            self.assertAlmostEqual(one, other, 6)
+
+    def test_cameras_without_a_single_viewpoint(self):
+        words = ("--from", "panorama", "--size", "20x10", "-o", "st.exr")
+        self.refused("stmap", "cylinder", *words, code=1, says="no single viewpoint",
+                     helps="--allow-parallax")
+        _, err = self.run_command("stmap", "superelliptic", *words, "--allow-parallax")
+        self.assertIn("no single viewpoint", err)
+        self.refused("stmap", "panorama", "--from", "cylinder", "-o", "st.exr", code=1,
+                     says="camera 'cylinder' of the photo")
+
+    def test_bad_usage(self):
+        words = ("--from", "panorama", "--camera", "pinhole")
+        self.refused("warp", "none.png", *words, "-o", "out.png", code=1, says="none.png")
+        self.refused("warp", "my.cam", *words, "-o", "out.png", code=1, says="'my.cam' cannot be read")
+        self.refused("warp", "photo.png", *words, "-o", "photo.png", code=2, says="overwritten")
+        self.refused("warp", "photo.png", *words, "-o", "out.txt", code=2, says="out.txt")
+        self.refused("warp", "photo.png", *words, "-o", "none/out.png", code=3, says="no folder")
+        self.refused("warp", "photo.png", *words, "-o", "out.png", "--size", "0", code=2,
+                     says="--size")
+        self.refused("stmap", "pinhole", "--from", "panorama", "-o", "st.png", code=2, says="st.png",
+                     helps=".exr")
+        self.refused("stmap", "pinhole", "--from", "panorama", "-o", "st.exr", "--from-size", "20",
+                     code=2, says="--from-size")
+        self.refused("stmap", "pinhole", "--from", "none.cam", "-o", "st.exr", code=1,
+                     says="none.cam")
+        self.assertEqual(self.files(), sorted({*self.files()} - {"out.png", "st.exr"}))
+
+
+if __name__ == "__main__":
+    support.main()
