@@ -73,6 +73,7 @@ TEST(OpenCVCalibration, IsReadAsFileStorageWritesIt) {
     EXPECT_EQ(shown(opencv_file(good_matrix, "-0.1, 0.02, 0.001, -0.002, 0.5")),
               ": width 640 height 480 fx 500 fy 501 cx 321 cy 239 d -0.1 0.02 0.001 -0.002 0.5");
     const auto file = read(opencv_file(good_matrix, "0, 0, 0, 0"));
+    ASSERT_TRUE(file);
     EXPECT_EQ((*file)->cameras.front().origin, "pixel_center");
     EXPECT_FALSE((*file)->cameras.front().id);
 }
@@ -119,7 +120,7 @@ TEST(OpenCVCalibration, HasAPoseAsMatrixOrVector) {
     const auto pose = [](const std::string& entries) {
         const auto file = read(opencv_file(good_matrix, "0, 0, 0, 0", entries));
         EXPECT_TRUE(file) << to_text(file.diagnostics);
-        return (*file)->cameras.front().pose;
+        return file ? (*file)->cameras.front().pose : std::nullopt;
     };
     const auto matrix = pose("R: [0, -1, 0, 1, 0, 0, 0, 0, 1]\nT: [1, 2, 3]\n");
     const auto vector = pose("rvec: [0, 0, 1.5707963267948966]\ntvec: [1, 2, 3]\n");
@@ -181,7 +182,7 @@ TEST(OpenCVCalibration, NamesTheEntryThatIsWrong) {
 TEST(OpenCVCalibration, WarnsOfWhatIsProbablySwapped) {
     const auto said = [](const std::string& matrix, const std::string& more) {
         const auto file = read(opencv_file(matrix, "0, 0, 0, 0", more));
-        EXPECT_TRUE(file);
+        EXPECT_TRUE(file) << to_text(file.diagnostics);
         return file.diagnostics.empty() ? "" : file.diagnostics.front().message;
     };
     EXPECT_EQ(said(good_matrix, "image_width: 640\nimage_height: 480\n"), "");

@@ -194,11 +194,27 @@ private:
         }
         if (toward != nullptr) {
             parts.toward = path(*toward, shared_map_used);
+            check_extent(*parts.toward, *toward);
         }
         const Statement* map = statements_.find(StatementKind::map);
         if (map != nullptr && eye != nullptr && !shared_map_used) {
             reporter_.warning(tree_.at(map->keyword), "this map has no effect",
                               "every path of the camera has its own map");
+        }
+    }
+
+    // A calibrated camera without a radius is one point, at which all rays would aim.
+    void check_extent(const camera::Path& toward, const Statement& statement) {
+        if (!toward.generator || !toward.generator->own_picture()) {
+            return;
+        }
+        expr::Graph graph;
+        camera::Emitter emit(graph);
+        const camera::ObjectPoint p =
+            toward.generator->generate({graph.fresh_variable(), graph.fresh_variable()}, emit);
+        if (p.x.is_constant() && p.y.is_constant() && p.z.is_constant()) {
+            error(statement.keyword, "all points of this direction object are one point",
+                  "write it after eye, or give it a radius: radius = 1");
         }
     }
 
