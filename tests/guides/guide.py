@@ -44,14 +44,18 @@ def run_line(line, folder, path):
     return done.stdout
 
 
-def run_page(page, folder, path):
-    """Writes the files of a page and runs its commands; returns what these print, by line."""
+def page_text(page):
+    return (REPOSITORY / "docs" / page).read_text()
+
+
+def run_page(page, folder, path, edit=lambda line: line):
+    """Writes the files of a page and runs its commands, edited; returns what these print, by line."""
     outputs = {}
-    for language, text in BLOCK.findall((REPOSITORY / "docs" / page).read_text()):
+    for language, text in BLOCK.findall(page_text(page)):
         name = FILE_NAME.match(text)
         if language == "sh":
             for line in text.splitlines():
-                outputs[line] = run_line(line, folder, path)
+                outputs[line] = run_line(edit(line), folder, path)
         elif name:
             (folder / name[1]).write_text(text)
     return outputs
@@ -62,13 +66,14 @@ class GuideTest(unittest.TestCase):
 
     PAGE = ""
     PATH = os.environ["PATH"]
+    EDIT = staticmethod(lambda line: line)  # What is run in the place of a command line.
 
     @classmethod
     def setUpClass(cls):
         cls.folder = Path(tempfile.mkdtemp(prefix="balcony-guide-"))
         cls.addClassCleanup(shutil.rmtree, cls.folder)
         cls.path = f"{BALCONY.parent}:{cls.PATH}"
-        cls.outputs = run_page(cls.PAGE, cls.folder, cls.path)
+        cls.outputs = run_page(cls.PAGE, cls.folder, cls.path, cls.EDIT)
 
     def run_line(self, line):
         return run_line(line, self.folder, self.path)

@@ -17,7 +17,7 @@ namespace balcony::bridge::povray {
 
 namespace {
 
-constexpr std::string_view parse_error = "Parse Error: ";
+constexpr std::string_view option_problem = "Problem with option setting";
 
 /// The beginnings of messages in the output.
 struct MessageKind {
@@ -26,13 +26,13 @@ struct MessageKind {
 };
 
 constexpr std::array kinds{
-    MessageKind{parse_error, Severity::error},
+    MessageKind{"Parse Error: ", Severity::error},
     MessageKind{"Possible Parse Error: ", Severity::warning},
     MessageKind{"Parse Warning: ", Severity::warning},
     MessageKind{"Possible Rendering Error: ", Severity::warning},
     MessageKind{"Render Warning: ", Severity::warning},
     MessageKind{"Fatal error in ", Severity::error},
-    MessageKind{"Problem with option setting", Severity::error},
+    MessageKind{option_problem, Severity::error},
 };
 
 // POV-Ray breaks long lines and indents what follows.
@@ -145,7 +145,7 @@ private:
             return "POV-Ray may read the folders that /etc/povray/3.7/povray.conf lists: add the "
                    "folder there, such as read* = /home/me/scenes";
         }
-        return "";
+        return message.kind.begin == option_problem ? "check the options for POV-Ray after --" : "";
     }
 
     const ScenePlaces& places_;
