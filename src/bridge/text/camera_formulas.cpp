@@ -99,17 +99,6 @@ std::vector<Expr> roots_of(const camera::RayExpressions& central, Axes from,
     return roots;
 }
 
-// The stage in whose formulas a node first occurs; null for the ray itself.
-const StageFormulas* stage_with(const CameraFormulas& made, NodeId node) {
-    for (const StageFormulas& stage : made.stages) {
-        const std::vector<NodeId> nodes = expr::reachable(*made.graph, stage.values);
-        if (std::find(nodes.begin(), nodes.end(), node) != nodes.end()) {
-            return &stage;
-        }
-    }
-    return nullptr;
-}
-
 // What no formula can express: functions without one, and what only a scene knows.
 Diagnostics inexpressible(const CameraFormulas& made, const camera::Camera& camera) {
     const Graph& graph = *made.graph;
@@ -166,6 +155,16 @@ CameraFormulas emitted(const camera::Camera& camera, const FormulaRequest& reque
 }
 
 }  // namespace
+
+const StageFormulas* stage_with(const CameraFormulas& made, NodeId node) {
+    for (const StageFormulas& stage : made.stages) {
+        const std::vector<NodeId> nodes = expr::reachable(*made.graph, stage.values);
+        if (std::find(nodes.begin(), nodes.end(), node) != nodes.end()) {
+            return &stage;
+        }
+    }
+    return nullptr;
+}
 
 Result<CameraFormulas> formulas_of(const camera::Camera& camera, const FormulaRequest& request) {
     try {

@@ -56,4 +56,7 @@ struct FormulaRequest {
 [[nodiscard]] Result<CameraFormulas> formulas_of(const camera::Camera& camera,
                                                  const FormulaRequest& request);
 
+/// The stage in whose formulas a node first occurs; null for the ray itself.
+[[nodiscard]] const StageFormulas* stage_with(const CameraFormulas& formulas, expr::NodeId node);
+
 }  // namespace balcony::bridge

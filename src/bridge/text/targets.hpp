@@ -12,5 +12,6 @@ namespace balcony::bridge {
 [[nodiscard]] ExportTarget numpy_target();
 [[nodiscard]] ExportTarget glsl_target();
 [[nodiscard]] ExportTarget osl_target();
+[[nodiscard]] ExportTarget pov_target();
 
 }  // namespace balcony::bridge

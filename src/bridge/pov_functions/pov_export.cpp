@@ -1,0 +1,423 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// A camera as functions for the user_defined camera of POV-Ray 3.8.
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "bridge/pov_functions/function_chain.hpp"
+#include "bridge/text/c_like.hpp"
+#include "bridge/text/targets.hpp"
+
+namespace balcony::bridge {
+
+namespace {
+
+// In these texts @ is the camera's name. POV-Ray computes infinities and NaN as IEEE 754 does, has
+// conditions that are 1 or 0, and of the arguments of select() only those that it needs. Its own
+// min(), mod() and comparisons > and >= differ from the graph's for NaN or negative numbers.
+constexpr Spellings pov_spellings{
+    structure(Op::constant),
+    structure(Op::input),
+    structure(Op::variable),
+    symbol(Op::negate, "-"),
+    symbol(Op::add, "+"),
+    symbol(Op::subtract, "-"),
+    symbol(Op::multiply, "*"),
+    symbol(Op::divide, "/"),
+    function(Op::modulo, "@_modulo",
+             "#declare @_modulo = function(x, y) { x - y * floor(x / y) }\n"),
+    function(Op::minimum, "@_minimum",
+             "#declare @_minimum = function(x, y) { select(-(y < x), y, x) }\n"),
+    function(Op::maximum, "@_maximum",
+             "#declare @_maximum = function(x, y) { select(-(x < y), y, x) }\n"),
+    function(Op::absolute, "abs"),
+    function(Op::sign, "@_sign",
+             "#declare @_sign = function(x) { select(-(x = x), select(x, -1, 0, 1), x) }\n"),
+    function(Op::floor, "floor"),
+    function(Op::square_root, "sqrt"),
+    function(Op::power, "pow"),
+    function(Op::exponential, "exp"),
+    function(Op::logarithm, "ln"),
+    function(Op::sine, "sin"),
+    function(Op::cosine, "cos"),
+    function(Op::tangent, "tan"),
+    function(Op::arcsine, "asin"),
+    function(Op::arccosine, "acos"),
+    function(Op::arctangent, "atan"),
+    function(Op::arctangent2, "atan2"),
+    function(Op::hyperbolic_sine, "sinh"),
+    function(Op::hyperbolic_cosine, "cosh"),
+    function(Op::hyperbolic_tangent, "tanh"),
+    function(Op::inverse_hyperbolic_sine, "asinh"),
+    function(Op::inverse_hyperbolic_cosine, "acosh"),
+    function(Op::inverse_hyperbolic_tangent, "atanh"),
+    symbol(Op::less, "<"),
+    symbol(Op::less_equal, "<="),
+    symbol(Op::equal, "="),
+    symbol(Op::logical_and, "&"),
+    symbol(Op::logical_or, "|"),
+    pattern(Op::logical_not, "(1 - {0})"),
+    function(Op::is_finite, "@_finite", "#declare @_finite = function(x) { x - x = 0 }\n"),
+    pattern(Op::select, "select(-{0}, {1}, {2})"),
+    structure(Op::call),
+    structure(Op::result),
+};
+static_assert(complete(pov_spellings));
+
+// POV-Ray has no literals for what is not finite.
+std::string pov_number(double value) {
+    return std::isfinite(value) ? decimal(value)
+           : std::isnan(value)  ? "(1e308 * 10 - 1e308 * 10)"
+           : value > 0.0        ? "(1e308 * 10)"
+                                : "(-1e308 * 10)";
+}
+
+// POV-Ray keeps words without capital letters for itself.
+std::string capitalised(std::string name) {
+    if (name.front() >= 'a' && name.front() <= 'z') {
+        name.front() = static_cast<char>(name.front() - 'a' + 'A');
+    }
+    return name.front() == '_' ? "Camera" + name : name;
+}
+
+// POV-Ray's limits: MAX_FUNCTION_PARAMETER_LIST, and MAX_CALL_STACK_SIZE less the functions that
+// the last step calls.
+constexpr std::size_t max_parameters = 56;
+constexpr std::size_t max_steps = 1024 - 4;
+
+constexpr std::string_view pov_axis = "axis";
+
+/// The text of a listing.
+class PovText {
+public:
+    PovText(const ExportSource& source, std::string name, Axes axes, const Listing& listing)
+        : source_(source),
+          name_(std::move(name)),
+          axes_(axes),
+          listing_(listing),
+          dependence_(listing),
+          location_(dependence_.chain(std::span(listing.roots).subspan(CameraFormulas::origin, 3))),
+          direction_(
+              dependence_.chain(std::span(listing.roots).subspan(CameraFormulas::direction))) {
+        for (const ListedLine* line : dependence_.uniform()) {
+            uniform_.insert(line->name);
+        }
+    }
+
+    [[nodiscard]] std::size_t max_parameters() const {
+        return 1 + std::max(location_.max_parameters(), direction_.max_parameters());
+    }
+    [[nodiscard]] std::size_t steps() const {
+        return std::max(location_.steps.size(), direction_.steps.size());
+    }
+
+    [[nodiscard]] std::string text() const {
+        std::string made = head() + inputs();
+        for (const std::string& helper : listing_.helpers) {
+            made += helper;
+        }
+        return made + lines() +
+               "\n// The order of evaluation, from the last function to the first: each passes on "
+               "what it was given\n// and what it computes, so that everything is computed once "
+               "for "
+               "each coordinate.\n" +
+               chain_text("location", location_, coordinate(CameraFormulas::origin)) + "\n" +
+               chain_text("direction", direction_, valid_direction()) + camera_text();
+    }
+
+private:
+    [[nodiscard]] std::string in_scene(std::string_view name) const {
+        return fmt::format("{}_{}", name_, name);
+    }
+
+    // The text of a line, in which lines that are numbers have their names in the scene.
+    [[nodiscard]] std::string spelled(const std::string& text) const {
+        const auto in_word = [](char c) {
+            return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+        };
+        std::string made;
+        for (std::size_t i = 0; i < text.size();) {
+            std::size_t end = i;
+            while (end < text.size() && in_word(text[end])) {
+                ++end;
+            }
+            const std::string word = text.substr(i, end - i);
+            made += uniform_.contains(word) ? in_scene(word) : word;
+            for (i = end; i < text.size() && !in_word(text[i]); ++i) {
+                made += text[i];
+            }
+        }
+        return made;
+    }
+
+    [[nodiscard]] std::string head() const {
+        std::vector<std::string> lines = opening_lines(source_);
+        lines.insert(
+            lines.end(),
+            {"",
+             "For POV-Ray 3.8. Include this file at the top of a scene, before the scene declares "
+             "names of its",
+             fmt::format("own, and write  camera {{ {} }}", name_), "",
+             fmt::format("{0}_location(axis, column, row) and {0}_direction(axis, column, row)",
+                         name_),
+             "give the coordinates of a ray, axis 0, 1 and 2, at a point of the picture in pixels "
+             "from its top",
+             "left corner. The direction has unit length; where there is no ray, it is 0.",
+             axes_ == Axes::y_up
+                 ? "The world is left-handed, with y up: Balcony's (x, y, z) with z up is <x, z, "
+                   "y>."
+                 : "The world is left-handed, with z up: Balcony's (x, y, z) with z up is <x, -y, "
+                   "z>.",
+             "A condition is 1 or 0, and select(-condition, a, b) is a where it holds, or b."});
+        return commented(lines);
+    }
+
+    [[nodiscard]] std::string inputs() const {
+        std::string text = fmt::format(
+            "\n#declare {0}_width = image_width;\n#declare {0}_height = image_height;\n", name_);
+        if (!source_.parameters.empty()) {
+            text +=
+                "\n// Declare these before including this file to change them. Angles are in "
+                "radians.\n";
+        }
+        for (const ExportParameter& parameter : source_.parameters) {
+            text += fmt::format("#ifndef ({0}) #declare {0} = {1}; #end  // {2}\n",
+                                in_scene(parameter.name), pov_number(parameter.value),
+                                comment_line(parameter.written));
+        }
+        return text + "\n";
+    }
+
+    // A list in parentheses, on several lines if it is long.
+    [[nodiscard]] static std::string enclosed_list(const std::vector<std::string>& items) {
+        constexpr std::size_t longest = 60;
+        std::string text = fmt::format("({})", fmt::join(items, ", "));
+        return text.size() <= longest ? text : fmt::format("({})", wrapped(items, 8));
+    }
+
+    // What every line computes, stage by stage.
+    [[nodiscard]] std::string lines() const {
+        std::string text;
+        for (const ListedSection& section : listing_.sections) {
+            text += fmt::format("\n// {}\n", comment_line(section.comment));
+            for (const ListedLine& line : section.lines) {
+                const std::string formula = spelled(line.text);
+                text += uniform_.contains(line.name)
+                            ? fmt::format("#declare {} = ({});\n", in_scene(line.name), formula)
+                            : function_text(in_scene(line.name), dependence_.varying(line.uses),
+                                            formula);
+            }
+        }
+        return text;
+    }
+
+    [[nodiscard]] std::string coordinate(std::size_t first) const {
+        return fmt::format(
+            "select({} - 1, {}, {}, {})", pov_axis, spelled(listing_.roots[first].text),
+            spelled(listing_.roots[first + 1].text), spelled(listing_.roots[first + 2].text));
+    }
+
+    [[nodiscard]] std::string valid_direction() const {
+        return fmt::format("select(-({}), {}, 0)",
+                           spelled(listing_.roots[CameraFormulas::valid].text),
+                           coordinate(CameraFormulas::direction));
+    }
+
+    // Functions NAME, NAME_2, NAME_3, ..., each of which calls the next one; declared before they
+    // are called.
+    [[nodiscard]] std::string chain_text(std::string_view wanted, const FunctionChain& chain,
+                                         const std::string& result) const {
+        const auto name = [&](std::size_t step) {
+            return step == 0 ? in_scene(wanted) : fmt::format("{}_{}", in_scene(wanted), step + 1);
+        };
+        const auto parameters = [&](std::size_t step) {
+            const std::vector<std::string> point{std::string(point_x), std::string(point_y)};
+            return step == 0                   ? point
+                   : step < chain.steps.size() ? chain.steps[step].parameters
+                                               : chain.result_parameters;
+        };
+        const std::size_t last = chain.steps.size();
+        std::string text = function_text(name(last), with_axis(parameters(last)), result);
+        for (std::size_t i = last; i-- > 0;) {
+            std::vector<std::string> arguments = parameters(i + 1);
+            for (std::string& value : arguments) {
+                value = argument(chain.steps[i], value);
+            }
+            text += function_text(name(i), with_axis(parameters(i)),
+                                  name(i + 1) + enclosed_list(with_axis(std::move(arguments))));
+        }
+        return text;
+    }
+
+    [[nodiscard]] static std::vector<std::string> with_axis(std::vector<std::string> values) {
+        values.insert(values.begin(), std::string(pov_axis));
+        return values;
+    }
+
+    [[nodiscard]] static std::string function_text(const std::string& name,
+                                                   const std::vector<std::string>& parameters,
+                                                   const std::string& body) {
+        constexpr std::size_t longest = 100;
+        const std::string head =
+            fmt::format("#declare {} = function{}", name, enclosed_list(parameters));
+        const std::size_t last_line = head.size() - (head.rfind('\n') + 1);
+        const char* space = last_line + body.size() + 5 > longest ? "\n    " : " ";
+        return fmt::format("{}{}{{ {} }}\n", head, space, body);
+    }
+
+    // A value for the next step: computed in this one, or passed on.
+    [[nodiscard]] std::string argument(const ChainStep& step, const std::string& value) const {
+        for (const ListedLine* line : step.lines) {
+            if (line->name == value) {
+                return in_scene(value) +
+                       fmt::format("({})", fmt::join(dependence_.varying(line->uses), ", "));
+            }
+        }
+        return value;
+    }
+
+    [[nodiscard]] std::string camera_text() const {
+        std::string text = fmt::format(
+            "\n// POV-Ray's x is from -0.5 to 0.5 to the right, and its y upwards.\n"
+            "#declare {0}_column = function(x) {{ (x + 0.5) * {0}_width }}\n"
+            "#declare {0}_row = function(y) {{ (0.5 - y) * {0}_height }}\n"
+            "#declare {0} = camera {{\n"
+            "    user_defined\n",
+            name_);
+        for (const std::string_view part : {"location", "direction"}) {
+            text += fmt::format("    {} {{\n", part);
+            for (int axis = 0; axis < 3; ++axis) {
+                text +=
+                    fmt::format("        function {{ {0}_{1}({2}, {0}_column(x), {0}_row(y)) }}\n",
+                                name_, part, axis);
+            }
+            text += "    }\n";
+        }
+        return text + "}\n";
+    }
+
+    const ExportSource& source_;
+    const std::string name_;
+    const Axes axes_;
+    const Listing& listing_;
+    const LineDependence dependence_;
+    const FunctionChain location_;
+    const FunctionChain direction_;
+    std::set<std::string> uniform_;  ///< The names of lines that are numbers.
+};
+
+class PovExport {
+public:
+    PovExport(const ExportSource& source, const ExportOptions& options)
+        : source_(source),
+          axes_(options.axes.value_or(Axes::y_up)),
+          name_(capitalised(names_.unique(source.camera.name()))) {}
+
+    Result<std::string> run() {
+        Diagnostics warnings;
+        Result<CameraFormulas> formulas = formulas_of(without_lens(warnings), {axes_, false});
+        if (!formulas) {
+            return formulas.diagnostics;
+        }
+        if (Diagnostics found = tables(*formulas); !found.empty()) {
+            return found;
+        }
+        turn_to_the_left(*formulas);
+        const Dialect dialect{pov_spellings, pov_number, "{0}",
+                              "({0} != 0)",  false,      {{"@", name_}}};
+        const Listing listing =
+            listing_of(*formulas, dialect, names_, name_ + "_",
+                       [this](std::string_view input) { return input_text(input); });
+        const PovText text(source_, name_, axes_, listing);
+        if (text.max_parameters() > max_parameters || text.steps() > max_steps) {
+            return too_large(text);
+        }
+        return {text.text(), std::move(warnings)};
+    }
+
+private:
+    // The functions of a user_defined camera know nothing of an aperture.
+    [[nodiscard]] camera::Camera without_lens(Diagnostics& warnings) const {
+        camera::Camera::Parts parts = source_.camera.parts();
+        if (parts.lens == nullptr) {
+            return source_.camera;
+        }
+        warnings.push_back(warning(
+            fmt::format("the lens of the camera '{}' is left out: the user_defined camera of "
+                        "POV-Ray has one ray for each point of the picture",
+                        source_.camera.name()),
+            parts.lens_span, "use 'balcony pov', which knows lenses"));
+        parts.lens = nullptr;
+        return *camera::Camera::make(std::move(parts)).value;
+    }
+
+    [[nodiscard]] Diagnostics tables(const CameraFormulas& formulas) const {
+        for (const expr::NodeId id : expr::reachable(*formulas.graph, formulas.roots)) {
+            if ((*formulas.graph)[id].op == Op::call) {
+                const StageFormulas* stage = stage_with(formulas, id);
+                return {error(
+                    fmt::format("'{}' of the camera '{}' cannot be exported to POV-Ray: it looks "
+                                "into a table of numbers, which POV-Ray's functions cannot",
+                                stage != nullptr ? stage->written : "a stage",
+                                source_.camera.name()),
+                    {},
+                    "render the scene with 'balcony pov', which takes any camera, or replace the "
+                    "stage by a formula")};
+            }
+        }
+        return {};
+    }
+
+    [[nodiscard]] Diagnostics too_large(const PovText& text) const {
+        return {error(
+            fmt::format("the camera '{}' is too large for POV-Ray: it needs functions with {} "
+                        "parameters, called {} deep; at most {} and {} are possible",
+                        source_.camera.name(), text.max_parameters(), text.steps(), max_parameters,
+                        max_steps),
+            {},
+            "render the scene with 'balcony pov', which takes any camera, or use fewer stages")};
+    }
+
+    // POV-Ray's axes are left-handed: the axis that is neither to the right nor up is reversed.
+    void turn_to_the_left(CameraFormulas& formulas) const {
+        const std::size_t depth = axes_ == Axes::y_up ? 2 : 1;
+        for (const std::size_t first : {CameraFormulas::origin, CameraFormulas::direction}) {
+            Expr& root = formulas.roots[first + depth];
+            root = -root;
+        }
+    }
+
+    [[nodiscard]] std::string input_text(std::string_view input) const {
+        if (input == "x" || input == "y") {
+            return std::string(input == "x" ? point_x : point_y);
+        }
+        for (const ExportParameter& parameter : source_.parameters) {
+            if (parameter.input == input) {
+                return fmt::format("{}_{}", name_, parameter.name);
+            }
+        }
+        return input == "t" ? "clock" : fmt::format("{}_{}", name_, input);
+    }
+
+    const ExportSource& source_;
+    const Axes axes_;
+    Names names_{{point_x, point_y, pov_axis}};
+    const std::string name_;
+};
+
+Result<std::string> write_pov(const ExportSource& source, const ExportOptions& options) {
+    return PovExport(source, options).run();
+}
+
+}  // namespace
+
+ExportTarget pov_target() {
+    return {"pov",    "functions for the user_defined camera of POV-Ray 3.8", ".inc", false, false,
+            write_pov};
+}
+
+}  // namespace balcony::bridge
