@@ -132,8 +132,9 @@ TEST(Viewpoint, IsMissedByTheDistanceOfTheRays) {
         "look tangent(along = u) }");
     const auto picture = lang::make_picture(lang::CameraSource(text), "");
     ASSERT_TRUE(picture) << to_text(picture.diagnostics);
-    const RayGrid grid = *RayGrid::make(
-        picture->with_fit(camera::Fit::stretch), {.width = 60, .height = 1, .axes = Axes::z_up, .footprints = true});
+    const RayGrid grid =
+        *RayGrid::make(picture->with_fit(camera::Fit::stretch),
+                       {.width = 60, .height = 1, .axes = Axes::z_up, .footprints = true});
     const Viewpoint found = find_viewpoint(grid);
     EXPECT_FALSE(found.is_single());
     EXPECT_NEAR(found.largest, 2.0, 1e-6);
