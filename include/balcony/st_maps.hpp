@@ -66,9 +66,9 @@ enum class Parallax { refuse, ignore };
 /// threads, cheap to copy.
 class StMap {
 public:
-    /// The rays have footprints and z up. A camera without a single viewpoint is an error, which
-    /// says how far it is from one; if parallax is ignored, only the directions of its rays count,
-    /// and this is a warning. The photo's camera must have a single viewpoint.
+    /// The rays have footprints and z up. A camera without a single viewpoint, that of the photo or
+    /// the other one, is an error, which says how far it is from one; if parallax is ignored, only
+    /// the directions of its rays count, and this is a warning.
     [[nodiscard]] static Result<StMap> make(const RayGrid& rays, const SourceCamera& source,
                                             Parallax parallax = Parallax::refuse);
 

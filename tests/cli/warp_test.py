@@ -2,7 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """balcony stmap and balcony warp: photos in the picture of a camera."""
 
+import signal
 import struct
+import subprocess
+import time
 import zlib
 
 import support
@@ -88,6 +91,25 @@ class Warp(support.CommandTest):
         self.assertIn("no single viewpoint", err)
         self.refused("stmap", "panorama", "--from", "cylinder", "-o", "st.exr", code=1,
                      says="camera 'cylinder' of the photo")
+        _, err = self.run_command("stmap", "panorama", "--from", "cylinder", *words[2:],
+                                  "--allow-parallax")
+        self.assertIn("camera 'cylinder' of the photo", err)
+
+    def test_interrupted(self):
+        for words in (("stmap", "panorama"), ("warp", "photo.png", "--camera", "panorama")):
+            with self.start(*words, "--from", "panorama", "--size", "60000x30000", "-o",
+                            "large.exr") as process:
+                time.sleep(1.5)
+                process.send_signal(signal.SIGINT)
+                self.assertEqual(process.wait(timeout=60), 130)
+            self.assertEqual([one for one in self.files() if one.startswith("large")], [])
+
+    def test_a_file_limit(self):
+        script = 'ulimit -f 100; exec "$0" stmap panorama --from panorama --size 400x200 -o st.exr'
+        done = subprocess.run(["bash", "-c", script, support.BALCONY], cwd=self.folder,
+                              capture_output=True, text=True, timeout=60)
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("cannot be written: File too large", done.stderr)
 
     def test_bad_usage(self):
         words = ("--from", "panorama", "--camera", "pinhole")

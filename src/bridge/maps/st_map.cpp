@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -51,11 +52,19 @@ private:
     double xx_, yy_, xy_, determinant_;
 };
 
-std::string amount_text(const Viewpoint& v) {
-    return fmt::format(
-        "its rays pass ({:.4g}, {:.4g}, {:.4g}), the point nearest to all of them, at "
-        "up to {:.4g} scene units, half of them at {:.4g} or more",
-        v.point.x, v.point.y, v.point.z, v.largest, v.median);
+// An error, or a warning if parallax is ignored.
+Diagnostic no_single_viewpoint(const Viewpoint& v, const std::string& camera, Parallax parallax) {
+    std::string message = fmt::format(
+        "{} has no single viewpoint: its rays pass ({:.4g}, {:.4g}, {:.4g}), the point nearest to "
+        "all of them, at up to {:.4g} scene units, half of them at {:.4g} or more; what is {:.4g} "
+        "units away appears up to 0.57 degrees from its place",
+        camera, v.point.x, v.point.y, v.point.z, v.largest, v.median, 100.0 * v.largest);
+    return parallax == Parallax::ignore
+               ? warning(std::move(message))
+               : error(
+                     std::move(message), {},
+                     "a photo shows a scene from one point; --allow-parallax takes the directions "
+                     "of the rays alone, as for things that are far away");
 }
 
 }  // namespace
@@ -251,24 +260,16 @@ Result<StMap> StMap::make(const RayGrid& rays, const SourceCamera& source, Paral
     assert(rays.has_footprints() && source.rays.has_footprints() && rays.axes() == Axes::z_up &&
            source.rays.axes() == Axes::z_up);
     const Viewpoint photo = find_viewpoint(source.rays);
-    if (!photo.is_single()) {
-        return error(fmt::format("camera '{}' of the photo has no single viewpoint: {}",
-                                 source.rays.name(), amount_text(photo)),
-                     {}, "name a camera whose rays start at one point, such as panorama");
-    }
-    const Viewpoint viewpoint = find_viewpoint(rays);
     Diagnostics found;
-    if (!viewpoint.is_single()) {
-        const std::string message = fmt::format(
-            "camera '{}' has no single viewpoint: {}; at a hundred times that distance, "
-            "things appear up to {:.2g} degrees from their place",
-            rays.name(), amount_text(viewpoint), 180.0 / 3.141592653589793 / 100.0);
-        if (parallax == Parallax::refuse) {
-            return error(message, {},
-                         "a photo shows a scene from one point; --allow-parallax takes the "
-                         "directions of the rays alone, as for things that are far away");
+    for (const auto& [viewpoint, camera] :
+         {std::pair(find_viewpoint(rays), fmt::format("camera '{}'", rays.name())),
+          std::pair(photo, fmt::format("camera '{}' of the photo", source.rays.name()))}) {
+        if (!viewpoint.is_single()) {
+            found.push_back(no_single_viewpoint(viewpoint, camera, parallax));
         }
-        found.push_back(warning(message));
+    }
+    if (has_errors(found)) {
+        return found;
     }
     return {StMap(std::make_shared<const Index>(rays, source, photo)), std::move(found)};
 }
