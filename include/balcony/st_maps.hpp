@@ -55,8 +55,9 @@ struct SourceCamera {
 /// A place in a photo: s from its left to its right side and t from its bottom to its top, from 0
 /// to 1, and the change from pixel to pixel, by picture x and y (down).
 struct SourcePlace {
-    bool valid = false;  ///< Whether the photo shows what the pixel sees.
-    V2d st{0.0};
+    bool valid = false;     ///< Whether the photo shows what the pixel's centre sees.
+    double coverage = 0.0;  ///< The part of the pixel that the photo shows.
+    V2d st{0.0};            ///< Of the centre or, if only another part is shown, of that.
     V2d st_by_x{0.0}, st_by_y{0.0};
 };
 
@@ -118,9 +119,9 @@ private:
 };
 
 /// Warps a photo: each pixel is the mean of the part of the photo that it shows, in linear light,
-/// filtered by OpenImageIO; transparent where the photo shows nothing. The file's extension says
-/// the format: .exr has linear light, the others are sRGB, limited to 0 .. 1. A deep photo gives a
-/// deep file if the format permits it.
+/// filtered by OpenImageIO, and transparent as far as the photo does not show it. The file's
+/// extension says the format: .exr has linear light, the others are sRGB, limited to 0 .. 1. A deep
+/// photo gives a deep file if the format permits it.
 [[nodiscard]] StMapWritten warp_photo(const StMap& map, const Photo& photo,
                                       const std::filesystem::path& file,
                                       const std::stop_token& stop = {});

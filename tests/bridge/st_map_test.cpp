@@ -109,6 +109,34 @@ TEST(StMap, HasThePhotoWhereTheCameraSeesIt) {
     }
 }
 
+TEST(StMap, KnowsWhichPartOfABorderPixelThePhotoShows) {
+    // The photo is the middle half of the picture, and its sides pass through pixels.
+    const auto map = StMap::make(grid_of("pinhole", 101, 101, {{"fov", "90deg"}}),
+                                 source_of("pinhole", 50, 50, {{"fov", "53.13010235415598deg"}}));
+    ASSERT_TRUE(map) << to_text(map.diagnostics);
+    const std::vector<SourcePlace> places = places_of(*map);
+    double area = 0.0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        area += places[i].coverage;
+        EXPECT_TRUE(!places[i].valid || places[i].coverage > 0.0) << i;
+        EXPECT_GE(places[i].st.x, 0.0) << i;
+        EXPECT_LE(places[i].st.x, 1.0) << i;
+    }
+    // The corners of the photo are at 25.25 and 75.75 pixels; a side has a row of four places.
+    EXPECT_NEAR(area, 50.5 * 50.5, 1e-9);
+    EXPECT_NEAR(places[50 * 101 + 25].coverage, 0.75, 1e-12);
+    EXPECT_NEAR(places[25 * 101 + 25].coverage, 0.75 * 0.75, 1e-12);
+    // In parts of the picture as in the whole.
+    for (const std::size_t row : {0U, 25U, 26U, 100U}) {
+        std::vector<SourcePlace> alone;
+        map->run(row, 1, alone);
+        for (std::size_t x = 0; x < 101; ++x) {
+            EXPECT_EQ(alone[x].coverage, places[row * 101 + x].coverage);
+            EXPECT_EQ(alone[x].valid, places[row * 101 + x].valid);
+        }
+    }
+}
+
 TEST(Viewpoint, IsThePointThatTheRaysMeet) {
     const Viewpoint one = find_viewpoint(grid_of("pinhole", 40, 30, {{"px", "1e5"}, {"pz", "-3"}}));
     EXPECT_TRUE(one.is_single());

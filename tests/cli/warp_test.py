@@ -62,7 +62,11 @@ class Warp(support.CommandTest):
                          "40x20", "-o", "out.jpg")
         document = self.json_of("warp", "photo.png", "--from", "pinhole", "--camera", "panorama",
                                 "--size", "40x20", "-o", "out.exr")
-        self.assertEqual(document["valid"], sum(pixel[3] == 255 for row in rows for pixel in row))
+        # The centres of the pixels at the border may be in the photo or not.
+        opacities = [pixel[3] for row in rows for pixel in row]
+        self.assertGreaterEqual(document["valid"], opacities.count(255))
+        self.assertLessEqual(document["valid"], len(opacities) - opacities.count(0))
+        self.assertTrue(any(0 < opacity < 255 for opacity in opacities))
 
     def test_a_map_of_its_own_is_read_back_as_a_warp(self):
         """stmap writes what the stage stmap reads."""

@@ -85,61 +85,68 @@ public:
     [[nodiscard]] bool closes() const { return closes_; }
 
     void run(std::size_t first_row, std::size_t rows, std::vector<SourcePlace>& places) const {
-        std::vector<Pixel> pixels = pixels_of(first_row, rows);
-        find(pixels, [](const Pixel& pixel) { return pixel.is_anchor(); });
-        const std::vector<V2d> anchors = anchors_of(pixels, rows);
-        for (Pixel& pixel : pixels) {
-            if (!pixel.found) {
-                pixel.position = anchors[pixel.anchor(anchor_columns())];
-            }
-        }
-        constexpr int iterations = 6;
-        for (int i = 0; i < iterations; ++i) {
-            improve(pixels);
-        }
-        find(pixels, [](const Pixel& pixel) { return !pixel.found && !pixel.is_anchor(); });
-        improve(pixels);
-        places.assign(rows * rays_.width(), {});
+        // With the neighbours above and below.
+        const std::size_t begin = first_row - std::min<std::size_t>(first_row, 1);
+        const std::size_t end = std::min(first_row + rows + 1, rays_.height());
+        const Part part{begin, end - begin, rays_.width()};
+        std::vector<Pixel> pixels = pixels_of(part);
+        find_centres(pixels, part);
+        std::vector<SourcePlace> all(part.size());
         for (const Pixel& pixel : pixels) {
             if (pixel.found) {
-                places[pixel.row * rays_.width() + pixel.column] = place_of(pixel);
+                all[pixel.index] = place_of(pixel);
             }
         }
+        cover_borders(all, part);
+        const auto from =
+            all.begin() + static_cast<std::ptrdiff_t>((first_row - begin) * part.width);
+        places.assign(from, from + static_cast<std::ptrdiff_t>(rows * part.width));
     }
 
 private:
     static constexpr std::size_t step = 8;
 
-    /// A pixel with a ray, and where the photo shows it.
-    struct Pixel {
-        std::size_t column = 0;
-        std::size_t row = 0;  ///< Of the rows at work.
-        Direction wanted{};
-        V2d position{nowhere()};  ///< In the photo, in pixels; a guess until it is found.
-        V2d by_x{0.0}, by_y{0.0};
-        bool found = false;
-        bool settled = false;  ///< The iteration has converged.
+    /// Some rows of the picture.
+    struct Part {
+        std::size_t first_row, rows, width;
 
-        [[nodiscard]] bool is_anchor() const { return column % step == 0 && row % step == 0; }
-        [[nodiscard]] std::size_t anchor(std::size_t columns) const {
-            return row / step * columns + column / step;
+        [[nodiscard]] std::size_t size() const { return rows * width; }
+        [[nodiscard]] std::size_t anchor_columns() const { return (width + step - 1) / step; }
+        /// Which anchor is near a pixel.
+        [[nodiscard]] std::size_t anchor_of(std::size_t index) const {
+            return index / width / step * anchor_columns() + index % width / step;
+        }
+        [[nodiscard]] bool is_anchor(std::size_t index) const {
+            return index / width % step == 0 && index % width % step == 0;
+        }
+        [[nodiscard]] std::size_t anchors() const {
+            return anchor_columns() * ((rows + step - 1) / step);
         }
     };
 
-    static V2d nowhere() { return V2d(std::numeric_limits<double>::quiet_NaN()); }
-    [[nodiscard]] std::size_t anchor_columns() const { return (rays_.width() + step - 1) / step; }
+    /// A place in a pixel with a ray, and where the photo shows it.
+    struct Pixel {
+        std::size_t index = 0;  ///< In its part.
+        Direction wanted{};
+        V2d position{nowhere()};  ///< In the photo, in pixels; a guess until it is found.
+        V2d by_x{0.0}, by_y{0.0};
+        bool asked = false;  ///< The inverse has answered.
+        bool found = false;
+        bool settled = false;  ///< The iteration has converged.
+    };
 
-    [[nodiscard]] std::vector<Pixel> pixels_of(std::size_t first_row, std::size_t rows) const {
+    static V2d nowhere() { return V2d(std::numeric_limits<double>::quiet_NaN()); }
+
+    [[nodiscard]] std::vector<Pixel> pixels_of(const Part& part) const {
         std::vector<Pixel> pixels;
         Scratch scratch;
         RayBatch batch;
-        for (std::size_t x = 0; x < rays_.width(); x += program::max_tile_width) {
-            const std::size_t width = std::min(program::max_tile_width, rays_.width() - x);
-            rays_.run(x, first_row, width, rows, scratch, batch);
+        for (std::size_t x = 0; x < part.width; x += program::max_tile_width) {
+            const std::size_t width = std::min(program::max_tile_width, part.width - x);
+            rays_.run(x, part.first_row, width, part.rows, scratch, batch);
             for (std::size_t i = 0; i < batch.size(); ++i) {
                 if (batch.valid(i)) {
-                    pixels.push_back({.column = x + i % width,
-                                      .row = i / width,
+                    pixels.push_back({.index = i / width * part.width + x + i % width,
                                       .wanted = direction_of(batch, i)});
                 }
             }
@@ -147,9 +154,94 @@ private:
         return pixels;
     }
 
+    void find_centres(std::vector<Pixel>& pixels, const Part& part) const {
+        ask(pixels, [&part](const Pixel& pixel) { return part.is_anchor(pixel.index); });
+        std::vector<V2d> anchors(part.anchors(), nowhere());
+        for (const Pixel& pixel : pixels) {
+            if (pixel.found) {
+                anchors[part.anchor_of(pixel.index)] = pixel.position;
+            }
+        }
+        for (Pixel& pixel : pixels) {
+            if (!pixel.asked) {
+                pixel.position = anchors[part.anchor_of(pixel.index)];
+            }
+        }
+        find_from_guesses(pixels);
+    }
+
+    void find_from_guesses(std::vector<Pixel>& pixels) const {
+        constexpr int iterations = 6;
+        for (int i = 0; i < iterations; ++i) {
+            improve(pixels);
+        }
+        ask(pixels, [](const Pixel& pixel) { return !pixel.found && !pixel.asked; });
+        improve(pixels);
+    }
+
+    // Looks at 16 places in each pixel that the photo shows other than one of its neighbours.
+    void cover_borders(std::vector<SourcePlace>& places, const Part& part) const {
+        constexpr int side = 4;
+        std::vector<std::size_t> indices;
+        std::vector<double> x;
+        std::vector<double> y;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            if (!is_at_border(places, part, i)) {
+                continue;
+            }
+            for (int k = 0; k < side * side; ++k) {
+                indices.push_back(i);
+                x.push_back(static_cast<double>(i % part.width) + (k % side + 0.5) / side);
+                y.push_back(static_cast<double>(part.first_row + i / part.width) +
+                            (static_cast<double>(k / side) + 0.5) / side);
+            }
+        }
+        Scratch scratch;
+        RayBatch batch;
+        rays_.run_at(x, y, scratch, batch);
+        std::vector<Pixel> within;
+        for (std::size_t i = 0; i < indices.size(); ++i) {
+            if (batch.valid(i)) {
+                const SourcePlace& centre = places[indices[i]];
+                within.push_back({.index = indices[i],
+                                  .wanted = direction_of(batch, i),
+                                  .position = centre.valid ? position_of(centre) : nowhere()});
+            }
+        }
+        find_from_guesses(within);
+        for (const std::size_t index : indices) {
+            places[index].coverage = 0.0;
+        }
+        for (const Pixel& one : within) {
+            SourcePlace& place = places[one.index];
+            if (one.found && !place.valid && place.coverage == 0.0) {
+                place = place_of(one);
+                place.valid = false;
+                place.coverage = 0.0;
+            }
+            place.coverage += one.found ? 1.0 / (side * side) : 0.0;
+        }
+    }
+
+    static bool is_at_border(const std::vector<SourcePlace>& places, const Part& part,
+                             std::size_t i) {
+        const std::size_t column = i % part.width;
+        const std::size_t row = i / part.width;
+        for (std::size_t y = row - std::min<std::size_t>(row, 1); y < std::min(row + 2, part.rows);
+             ++y) {
+            for (std::size_t x = column - std::min<std::size_t>(column, 1);
+                 x < std::min(column + 2, part.width); ++x) {
+                if (places[y * part.width + x].valid != places[i].valid) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
     // Asks the inverse of the photo's camera where it shows points far away.
     template <class Which>
-    void find(std::vector<Pixel>& pixels, const Which& is_wanted) const {
+    void ask(std::vector<Pixel>& pixels, const Which& is_wanted) const {
         std::vector<rays::ImagePointQuery> queries;
         std::vector<Pixel*> asked;
         for (Pixel& pixel : pixels) {
@@ -161,21 +253,11 @@ private:
         std::vector<rays::ImagePoint> found(queries.size());
         source_.finder->find(queries, found);
         for (std::size_t i = 0; i < found.size(); ++i) {
+            asked[i]->asked = true;
             asked[i]->found = found[i].places > 0;
             asked[i]->settled = false;
             asked[i]->position = asked[i]->found ? found[i].position : nowhere();
         }
-    }
-
-    [[nodiscard]] std::vector<V2d> anchors_of(const std::vector<Pixel>& pixels,
-                                              std::size_t rows) const {
-        std::vector<V2d> anchors(anchor_columns() * ((rows + step - 1) / step), nowhere());
-        for (const Pixel& pixel : pixels) {
-            if (pixel.is_anchor()) {
-                anchors[pixel.anchor(anchor_columns())] = pixel.position;
-            }
-        }
-        return anchors;
     }
 
     // A step of Newton's iteration from each guess, and the change from pixel to pixel: that of the
@@ -230,11 +312,17 @@ private:
                position.y < static_cast<double>(source_.rays.height());
     }
 
+    // From pixels of the photo, y down, to (s, t) and back.
+    [[nodiscard]] V2d scale() const {
+        return {1.0 / static_cast<double>(source_.rays.width()),
+                -1.0 / static_cast<double>(source_.rays.height())};
+    }
     [[nodiscard]] SourcePlace place_of(const Pixel& pixel) const {
-        const V2d scale(1.0 / static_cast<double>(source_.rays.width()),
-                        -1.0 / static_cast<double>(source_.rays.height()));
-        return {true, V2d(0.0, 1.0) + pixel.position * scale, pixel.by_x * scale,
-                pixel.by_y * scale};
+        return {true, 1.0, V2d(0.0, 1.0) + pixel.position * scale(), pixel.by_x * scale(),
+                pixel.by_y * scale()};
+    }
+    [[nodiscard]] V2d position_of(const SourcePlace& place) const {
+        return (place.st - V2d(0.0, 1.0)) / scale();
     }
 
     // Whether the rays go on from the last column to the first as they do from column to column.

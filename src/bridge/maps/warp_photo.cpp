@@ -31,8 +31,11 @@ ColorRows color_rows(const StMap& map, const PhotoTexture& photo, const RowSpan&
     rows.values.reserve(4 * places.size());
     for (const SourcePlace& place : places) {
         rows.valid += place.valid ? 1 : 0;
-        const std::array<float, 4> color = place.valid ? photo(place) : std::array<float, 4>{};
-        rows.values.insert(rows.values.end(), color.begin(), color.end());
+        const std::array<float, 4> color =
+            place.coverage > 0.0 ? photo(place) : std::array<float, 4>{};
+        for (const float value : color) {
+            rows.values.push_back(static_cast<float>(place.coverage) * value);
+        }
     }
     return rows;
 }

@@ -25,8 +25,9 @@ PlaceRows place_rows(const StMap& map, const RowSpan& span) {
     for (const SourcePlace& place : places) {
         rows.valid += place.valid ? 1 : 0;
         const float there = place.valid ? 1.0F : 0.0F;
-        rows.values.insert(rows.values.end(), {static_cast<float>(place.st.x),
-                                               static_cast<float>(place.st.y), 0.0F, there});
+        rows.values.insert(rows.values.end(),
+                           {there * static_cast<float>(place.st.x),
+                            there * static_cast<float>(place.st.y), 0.0F, there});
     }
     return rows;
 }
