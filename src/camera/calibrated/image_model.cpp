@@ -41,14 +41,28 @@ private:
     Scalar radius_;
 };
 
-StageParameter frame_number(std::string_view name, std::string_view meaning, bool positive,
-                            bool optional) {
+StageParameter size_number(std::string_view name, std::string_view meaning) {
+    constexpr double largest_image = 1e6;
     return {.name = name,
             .type =
                 NumberParameter{
-                    .range = positive ? Range{.minimum = 0.0, .excludes_minimum = true} : Range{},
+                    .range = {.minimum = 0.0, .maximum = largest_image, .excludes_minimum = true},
                     .constant = true},
+            .meaning = meaning};
+}
+
+StageParameter focal_length(std::string_view name, bool optional, std::string_view meaning) {
+    return {.name = name,
+            .type = NumberParameter{.range = {.minimum = 0.0, .excludes_minimum = true},
+                                    .constant = true},
             .optional = optional,
+            .meaning = meaning};
+}
+
+StageParameter center_number(std::string_view name, std::string_view meaning) {
+    return {.name = name,
+            .type = NumberParameter{.constant = true},
+            .optional = true,
             .meaning = meaning};
 }
 
@@ -56,16 +70,14 @@ StageParameter frame_number(std::string_view name, std::string_view meaning, boo
 
 std::vector<StageParameter> frame_parameters() {
     return {
-        frame_number("width", "the width of the calibrated image in pixels", true, false),
-        frame_number("height", "its height in pixels", true, false),
-        frame_number("fx", "the focal length in pixels along x", true, false),
-        frame_number("fy", "the focal length in pixels along y; without it, fx", true, true),
-        frame_number("cx", "x of the centre of the lens in pixels; without it, of the image", false,
-                     true),
-        frame_number("cy",
-                     "y of the centre of the lens in pixels, from the top; without it, of the "
-                     "image",
-                     false, true),
+        size_number("width", "the width of the calibrated image in pixels"),
+        size_number("height", "its height in pixels"),
+        focal_length("fx", false, "the focal length in pixels along x"),
+        focal_length("fy", true, "the focal length in pixels along y; without it, fx"),
+        center_number("cx", "x of the centre of the lens in pixels; without it, of the image"),
+        center_number("cy",
+                      "y of the centre of the lens in pixels, from the top; without it, of the "
+                      "image"),
         {.name = "skew",
          .type = NumberParameter{.default_value = 0.0, .constant = true},
          .meaning = "how much x in pixels grows with y in focal lengths"},
