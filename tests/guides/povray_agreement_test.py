@@ -10,10 +10,10 @@ import struct
 import subprocess
 import tempfile
 import unittest
-import zlib
 from pathlib import Path
 
 import guide
+import png
 
 if shutil.which("povray") is None:
     guide.skip("POV-Ray is not installed")
@@ -60,13 +60,18 @@ CAMERAS = {
 }
 
 
-def in_povray(point):
-    """A point of Balcony, z up, on POV-Ray's left-handed axes, y up."""
-    x, y, z = point
-    return f"<{x},{z},{y}>"
+AXES = {
+    "y_up": lambda x, y, z: f"<{x},{z},{y}>",
+    "z_up": lambda x, y, z: f"<{x},{-y},{z}>",
+    "y_up_right": lambda x, y, z: f"<{x},{z},{-y}>",
+    "z_up_right": lambda x, y, z: f"<{x},{y},{z}>",
+}
 
 
-def write_povray_scene(file):
+def write_povray_scene(file, axes="y_up"):
+    def in_povray(point):
+        return AXES[axes](*point)
+
     lines = ["#version 3.7;", "global_settings { assumed_gamma 1 }",
              "#default { finish { ambient 0 diffuse 0 emission 1 } }",
              "camera { location <3,4,5> look_at 0 }"]
@@ -151,35 +156,6 @@ def write_glb(file):
     file.write_bytes(struct.pack("<III", 0x46546C67, 2, 12 + len(parts)) + parts)
 
 
-def read_png(file):
-    """The rows of an RGBA picture with 8 bits, each a list of pixels."""
-    data = file.read_bytes()
-    position, packed, header = 8, b"", None
-    while position < len(data):
-        length, kind = struct.unpack(">I4s", data[position:position + 8])
-        body = data[position + 8:position + 8 + length]
-        header = struct.unpack(">IIBB", body[:10]) if kind == b"IHDR" else header
-        packed += body if kind == b"IDAT" else b""
-        position += 12 + length
-    width, height, bits, color = header
-    assert (bits, color) == (8, 6), "an RGBA picture with 8 bits"
-    raw, stride = zlib.decompress(packed), 4 * width
-    rows, above = [], bytearray(stride)
-    for y in range(height):
-        line = raw[y * (stride + 1):(y + 1) * (stride + 1)]
-        row = bytearray(line[1:])
-        for i in range(stride):
-            left = row[i - 4] if i >= 4 else 0
-            corner = above[i - 4] if i >= 4 else 0
-            up = above[i]
-            estimate = left + up - corner
-            nearest = min((left, up, corner), key=lambda value: abs(estimate - value))
-            row[i] = (row[i] + (0, left, up, (left + up) // 2, nearest)[line[0]]) & 255
-        rows.append([tuple(row[i:i + 4]) for i in range(0, stride, 4)])
-        above = row
-    return rows
-
-
 COLORS = {color: name for name, (*_, color) in (BOXES | SPHERES).items()}
 
 
@@ -203,13 +179,13 @@ class Agreement(unittest.TestCase):
                         f"{WIDTH}x{HEIGHT}", "--fit", "stretch", "--samples", "1", "--quiet", "-o",
                         "picture.png", *options], cwd=self.folder, check=True)
         return [[object_of(pixel) for pixel in row]
-                for row in read_png(self.folder / "picture.png")]
+                for row in png.read(self.folder / "picture.png")]
 
-    def objects(self, camera, *options):
+    def objects(self, camera, *options, scene="scene.pov"):
         (self.folder / "c.cam").write_text(camera)
         return (self.picture(("render", "scene.glb"), "--integrator", "path", "--no-dither",
                              "--view-transform", "standard", "--exposure", "0"),
-                self.picture(("pov", "scene.pov"), *options))
+                self.picture(("pov", scene), *options))
 
     def share(self, name, ours, theirs):
         """Prints the share of equal pixels; fails if a pixel differs that is not at an edge."""
@@ -232,6 +208,18 @@ class Agreement(unittest.TestCase):
                 ours, theirs = self.objects(camera)
                 self.share(name, ours, theirs)
                 self.assertEqual(name == "fisheye with a rim", "no ray" in ours[0])
+
+    def test_scenes_of_all_axes_look_the_same(self):
+        for axes in AXES:
+            with self.subTest(axes):
+                write_povray_scene(self.folder / "turned.pov", axes)
+                ours, theirs = self.objects(CAMERAS["pinhole"], "--axes", axes, scene="turned.pov")
+                self.share(f"pinhole, {axes}", ours, theirs)
+
+    def test_a_lens_takes_the_same_points(self):
+        camera = CAMERAS["pinhole"].replace("}", "  lens(0.1, focus = 5) }")
+        ours, theirs = self.objects(camera)
+        self.assertGreater(self.share("lens", ours, theirs), 0.999)
 
     def test_a_mirrored_picture_would_be_noticed(self):
         ours, theirs = self.objects(CAMERAS["pinhole"])

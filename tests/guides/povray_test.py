@@ -13,10 +13,11 @@ import unittest
 from pathlib import Path
 
 import guide
+import png
 
 EXAMPLES = Path("/usr/share/doc/povray/examples")
-if shutil.which("povray") is None or not EXAMPLES.is_dir():
-    guide.skip("POV-Ray and its examples are not installed")
+if None in (shutil.which("povray"), shutil.which("oiiotool")) or not EXAMPLES.is_dir():
+    guide.skip("POV-Ray, its examples or oiiotool are not installed")
 
 
 def quick(line):
@@ -132,6 +133,25 @@ class Robustness(unittest.TestCase):
             self.facts(*words)
             pictures.append((self.folder / "p.png").read_bytes())
         self.assertEqual(len(set(pictures)), 3)
+
+    def test_colours_are_those_of_povrays_own_picture(self):
+        for head in ("#version 3.7; global_settings { assumed_gamma 1 }",
+                     "#version 3.7; global_settings { assumed_gamma 2.2 }",
+                     "#version 3.6; global_settings { assumed_gamma 2.2 }", "#version 3.6;", ""):
+            (self.folder / "flat.pov").write_text(
+                head + "\nbackground { rgb <0.2, 0.5, 1.3> }\ncamera { location 0 look_at z }\n")
+            subprocess.run(["povray", "+Iflat.pov", "+Oown.png", "+W8", "+H8", "-D", "+FN8"],
+                           cwd=self.folder, check=True, capture_output=True)
+            self.pov("flat.pov", "--camera", "c.cam:c", "--size", "8x8", "-s", "2", "-o", "p.png")
+            own, ours = (png.read(self.folder / name)[4][4] for name in ("own.png", "p.png"))
+            self.assertEqual(ours[:3], own[:3], head)
+
+    def test_light_beyond_white_is_in_exr_files(self):
+        (self.folder / "flat.pov").write_text(
+            "#version 3.7; global_settings { assumed_gamma 1 } background { rgb <4, 4, 4> }\n")
+        self.pov("flat.pov", "--camera", "c.cam:c", "--size", "8x8", "-s", "1", "-o", "p.exr")
+        said = guide.run_line("oiiotool --stats p.exr", self.folder, os.environ["PATH"])
+        self.assertRegex(said, r"Stats Avg: 4\.0+ 4\.0+ 4\.0+ 1\.0+ ")
 
     def test_a_picture_with_an_inset_is_composed(self):
         said = self.pov("scene.pov", "--camera", "c.cam:inset", "-s", "2", "-o", "p.png", "--json")

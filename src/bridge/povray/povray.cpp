@@ -110,8 +110,9 @@ private:
             }
         }
         seen.clear();
-        const std::size_t rows =
-            std::clamp<std::size_t>(max_single_faces_of_run / width, 1, height);
+        const std::size_t rows = std::clamp<std::size_t>(
+            max_single_faces_of_run / width, 1,
+            std::min(height, max_rows_of_run - povray::first_row_of_single_faces));
         for (std::size_t y = 0; y < height && is_fine(); y += rows) {
             const Watch watch;
             const render::Region region{0, y, width, std::min(rows, height - y)};

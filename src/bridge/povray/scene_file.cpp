@@ -167,7 +167,9 @@ Diagnostics write_scene(const std::filesystem::path& file, std::string_view scen
            "#declare Balcony_Mesh = mesh2 {\n";
     MeshWriter(out, picture, axes).write();
     const V3d center = axes.from_y_up(frame.center);
-    out << fmt::format("translate <{:.17g},{:.17g},{:.17g}>\n}}\n", center.x, center.y, center.z);
+    // No ray meets the mesh, so it needs no hierarchy of bounding boxes.
+    out << fmt::format("translate <{:.17g},{:.17g},{:.17g}>\nhierarchy off\n}}\n", center.x,
+                       center.y, center.z);
     out << fmt::format(
         "camera {{ mesh_camera {{ 1 {} mesh {{ Balcony_Mesh }} {} }} "
         "location <0,0,{:.17g}> }}\n",
