@@ -87,9 +87,21 @@ const std::map<std::string, BuiltIn>& built_in() {
         {"sqrt", {1, [](const double* a) { return std::sqrt(a[0]); }}},
         {"exp", {1, [](const double* a) { return std::exp(a[0]); }}},
         {"ln", {1, [](const double* a) { return std::log(a[0]); }}},
+        {"min", {2, [](const double* a) { return !(a[1] >= a[0]) ? a[1] : a[0]; }}},
+        {"max", {2, [](const double* a) { return a[1] > a[0] ? a[1] : a[0]; }}},
         {"pow", {2, [](const double* a) { return std::pow(a[0], a[1]); }}},
     };
     return all;
+}
+
+double interpolated(const PovSpline& spline, std::size_t member, double at) {
+    const auto after = spline.upper_bound(at);
+    if (after == spline.begin() || after == spline.end()) {
+        return (after == spline.begin() ? after : std::prev(after))->second[member];
+    }
+    const auto& [first, from] = *std::prev(after);
+    const auto& [last, to] = *after;
+    return (at - first) * (to[member] - from[member]) / (last - first) + from[member];
 }
 
 }  // namespace
@@ -135,7 +147,7 @@ private:
 
     [[nodiscard]] bool declared(const std::string& name) const {
         return scene_.numbers_.contains(name) || scene_.functions_.contains(name) ||
-               scene_.cameras_.contains(name);
+               scene_.splines_.contains(name) || scene_.cameras_.contains(name);
     }
 
     void statement() {
@@ -163,6 +175,10 @@ private:
         }
         expect("=");
         if (accept("function")) {
+            if (peek().text == "{") {
+                scene_.splines_[declared_name] = spline();
+                return;
+            }
             auto function = std::make_shared<PovFunction>();
             function->name = declared_name;
             function->parameters = parameters();
@@ -177,6 +193,29 @@ private:
             scene_.numbers_[declared_name] = scene_.evaluate(value, {}, 0);
             expect(";");
         }
+    }
+
+    std::shared_ptr<const PovSpline> spline() {
+        auto made = std::make_shared<PovSpline>();
+        for (const char* word : {"{", "spline", "{", "linear_spline"}) {
+            expect(word);
+        }
+        do {
+            const PovExpression key = sum({});
+            expect(",");
+            expect("<");
+            std::array<double, 4>& vector = (*made)[scene_.evaluate(key, {}, 0)];
+            for (std::size_t i = 0; i < vector.size(); ++i) {
+                vector[i] = scene_.evaluate(sum({}), {}, 0);
+                expect(i + 1 < vector.size() ? "," : ">");
+            }
+        } while (accept(","));
+        expect("}");
+        expect("}");
+        if (made->size() < 2) {
+            refuse("a spline of one point");
+        }
+        return made;
     }
 
     std::vector<std::string> parameters() {
@@ -309,6 +348,18 @@ private:
         } while (accept(","));
         expect(")");
         const std::size_t count = made.operands.size();
+        const auto spline = scene_.splines_.find(word);
+        if (spline != scene_.splines_.end()) {
+            static constexpr std::string_view members = "xyzt";
+            expect(".");
+            made.member = members.find(name());
+            if (count != 1 || made.member == std::string_view::npos) {
+                refuse("a spline has one argument and a vector of four numbers");
+            }
+            made.kind = Kind::spline;
+            made.spline = spline->second;
+            return made;
+        }
         const auto known = built_in().find(word);
         const bool right = made.function               ? count == made.function->parameters.size()
                            : word == "select"          ? count == 3 || count == 4
@@ -347,6 +398,11 @@ double PovScene::evaluate(const PovExpression& expression, const std::vector<dou
         case PovExpression::Kind::number: return expression.number;
         case PovExpression::Kind::parameter: return parameters[expression.parameter];
         case PovExpression::Kind::operation: return operation(expression, parameters, depth);
+        case PovExpression::Kind::spline: {
+            ++cost_.operations;
+            return interpolated(*expression.spline, expression.member,
+                                evaluate(expression.operands[0], parameters, depth));
+        }
         case PovExpression::Kind::call: break;
     }
     if (depth >= max_call_depth) {

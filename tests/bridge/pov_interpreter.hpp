@@ -25,14 +25,19 @@ public:
 
 struct PovFunction;
 
+/// A linear spline of vectors.
+using PovSpline = std::map<double, std::array<double, 4>>;
+
 struct PovExpression {
-    enum class Kind { number, parameter, operation, call };
+    enum class Kind { number, parameter, operation, call, spline };
     Kind kind = Kind::number;
     double number = 0.0;
     std::size_t parameter = 0;
     std::string name{};  ///< Of an operator or of a function that POV-Ray has.
     std::shared_ptr<const PovFunction> function{};
     std::vector<PovExpression> operands{};
+    std::shared_ptr<const PovSpline> spline{};
+    std::size_t member = 0;  ///< Of the vector of a spline.
 };
 
 struct PovFunction {
@@ -81,6 +86,7 @@ private:
     double columns_, rows_;
     std::map<std::string, double> numbers_;
     std::map<std::string, std::shared_ptr<const PovFunction>> functions_;
+    std::map<std::string, std::shared_ptr<const PovSpline>> splines_;
     std::map<std::string, Camera> cameras_;
     mutable PovCost cost_;
 };

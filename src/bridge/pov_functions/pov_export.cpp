@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "bridge/pov_functions/function_chain.hpp"
+#include "bridge/pov_functions/spline_table.hpp"
 #include "bridge/text/c_like.hpp"
 #include "bridge/text/targets.hpp"
 
@@ -89,6 +90,9 @@ std::string capitalised(std::string name) {
 constexpr std::size_t max_parameters = 56;
 constexpr std::size_t max_steps = 1024 - 4;
 
+// POV-Ray reads and writes them as text: some 20 bytes each.
+constexpr std::size_t max_table_size = 100'000;
+
 constexpr std::string_view pov_axis = "axis";
 
 /// The text of a listing.
@@ -119,6 +123,9 @@ public:
         std::string made = head() + inputs();
         for (const std::string& helper : listing_.helpers) {
             made += helper;
+        }
+        for (const ListedTable& table : listing_.tables) {
+            made += spline_table(table, pov_number);
         }
         return made + lines() +
                "\n// The order of evaluation, from the last function to the first: each passes on "
@@ -323,7 +330,7 @@ public:
         if (!formulas) {
             return formulas.diagnostics;
         }
-        if (Diagnostics found = tables(*formulas); !found.empty()) {
+        if (Diagnostics found = large_tables(*formulas); !found.empty()) {
             return found;
         }
         turn_to_the_left(*formulas);
@@ -355,18 +362,22 @@ private:
         return *camera::Camera::make(std::move(parts)).value;
     }
 
-    [[nodiscard]] Diagnostics tables(const CameraFormulas& formulas) const {
+    [[nodiscard]] Diagnostics large_tables(const CameraFormulas& formulas) const {
         for (const expr::NodeId id : expr::reachable(*formulas.graph, formulas.roots)) {
-            if ((*formulas.graph)[id].op == Op::call) {
+            if ((*formulas.graph)[id].op != Op::call) {
+                continue;
+            }
+            const std::size_t size = formulas.graph->call_of(id).table->coefficients.size();
+            if (size > max_table_size) {
                 const StageFormulas* stage = stage_with(formulas, id);
                 return {error(
                     fmt::format("'{}' of the camera '{}' cannot be exported to POV-Ray: it looks "
-                                "into a table of numbers, which POV-Ray's functions cannot",
+                                "into a table of {} numbers; at most {} are possible",
                                 stage != nullptr ? stage->written : "a stage",
-                                source_.camera.name()),
+                                source_.camera.name(), size, max_table_size),
                     {},
                     "render the scene with 'balcony pov', which takes any camera, or replace the "
-                    "stage by a formula")};
+                    "stage by a smaller one")};
             }
         }
         return {};
