@@ -108,7 +108,8 @@ void describe_pov(RenderReport& outcome, const PovRequest& request, const camera
     }
     warn_of_lost_alpha(outcome, film, request.output);
     const bool interrupted = summary.end == bridge::PovrayEnd::interrupted;
-    outcome.facts = {{"camera", picture.name()},
+    outcome.facts = {{"output", nullptr},
+                     {"camera", picture.name()},
                      {"width", film.width},
                      {"height", film.height},
                      {"passes", film.passes.front()},
