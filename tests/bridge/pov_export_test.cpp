@@ -19,10 +19,8 @@ using test::Example;
 using test::ExportedRay;
 using test::PovScene;
 
-Result<std::string> exported(const camera::Camera& camera,
-                             std::vector<ExportParameter> parameters = {},
-                             ExportOptions options = {}) {
-    return find_export_target("pov")->write({camera, std::move(parameters)}, options);
+Result<std::string> exported(const camera::Camera& camera) {
+    return find_export_target("pov")->write({camera}, {});
 }
 
 // Names of POV-Ray begin with a capital letter.
@@ -94,6 +92,104 @@ TEST(PovExport, ComputesTheRaysOfAllExamplesThatItCanExpress) {
             << example.name;
     }
     EXPECT_GE(expressed + 2, test::examples().size()) << "not expressed:\n" << refused;
+}
+
+// A camera whose rays say what it was given.
+constexpr const char* swaying = R"(
+    camera sway(height = 3, lean = 10deg) {
+        map    u = -180deg .. 180deg, v = -1 .. 1
+        eye    surface(u, v) = [t, 2, height]
+        toward surface(u, v) = [t + cos(u)*cos(lean), 2 + sin(u), height + v]
+    })";
+
+lang::OpenCamera open_camera(const char* text) {
+    auto made = lang::Workspace().make_open_camera(
+        std::make_shared<const SourceText>("test.cam", text), "", {}, {});
+    EXPECT_TRUE(made) << to_text(made.diagnostics);
+    return std::move(*made);
+}
+
+ExportSource open_source(const lang::OpenCamera& opened) {
+    ExportSource source{opened.camera};
+    for (const lang::OpenParameter& parameter : opened.open) {
+        source.parameters.push_back({parameter.name, lang::parameter_input(parameter.name),
+                                     parameter.written, parameter.value, parameter.is_angle});
+    }
+    return source;
+}
+
+TEST(PovExport, DeclaresParametersUnlessTheSceneDoes) {
+    const ExportSource source = open_source(open_camera(swaying));
+    const auto text = find_export_target("pov")->write(source, {});
+    ASSERT_TRUE(text) << to_text(text.diagnostics);
+    const PovScene own(*text, 160, 90);
+    EXPECT_EQ(own.number("Sway_height"), 3.0);
+    EXPECT_NEAR(own.number("Sway_lean"), std::acos(-1.0) / 18.0, 1e-15);
+    EXPECT_EQ(own.ray("Sway", 30, 40).location, (std::array{0.0, 3.0, 2.0}));
+    const PovScene changed(*text, 160, 90, 0.0, {{"Sway_height", 7.0}});
+    EXPECT_EQ(changed.ray("Sway", 30, 40).location, (std::array{0.0, 7.0, 2.0}));
+}
+
+TEST(PovExport, TakesTheTimeFromTheClock) {
+    const auto text = find_export_target("pov")->write(open_source(open_camera(swaying)), {});
+    const PovScene scene(*text, 160, 90, 0.25);
+    EXPECT_EQ(scene.ray("Sway", 30, 40).location[0], 0.25);
+}
+
+TEST(PovExport, HasTheUpAxisThatIsAskedFor) {
+    const ExportSource source = open_source(open_camera(swaying));
+    const auto text = find_export_target("pov")->write(source, {.axes = Axes::z_up});
+    const PovScene::Ray z_up = PovScene(*text, 160, 90).ray("Sway", 30, 40);
+    EXPECT_EQ(z_up.location, (std::array{0.0, -2.0, 3.0}));
+    const auto y_up_text = find_export_target("pov")->write(source, {});
+    const PovScene::Ray y_up = PovScene(*y_up_text, 160, 90).ray("Sway", 30, 40);
+    EXPECT_NEAR(z_up.direction[0], y_up.direction[0], 1e-15);
+    EXPECT_NEAR(z_up.direction[1], -y_up.direction[2], 1e-15);
+    EXPECT_NEAR(z_up.direction[2], y_up.direction[1], 1e-15);
+}
+
+camera::Camera camera_of(const std::string& text) {
+    const auto made = lang::make_camera(std::make_shared<const SourceText>("test.cam", text), "");
+    EXPECT_TRUE(made) << to_text(made.diagnostics);
+    return *made;
+}
+
+TEST(PovExport, LeavesALensOutWithAWarning) {
+    const auto text = exported(camera_of(R"(camera c {
+        map u = 1 .. -1, v = square   eye point(0, 0, 0)   toward plane((1, 0, 0))
+        lens(0.1, focus = 5) })"));
+    ASSERT_TRUE(text);
+    EXPECT_NE(to_text(text.diagnostics).find("'balcony pov'"), std::string::npos);
+}
+
+TEST(PovExport, RefusesWhatHasMoreValuesThanAFunctionHasParameters) {
+    std::string seeds;
+    for (int i = 0; i < 40; ++i) {
+        seeds +=
+            fmt::format("{}({}, {}, {}, {}, 1, 2)", i == 0 ? "" : ", ", i, i % 5, i % 3, i % 7);
+    }
+    const auto text =
+        exported(camera_of("camera c { map u = 0deg .. 360deg, v = -80deg .. 80deg  eye sphere(9)\n"
+                           "  move inverse_distance([" +
+                           seeds + "]) look normal }"));
+    ASSERT_FALSE(text);
+    EXPECT_NE(to_text(text.diagnostics).find("parameters"), std::string::npos);
+    EXPECT_NE(to_text(text.diagnostics).find("'balcony pov'"), std::string::npos);
+}
+
+TEST(PovExport, RefusesALargeTableAndNamesTheStage) {
+    std::string points;
+    for (int i = 0; i < 100 * 100; ++i) {
+        points += fmt::format("{}({}, {})", i == 0 ? "" : ", ", 0.001 * (i % 7), 0.001 * (i % 11));
+    }
+    const auto text = exported(camera_of(
+        fmt::format("camera c {{ map u = 1 .. -1, v = square  warp grid([{}], columns = 100)\n"
+                    "  eye point(0, 0, 0)  toward plane((1, 0, 0)) }}",
+                    points)));
+    ASSERT_FALSE(text);
+    const std::string message = to_text(text.diagnostics);
+    EXPECT_NE(message.find("warp grid"), std::string::npos) << message.substr(0, 300);
+    EXPECT_NE(message.find("'balcony pov'"), std::string::npos);
 }
 
 }  // namespace

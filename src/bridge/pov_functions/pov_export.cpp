@@ -98,8 +98,12 @@ constexpr std::string_view pov_axis = "axis";
 /// The text of a listing.
 class PovText {
 public:
-    PovText(const ExportSource& source, std::string name, Axes axes, const Listing& listing)
+    /// `parameters` are their names in the scene; `names` are taken.
+    PovText(const ExportSource& source, const std::vector<std::string>& parameters,
+            std::string name, Axes axes, const Listing& listing, Names& names)
         : source_(source),
+          parameters_(parameters),
+          names_(names),
           name_(std::move(name)),
           axes_(axes),
           listing_(listing),
@@ -185,16 +189,18 @@ private:
 
     [[nodiscard]] std::string inputs() const {
         std::string text = fmt::format(
-            "\n#declare {0}_width = image_width;\n#declare {0}_height = image_height;\n", name_);
+            "\n#declare {0}_picture_width = image_width;\n"
+            "#declare {0}_picture_height = image_height;\n",
+            name_);
         if (!source_.parameters.empty()) {
             text +=
                 "\n// Declare these before including this file to change them. Angles are in "
                 "radians.\n";
         }
-        for (const ExportParameter& parameter : source_.parameters) {
-            text += fmt::format("#ifndef ({0}) #declare {0} = {1}; #end  // {2}\n",
-                                in_scene(parameter.name), pov_number(parameter.value),
-                                comment_line(parameter.written));
+        for (std::size_t i = 0; i < parameters_.size(); ++i) {
+            const ExportParameter& parameter = source_.parameters[i];
+            text += fmt::format("#ifndef ({0}) #declare {0} = {1}; #end  // {2}\n", parameters_[i],
+                                pov_number(parameter.value), comment_line(parameter.written));
         }
         return text + "\n";
     }
@@ -229,7 +235,7 @@ private:
     }
 
     [[nodiscard]] std::string valid_direction() const {
-        return fmt::format("select(-({}), {}, 0)",
+        return fmt::format("select(-({}),\n        {},\n        0)",
                            spelled(listing_.roots[CameraFormulas::valid].text),
                            coordinate(CameraFormulas::direction));
     }
@@ -238,9 +244,6 @@ private:
     // are called.
     [[nodiscard]] std::string chain_text(std::string_view wanted, const FunctionChain& chain,
                                          const std::string& result) const {
-        const auto name = [&](std::size_t step) {
-            return step == 0 ? in_scene(wanted) : fmt::format("{}_{}", in_scene(wanted), step + 1);
-        };
         const auto parameters = [&](std::size_t step) {
             const std::vector<std::string> point{std::string(point_x), std::string(point_y)};
             return step == 0                   ? point
@@ -248,14 +251,18 @@ private:
                                                : chain.result_parameters;
         };
         const std::size_t last = chain.steps.size();
-        std::string text = function_text(name(last), with_axis(parameters(last)), result);
+        std::vector<std::string> names{in_scene(wanted)};
+        for (std::size_t i = 1; i <= last; ++i) {
+            names.push_back(in_scene(names_.unique(fmt::format("{}_{}", wanted, i + 1))));
+        }
+        std::string text = function_text(names[last], with_axis(parameters(last)), result);
         for (std::size_t i = last; i-- > 0;) {
             std::vector<std::string> arguments = parameters(i + 1);
             for (std::string& value : arguments) {
                 value = argument(chain.steps[i], value);
             }
-            text += function_text(name(i), with_axis(parameters(i)),
-                                  name(i + 1) + enclosed_list(with_axis(std::move(arguments))));
+            text += function_text(names[i], with_axis(parameters(i)),
+                                  names[i + 1] + enclosed_list(with_axis(std::move(arguments))));
         }
         return text;
     }
@@ -290,8 +297,8 @@ private:
     [[nodiscard]] std::string camera_text() const {
         std::string text = fmt::format(
             "\n// POV-Ray's x is from -0.5 to 0.5 to the right, and its y upwards.\n"
-            "#declare {0}_column = function(x) {{ (x + 0.5) * {0}_width }}\n"
-            "#declare {0}_row = function(y) {{ (0.5 - y) * {0}_height }}\n"
+            "#declare {0}_column = function(x) {{ (x + 0.5) * {0}_picture_width }}\n"
+            "#declare {0}_row = function(y) {{ (0.5 - y) * {0}_picture_height }}\n"
             "#declare {0} = camera {{\n"
             "    user_defined\n",
             name_);
@@ -308,6 +315,8 @@ private:
     }
 
     const ExportSource& source_;
+    const std::vector<std::string>& parameters_;
+    Names& names_;
     const std::string name_;
     const Axes axes_;
     const Listing& listing_;
@@ -322,7 +331,12 @@ public:
     PovExport(const ExportSource& source, const ExportOptions& options)
         : source_(source),
           axes_(options.axes.value_or(Axes::y_up)),
-          name_(capitalised(names_.unique(source.camera.name()))) {}
+          name_(capitalised(names_.unique(source.camera.name()))) {
+        for (const ExportParameter& parameter : source.parameters) {
+            const std::string name = fmt::format("{}_{}", name_, names_.unique(parameter.name));
+            parameters_.push_back(names_.unique(name));
+        }
+    }
 
     Result<std::string> run() {
         Diagnostics warnings;
@@ -339,7 +353,7 @@ public:
         const Listing listing =
             listing_of(*formulas, dialect, names_, name_ + "_",
                        [this](std::string_view input) { return input_text(input); });
-        const PovText text(source_, name_, axes_, listing);
+        const PovText text(source_, parameters_, name_, axes_, listing, names_);
         if (text.max_parameters() > max_parameters || text.steps() > max_steps) {
             return too_large(text);
         }
@@ -406,18 +420,20 @@ private:
         if (input == "x" || input == "y") {
             return std::string(input == "x" ? point_x : point_y);
         }
-        for (const ExportParameter& parameter : source_.parameters) {
-            if (parameter.input == input) {
-                return fmt::format("{}_{}", name_, parameter.name);
+        for (std::size_t i = 0; i < parameters_.size(); ++i) {
+            if (source_.parameters[i].input == input) {
+                return parameters_[i];
             }
         }
-        return input == "t" ? "clock" : fmt::format("{}_{}", name_, input);
+        return input == "t" ? "clock" : fmt::format("{}_picture_{}", name_, input);
     }
 
     const ExportSource& source_;
     const Axes axes_;
-    Names names_{{point_x, point_y, pov_axis}};
+    Names names_{{point_x, point_y, pov_axis, "picture_width", "picture_height", "location",
+                  "direction", "finite", "modulo", "minimum", "maximum", "sign"}};
     const std::string name_;
+    std::vector<std::string> parameters_;  ///< Their names in the scene.
 };
 
 Result<std::string> write_pov(const ExportSource& source, const ExportOptions& options) {
