@@ -167,6 +167,8 @@ def object_of(pixel):
 
 
 class Agreement(unittest.TestCase):
+    AXES = tuple(AXES)
+
     @classmethod
     def setUpClass(cls):
         cls.folder = Path(tempfile.mkdtemp(prefix="balcony-povray-"))
@@ -210,7 +212,7 @@ class Agreement(unittest.TestCase):
                 self.assertEqual(name == "fisheye with a rim", "no ray" in ours[0])
 
     def test_scenes_of_all_axes_look_the_same(self):
-        for axes in AXES:
+        for axes in self.AXES:
             with self.subTest(axes):
                 write_povray_scene(self.folder / "turned.pov", axes)
                 ours, theirs = self.objects(CAMERAS["pinhole"], "--axes", axes, scene="turned.pov")

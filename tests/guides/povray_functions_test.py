@@ -20,6 +20,7 @@ from pathlib import Path
 WRITE_EXPORTS = Path(sys.argv.pop(3)).resolve()
 
 import guide  # noqa: E402 (reads the other arguments)
+import png  # noqa: E402
 import povray_agreement_test as agreement  # noqa: E402
 
 VERSION = tuple(map(int, re.search(
@@ -91,19 +92,23 @@ class Functions(unittest.TestCase):
 
 @unittest.skipIf(VERSION < (3, 8), "the POV-Ray on the PATH has no user_defined camera")
 class Pictures(agreement.Agreement):
-    """The same pictures as 'balcony render' has."""
+    """The pictures by functions are those of 'balcony render', as those of 'balcony pov' are."""
+
+    AXES = ("y_up", "z_up")
+    test_a_lens_takes_the_same_points = None  # The functions have no lens.
 
     def picture(self, command, *options):
-        if command[0] == "render":
+        program, scene = command
+        if program == "render":
             return super().picture(command, *options)
-        subprocess.run([guide.BALCONY, "export", "c.cam", "--to", "pov", "-o", "c.inc", "--quiet"],
-                       cwd=self.folder, check=True)
-        scene = (self.folder / "scene.pov").read_text()
-        scene = re.sub(r"camera \{.*\}", "camera { C }", scene.replace("#version 3.7;", ""))
-        (self.folder / "functions.pov").write_text('#version 3.8;\n#include "c.inc"\n' + scene)
+        subprocess.run([guide.BALCONY, "export", "c.cam", "--to", "pov", "-o", "c.inc", "--quiet",
+                        *options], cwd=self.folder, check=True)
+        text = (self.folder / scene).read_text()
+        text = re.sub(r"camera \{.*\}", "camera { C }", text.replace("#version 3.7;", ""))
+        (self.folder / "functions.pov").write_text('#version 3.8;\n#include "c.inc"\n' + text)
         run_povray(self.folder, "functions.pov", agreement.WIDTH, agreement.HEIGHT)
         return [[agreement.object_of(pixel) for pixel in row]
-                for row in agreement.read_png(self.folder / "picture.png")]
+                for row in png.read(self.folder / "picture.png")]
 
 
 if __name__ == "__main__":
