@@ -16,7 +16,8 @@
 
 namespace balcony::bridge {
 
-/// The names of the point of the picture in the lines of a listing.
+/// The names of the point of the picture in the lines of a listing: not x and y, because POV-Ray
+/// takes x and u, or y and v, for the same if they are parameters of one function.
 inline constexpr std::string_view point_x = "column";
 inline constexpr std::string_view point_y = "row";
 

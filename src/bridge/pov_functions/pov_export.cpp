@@ -86,14 +86,19 @@ std::string capitalised(std::string name) {
 }
 
 // POV-Ray's limits: MAX_FUNCTION_PARAMETER_LIST, and MAX_CALL_STACK_SIZE less the functions that
-// the last step calls.
+// the last step calls, such as those of a line and of a table in it.
 constexpr std::size_t max_parameters = 56;
-constexpr std::size_t max_steps = 1024 - 4;
+constexpr std::size_t max_steps = 1024 - 8;
 
 // POV-Ray reads and writes them as text: some 20 bytes each.
 constexpr std::size_t max_table_size = 100'000;
 
 constexpr std::string_view pov_axis = "axis";
+
+constexpr std::string_view order_comment = R"(
+// The order of evaluation, from the last function to the first: each passes on what it was given
+// and what it computes, so that everything is computed once for each coordinate.
+)";
 
 /// The text of a listing.
 class PovText {
@@ -131,11 +136,7 @@ public:
         for (const ListedTable& table : listing_.tables) {
             made += spline_table(table, pov_number);
         }
-        return made + lines() +
-               "\n// The order of evaluation, from the last function to the first: each passes on "
-               "what it was given\n// and what it computes, so that everything is computed once "
-               "for "
-               "each coordinate.\n" +
+        return made + lines() + std::string(order_comment) +
                chain_text("location", location_, coordinate(CameraFormulas::origin)) + "\n" +
                chain_text("direction", direction_, valid_direction()) + camera_text();
     }
