@@ -23,36 +23,44 @@ bool is_picture(std::string_view text) {
 }
 
 // The camera under another name.
-Example renamed(std::string name, const camera::Camera& camera) {
+Example renamed(std::string name, std::string shown, bool of_stage, const camera::Camera& camera) {
     std::replace(name.begin(), name.end(), ' ', '_');
     std::replace(name.begin(), name.end(), '-', '_');
     camera::Camera::Parts parts = camera.parts();
     parts.name = name;
-    return {name, *camera::Camera::make(std::move(parts)).value};
+    return {name, std::move(shown), of_stage, *camera::Camera::make(std::move(parts)).value};
 }
 
 std::vector<Example> all_examples() {
     std::vector<Example> made;
-    const auto add = [&made](const std::string& name, const lang::CameraSource& source) {
+    const auto add = [&made](const std::string& name, std::string shown, bool of_stage,
+                             const lang::CameraSource& source) {
         const auto camera = lang::make_camera(source, "");
         if (camera) {
-            made.push_back(renamed(name, *camera));
+            made.push_back(renamed(name, std::move(shown), of_stage, *camera));
         }
     };
     for (const camera::StageEntry& row : camera::catalogue()) {
         if (!is_picture(row.example)) {
             add(fmt::format("{}_{}", name_of(row.kind), row.name),
+                fmt::format("`{}`, {}", row.name, name_of(row.kind)), true,
                 std::make_shared<const SourceText>("example", std::string(row.example)));
         }
     }
     for (const std::string& name : lang::built_in_cameras()) {
-        add("built_in_" + name, name);
+        add("built_in_" + name, fmt::format("built-in `{}`", name), false, name);
     }
     const std::filesystem::path plates = std::filesystem::path(BALCONY_SOURCE_DIR) / "plates";
+    std::vector<std::filesystem::path> folders;
     for (const auto& folder : std::filesystem::directory_iterator(plates)) {
         if (std::filesystem::exists(folder.path() / "camera.cam")) {
-            add("plate_" + folder.path().filename().string(), folder.path() / "camera.cam");
+            folders.push_back(folder.path());
         }
+    }
+    std::sort(folders.begin(), folders.end());
+    for (const std::filesystem::path& folder : folders) {
+        const std::string name = folder.filename().string();
+        add("plate_" + name, fmt::format("plate `{}`", name), false, folder / "camera.cam");
     }
     return made;
 }

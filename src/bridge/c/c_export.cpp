@@ -99,7 +99,7 @@ public:
         : source_(source),
           single_(options.single),
           axes_(options.axes.value_or(source.camera.parts().axes)),
-          name_(names_.unique(source.camera.name())) {
+          name_(Names().unique(source.camera.name())) {
         for (const ExportParameter& parameter : source.parameters) {
             members_.push_back(names_.unique(parameter.name));
         }
@@ -182,7 +182,9 @@ private:
         }
         return text + fmt::format(
                           "}} {0}_parameters;\n\n"
-                          "static const {0}_parameters {0}_defaults = {{{1}}};\n\n",
+                          "static inline {0}_parameters {0}_defaults(void) {{\n"
+                          "    const {0}_parameters values = {{{1}}};\n"
+                          "    return values;\n}}\n\n",
                           name_, fmt::join(values, ", "));
     }
 

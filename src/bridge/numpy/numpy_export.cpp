@@ -105,7 +105,7 @@ public:
     NumpyExport(const ExportSource& source, const ExportOptions& options)
         : source_(source),
           axes_(options.axes.value_or(source.camera.parts().axes)),
-          name_(names_.unique(source.camera.name())) {
+          name_(Names().unique(source.camera.name())) {
         for (const ExportParameter& parameter : source.parameters) {
             parameters_.push_back(names_.unique(parameter.name));
         }

@@ -1,16 +1,19 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Usage: write_exports FOLDER
+// Usage: write_exports FOLDER | --table PAGE
 //
 // Writes every example in every language into a folder, NAME.ENDING each, and exports.json: the
-// picture, its points, and our own rays by example, for tests that run other programs.
+// picture, its points, and our own rays by example, for tests that run other programs. With
+// --table, writes into a page of the documentation which cameras can be exported to what.
 
 #include <array>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <sstream>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "balcony/rays.hpp"
@@ -53,11 +56,61 @@ json rays_json(const Example& example) {
     return all;
 }
 
+// The table: the built-in cameras and those of the plates, and the examples of stages that some
+// language cannot express.
+std::string table() {
+    std::string header = "| camera |";
+    std::string line = "|---|";
+    for (const bridge::ExportTarget& target : bridge::export_targets()) {
+        header += fmt::format(" {} |", target.name);
+        line += "---|";
+    }
+    std::string rows;
+    std::size_t everywhere = 0;
+    for (const Example& example : bridge::test::examples()) {
+        std::string row;
+        bool all = true;
+        for (const bridge::ExportTarget& target : bridge::export_targets()) {
+            const bool made = target.write({example.camera}, {}).value.has_value();
+            row += made ? " yes |" : " no |";
+            all = all && made;
+        }
+        if (!all || !example.of_stage) {
+            rows += fmt::format("| {} |{}\n", example.shown, row);
+        } else {
+            ++everywhere;
+        }
+    }
+    return fmt::format(
+        "{}\n{}\n{}\nThe examples of the other {} stages can be exported to all of these.\n",
+        header, line, rows, everywhere);
+}
+
+int write_table(const std::filesystem::path& page) {
+    std::stringstream read;
+    read << std::ifstream(page).rdbuf();
+    std::string text = read.str();
+    constexpr std::string_view begin = "<!-- exports -->\n";
+    constexpr std::string_view end = "<!-- end of exports -->";
+    const std::size_t first = text.find(begin);
+    const std::size_t last = text.find(end);
+    if (first == std::string::npos || last == std::string::npos) {
+        std::cerr << page << " has no place for the table\n";
+        return 1;
+    }
+    text.replace(first + begin.size(), last - first - begin.size(), table());
+    std::ofstream(page) << text;
+    return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+    if (argc == 3 && std::string_view(argv[1]) == "--table") {
+        return write_table(argv[2]);
+    }
     if (argc != 2) {
-        std::cerr << "usage: write_exports FOLDER\n";
+        std::cerr << "usage: write_exports FOLDER | --table PAGE\n";
         return 2;
     }
     const std::filesystem::path folder = argv[1];

@@ -1,0 +1,36 @@
+# Balcony: rendering through extended cameras.
+# SPDX-License-Identifier: Apache-2.0
+"""Runs docs/bridges.md."""
+
+import re
+from pathlib import Path
+
+import guide
+
+PYTHON = guide.python_with("numpy")
+if PYTHON is None:
+    guide.skip("no Python has numpy")
+
+
+class BridgesGuide(guide.GuideTest):
+    PAGE = "bridges.md"
+    PATH = f"{Path(PYTHON).parent}:{guide.GuideTest.PATH}"
+
+    def test_the_shader_has_sliders(self):
+        text = (self.folder / "tower.osl").read_text()
+        self.assertIn("float radius = 3.0 [[", text)
+        self.assertRegex(text, r'float lean = (10\.0|9\.99\d+) \[\[ .*string units = "degrees"')
+        self.assertIn("exported; single precision", self.output_of("balcony export tower.cam --to osl"))
+
+    def test_the_c_function_takes_another_radius(self):
+        # The middle of the picture looks along x: the point (5, 0, 0) leans by 10 degrees.
+        self.assertIn("from (4.924, 0.000, -0.868) to (0.985, 0.000, -0.174)",
+                      self.output_of("./ray"))
+
+    def test_the_ball_is_seen(self):
+        share = re.search(r"covers ([\d.]+) %", self.output_of("python3 sphere.py"))
+        self.assertTrue(1.0 < float(share[1]) < 20.0, share[0])
+
+
+if __name__ == "__main__":
+    guide.main()
