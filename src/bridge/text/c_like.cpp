@@ -34,29 +34,56 @@ std::string find_cell(const CLike& language, const Table::Axis& axis, std::size_
            fmt::format("    {0}{1} s{2} = p{2} - k{2};\n", language.constant, language.real, i);
 }
 
-// Horner's rule along each axis, the first one outermost.
-std::string horner(const CLike& language, const Table& table) {
-    std::string text;
-    std::string offset;
-    const std::size_t axes = table.axes.size();
-    for (std::size_t i = 0; i < axes; ++i) {
-        const std::string margin(4 * (i + 1), ' ');
-        const std::size_t degree = table.axes[i].degree;
-        text += fmt::format("{}{} v{} = {};\n", margin, language.real, i, language.number(0.0));
-        text +=
-            fmt::format("{0}for (int i{1} = {2}; i{1} >= 0; i{1} -= 1) {{\n", margin, i, degree);
-        offset = i == 0 ? "i0" : fmt::format("({}) * {} + i{}", offset, degree + 1, i);
-    }
-    for (std::size_t i = axes; i-- > 0;) {
-        const std::string margin(4 * (i + 2), ' ');
-        const std::string inner =
-            i + 1 == axes ? fmt::format("c[at + {}]", offset) : fmt::format("v{}", i + 1);
-        text += fmt::format("{0}v{1} = i{1} == {2} ? {3} : v{1} * s{1} + {3};\n", margin, i,
-                            table.axes[i].degree, inner);
-        text += fmt::format("{}}}\n", std::string(4 * (i + 1), ' '));
+// A polynomial of a variable, with its coefficients by rising powers.
+std::string horner(const std::vector<std::string>& coefficients, const std::string& variable) {
+    std::string text = coefficients.back();
+    for (std::size_t i = coefficients.size() - 1; i-- > 0;) {
+        text = fmt::format("{} * {} + {}", i + 2 == coefficients.size() ? text : "(" + text + ")",
+                           variable, coefficients[i]);
     }
     return text;
 }
+
+/// The value in a cell of a table: a polynomial in the last variable for every power of the ones
+/// before it.
+class CellValue {
+public:
+    CellValue(const CLike& language, const Table& table) : language_(language), table_(table) {}
+
+    std::string run() {
+        const std::string value = along(0, 0);
+        return definitions_ + fmt::format("    return {};\n", value);
+    }
+
+private:
+    // Along an axis and those behind it; `offset` is where their coefficients begin in the cell.
+    std::string along(std::size_t axis, std::size_t offset) {
+        const bool last = axis + 1 == table_.axes.size();
+        std::size_t run = 1;
+        for (std::size_t i = axis + 1; i < table_.axes.size(); ++i) {
+            run *= table_.axes[i].degree + 1;
+        }
+        std::vector<std::string> coefficients;
+        for (std::size_t power = 0; power <= table_.axes[axis].degree; ++power) {
+            const std::size_t at = offset + power * run;
+            coefficients.push_back(last ? fmt::format("c[at + {}]", at)
+                                        : defined(along(axis + 1, at)));
+        }
+        return horner(coefficients, fmt::format("s{}", axis));
+    }
+
+    std::string defined(const std::string& value) {
+        const std::string name = fmt::format("v{}", ++count_);
+        definitions_ +=
+            fmt::format("    {}{} {} = {};\n", language_.constant, language_.real, name, value);
+        return name;
+    }
+
+    const CLike& language_;
+    const Table& table_;
+    std::string definitions_;
+    std::size_t count_ = 0;
+};
 
 }  // namespace
 
@@ -95,7 +122,7 @@ std::string table_function(const CLike& language, const ListedTable& listed) {
         cell = i == 0 ? k : fmt::format("({}) * {} + {}", cell, table.axes[i].cells, k);
     }
     text += fmt::format("    int at = ({}) * {};\n", cell, coefficients_in_cell(table));
-    return text + horner(language, table) + "    return v0;\n}\n";
+    return text + CellValue(language, table).run() + "}\n";
 }
 
 std::vector<std::string> opening_lines(const ExportSource& source) {
