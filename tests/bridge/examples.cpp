@@ -28,7 +28,7 @@ Example renamed(std::string name, std::string shown, bool of_stage, const camera
     std::replace(name.begin(), name.end(), '-', '_');
     camera::Camera::Parts parts = camera.parts();
     parts.name = name;
-    return {name, std::move(shown), of_stage, *camera::Camera::make(std::move(parts)).value};
+    return {name, *camera::Camera::make(std::move(parts)).value, std::move(shown), of_stage};
 }
 
 std::vector<Example> all_examples() {

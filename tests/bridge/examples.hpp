@@ -13,9 +13,9 @@ namespace balcony::bridge::test {
 /// A camera that every exporter is tested with.
 struct Example {
     std::string name;   ///< The name of the camera, too; a word of all languages.
-    std::string shown;  ///< For people: "torus, an object generator".
-    bool of_stage;      ///< It is the example of a stage.
     camera::Camera camera;
+    std::string shown{};    ///< For people: "torus, an object generator".
+    bool of_stage = false;  ///< It is the example of a stage.
 };
 
 /// The example of every stage in the catalogue that is a camera, the built-in cameras, and those of

@@ -30,8 +30,11 @@ std::string find_cell(const CLike& language, const Table::Axis& axis, std::size_
     text += fmt::format("    {0}{1} k{2} = f{2} > {3} ? (f{2} < {4} ? f{2} : {4}) : {3};\n",
                         language.constant, language.real, i, language.number(0.0),
                         language.number(cells - 1.0));
-    return text +
-           fmt::format("    {0}{1} s{2} = p{2} - k{2};\n", language.constant, language.real, i);
+    if (axis.degree > 0) {
+        text +=
+            fmt::format("    {0}{1} s{2} = p{2} - k{2};\n", language.constant, language.real, i);
+    }
+    return text;
 }
 
 // A polynomial of a variable, with its coefficients by rising powers.
