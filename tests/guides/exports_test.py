@@ -81,7 +81,7 @@ function rays(text, lens, name) {
         "layout(location = 1) out vec4 d;\\nvoid main() { vec3 a, b;\\n" +
         "vec2 p = points[int(gl_FragCoord.x)];\\n" +
         "bool valid = " + name + "_ray(p.x, p.y, WIDTH, HEIGHT, 0.0, " + (lens ? "0.0, 0.0, " : "") +
-        "a, b);\\no = vec4(a, valid ? 1.0 : 0.0); d = vec4(b, 0.0); }"));
+        "a, b);\\no = vec4(a, valid ? 1.0 : 0.0); d = vec4(b, 7.0); }"));
     gl.linkProgram(program);
     if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw gl.getProgramInfoLog(program);
     gl.useProgram(program);
@@ -112,9 +112,9 @@ async function main() {
             } catch (problem) {
                 made[name] = "cannot compile: " + problem;
             }
-            // A lost context shows only when the page has let the browser run.
-            await pause(1);
-            if (typeof made[name] !== "string" && !gl.isContextLost()) break;
+            // A lost context draws nothing, not even the mark behind the direction.
+            if (typeof made[name] !== "string" && made[name][1][3] === 7) break;
+            await pause(200);
             await begin();
         }
     }
