@@ -47,45 +47,53 @@ std::string horner(const std::vector<std::string>& coefficients, const std::stri
     return text;
 }
 
-/// The value in a cell of a table: a polynomial in the last variable for every power of the ones
-/// before it.
+/// The value in a cell of a table: a polynomial in the last variable, and loops over the powers of
+/// the ones before it, which shaders compile sooner than the sum of all terms.
 class CellValue {
 public:
     CellValue(const CLike& language, const Table& table) : language_(language), table_(table) {}
 
     std::string run() {
-        const std::string value = along(0, 0);
-        return definitions_ + fmt::format("    return {};\n", value);
+        const std::string value = along(0, "at", "    ");
+        return text_ + fmt::format("    return {};\n", value);
     }
 
 private:
-    // Along an axis and those behind it; `offset` is where their coefficients begin in the cell.
-    std::string along(std::size_t axis, std::size_t offset) {
-        const bool last = axis + 1 == table_.axes.size();
+    // Along an axis and those behind it; `begin` is where their coefficients begin.
+    std::string along(std::size_t axis, const std::string& begin, const std::string& margin) {
+        const std::size_t degree = table_.axes[axis].degree;
+        if (axis + 1 == table_.axes.size()) {
+            std::vector<std::string> coefficients;
+            for (std::size_t power = 0; power <= degree; ++power) {
+                coefficients.push_back(power == 0 ? fmt::format("c[{}]", begin)
+                                                  : fmt::format("c[{} + {}]", begin, power));
+            }
+            return horner(coefficients, fmt::format("s{}", axis));
+        }
+        if (degree == 0) {
+            return along(axis + 1, begin, margin);
+        }
         std::size_t run = 1;
         for (std::size_t i = axis + 1; i < table_.axes.size(); ++i) {
             run *= table_.axes[i].degree + 1;
         }
-        std::vector<std::string> coefficients;
-        for (std::size_t power = 0; power <= table_.axes[axis].degree; ++power) {
-            const std::size_t at = offset + power * run;
-            coefficients.push_back(last ? fmt::format("c[at + {}]", at)
-                                        : defined(along(axis + 1, at)));
-        }
-        return horner(coefficients, fmt::format("s{}", axis));
-    }
-
-    std::string defined(const std::string& value) {
-        const std::string name = fmt::format("v{}", ++count_);
-        definitions_ +=
-            fmt::format("    {}{} {} = {};\n", language_.constant, language_.real, name, value);
-        return name;
+        text_ +=
+            fmt::format("{}{} v{} = {};\n", margin, language_.real, axis, language_.number(0.0));
+        text_ +=
+            fmt::format("{0}for (int i{1} = {2}; i{1} >= 0; i{1} -= 1) {{\n", margin, axis, degree);
+        const std::string inner = margin + "    ";
+        text_ += fmt::format("{}int at{} = {} + i{} * {};\n", inner, axis, begin, axis, run);
+        const std::string term = along(axis + 1, fmt::format("at{}", axis), inner);
+        text_ += fmt::format("{0}{1}{2} r{3} = {4};\n", inner, language_.constant, language_.real,
+                             axis, term);
+        text_ += fmt::format("{0}v{1} = i{1} == {2} ? r{1} : v{1} * s{1} + r{1};\n{3}}}\n", inner,
+                             axis, degree, margin);
+        return fmt::format("v{}", axis);
     }
 
     const CLike& language_;
     const Table& table_;
-    std::string definitions_;
-    std::size_t count_ = 0;
+    std::string text_;
 };
 
 }  // namespace
