@@ -298,8 +298,9 @@ void add_export_command(CLI::App& app, ExitCode& code) {
             ->type_name("PRECISION")
             ->capture_default_str();
         command
-            .add_option("--axes", options.axes,
-                        "the world of the rays: z_up or y_up (default: the camera's own)")
+            .add_option(
+                "--axes", options.axes,
+                "the world of the rays: z_up or y_up (default: the camera's own, or y_up for pov)")
             ->type_name("AXES");
         add_size_options(command, options.size,
                          "size in pixels of the picture that single precision is judged in; the "
