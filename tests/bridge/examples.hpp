@@ -12,7 +12,7 @@ namespace balcony::bridge::test {
 
 /// A camera that every exporter is tested with.
 struct Example {
-    std::string name;   ///< The name of the camera, too; a word of all languages.
+    std::string name;  ///< The name of the camera, too; a word of all languages.
     camera::Camera camera;
     std::string shown{};    ///< For people: "torus, an object generator".
     bool of_stage = false;  ///< It is the example of a stage.

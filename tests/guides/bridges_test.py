@@ -27,6 +27,11 @@ class BridgesGuide(guide.GuideTest):
         self.assertIn("from (4.924, 0.000, -0.868) to (0.985, 0.000, -0.174)",
                       self.output_of("./ray"))
 
+    def test_the_functions_of_povray_have_the_names_of_the_page(self):
+        text = (self.folder / "tower.inc").read_text()
+        for name in ("Tower", "Tower_u", "Tower_eye_x_2", "Tower_direction", "Tower_direction_2"):
+            self.assertIn(f"#declare {name} =", text)
+
     def test_the_ball_is_seen(self):
         share = re.search(r"covers ([\d.]+) %", self.output_of("python3 sphere.py"))
         self.assertTrue(1.0 < float(share[1]) < 20.0, share[0])

@@ -34,7 +34,7 @@ class PovrayGuide(guide.GuideTest):
 
     def test_every_command_makes_its_picture(self):
         names = [re.search(r"-o (\S+)", line)[1] for line in self.outputs]
-        self.assertEqual(len(names), 11)
+        self.assertEqual(len(names), 10)
         for name in names:
             self.assertGreater((self.folder / name).stat().st_size, 1000, name)
 
