@@ -99,11 +99,8 @@ public:
         : source_(source),
           single_(options.single),
           axes_(options.axes.value_or(source.camera.parts().axes)),
-          name_(Names().unique(source.camera.name())) {
-        for (const ExportParameter& parameter : source.parameters) {
-            members_.push_back(names_.unique(parameter.name));
-        }
-    }
+          name_(Names().unique(source.camera.name())),
+          members_(source.parameters, names_) {}
 
     Result<std::string> run() {
         const Result<CameraFormulas> formulas = formulas_of(source_.camera, {axes_, false});
@@ -139,12 +136,8 @@ public:
 
 private:
     [[nodiscard]] std::string input_text(std::string_view input) const {
-        for (std::size_t i = 0; i < members_.size(); ++i) {
-            if (source_.parameters[i].input == input) {
-                return "parameters->" + members_[i];
-            }
-        }
-        return std::string(input);
+        const auto parameter = members_.of_input(input);
+        return parameter ? "parameters->" + members_[*parameter] : std::string(input);
     }
 
     [[nodiscard]] std::string head() const {
@@ -160,10 +153,8 @@ private:
              "ray's origin and its direction of unit length, or 0 where there is no ray.",
              world(axes_)});
         if (lens_) {
-            lines.insert(lines.end(),
-                         {"The ray passes a point of the lens: lens_x and lens_y are from -1 to 1, "
-                          "(0, 0) is the centre,",
-                          "and even steps of them spread evenly over the lens."});
+            const std::vector<std::string> more = lens_lines();
+            lines.insert(lines.end(), more.begin(), more.end());
         }
         return commented(lines);
     }
@@ -233,7 +224,7 @@ private:
     const Axes axes_;
     Names names_{c_words};
     const std::string name_;
-    std::vector<std::string> members_;  ///< The names of the parameters in their structure.
+    const ParameterNames members_;  ///< The names of the parameters in their structure.
     bool lens_ = false;
 };
 

@@ -105,11 +105,8 @@ public:
     GlslExport(const ExportSource& source, const ExportOptions& options)
         : source_(source),
           axes_(options.axes.value_or(source.camera.parts().axes)),
-          name_(Names().unique(source.camera.name())) {
-        for (const ExportParameter& parameter : source.parameters) {
-            parameters_.push_back(names_.unique(parameter.name));
-        }
-    }
+          name_(Names().unique(source.camera.name())),
+          parameters_(source.parameters, names_) {}
 
     Result<std::string> run() {
         const Result<CameraFormulas> formulas = formulas_of(source_.camera, {axes_, false});
@@ -138,12 +135,8 @@ public:
 
 private:
     [[nodiscard]] std::string input_text(std::string_view input) const {
-        for (std::size_t i = 0; i < parameters_.size(); ++i) {
-            if (source_.parameters[i].input == input) {
-                return parameters_[i];
-            }
-        }
-        return std::string(input);
+        const auto parameter = parameters_.of_input(input);
+        return parameter ? parameters_[*parameter] : std::string(input);
     }
 
     [[nodiscard]] std::string head() const {
@@ -159,10 +152,8 @@ private:
                       "direction of unit length.",
                       world(axes_)});
         if (lens_) {
-            lines.insert(lines.end(),
-                         {"The ray passes a point of the lens: lens_x and lens_y are from -1 to 1, "
-                          "(0, 0) is the centre,",
-                          "and even steps of them spread evenly over the lens."});
+            const std::vector<std::string> more = lens_lines();
+            lines.insert(lines.end(), more.begin(), more.end());
         }
         return commented(lines);
     }
@@ -202,7 +193,7 @@ private:
     const Axes axes_;
     Names names_{glsl_words};
     const std::string name_;
-    std::vector<std::string> parameters_;
+    const ParameterNames parameters_;
     bool lens_ = false;
 };
 

@@ -105,11 +105,8 @@ public:
     NumpyExport(const ExportSource& source, const ExportOptions& options)
         : source_(source),
           axes_(options.axes.value_or(source.camera.parts().axes)),
-          name_(Names().unique(source.camera.name())) {
-        for (const ExportParameter& parameter : source.parameters) {
-            parameters_.push_back(names_.unique(parameter.name));
-        }
-    }
+          name_(Names().unique(source.camera.name())),
+          parameters_(source.parameters, names_) {}
 
     Result<std::string> run() {
         const Result<CameraFormulas> formulas = formulas_of(source_.camera, {axes_, false});
@@ -130,12 +127,8 @@ public:
 
 private:
     [[nodiscard]] std::string input_text(std::string_view input) const {
-        for (std::size_t i = 0; i < parameters_.size(); ++i) {
-            if (source_.parameters[i].input == input) {
-                return parameters_[i];
-            }
-        }
-        return std::string(input);
+        const auto parameter = parameters_.of_input(input);
+        return parameter ? parameters_[*parameter] : std::string(input);
     }
 
     // A table is an array of coefficients, and a function that looks into it.
@@ -218,7 +211,7 @@ private:
     const Axes axes_;
     Names names_{python_words};
     const std::string name_;
-    std::vector<std::string> parameters_;
+    const ParameterNames parameters_;
     bool lens_ = false;
 };
 

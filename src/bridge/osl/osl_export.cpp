@@ -165,11 +165,9 @@ std::string in_camera_space(const Listing& listing, std::size_t first, std::stri
 class OslExport {
 public:
     explicit OslExport(const ExportSource& source)
-        : source_(source), name_(names_.unique(source.camera.name())) {
-        for (const ExportParameter& parameter : source.parameters) {
-            parameters_.push_back(names_.unique(parameter.name));
-        }
-    }
+        : source_(source),
+          name_(names_.unique(source.camera.name())),
+          parameters_(source.parameters, names_) {}
 
     Result<std::string> run() {
         const Result<camera::Camera> camera = with_blender_lens(source_.camera);
@@ -200,12 +198,9 @@ public:
 
 private:
     [[nodiscard]] std::string input_text(std::string_view input) const {
-        for (std::size_t i = 0; i < parameters_.size(); ++i) {
-            const ExportParameter& parameter = source_.parameters[i];
-            if (parameter.input == input) {
-                return parameter.is_angle ? fmt::format("radians({})", parameters_[i])
-                                          : parameters_[i];
-            }
+        if (const auto i = parameters_.of_input(input)) {
+            return source_.parameters[*i].is_angle ? fmt::format("radians({})", parameters_[*i])
+                                                   : parameters_[*i];
         }
         return std::string(input == "t" ? "camera_time" : input);
     }
@@ -328,7 +323,7 @@ private:
     const ExportSource& source_;
     Names names_{osl_words};
     const std::string name_;
-    std::vector<std::string> parameters_;
+    const ParameterNames parameters_;
 };
 
 Result<std::string> write_osl(const ExportSource& source, const ExportOptions&) {

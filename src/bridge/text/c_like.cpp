@@ -3,6 +3,8 @@
 
 #include "bridge/text/c_like.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace balcony::bridge {
@@ -134,6 +136,27 @@ std::string table_function(const CLike& language, const ListedTable& listed) {
     }
     text += fmt::format("    int at = ({}) * {};\n", cell, coefficients_in_cell(table));
     return text + CellValue(language, table).run() + "}\n";
+}
+
+ParameterNames::ParameterNames(const std::vector<ExportParameter>& parameters, Names& names) {
+    for (const ExportParameter& parameter : parameters) {
+        names_.push_back(names.unique(parameter.name));
+        inputs_.push_back(parameter.input);
+    }
+}
+
+std::optional<std::size_t> ParameterNames::of_input(std::string_view input) const {
+    const auto found = std::find(inputs_.begin(), inputs_.end(), input);
+    return found == inputs_.end()
+               ? std::nullopt
+               : std::optional(static_cast<std::size_t>(found - inputs_.begin()));
+}
+
+std::vector<std::string> lens_lines() {
+    return {
+        "The ray passes a point of the lens: lens_x and lens_y are from -1 to 1, (0, 0) is the "
+        "centre,",
+        "and even steps of them spread evenly over the lens."};
 }
 
 std::vector<std::string> opening_lines(const ExportSource& source) {

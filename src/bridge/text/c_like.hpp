@@ -5,6 +5,7 @@
 // What C and the languages that look like it share: definitions, sections with comments, and
 // functions that look into tables.
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,6 +32,26 @@ struct CLike {
 
 /// A function of the variables of a table that returns its value.
 [[nodiscard]] std::string table_function(const CLike& language, const ListedTable& table);
+
+/// The names that a text gives to open parameters, in their order.
+class ParameterNames {
+public:
+    ParameterNames(const std::vector<ExportParameter>& parameters, Names& names);
+
+    [[nodiscard]] std::size_t size() const { return names_.size(); }
+    [[nodiscard]] const std::string& operator[](std::size_t i) const { return names_[i]; }
+    [[nodiscard]] auto begin() const { return names_.begin(); }
+    [[nodiscard]] auto end() const { return names_.end(); }
+    /// Which parameter is an input of the formulas; nothing if it is another input.
+    [[nodiscard]] std::optional<std::size_t> of_input(std::string_view input) const;
+
+private:
+    std::vector<std::string> names_;
+    std::vector<std::string> inputs_;
+};
+
+/// What functions say about the inputs of a lens.
+[[nodiscard]] std::vector<std::string> lens_lines();
 
 /// What the text of every language says first: which camera it is, and what its author says.
 [[nodiscard]] std::vector<std::string> opening_lines(const ExportSource& source);
