@@ -81,6 +81,7 @@ class Documentation(support.CommandTest):
         page = (support.REPOSITORY / "docs" / "command.md").read_text()
         runs = {"render": ("room.glb", "--size", "8"), "check": ("my.cam",), "list": ("zoom",),
                 "info": ("room.glb",), "draw": ("pinhole", "-o", "p.svg"),
+                "export": ("pinhole", "-o", "p.osl"),
                 "rays": ("pinhole", "--size", "8", "-o", "r.npy"),
                 "stmap": ("pinhole", "--from", "panorama", "--size", "8", "-o", "st.exr"),
                 "warp": ("photo.png", "--from", "panorama", "--camera", "pinhole", "--size", "8",
@@ -96,7 +97,7 @@ class Documentation(support.CommandTest):
     def test_help(self):
         lines = []
         for words in ((), ("render",), ("check",), ("list",), ("info",), ("draw",),
-                      ("explain",), ("locate",), ("rays",), ("stmap",), ("warp",)):
+                      ("explain",), ("export",), ("locate",), ("rays",), ("stmap",), ("warp",)):
             lines += command_lines(self.run_command(*words, "--help")[0])
         self.assertGreaterEqual(len(lines), 10)
         self.run_all(lines)

@@ -24,8 +24,25 @@ WRITE_EXPORTS = Path(sys.argv.pop(3)).resolve()
 from guide import main, python_with, skip  # noqa: E402 (reads the other arguments)
 
 BROWSER = shutil.which("chromium") or shutil.which("chromium-browser")
+# The compiler and the interpreter of OSL, which Debian 12 does not have. Without them, tests/bridge
+# still compiles the shaders as C++.
+OSLC, TESTSHADE = shutil.which("oslc"), shutil.which("testshade")
 # Cameras whose GLSL is too large for a browser to compile in a test: a megabyte of noise.
 TOO_LARGE = 500_000
+
+# What Cycles defines for camera shaders, for testshade: it has (u, v) from the top left in P.
+CYCLES = """point camera_shader_raster_position() { return point(P[0], 1.0 - P[1], 0); }
+"""
+
+READ_RAYS = """
+import json, sys
+import OpenImageIO as oiio
+made = []
+for name in ("position", "direction", "throughput"):
+    pixels = oiio.ImageBuf(sys.argv[1] + "/" + name + ".exr").get_pixels(oiio.FLOAT)
+    made.append(pixels.reshape(-1, pixels.shape[-1])[:, :3].tolist())
+json.dump(made, sys.stdout)
+"""
 
 RUN_NUMPY = """
 import importlib, json, sys
@@ -217,6 +234,39 @@ class ExportsTest(unittest.TestCase):
         made = json.loads(done.stdout)
         self.assertGreaterEqual(len(made) + 2, len(self.exports["examples"]), "all but meshes")
         self.compare(made, 1e-6)
+
+    def shaded(self, name, python):
+        """The rays of an OSL shader as OSL computes them."""
+        width, height = self.exports["width"], self.exports["height"]
+        text = (self.folder / f"{name}.osl").read_text().replace(
+            'getattribute("cam:image_resolution", resolution);',
+            f"resolution = vector({width}, {height}, 0);")
+        (self.folder / "shader.osl").write_text(CYCLES + text)
+        run = {"cwd": self.folder, "check": True, "stdout": subprocess.DEVNULL}
+        subprocess.run([OSLC, "-q", "-o", "shader.oso", "shader.osl"], **run)
+        # The points are the centres of 16 x 9 pixels, moved by (0.3, -0.2).
+        subprocess.run([TESTSHADE, "-g", "16", "9", "--center", "--offsetuv", str(0.3 / width),
+                        str(-0.2 / height), "-od", "float", "-o", "position", "position.exr", "-o",
+                        "direction", "direction.exr", "-o", "throughput", "throughput.exr",
+                        "shader"], **run)
+        done = subprocess.run([python, "-c", READ_RAYS, self.folder], check=True,
+                              stdout=subprocess.PIPE)
+
+        def world(v):
+            # Cycles' camera space: x to the right, y up, z forward.
+            return [v[2], -v[0], v[1]]
+        return [[*world(o), *world(d)] if t[0] == 1 else None
+                for o, d, t in zip(*json.loads(done.stdout))]
+
+    @unittest.skipUnless(OSLC and TESTSHADE, "oslc and testshade are not in the PATH")
+    def test_osl(self):
+        python = python_with("OpenImageIO", "numpy")
+        self.assertTrue(python, "Python has no OpenImageIO")
+        made = {name: self.shaded(name, python)
+                for name, entry in self.exports["examples"].items()
+                if "osl" in entry.get("languages", ()) and not entry["lens"] and not entry["y_up"]}
+        self.assertGreater(len(made), 100)
+        self.compare(made, 1e-3)
 
     def browsed(self, texts):
         """The rays of GLSL functions as a browser computes them."""

@@ -307,11 +307,12 @@ void add_export_command(CLI::App& app, ExitCode& code) {
                          "text is good for any size");
         add_quiet_option(command, options.quiet);
         command.add_flag("--json", options.json, "print file name, facts and diagnostics as JSON");
-        command.footer("Languages:\n" + target_list() +
-                       "\nExamples:\n"
-                       "  balcony export superelliptic --to c -o superelliptic.c\n"
-                       "  balcony export my.cam:closeup --set gamma=1/2 -o closeup.py\n"
-                       "  balcony export my.cam --to c --precision single --parameters all");
+        command.footer(
+            "Languages:\n" + target_list() +
+            "\nExamples:\n"
+            "  balcony export superelliptic --to c -o superelliptic.c\n"
+            "  balcony export my.cam:closeup -o closeup.osl\n"
+            "  balcony export my.cam:closeup --to c --precision single --parameters all");
     };
     add_command<CameraExportOptions>(app, code, "export",
                                      "writes a camera as a function or shader of another language",
