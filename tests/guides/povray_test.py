@@ -82,9 +82,6 @@ class Robustness(unittest.TestCase):
         return json.loads(self.pov("scene.pov", "--camera", "c.cam:c", "--size", "60x40", "-s", "1",
                                    "-o", "p.png", "--json", *words).stdout)
 
-    def temporary_folders(self):
-        return set(Path("/tmp").glob("balcony-povray-??????"))
-
     def test_names_with_any_characters(self):
         folder = self.folder / "a $(touch x) 'b\" \\ ü"
         folder.mkdir()
@@ -165,16 +162,18 @@ class Robustness(unittest.TestCase):
     def test_a_signal_ends_povray_and_leaves_nothing_behind(self):
         (self.folder / "slow.pov").write_text(
             SCENE + "#declare I = 0; #while (I < 1e9) #declare I = I + 1; #end\n")
-        before = self.temporary_folders()
+        own = self.folder / "temporary"
+        own.mkdir()
         run = subprocess.Popen([guide.BALCONY, "pov", "slow.pov", "--camera", "c.cam:c", "-o",
-                                "p.png", "-q"], cwd=self.folder)
-        while not self.temporary_folders() - before:
+                                "p.png", "-q"], cwd=self.folder,
+                               env=dict(os.environ, TMPDIR=str(own)))
+        while not list(own.iterdir()):
             self.assertIsNone(run.poll(), "it has ended too early")
             time.sleep(0.1)
         time.sleep(1)
         run.send_signal(signal.SIGINT)
         self.assertEqual(run.wait(timeout=30), 130)
-        self.assertEqual(self.temporary_folders(), before)
+        self.assertEqual(list(own.iterdir()), [])
 
 
 if __name__ == "__main__":

@@ -64,8 +64,8 @@ private:
 
 struct PhotoTexture::State {
     struct Destroy {
-        void operator()(OIIO::TextureSystem* system) const {
-            OIIO::TextureSystem::destroy(system, true);
+        void operator()(OIIO::TextureSystem* destroyed) const {
+            OIIO::TextureSystem::destroy(destroyed, true);
         }
     };
     std::unique_ptr<OIIO::TextureSystem, Destroy> system;
