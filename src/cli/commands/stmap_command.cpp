@@ -4,15 +4,13 @@
 #include <filesystem>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "balcony/output_file.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/interruption.hpp"
 #include "cli/options/camera_argument.hpp"
 #include "cli/options/photo_options.hpp"
-#include "cli/report/json.hpp"
-#include "cli/report/report.hpp"
+#include "cli/report/st_map_report.hpp"
 
 namespace balcony::cli {
 
@@ -24,13 +22,6 @@ struct StMapOptions {
     std::string output;
     bool quiet = false;
     bool json = false;
-};
-
-struct StMapOutcome {
-    ExitCode code = ExitCode::done;
-    Diagnostics diagnostics{};
-    std::optional<bridge::StMap> map{};
-    bridge::StMapWritten written{};
 };
 
 ExitCode check_st_map_output(const StMapOptions& options, Diagnostics& diagnostics) {
@@ -57,18 +48,6 @@ std::optional<std::array<std::size_t, 2>> read_photo_size(const SizeWords& words
                                      : std::nullopt;
 }
 
-void write_st_map_file(const StMapOptions& options, StMapOutcome& outcome) {
-    const Job job;
-    outcome.written = write_st_map(*outcome.map, options.output, job.token());
-    const Diagnostics& found = outcome.written.problems;
-    if (!found.empty()) {
-        outcome.code = ExitCode::environment;
-    } else if (!outcome.written.complete) {
-        outcome.code = ExitCode::interrupted;
-    }
-    outcome.diagnostics.insert(outcome.diagnostics.end(), found.begin(), found.end());
-}
-
 StMapOutcome make_st_map_file(const StMapOptions& options) {
     StMapOutcome outcome;
     const PhotoRequest request = read_photo_request(options.photo, outcome.diagnostics);
@@ -79,37 +58,17 @@ StMapOutcome make_st_map_file(const StMapOptions& options) {
         return outcome;
     }
     auto map = make_st_map(options.photo, request, photo_size);
-    outcome.diagnostics = std::move(map.diagnostics);
+    outcome.add(map.diagnostics, ExitCode::bad_input);
     outcome.map = std::move(map.value);
     if (outcome.map) {
-        write_st_map_file(options, outcome);
-    } else {
-        outcome.code = ExitCode::bad_input;
+        const Job job;
+        outcome.add(write_st_map(*outcome.map, options.output, job.token()));
     }
     return outcome;
 }
 
 ExitCode stmap(const StMapOptions& options) {
-    const StMapOutcome outcome = make_st_map_file(options);
-    const bool done = outcome.code == ExitCode::done;
-    if (options.json) {
-        nlohmann::json document{{"output", nullptr}, {"diagnostics", to_json(outcome.diagnostics)}};
-        if (done) {
-            document["output"] = options.output;
-            document["width"] = outcome.map->width();
-            document["height"] = outcome.map->height();
-            document["valid"] = outcome.written.valid;
-        }
-        print_json(document);
-        return outcome.code;
-    }
-    report(outcome.diagnostics);
-    if (done && !options.quiet) {
-        print_result(fmt::format("{}: {} x {} pixels, {} of them in the photo\n",
-                                 printable(options.output), outcome.map->width(),
-                                 outcome.map->height(), outcome.written.valid));
-    }
-    return outcome.code;
+    return report_st_map(make_st_map_file(options), options.output, options.quiet, options.json);
 }
 
 }  // namespace

@@ -4,15 +4,13 @@
 #include <filesystem>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "balcony/display_file.hpp"
 #include "balcony/film.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/interruption.hpp"
 #include "cli/options/photo_options.hpp"
-#include "cli/report/json.hpp"
-#include "cli/report/report.hpp"
+#include "cli/report/st_map_report.hpp"
 
 namespace balcony::cli {
 
@@ -28,38 +26,26 @@ struct WarpOptions {
     bool json = false;
 };
 
-struct WarpOutcome {
-    ExitCode code = ExitCode::done;
-    Diagnostics diagnostics{};
-    std::optional<bridge::StMap> map{};
-    bridge::StMapWritten written{};
-};
-
-void add_found(WarpOutcome& outcome, const Diagnostics& found, ExitCode code) {
-    outcome.diagnostics.insert(outcome.diagnostics.end(), found.begin(), found.end());
-    outcome.code = has_errors(found) ? code : outcome.code;
-}
-
-void check_warp_output(const WarpOptions& options, WarpOutcome& outcome) {
+void check_warp_output(const WarpOptions& options, StMapOutcome& outcome) {
     std::error_code failed;
     if (fs::equivalent(options.output, options.photo, failed) && !failed) {
-        add_found(outcome,
-                  {error(fmt::format("'{}' is the photo and would be overwritten", options.output),
-                         {}, "name another file with --output")},
-                  ExitCode::wrong_usage);
+        outcome.add(
+            {error(fmt::format("'{}' is the photo and would be overwritten", options.output), {},
+                   "name another file with --output")},
+            ExitCode::wrong_usage);
         return;
     }
     const bool known = render::display_format(options.output) != nullptr ||
                        fs::path(options.output).extension() == ".exr";
-    add_found(outcome, render::check_output(options.output),
-              known ? ExitCode::environment : ExitCode::wrong_usage);
+    outcome.add(render::check_output(options.output),
+                known ? ExitCode::environment : ExitCode::wrong_usage);
 }
 
-WarpOutcome warp_file(const WarpOptions& options) {
-    WarpOutcome outcome;
+StMapOutcome warp_file(const WarpOptions& options) {
+    StMapOutcome outcome;
     Diagnostics usage;
     const PhotoRequest request = read_photo_request(options.view, usage);
-    add_found(outcome, usage, ExitCode::wrong_usage);
+    outcome.add(usage, ExitCode::wrong_usage);
     if (outcome.code == ExitCode::done) {
         check_warp_output(options, outcome);
     }
@@ -67,45 +53,22 @@ WarpOutcome warp_file(const WarpOptions& options) {
         return outcome;
     }
     const auto photo = bridge::Photo::load(options.photo);
-    add_found(outcome, photo.diagnostics, ExitCode::bad_input);
+    outcome.add(photo.diagnostics, ExitCode::bad_input);
     if (!photo) {
         return outcome;
     }
     auto map = make_st_map(options.view, request, std::array{photo->width(), photo->height()});
-    add_found(outcome, map.diagnostics, ExitCode::bad_input);
+    outcome.add(map.diagnostics, ExitCode::bad_input);
     outcome.map = std::move(map.value);
     if (outcome.map) {
         const Job job;
-        outcome.written = warp_photo(*outcome.map, *photo, options.output, job.token());
-        add_found(outcome, outcome.written.problems, ExitCode::environment);
-        if (outcome.code == ExitCode::done && !outcome.written.complete) {
-            outcome.code = ExitCode::interrupted;
-        }
+        outcome.add(warp_photo(*outcome.map, *photo, options.output, job.token()));
     }
     return outcome;
 }
 
 ExitCode warp(const WarpOptions& options) {
-    const WarpOutcome outcome = warp_file(options);
-    const bool done = outcome.code == ExitCode::done;
-    if (options.json) {
-        nlohmann::json document{{"output", nullptr}, {"diagnostics", to_json(outcome.diagnostics)}};
-        if (done) {
-            document["output"] = options.output;
-            document["width"] = outcome.map->width();
-            document["height"] = outcome.map->height();
-            document["valid"] = outcome.written.valid;
-        }
-        print_json(document);
-        return outcome.code;
-    }
-    report(outcome.diagnostics);
-    if (done && !options.quiet) {
-        print_result(fmt::format("{}: {} x {} pixels, {} of them in the photo\n",
-                                 printable(options.output), outcome.map->width(),
-                                 outcome.map->height(), outcome.written.valid));
-    }
-    return outcome.code;
+    return report_st_map(warp_file(options), options.output, options.quiet, options.json);
 }
 
 }  // namespace
