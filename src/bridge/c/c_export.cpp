@@ -84,7 +84,6 @@ std::string c_array(std::string_view name, const std::vector<std::string>& value
 }
 
 // Words of C, and names that the text needs itself.
-
 const std::set<std::string_view> c_words{
     "auto",     "break",  "case",      "char",      "const",    "continue", "default",  "do",
     "double",   "else",   "enum",      "extern",    "float",    "for",      "goto",     "if",
@@ -124,12 +123,7 @@ public:
                              number_,
                              single_ ? c_array<true> : c_array<false>};
         std::string text = head() + "\n#include <math.h>\n\n" + parameter_struct();
-        for (const std::string& helper : listing.helpers) {
-            text += helper + "\n";
-        }
-        for (const ListedTable& table : listing.tables) {
-            text += table_function(language, table) + "\n";
-        }
+        text += functions(language, listing);
         return text + signature() + " {\n" + unused_inputs(listing) +
                definitions(language, listing) + results(listing) + "}\n";
     }

@@ -123,12 +123,7 @@ public:
         std::string text = head() + "\n#ifdef GL_ES\nprecision highp float;\n#endif\n\n";
         text += fmt::format("float {}_infinity() {{ return uintBitsToFloat(0x7f800000u); }}\n\n",
                             name_);
-        for (const std::string& helper : listing.helpers) {
-            text += helper + "\n";
-        }
-        for (const ListedTable& table : listing.tables) {
-            text += table_function(language, table) + "\n";
-        }
+        text += functions(language, listing);
         return text + defaults() + signature() + " {\n" + definitions(language, listing) +
                results(listing) + "}\n";
     }

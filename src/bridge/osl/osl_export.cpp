@@ -185,12 +185,7 @@ public:
                        [this](std::string_view input) { return input_text(input); });
         const CLike language{"float", "int", "", "", "floor", "(int){0}", osl_number, osl_array};
         std::string text = commented(head(formulas->lens)) + "\n";
-        for (const std::string& helper : listing.helpers) {
-            text += helper + "\n";
-        }
-        for (const ListedTable& table : listing.tables) {
-            text += table_function(language, table) + "\n";
-        }
+        text += functions(language, listing);
         return text + fmt::format("shader {}(\n", name_) + shader_parameters(*formulas, listing) +
                ")\n{\n" + inputs(listing) + definitions(language, listing) + results(listing) +
                "}\n";

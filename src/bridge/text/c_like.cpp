@@ -98,23 +98,7 @@ private:
     std::string text_;
 };
 
-}  // namespace
-
-std::string definitions(const CLike& language, const Listing& listing) {
-    std::string text;
-    bool above = true;  // There are lines above.
-    for (const ListedSection& section : listing.sections) {
-        text += fmt::format("{}    // {}\n", above ? "\n" : "", comment_line(section.comment));
-        above = !section.lines.empty();
-        for (const ListedLine& line : section.lines) {
-            text += fmt::format("    {}{} {} = {};\n", language.constant,
-                                line.condition ? language.condition : language.real, line.name,
-                                line.text);
-        }
-    }
-    return text;
-}
-
+// A function of the variables of a table that returns its value.
 std::string table_function(const CLike& language, const ListedTable& listed) {
     const Table& table = *listed.table;
     std::string parameters;
@@ -136,6 +120,34 @@ std::string table_function(const CLike& language, const ListedTable& listed) {
     }
     text += fmt::format("    int at = ({}) * {};\n", cell, coefficients_in_cell(table));
     return text + CellValue(language, table).run() + "}\n";
+}
+
+}  // namespace
+
+std::string definitions(const CLike& language, const Listing& listing) {
+    std::string text;
+    bool above = true;  // There are lines above.
+    for (const ListedSection& section : listing.sections) {
+        text += fmt::format("{}    // {}\n", above ? "\n" : "", comment_line(section.comment));
+        above = !section.lines.empty();
+        for (const ListedLine& line : section.lines) {
+            text += fmt::format("    {}{} {} = {};\n", language.constant,
+                                line.condition ? language.condition : language.real, line.name,
+                                line.text);
+        }
+    }
+    return text;
+}
+
+std::string functions(const CLike& language, const Listing& listing) {
+    std::string text;
+    for (const std::string& helper : listing.helpers) {
+        text += helper + "\n";
+    }
+    for (const ListedTable& table : listing.tables) {
+        text += table_function(language, table) + "\n";
+    }
+    return text;
 }
 
 ParameterNames::ParameterNames(const std::vector<ExportParameter>& parameters, Names& names) {

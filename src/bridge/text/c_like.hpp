@@ -30,8 +30,8 @@ struct CLike {
 /// its comment.
 [[nodiscard]] std::string definitions(const CLike& language, const Listing& listing);
 
-/// A function of the variables of a table that returns its value.
-[[nodiscard]] std::string table_function(const CLike& language, const ListedTable& table);
+/// The functions that the definitions call: helpers, and one for each table that returns its value.
+[[nodiscard]] std::string functions(const CLike& language, const Listing& listing);
 
 /// The names that a text gives to open parameters, in their order.
 class ParameterNames {

@@ -101,6 +101,14 @@ std::vector<Expr> roots_of(const camera::RayExpressions& central, Axes from,
 
 // What no formula can express: functions without one, and what only a scene knows.
 Diagnostics inexpressible(const CameraFormulas& made, const camera::Camera& camera) {
+    const auto object = made.lens ? camera.parts().lens->focus().object() : std::nullopt;
+    if (object) {
+        return {error(fmt::format("the lens of the camera '{}' cannot be exported: it focuses on "
+                                  "the object '{}' of a scene",
+                                  camera.name(), *object),
+                      camera.parts().lens_span,
+                      "focus at a distance or on a point: lens(0.1, focus = 5)")};
+    }
     const Graph& graph = *made.graph;
     for (const NodeId id : expr::reachable(graph, made.roots)) {
         const expr::Node& node = graph[id];
@@ -114,16 +122,6 @@ Diagnostics inexpressible(const CameraFormulas& made, const camera::Camera& came
                 {},
                 "give the rays themselves to the other program with 'balcony rays', or replace "
                 "this object by a surface with a formula")};
-        }
-        if (node.op == Op::input) {
-            const std::string& name = graph.input_names()[node.detail];
-            if (name.starts_with("distance of ")) {
-                return {error(fmt::format("the lens of the camera '{}' cannot be exported: it "
-                                          "focuses on an object of a scene ({})",
-                                          camera.name(), name),
-                              camera.parts().lens_span,
-                              "focus at a distance or on a point: lens(0.1, focus = 5)")};
-            }
         }
     }
     return {};
