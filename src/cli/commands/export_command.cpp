@@ -30,7 +30,7 @@ struct CameraExportOptions {
     std::vector<std::string> set;
     std::string parameters = "auto";
     std::string precision = "double";
-    std::string axes = "auto";
+    std::string axes;
     SizeWords size;
     bool quiet = false;
     bool json = false;
@@ -68,11 +68,7 @@ bridge::ExportOptions read_export(const CameraExportOptions& options, const Expo
         refuse(diagnostics, "--precision", options.precision, "give single or double");
     }
     made.single = options.precision == "single" || (target != nullptr && target->always_single);
-    if (options.axes == "z_up" || options.axes == "y_up") {
-        made.axes = options.axes == "y_up" ? Axes::y_up : Axes::z_up;
-    } else if (options.axes != "auto") {
-        refuse(diagnostics, "--axes", options.axes, "give z_up or y_up");
-    }
+    made.axes = read_axes(options.axes, diagnostics);
     return made;
 }
 
