@@ -20,7 +20,7 @@
 #include "balcony/render.hpp"
 #include "bare_embree.hpp"
 #include "bench_case.hpp"
-#include "gallery/gallery.hpp"
+#include "scenes/gallery/gallery.hpp"
 #include "timing.hpp"
 
 namespace balcony::bench {
@@ -99,7 +99,7 @@ Measured measure(const render::Renderer& renderer, const BareEmbree& world,
     return fastest;
 }
 
-scene::Scene gallery() { return checked(plates::make_gallery({.painting_scale = 0.5})); }
+scene::Scene gallery() { return checked(plates::make_gallery({.texture_scale = 0.5})); }
 
 scene::Scene without_textures(scene::Scene scene) {
     for (scene::Material& material : scene.materials) {

@@ -2,11 +2,16 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # Functions for scripts that render plates. A plate is a folder plates/NN-name/ with
-#   camera.cam   its camera, unless the plate file names another
-#   README.md    a heading and a paragraph on what it shows
-#   plate        lines of a key and its value; a # opens a comment:
-#       scene   PROGRAM [OPTION...]   a program in plates/ that writes the scene to a file
-#       render  [--OPTION VALUE...]   options for balcony render, each with a value
+#   camera.cam    its camera, unless the plate file names another
+#   README.md     a heading and a paragraph on what it shows
+#   property.cpp  what it must show, measured
+#   plate         lines of a key and its value; a # opens a comment:
+#       scene    NAME [OPTION...]            what plates/build_scene writes
+#       camera   FILE[:NAME]                 default: camera.cam
+#       pinhole  FILE[:NAME]                 the ordinary view that its page compares with
+#       arrows   FILE[:NAME] [OPTION...]     adds a camera as balcony draw writes it to the scene
+#       povray   SCENE CAMERA [OPTION...]    the same through POV-Ray, on an original scene
+#       render   [--OPTION VALUE...]         options for balcony render, each with a value
 build=build/release
 
 # plate_folder NUMBER: the folder of a plate, given as 2 or 02.
@@ -24,35 +29,50 @@ plate_title() {
     sed -n 's/^# *//p;T;q' "$1/README.md"
 }
 
-# plate_program FOLDER: the program that writes its scene, also the name of a build target.
-plate_program() {
-    plate_value "$1" scene | cut -d ' ' -f 1
-}
-
-# plate_camera FOLDER: its camera file.
+# plate_camera FOLDER [KEY]: its camera file, or that of another key, with its name if there is one.
 plate_camera() {
     local camera
-    camera=$(plate_value "$1" camera)
-    realpath --relative-to=. "$1/${camera:-camera.cam}"
+    camera=$(plate_value "$1" "${2:-camera}")
+    camera=${camera%% *}
+    realpath --relative-to=. --canonicalize-missing "$1/${camera:-camera.cam}"
 }
 
-# build_scene FOLDER: writes the scene of a plate, once for all plates that share it, and prints
-# its path.
-build_scene() {
-    local words file
-    read -ra words <<< "$(plate_value "$1" scene)"
-    file="out/scenes/$(IFS=-; tr -cs 'a-z0-9_\n' - <<< "${words[*]}").glb"
-    if [[ ! -e $file || $build/plates/${words[0]} -nt $file ]]; then
+# scene_file SCENE [OPTION...]: writes a scene, once for all plates that share it, and prints its path.
+scene_file() {
+    local file
+    file="out/scenes/$(IFS=-; tr -cs 'a-z0-9_\n' - <<< "$*").glb"
+    if [[ ! -e $file || $build/plates/build_scene -nt $file ]]; then
         mkdir -p out/scenes
-        "$build/plates/${words[0]}" "$file" "${words[@]:1}" >&2
+        "$build/plates/build_scene" "$1" "$file" "${@:2}" >&2
     fi
     printf '%s\n' "$file"
+}
+
+# build_scene FOLDER: writes the scene of a plate and prints its path.
+build_scene() {
+    local words
+    read -ra words <<< "$(plate_value "$1" scene)"
+    scene_file "${words[@]}"
+}
+
+# arrows_option FOLDER: writes the arrows of the camera that stands in the plate's scene, and prints
+# the option of balcony render for them; nothing without such a camera.
+arrows_option() {
+    local words file
+    read -ra words <<< "$(plate_value "$1" arrows)"
+    if [[ ${#words[@]} -gt 0 ]]; then
+        file="out/scenes/$(basename "$1")-arrows.glb"
+        mkdir -p out/scenes
+        "$build/balcony" draw "$(plate_camera "$1" arrows)" -o "$file" --no-eye --no-toward \
+            --no-frame --quiet "${words[@]:1}" >&2
+        printf '%s\n' "--add $file"
+    fi
 }
 
 # render_plate FOLDER PICTURE [OPTION...]: renders a plate; the options override its own.
 render_plate() {
     local folder=$1 picture=$2 given=("${@:3}") own options=() scene i
-    read -ra own <<< "$(plate_value "$folder" render)"
+    read -ra own <<< "$(plate_value "$folder" render) $(arrows_option "$folder")"
     for ((i = 0; i < ${#own[@]}; i += 2)); do
         if [[ " ${given[*]} " != *" ${own[i]} "* ]]; then
             options+=("${own[@]:i:2}")
@@ -60,6 +80,8 @@ render_plate() {
     done
     scene=$(build_scene "$folder")
     mkdir -p "$(dirname "$picture")"
-    "$build/balcony" render "$scene" --camera "$(plate_camera "$folder")" -o "$picture" \
-        "${options[@]}" "${given[@]}"
+    if [[ " ${given[*]} " != *" --camera "* ]]; then
+        options+=(--camera "$(plate_camera "$folder")")
+    fi
+    "$build/balcony" render "$scene" -o "$picture" "${options[@]}" "${given[@]}"
 }

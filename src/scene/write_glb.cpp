@@ -42,6 +42,12 @@ constexpr int wrap_mode(scene::Wrap wrap) {
     return wrap == scene::Wrap::repeat ? 10497 : wrap == scene::Wrap::clamp ? 33071 : 33648;
 }
 
+// glTF knows two formats: JPEG, which starts with 0xff, and PNG.
+const char* mime_type(const std::vector<std::uint8_t>& bytes) {
+    constexpr std::uint8_t jpeg_marker = 0xff;
+    return bytes.front() == jpeg_marker ? "image/jpeg" : "image/png";
+}
+
 // From the scene's axes to y up, for row vectors: p_y_up = p_scene * M.
 M44d y_up_from(Axes axes) {
     M44d matrix;
@@ -117,9 +123,9 @@ private:
         for (const scene::Texture& texture : scene_.textures) {
             assert(!texture.bytes.empty());
             const std::size_t view = add_view(texture.bytes.data(), texture.bytes.size(), 0);
-            const std::size_t image =
-                append("images",
-                       {{"name", texture.name}, {"mimeType", "image/png"}, {"bufferView", view}});
+            const std::size_t image = append("images", {{"name", texture.name},
+                                                        {"mimeType", mime_type(texture.bytes)},
+                                                        {"bufferView", view}});
             const std::size_t sampler = append("samplers", {{"wrapS", wrap_mode(texture.wrap_u)},
                                                             {"wrapT", wrap_mode(texture.wrap_v)}});
             append("textures", {{"source", image}, {"sampler", sampler}});

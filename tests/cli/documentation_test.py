@@ -30,7 +30,7 @@ class Documentation(support.CommandTest):
             (self.folder / f"{name}.glb").write_bytes(support.glb_bytes())
         (self.folder / "out" / "scenes").mkdir(parents=True)
         (self.folder / "pictures").mkdir()
-        (self.folder / "out" / "scenes" / "build_gallery.glb").write_bytes(support.glb_bytes())
+        (self.folder / "out" / "scenes" / "gallery.glb").write_bytes(support.glb_bytes())
         for name in ("docs", "plates"):
             (self.folder / name).symlink_to(support.REPOSITORY / name)
         # FILE without a NAME means the last camera, so the picture comes first.

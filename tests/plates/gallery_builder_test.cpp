@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "gallery/gallery.hpp"
+#include "scenes/gallery/gallery.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -294,16 +294,17 @@ TEST(Gallery, WithoutPicturesAndWallsOnlyTheGridAndLightsRemain) {
 }
 
 int exit_code(const std::string& arguments) {
-    const std::string command = std::string(BUILD_GALLERY) + " " + arguments + " >/dev/null 2>&1";
+    const std::string command = std::string(BUILD_SCENE) + " " + arguments + " >/dev/null 2>&1";
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-TEST(BuildGallery, ExitCodeTellsTheKindOfError) {
+TEST(BuildScene, ExitCodeTellsTheKindOfError) {
     EXPECT_EQ(exit_code("--help"), 0);
     EXPECT_EQ(exit_code(""), 2);
     EXPECT_EQ(exit_code("--no-such-option"), 2);
-    EXPECT_EQ(exit_code("--without-pictures-and-walls /nonexistent/folder/room.glb"), 3);
+    EXPECT_EQ(exit_code("no_such_scene /nonexistent/folder/room.glb"), 1);
+    EXPECT_EQ(exit_code("gallery /nonexistent/folder/room.glb --without-pictures-and-walls"), 3);
 }
 
 }  // namespace

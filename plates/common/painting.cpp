@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "gallery/painting.hpp"
+#include "common/painting.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -19,9 +19,13 @@ double linear_from_srgb(double encoded) {
     return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
-std::uint8_t srgb_byte(double linear) {
+double srgb_from_linear(double x) {
+    return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;
+}
+
+std::uint8_t byte_of(double linear, scene::TextureEncoding encoding) {
     const double x = std::clamp(linear, 0.0, 1.0);
-    const double encoded = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;
+    const double encoded = encoding == scene::TextureEncoding::srgb ? srgb_from_linear(x) : x;
     return static_cast<std::uint8_t>(std::lround(encoded * 255.0));
 }
 
@@ -52,9 +56,9 @@ int floor_of(double x) {
 
 }  // namespace
 
-Painting paint(int width, int height, const Painter& painter) {
+Painting paint(int width, int height, const Painter& painter, scene::TextureEncoding encoding) {
     assert(width > 0 && height > 0);
-    Painting painting{width, height, {}};
+    Painting painting{width, height, {}, encoding};
     painting.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
     tbb::parallel_for(0, height, [&](int row) {
         for (int column = 0; column < width; ++column) {
@@ -73,7 +77,7 @@ Painting paint(int width, int height, const Painter& painter) {
                        static_cast<std::size_t>(column)) *
                       3;
             for (int channel = 0; channel < 3; ++channel) {
-                painting.pixels[at++] = srgb_byte(sum[channel] / samples_per_pixel);
+                painting.pixels[at++] = byte_of(sum[channel] / samples_per_pixel, encoding);
             }
         }
     });
@@ -88,7 +92,8 @@ std::vector<std::uint8_t> to_png(const Painting& painting) {
         return {};
     }
     OIIO::ImageSpec spec(painting.width, painting.height, 3, OIIO::TypeDesc::UINT8);
-    spec.attribute("oiio:ColorSpace", "sRGB");
+    spec.attribute("oiio:ColorSpace",
+                   painting.encoding == scene::TextureEncoding::srgb ? "sRGB" : "Linear");
     spec.attribute("png:compressionLevel", 6);
     if (!output->open("painting.png", spec) ||
         !output->write_image(OIIO::TypeDesc::UINT8, painting.pixels.data()) || !output->close()) {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "gallery/paintings.hpp"
+#include "scenes/gallery/paintings.hpp"
 
 namespace balcony::plates {
 

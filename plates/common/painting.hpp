@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What the paintings of the gallery are computed with: an antialiased canvas, colours, noise.
-// A colour is linear Rec. 709, 1 is white.
+// What textures are computed with: an antialiased canvas, colours, noise. A colour is linear
+// Rec. 709, 1 is white.
 
 #include <cstdint>
 #include <functional>
@@ -11,6 +11,8 @@
 #include <vector>
 
 #include <Imath/ImathVec.h>
+
+#include "balcony/scene.hpp"
 
 namespace balcony::plates {
 
@@ -21,7 +23,8 @@ using Color = V3d;
 struct Painting {
     int width = 0;                     ///< Pixels.
     int height = 0;                    ///< Pixels.
-    std::vector<std::uint8_t> pixels;  ///< sRGB, three bytes a pixel, rows from the top.
+    std::vector<std::uint8_t> pixels;  ///< Three bytes a pixel, rows from the top.
+    scene::TextureEncoding encoding = scene::TextureEncoding::srgb;
 };
 
 /// One of the sub-samples of a pixel.
@@ -37,7 +40,8 @@ using Painter = std::function<Color(const Sample&)>;
 
 /// Computes a picture: samples_per_pixel samples a pixel, averaged in linear light. The painter is
 /// called from several threads at once; the result does not depend on their number.
-[[nodiscard]] Painting paint(int width, int height, const Painter& painter);
+[[nodiscard]] Painting paint(int width, int height, const Painter& painter,
+                             scene::TextureEncoding encoding = scene::TextureEncoding::srgb);
 
 /// The picture as a PNG file; empty if it could not be encoded.
 [[nodiscard]] std::vector<std::uint8_t> to_png(const Painting& painting);

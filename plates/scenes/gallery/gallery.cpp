@@ -1,15 +1,16 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "gallery/gallery.hpp"
+#include "scenes/gallery/gallery.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "gallery/meshes.hpp"
-#include "gallery/paintings.hpp"
+#include "common/meshes.hpp"
+#include "common/scene_builder.hpp"
+#include "scenes/gallery/paintings.hpp"
 
 namespace balcony::plates {
 
@@ -17,9 +18,7 @@ namespace {
 
 using scene::Color3f;
 using scene::Light;
-using scene::Material;
 using scene::MaterialIndex;
-using scene::Mesh;
 using scene::MeshIndex;
 using scene::Scene;
 using scene::TextureIndex;
@@ -33,8 +32,6 @@ constexpr double pitch_y = 2.0 * room_half_y / steps_y;
 constexpr double pitch_z = 2.0 * room_half_z / steps_z;
 constexpr double cylinder_radius = 0.35;
 constexpr double box_chamfer = 0.14;
-
-Color3f tint(std::uint32_t rrggbb) { return Color3f(from_srgb(rrggbb)); }
 
 // The squares of a parquet: four planks each, laid by turns along and across. One tile of it is
 // four squares wide and high and fits its own copies.
@@ -56,15 +53,12 @@ Color parquet(const Sample& sample) {
     return wood(shade + 0.14 * grain) * (0.45 + 0.55 * smooth_step(0.0, 0.035, to_joint));
 }
 
-class Builder {
+class Gallery {
 public:
-    explicit Builder(const GalleryContent& content) : content_(content) {
-        scene_.name = "gallery";
-        scene_.axes = Axes::z_up;
-    }
+    explicit Gallery(const SceneOptions& options) : builder_("gallery", options) {}
 
-    Result<Scene> build() {
-        if (content_.pictures_and_walls) {
+    Result<Scene> build() && {
+        if (builder_.options().pictures_and_walls) {
             add_shell();
             int number = 0;
             for (const Hanging& hanging : hangings()) {
@@ -73,100 +67,69 @@ public:
         }
         add_grid();
         add_lights();
-        for (const scene::Texture& texture : scene_.textures) {
-            if (texture.bytes.empty()) {
-                return error(fmt::format("cannot encode '{}' as PNG", texture.name), {},
-                             "OpenImageIO was built without PNG support");
-            }
-        }
-        return std::move(scene_);
+        return std::move(builder_).finish();
     }
 
 private:
-    MaterialIndex add_material(const char* name, const Color3f& color, float roughness,
-                               TextureIndex texture = {}) {
-        Material material;
-        material.name = name;
-        material.base_color = color;
-        material.roughness = roughness;
-        material.base_color_texture.index = texture;
-        scene_.materials.push_back(material);
-        return MaterialIndex(scene_.materials.size() - 1);
-    }
-
-    TextureIndex add_texture(std::string name, const Painting& painting, scene::Wrap wrap) {
-        scene_.textures.push_back({std::move(name), {}, to_png(painting), wrap, wrap});
-        return TextureIndex(scene_.textures.size() - 1);
-    }
-
-    MeshIndex add_mesh(std::string name, Mesh mesh, MaterialIndex material) {
-        mesh.name = std::move(name);
-        mesh.material = material;
-        scene_.meshes.push_back(std::move(mesh));
-        return MeshIndex(scene_.meshes.size() - 1);
-    }
-
-    void place(std::string name, MeshIndex mesh, const M44d& room_from_mesh) {
-        scene_.instances.push_back(
-            {mesh, room_from_mesh, static_cast<std::uint32_t>(scene_.objects.size())});
-        scene_.objects.push_back({std::move(name)});
-    }
-
     // Walls, floor and ceiling.
     void add_shell() {
-        const MaterialIndex plaster = add_material("plaster", tint(0xf0e5d3), 0.95F);
+        const MaterialIndex plaster = builder_.material("plaster", tint(0xf0e5d3), 0.95F);
         const MeshIndex long_wall =
-            add_mesh("long wall", rectangle(2 * room_half_x, 2 * room_half_z), plaster);
+            builder_.mesh("long wall", rectangle(2 * room_half_x, 2 * room_half_z), plaster);
         const MeshIndex short_wall =
-            add_mesh("short wall", rectangle(2 * room_half_y, 2 * room_half_z), plaster);
-        place("wall +y", long_wall, room_from_wall(Wall::y_plus));
-        place("wall +x", short_wall, room_from_wall(Wall::x_plus));
-        place("wall -y", long_wall, room_from_wall(Wall::y_minus));
-        place("wall -x", short_wall, room_from_wall(Wall::x_minus));
+            builder_.mesh("short wall", rectangle(2 * room_half_y, 2 * room_half_z), plaster);
+        builder_.place("wall +y", long_wall, room_from_wall(Wall::y_plus));
+        builder_.place("wall +x", short_wall, room_from_wall(Wall::x_plus));
+        builder_.place("wall -y", long_wall, room_from_wall(Wall::y_minus));
+        builder_.place("wall -x", short_wall, room_from_wall(Wall::x_minus));
 
         constexpr int parquet_pixels = 320;
-        const TextureIndex wood = add_texture(
-            "parquet", paint(parquet_pixels, parquet_pixels, parquet), scene::Wrap::repeat);
-        const MaterialIndex boards = add_material("parquet", Color3f(1.0F), 0.6F, wood);
-        const MeshIndex floor = add_mesh(
+        const TextureIndex wood =
+            builder_.texture("parquet", parquet_pixels, parquet_pixels, parquet);
+        const MaterialIndex boards = builder_.material("parquet", Color3f(1.0F), 0.6F, wood);
+        const MeshIndex floor = builder_.mesh(
             "floor", rectangle(2 * room_half_x, 2 * room_half_y, steps_x / 2.0, steps_y / 2.0),
             boards);
-        place("floor", floor, M44d().setTranslation(V3d(0, 0, -room_half_z)));
+        builder_.place("floor", floor, M44d().setTranslation(V3d(0, 0, -room_half_z)));
 
-        const MaterialIndex white = add_material("ceiling", tint(0xdfd9cd), 0.95F);
+        const MaterialIndex white = builder_.material("ceiling", tint(0xdfd9cd), 0.95F);
         const MeshIndex ceiling =
-            add_mesh("ceiling", rectangle(2 * room_half_x, 2 * room_half_y), white);
+            builder_.mesh("ceiling", rectangle(2 * room_half_x, 2 * room_half_y), white);
         const M44d upside_down(1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0, 0, 0, room_half_z, 1);
-        place("ceiling", ceiling, upside_down);
+        builder_.place("ceiling", ceiling, upside_down);
     }
 
     void add_hanging(const Hanging& hanging, int number) {
         const std::string picture = fmt::format("picture {}", number);
         const std::string frame = fmt::format("frame {}", number);
-        const TextureIndex painted = add_texture(
-            hanging.title, paint_hanging(hanging, content_.painting_scale), scene::Wrap::clamp);
-        const MaterialIndex canvas = add_material(picture.c_str(), Color3f(1.0F), 0.9F, painted);
+        const TextureIndex painted = builder_.texture(
+            hanging.title, hanging.pixels_x, hanging.pixels_y, hanging.painter, scene::Wrap::clamp);
+        const MaterialIndex canvas = builder_.material(picture, Color3f(1.0F), 0.9F, painted);
         const MaterialIndex moulding = number % 2 == 0
-                                           ? add_material(frame.c_str(), tint(0x3a2a22), 0.5F)
-                                           : add_material(frame.c_str(), tint(0xc79a45), 0.4F);
+                                           ? builder_.material(frame, tint(0x3a2a22), 0.5F)
+                                           : builder_.material(frame, tint(0xc79a45), 0.4F);
         const M44d placed = M44d().setTranslation(V3d(hanging.right, hanging.up, picture_offset)) *
                             room_from_wall(hanging.wall);
-        place(picture, add_mesh(picture, rectangle(hanging.width, hanging.height), canvas), placed);
-        place(frame,
-              add_mesh(frame, picture_frame(hanging.width, hanging.height, frame_width), moulding),
-              placed);
+        builder_.place(picture,
+                       builder_.mesh(picture, rectangle(hanging.width, hanging.height), canvas),
+                       placed);
+        builder_.place(
+            frame,
+            builder_.mesh(frame, picture_frame(hanging.width, hanging.height, frame_width),
+                          moulding),
+            placed);
     }
 
     void add_grid() {
-        const MaterialIndex stone = add_material("terracotta", tint(0xb9653f), 0.85F);
-        const MaterialIndex iron = add_material("iron", tint(0x5a606b), 0.5F);
-        box_ = add_mesh("box", chamfered_cube(box_size, box_chamfer), stone);
+        const MaterialIndex stone = builder_.material("terracotta", tint(0xb9653f), 0.85F);
+        const MaterialIndex iron = builder_.material("iron", tint(0x5a606b), 0.5F);
+        box_ = builder_.mesh("box", chamfered_cube(box_size, box_chamfer), stone);
         const std::array<double, 3> pitch{pitch_x, pitch_y, pitch_z};
         for (unsigned axis = 0; axis < 3; ++axis) {
             const double length = pitch[axis] - box_size + box_chamfer;
             cylinders_[axis] =
-                add_mesh(fmt::format("cylinder along {}", "xyz"[axis]),
-                         cylinder(static_cast<int>(axis), length, cylinder_radius), iron);
+                builder_.mesh(fmt::format("cylinder along {}", "xyz"[axis]),
+                              cylinder(static_cast<int>(axis), length, cylinder_radius), iron);
         }
         for (const double side : {-1.0, 1.0}) {
             for (int i = 0; i <= steps_x; ++i) {
@@ -187,7 +150,7 @@ private:
         for (int k = 0; k <= steps_z; ++k) {
             const V3d at(x, y, -room_half_z + k * pitch_z);
             if (boxes) {
-                place(fmt::format("box {}", ++boxes_), box_, M44d().setTranslation(at));
+                builder_.place(fmt::format("box {}", ++boxes_), box_, M44d().setTranslation(at));
             }
             if (boxes && k < steps_z) {
                 add_cylinder(2, at + V3d(0, 0, pitch_z / 2));
@@ -199,8 +162,8 @@ private:
     }
 
     void add_cylinder(unsigned axis, const V3d& middle) {
-        place(fmt::format("cylinder {}", ++placed_cylinders_), cylinders_[axis],
-              M44d().setTranslation(middle));
+        builder_.place(fmt::format("cylinder {}", ++placed_cylinders_), cylinders_[axis],
+                       M44d().setTranslation(middle));
     }
 
     // Six points in a ring, slightly above the middle. Places and strengths were fitted so that the
@@ -213,7 +176,7 @@ private:
             light.name = fmt::format("light {}", ++number);
             light.position = position;
             light.intensity = Color3f(1.0F, 0.965F, 0.91F) * candela;
-            scene_.lights.push_back(light);
+            builder_.light(light);
         };
         for (const double x : {-1.0, 1.0}) {
             for (const double y : {-1.0, 1.0}) {
@@ -223,8 +186,7 @@ private:
         }
     }
 
-    GalleryContent content_;
-    Scene scene_;
+    SceneBuilder builder_;
     MeshIndex box_;
     std::array<MeshIndex, 3> cylinders_;
     int boxes_ = 0;
@@ -261,13 +223,6 @@ const std::array<Hanging, 7>& hangings() {
     return all;
 }
 
-Painting paint_hanging(const Hanging& hanging, double scale) {
-    const auto scaled = [scale](int pixels) {
-        return std::max(1, static_cast<int>(std::lround(pixels * scale)));
-    };
-    return paint(scaled(hanging.pixels_x), scaled(hanging.pixels_y), hanging.painter);
-}
-
-Result<Scene> make_gallery(const GalleryContent& content) { return Builder(content).build(); }
+Result<Scene> make_gallery(const SceneOptions& options) { return Gallery(options).build(); }
 
 }  // namespace balcony::plates

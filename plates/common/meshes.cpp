@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "gallery/meshes.hpp"
+#include "common/meshes.hpp"
 
 #include <array>
 #include <cmath>

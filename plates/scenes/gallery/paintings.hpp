@@ -6,7 +6,7 @@
 
 #include <array>
 
-#include "gallery/painting.hpp"
+#include "common/painting.hpp"
 
 namespace balcony::plates {
 

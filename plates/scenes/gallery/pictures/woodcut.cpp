@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "gallery/paintings.hpp"
+#include "scenes/gallery/paintings.hpp"
 
 namespace balcony::plates {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gallery/paintings.hpp"
+#include "scenes/gallery/paintings.hpp"
 
 namespace balcony::plates {
 

@@ -6,7 +6,7 @@
 #include <complex>
 #include <numbers>
 
-#include "gallery/paintings.hpp"
+#include "scenes/gallery/paintings.hpp"
 
 namespace balcony::plates {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The meshes that the gallery is built of.
+// Meshes that scenes of the plates are built of.
 
 #include "balcony/scene.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <complex>
 
-#include "gallery/paintings.hpp"
+#include "scenes/gallery/paintings.hpp"
 
 namespace balcony::plates {
 

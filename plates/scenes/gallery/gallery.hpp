@@ -13,7 +13,8 @@
 
 #include "balcony/base.hpp"
 #include "balcony/scene.hpp"
-#include "gallery/painting.hpp"
+#include "common/painting.hpp"
+#include "common/scene_options.hpp"
 
 namespace balcony::plates {
 
@@ -54,15 +55,7 @@ inline constexpr double frame_width = 0.8;     ///< Around the picture.
 inline constexpr double picture_offset = 1.5;  ///< Of the picture's plane from the wall.
 inline constexpr double box_size = 2.4;        ///< Half of it stands out of the wall.
 
-/// One painting, its pixels scaled by a factor (for tests).
-[[nodiscard]] Painting paint_hanging(const Hanging& hanging, double scale = 1.0);
-
-struct GalleryContent {
-    bool pictures_and_walls = true;  ///< Without: only boxes, cylinders and lights (plate 3).
-    double painting_scale = 1.0;     ///< Of the paintings' pixels along each side.
-};
-
-/// The scene, axes z_up. Fails only if a painting cannot be encoded.
-[[nodiscard]] Result<scene::Scene> make_gallery(const GalleryContent& content);
+/// The scene, axes z_up.
+[[nodiscard]] Result<scene::Scene> make_gallery(const SceneOptions& options);
 
 }  // namespace balcony::plates

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Measures what a picture shows of flat things, from its data layers alone.
+// Measures what a picture shows, from its data layers alone.
 
 #include <cstddef>
 #include <cstdint>
@@ -36,6 +36,25 @@ struct View {
 
 [[nodiscard]] View view_of(const render::Film& film, const std::string& object,
                            const Rectangle& rectangle);
+
+/// Of the objects whose names begin alike, how many a picture shows.
+struct Sightings {
+    std::size_t objects = 0;
+    std::size_t seen = 0;
+    std::size_t connected = 0;  ///< Shown as one region.
+    std::size_t pixels = 0;     ///< Of all of them.
+};
+
+[[nodiscard]] Sightings sightings_of(const render::Film& film, const std::string& begin);
+
+/// The pixels of an object, and its connected regions; none if it is not seen. Throws
+/// std::runtime_error if no object of the scene has that name.
+struct Region {
+    std::size_t pixels = 0;
+    std::size_t regions = 0;
+    std::size_t min_x = 0, max_x = 0, min_y = 0, max_y = 0;  ///< Of its pixels.
+};
+[[nodiscard]] Region region_of(const render::Film& film, const std::string& object);
 
 /// The longest steps from a pixel's ray to its right and lower neighbours'.
 struct RayStep {

@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "measure.hpp"
+#include "measure/measure.hpp"
 
 #include <algorithm>
 #include <array>
@@ -164,6 +164,39 @@ View view_of(const render::Film& film, const std::string& object, const Rectangl
     view.bend =
         sights.size() < 3 ? 0.0 : max_residual(sights) / std::hypot(right_length, up_length);
     return view;
+}
+
+Sightings sightings_of(const render::Film& film, const std::string& begin) {
+    Sightings sightings;
+    for (const std::string& name : film.objects) {
+        if (name.starts_with(begin)) {
+            const Region region = region_of(film, name);
+            ++sightings.objects;
+            sightings.seen += region.pixels > 0 ? 1 : 0;
+            sightings.connected += region.regions == 1 ? 1 : 0;
+            sightings.pixels += region.pixels;
+        }
+    }
+    return sightings;
+}
+
+Region region_of(const render::Film& film, const std::string& object) {
+    const std::vector<std::uint32_t>& ids = film.layers.value().object;
+    const std::uint32_t id = id_of(film.objects, object);
+    Region region;
+    region.min_x = film.width;
+    region.min_y = film.height;
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        if (ids[i] == id) {
+            ++region.pixels;
+            region.min_x = std::min(region.min_x, i % film.width);
+            region.max_x = std::max(region.max_x, i % film.width);
+            region.min_y = std::min(region.min_y, i / film.width);
+            region.max_y = std::max(region.max_y, i / film.width);
+        }
+    }
+    region.regions = region.pixels == 0 ? 0 : count_regions(ids, film.width, film.height, id);
+    return region;
 }
 
 RayStep max_step(const render::Film& film) {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "gallery/paintings.hpp"
+#include "scenes/gallery/paintings.hpp"
 
 namespace balcony::plates {
 

@@ -1,0 +1,26 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <array>
+
+#include "measure/property.hpp"
+
+namespace balcony::plates {
+
+// Each is defined in the property.cpp of its plate.
+Property plate_01();
+Property plate_02();
+Property plate_03();
+
+std::span<const Property> properties() {
+    static const std::array all{plate_01(), plate_02(), plate_03()};
+    return all;
+}
+
+bool all_met(const Measurements& measurements) {
+    return std::all_of(measurements.begin(), measurements.end(),
+                       [](const Measurement& measurement) { return measurement.met(); });
+}
+
+}  // namespace balcony::plates

@@ -1,0 +1,40 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "scenes/catalogue.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "balcony/names.hpp"
+#include "scenes/gallery/gallery.hpp"
+
+namespace balcony::plates {
+
+namespace {
+
+constexpr std::array scenes{
+    SceneRow{"gallery", "a closed room with seven pictures (plates 1 to 3)", make_gallery},
+};
+
+}  // namespace
+
+std::span<const SceneRow> scene_catalogue() { return scenes; }
+
+Result<scene::Scene> make_scene(std::string_view name, const SceneOptions& options) {
+    const auto row = std::find_if(scenes.begin(), scenes.end(),
+                                  [&](const SceneRow& scene) { return scene.name == name; });
+    if (row == scenes.end()) {
+        std::vector<std::string> names;
+        for (const SceneRow& scene : scenes) {
+            names.emplace_back(scene.name);
+        }
+        return error(fmt::format("there is no scene '{}'", name), {},
+                     suggestion(name, names, "the scenes are"));
+    }
+    return row->make(options);
+}
+
+}  // namespace balcony::plates
