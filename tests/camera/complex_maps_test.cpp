@@ -226,6 +226,41 @@ TEST(PrintGallery, StaysInTheRingOfItsFrame) {
     }
 }
 
+// Of the frame, the centre is nearly at the right edge; it would be outside of its ellipse.
+TEST(PrintGallery, StaysInTheRingOfAFrameBesideItsCentre) {
+    const std::array frame{1.5, 1.0};
+    const std::array middle{-1.4, 0.5};
+    for (const bool ellipse : {false, true}) {
+        const double s = 8.0;
+        const double shrunk = ellipse ? 0.3 : 1.0;
+        const Map map("print_gallery",
+                      {{"scale", numbers({s})},
+                       {"frame", numbers({frame[0], frame[1]})},
+                       {"offset", numbers({shrunk * middle[0], shrunk * middle[1]})},
+                       {"shape", std::string(ellipse ? "ellipse" : "rectangle")}});
+        const auto encloses = [&](const Complex& w, double size) {
+            const double a = std::fabs(w.real() - size * shrunk * middle[0]) / (size * frame[0]);
+            const double b = std::fabs(w.imag() - size * shrunk * middle[1]) / (size * frame[1]);
+            return (ellipse ? std::hypot(a, b) : std::max(a, b)) <= 1.0;
+        };
+        for (const Complex z : some_points()) {
+            EXPECT_TRUE(encloses(map(z), 1.0 + tolerance));
+            EXPECT_FALSE(encloses(map(z), 1.0 / s - tolerance));
+        }
+    }
+}
+
+TEST(PrintGallery, RejectsACentreOutsideItsFrame) {
+    for (const char* shape : {"rectangle", "ellipse"}) {
+        const auto made = try_stage(StageKind::parameter_transformer, "print_gallery",
+                                    {{"frame", numbers({2.0, 1.0})},
+                                     {"offset", numbers({0.0, -1.0})},
+                                     {"shape", std::string(shape)}});
+        ASSERT_FALSE(made) << shape;
+        EXPECT_NE(made.diagnostics.front().message.find("not inside the frame"), std::string::npos);
+    }
+}
+
 TEST(PrintGallery, WithoutTurnsIsAPictureWithinThePicture) {
     const Map map("print_gallery", {{"scale", numbers({4.0})}, {"turns", numbers({0.0})}});
     expect_near(map({0.7, 0.1}), {0.7, 0.1});

@@ -4,6 +4,7 @@
 // Parameter transformers, PCS → PCS: functions of one complex variable, z = u + i v. They preserve
 // angles wherever their derivative is not 0.
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -131,13 +132,15 @@ private:
 /// structure of Escher's Print Gallery", Notices of the AMS 50, 2003): z^alpha with
 /// alpha = (2 pi i + n log s) / (2 pi i) maps one turn around the centre to a scaling by n log s,
 /// and a straight picture that contains itself s times smaller is continuous there. It repeats by
-/// the reduction to one ring, frame/s < size <= frame, where size is measured by the frame's shape.
+/// the reduction to one ring, frame/s < size <= frame, where size is measured by the frame's shape:
+/// it is 1 on the frame, and proportional along each ray from the centre.
 class PrintGallery final : public ParameterTransformer {
 public:
-    PrintGallery(Scalar scale, double turns, Pair frame, bool ellipse, Pair at)
+    PrintGallery(Scalar scale, double turns, Pair frame, Pair offset, bool ellipse, Pair at)
         : scale_(std::move(scale)),
           turns_(turns),
           frame_(std::move(frame)),
+          offset_(std::move(offset)),
           ellipse_(ellipse),
           at_(std::move(at)) {}
 
@@ -146,18 +149,34 @@ public:
         const Complex alpha{emit(1.0), log_scale * (-turns_ / (2.0 * pi))};
         const Complex log_z = logarithm(offset(p, at_, emit), emit(pi), emit);
         const Complex w = exponential(alpha * log_z);
-        const Expr part_u = w.re / emit(frame_[0]);
-        const Expr part_v = w.im / emit(frame_[1]);
-        const Expr log_size = ellipse_ ? 0.5 * log(part_u * part_u + part_v * part_v)
-                                       : log(max(abs(part_u), abs(part_v)));
+        const Expr log_size = log(ellipse_ ? size_in_ellipse(w, emit) : size_in_rectangle(w, emit));
         const Expr into_ring = exp(log_scale * floor(-log_size / log_scale));
         return {emit(at_[0]) + into_ring * w.re, emit(at_[1]) + into_ring * w.im};
     }
 
 private:
+    [[nodiscard]] Expr size_in_rectangle(const Complex& w, Emitter& emit) const {
+        const auto along = [&](std::size_t axis, const Expr& part) {
+            const Expr half = emit(frame_[axis]);
+            const Expr middle = emit(offset_[axis]);
+            return max(part / (half + middle), part / (middle - half));
+        };
+        return max(along(0, w.re), along(1, w.im));
+    }
+
+    /// The positive m with |p - m q| = m, for w and the offset in units of the frame.
+    [[nodiscard]] Expr size_in_ellipse(const Complex& w, Emitter& emit) const {
+        const Complex p{w.re / emit(frame_[0]), w.im / emit(frame_[1])};
+        const Complex q{emit(offset_[0]) / emit(frame_[0]), emit(offset_[1]) / emit(frame_[1])};
+        const Expr pq = p.re * q.re + p.im * q.im;
+        const Expr rest = 1.0 - squared_size(q);
+        return (sqrt(pq * pq + rest * squared_size(p)) - pq) / rest;
+    }
+
     Scalar scale_;
     double turns_;
     Pair frame_;
+    Pair offset_;
     bool ellipse_;
     Pair at_;
 };
@@ -187,6 +206,20 @@ bool is_degenerate(const Arguments& arguments) {
     }
     const auto& [ar, ai, br, bi, cr, ci, dr, di] = value;
     return ar * dr - ai * di == br * cr - bi * ci && ar * di + ai * dr == br * ci + bi * cr;
+}
+
+/// Whether a point is inside a frame about the origin; true if it changes with time.
+bool is_inside(const Pair& point, const Pair& frame, bool ellipse) {
+    std::array<double, 2> part{};
+    for (const std::size_t axis : {0U, 1U}) {
+        const std::optional<double> value = point[axis].constant();
+        const std::optional<double> half = frame[axis].constant();
+        if (!value || !half) {
+            return true;
+        }
+        part[axis] = std::fabs(*value / *half);
+    }
+    return (ellipse ? std::hypot(part[0], part[1]) : std::max(part[0], part[1])) < 1.0;
 }
 
 }  // namespace
@@ -281,8 +314,9 @@ u′ + i v′ = at + scale^k z^α      z = (u − at₁) + i (v − at₂)
 α = 1 − i turns log(scale)/2π for grows = clockwise, 1 + i … for the other
 z^α = exp(α log z) with −180° < arg z ≤ 180°
 k   the whole number with 1/scale < scale^k m ≤ 1, where for z^α = a + i b
-    m = max(|a|/frame₁, |b|/frame₂) for rectangle,
-    m = √((a/frame₁)² + (b/frame₂)²) for ellipse
+    m = the smallest number for which m offset ± m frame encloses (a, b): without
+    an offset max(|a|/frame₁, |b|/frame₂) for rectangle and
+    √((a/frame₁)² + (b/frame₂)²) for ellipse
 (B. de Smit and H. W. Lenstra, "The Mathematical Structure of Escher's Print
 Gallery", 2003: theirs is turns = 1, scale = 256.)
 )",
@@ -308,17 +342,25 @@ Gallery", 2003: theirs is turns = 1, scale = 256.)
                                      .one_for_both = true},
                .meaning =
                    "half the width and height of the picture that repeats; its edge is the seam"},
+              {.name = "offset",
+               .type =
+                   PairParameter{.unit = Unit::parameter, .default_value = std::array{0.0, 0.0}},
+               .meaning =
+                   "the middle of the frame, from the centre, which must be inside the frame"},
               {.name = "shape",
                .type = ChoiceParameter{.choices = {"rectangle", "ellipse"}},
                .meaning = "shape of the frame"},
               center},
-         .make =
-             [](const Arguments& a) {
-                 const double sense = a.choice("grows") == "clockwise" ? 1.0 : -1.0;
-                 return made<PrintGallery>(a.number("scale"), sense * a.constant("turns"),
-                                           a.pair("frame"), a.choice("shape") == "ellipse",
-                                           a.pair("at"));
-             },
+         .make = [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
+             const bool ellipse = a.choice("shape") == "ellipse";
+             if (!is_inside(a.pair("offset"), a.pair("frame"), ellipse)) {
+                 return error("the centre of the repetition is not inside the frame", {},
+                              "make the offset smaller, or the frame larger");
+             }
+             const double sense = a.choice("grows") == "clockwise" ? 1.0 : -1.0;
+             return made<PrintGallery>(a.number("scale"), sense * a.constant("turns"),
+                                       a.pair("frame"), a.pair("offset"), ellipse, a.pair("at"));
+         },
          .example =
              R"(// Clockwise in the picture, as in Escher's lithograph, because u runs to the left.
 camera print_gallery {
