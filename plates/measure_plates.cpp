@@ -3,8 +3,8 @@
 
 // measure_plates: prints the measured properties of the plates as JSON, for the page.
 //
-// An object by plate numbers of lists of {"what", "value", "at_least", "at_most", "met"}; bounds that
-// there are not are missing. The exit code is 1 if a property is not met.
+// An object by plate numbers of lists of {"what", "value", "at_least", "at_most", "met"}; bounds
+// that there are not are missing. The exit code is 1 if a property is not met.
 
 #include <charconv>
 #include <cmath>
@@ -24,9 +24,8 @@ using namespace balcony;
 using nlohmann::json;
 
 json to_json(const plates::Measurement& measurement) {
-    json written = {{"what", measurement.what},
-                    {"value", measurement.value},
-                    {"met", measurement.met()}};
+    json written = {
+        {"what", measurement.what}, {"value", measurement.value}, {"met", measurement.met()}};
     if (std::isfinite(measurement.at_least)) {
         written["at_least"] = measurement.at_least;
     }
@@ -62,8 +61,7 @@ int main(int argc, char** argv) {
     for (int i = 1; i < argc; ++i) {
         const std::string_view text = argv[i];
         int number = 0;
-        const auto [end, problem] =
-            std::from_chars(text.data(), text.data() + text.size(), number);
+        const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
         if (problem != std::errc() || end != text.data() + text.size()) {
             fmt::print(stderr, "Usage: measure_plates [NUMBER...]\n");
             return 2;

@@ -40,11 +40,10 @@ scene::TextureIndex SceneBuilder::texture(std::string name, int width, int heigh
     const auto scaled = [this](int pixels) {
         return std::max(1, static_cast<int>(std::lround(pixels * options_.texture_scale)));
     };
-    std::vector<std::uint8_t> png =
-        to_png(paint(scaled(width), scaled(height), painter, encoding));
+    std::vector<std::uint8_t> png = to_png(paint(scaled(width), scaled(height), painter, encoding));
     if (png.empty()) {
         problems_.push_back(error(fmt::format("cannot encode '{}' as PNG", name), {},
-                                             "OpenImageIO was built without PNG support"));
+                                  "OpenImageIO was built without PNG support"));
     }
     scene_.textures.push_back({std::move(name), {}, std::move(png), wrap, wrap});
     return scene::TextureIndex(scene_.textures.size() - 1);
@@ -56,7 +55,7 @@ scene::TextureIndex SceneBuilder::hung_picture(std::string_view name) {
     std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(stream), {}};
     if (bytes.empty()) {
         problems_.push_back(error(fmt::format("cannot read the picture {}", file), {},
-                                             fmt::format("run scripts/plates --pictures {}", name)));
+                                  fmt::format("run scripts/plates --pictures {}", name)));
     }
     scene_.textures.push_back(
         {std::string(name), {}, std::move(bytes), scene::Wrap::clamp, scene::Wrap::clamp});

@@ -12,9 +12,15 @@ namespace balcony::plates {
 Property plate_01();
 Property plate_02();
 Property plate_03();
+Property plate_04();
+Property plate_05();
+Property plate_06();
+Property plate_07();
+Property plate_08();
 
 std::span<const Property> properties() {
-    static const std::array all{plate_01(), plate_02(), plate_03()};
+    static const std::array all{plate_01(), plate_02(), plate_03(), plate_04(),
+                                plate_05(), plate_06(), plate_07(), plate_08()};
     return all;
 }
 

@@ -9,7 +9,9 @@
 #include <fmt/format.h>
 
 #include "balcony/names.hpp"
+#include "scenes/candle/candle.hpp"
 #include "scenes/gallery/gallery.hpp"
+#include "scenes/wall/wall.hpp"
 
 namespace balcony::plates {
 
@@ -17,6 +19,8 @@ namespace {
 
 constexpr std::array scenes{
     SceneRow{"gallery", "a closed room with seven pictures (plates 1 to 3)", make_gallery},
+    SceneRow{"wall", "seven by seven pictures on one wall (plates 4 to 8)", make_wall},
+    SceneRow{"candle", "a still life with a burning candle, for pictures that hang", make_candle},
 };
 
 }  // namespace
