@@ -257,6 +257,10 @@ struct Scene {
 [[nodiscard]] Result<Scene> load(const std::filesystem::path& name,
                                  std::span<const std::uint8_t> bytes);
 
+/// Adds all that another scene has, with its motion, turned to the axes of the first. Objects keep
+/// their names, which may then be the same.
+void add_scene(Scene& scene, Scene added);
+
 /// The bytes of a binary glTF 2.0 file (GLB) with the scene: one node per instance (named
 /// after its object) or light, one glTF mesh with a single primitive per mesh, embedded PNG and
 /// JPEG images. Meshes are shared by their instances. A z_up scene is rotated to glTF's y up: (x,

@@ -40,7 +40,7 @@ bool load(const std::string& name, const Request& request,
     }
     if (!loaded.scene) {
         const auto begin = std::chrono::steady_clock::now();
-        auto scene = load_scene(name, settings.time);
+        auto scene = load_scene(name, settings.time, request.added);
         loaded.load_seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         add(outcome, scene.diagnostics);

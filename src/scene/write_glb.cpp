@@ -11,6 +11,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "scene/axes.hpp"
 #include "scene/gltf/write_material.hpp"
 
 namespace balcony::scene {
@@ -48,23 +49,11 @@ const char* mime_type(const std::vector<std::uint8_t>& bytes) {
     return bytes.front() == jpeg_marker ? "image/jpeg" : "image/png";
 }
 
-// From the scene's axes to y up, for row vectors: p_y_up = p_scene * M.
-M44d y_up_from(Axes axes) {
-    M44d matrix;
-    for (int axis = 0; axis < 3; ++axis) {
-        V3d unit(0.0);
-        unit[axis] = 1.0;
-        const V3d row = turned(unit, axes, Axes::y_up);
-        std::copy_n(&row.x, 3, matrix[axis]);
-    }
-    return matrix;
-}
-
 json array_of(const V3d& v) { return json::array({v.x, v.y, v.z}); }
 
 class Writer {
 public:
-    explicit Writer(const scene::Scene& scene) : scene_(scene), turned_(y_up_from(scene.axes)) {
+    explicit Writer(const scene::Scene& scene) : scene_(scene), turned_(turning(scene.axes, Axes::y_up)) {
         document_["asset"] = {{"version", "2.0"}, {"generator", "Balcony"}};
         document_["scene"] = 0;
     }

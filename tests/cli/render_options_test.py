@@ -181,6 +181,18 @@ class Options(support.CommandTest):
         report = self.json_of("check", "miss.cam:above", "--scene", "scene.obj")
         self.assertIsNone(report["files"][0]["reports"][0]["in_scene"]["meets_nothing"])
 
+    def test_an_added_scene_joins_the_picture(self):
+        away = ("--set", "px=1000")
+        self.run_command("draw", "pinhole", *away, "-o", "arrows.glb")
+        options = ("render", "scene.obj", "-c", "pinhole", *away, "--size", "64x32", "-s", "1",
+                   "-o", "p.png")
+        alone = self.json_of(*options)["layers"][0]["hits"]
+        both = self.json_of(*options, "--add", "arrows.glb")["layers"][0]["hits"]
+        self.assertEqual(alone, 0)
+        self.assertGreater(both, 0)
+        self.refused("render", "scene.obj", "--add", "nowhere.glb", "-o", "q.png", code=1,
+                     says="there is no file 'nowhere.glb'")
+
     def test_scenes_that_are_not_there(self):
         self.refused("render", "none.obj", code=1, says="'none.obj'")
         self.refused("render", ".", code=1, says="'.' is a directory")
@@ -226,7 +238,7 @@ class Report(support.CommandTest):
         screen, terminal = pty.openpty()
         environment = {**os.environ, "TERM": "xterm"}
         # Long enough for an estimate of the time, on any machine.
-        words = ["4000" if word == "60" else word for word in self.LONG[:-4]]
+        words = ["1000" if word == "60" else word for word in self.LONG[:-4]]
         words += ["-o", "p.png", "--time-limit", "2"]
         with self.start(*words, stdout=terminal, stderr=terminal, env=environment) as process:
             os.close(terminal)
@@ -242,7 +254,7 @@ class Report(support.CommandTest):
         os.close(screen)
         self.assertEqual(process.returncode, 0)
         shown = seen.decode()
-        self.assertRegex(shown, r"\r\[#+ *\] +\d+ %, pass \d+ of 4000, [0-9.:]+ \w+ left\x1b\[K")
+        self.assertRegex(shown, r"\r\[#+ *\] +\d+ %, pass \d+ of 1000, [0-9.:]+ \w+ left\x1b\[K")
         self.assertRegex(shown, r"\r\x1b\[Kp\.png: [^\r\n]*\r\n$")
         self.assertLess(max(len(part) for part in re.split(r"[\r\n]", shown)), 90)
 

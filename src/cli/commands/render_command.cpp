@@ -70,6 +70,7 @@ Request read_request(const RenderOptions& options, Diagnostics& diagnostics) {
         read_layers(options.film, diagnostics), read_crop(options.crop, diagnostics),
         read_job(options.job, diagnostics),     read_texture_memory(options.textures, diagnostics),
         read_denoise(options.film, diagnostics)};
+    request.added = options.add;
     if (request.exposure) {
         request.settings.sampling.white = std::exp2(-*request.exposure);
     }
@@ -440,6 +441,13 @@ void add_render_command(CLI::App& app, ExitCode& code) {
             const bool wrong = scenes->results().size() > 1 && is_misplaced(command, word);
             return std::string(wrong ? "misplaced" : "");
         });
+        command
+            .add_option("--add", options.add,
+                        "another scene file, which joins each scene: the arrows of a camera by "
+                        "balcony draw, say; may be repeated")
+            ->type_name("SCENE")
+            ->allow_extra_args(false)
+            ->take_all();
         command
             .add_option(
                 "-c,--camera", options.camera,

@@ -22,6 +22,7 @@ namespace balcony::cli {
 /// The arguments of `balcony render`.
 struct RenderOptions {
     std::vector<std::string> scenes;
+    std::vector<std::string> add;
     std::string camera;
     std::optional<std::string> output;
     SizeWords size;

@@ -26,7 +26,8 @@ bool is_scene_file(std::string_view name) {
                        [name](std::string_view extension) { return name.ends_with(extension); });
 }
 
-Result<scene::Scene> load_scene(const std::string& name, double time) {
+Result<scene::Scene> load_scene(const std::string& name, double time,
+                                const std::vector<std::string>& added) {
     const auto& built_in = lang::built_in_cameras();
     std::error_code ignored;
     const bool is_built_in = std::find(built_in.begin(), built_in.end(), name) != built_in.end() &&
@@ -39,6 +40,17 @@ Result<scene::Scene> load_scene(const std::string& name, double time) {
                         name));
     }
     Result<scene::Scene> scene = scene::load(name);
+    for (const std::string& file : added) {
+        Result<scene::Scene> part = scene::load(file);
+        std::move(part.diagnostics.begin(), part.diagnostics.end(),
+                  std::back_inserter(scene.diagnostics));
+        if (!part) {
+            return std::move(scene.diagnostics);
+        }
+        if (scene) {
+            scene::add_scene(*scene, std::move(*part));
+        }
+    }
     if (scene) {
         Diagnostics moved = scene::move_to(*scene, time);
         std::move(moved.begin(), moved.end(), std::back_inserter(scene.diagnostics));

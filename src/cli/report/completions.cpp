@@ -226,6 +226,7 @@ struct Values {
 
 constexpr std::array values{
     Values{"SCENE", add_scenes},
+    Values{"--add", add_scenes},
     Values{"--scene", add_scenes},
     Values{"SCENE.pov", add_povray_scenes},
     Values{"CAMERA", add_cameras},
