@@ -31,6 +31,8 @@ namespace balcony::analyse {
 using Imath::V2d;
 using Imath::V3d;
 
+using DrawingColor = std::array<std::uint8_t, 3>;  ///< sRGB.
+
 /// The visible parts of a camera.
 struct Depiction {
     std::size_t rays = 9;  ///< Arrows along the longer side of the camera's picture; 0: none.
@@ -38,6 +40,8 @@ struct Depiction {
     /// the direction object that it passes through; if there is none, its length depends on the
     /// objects.
     std::optional<double> length{};
+    /// The colour of the arrows. By default orange, or that of each of several cameras.
+    std::optional<DrawingColor> color{};
     bool eye = true;     ///< The eye object.
     bool toward = true;  ///< The direction object.
     bool frame = true;   ///< The border of the picture, with its top left corner marked.
@@ -57,8 +61,6 @@ struct DrawingView {
 enum class DrawingPart : std::uint8_t { eye, toward, frame, ray, axis };
 
 [[nodiscard]] std::string_view name_of(DrawingPart part);
-
-using DrawingColor = std::array<std::uint8_t, 3>;  ///< sRGB.
 
 /// An area, or a line with round ends and joins.
 struct DrawingShape {

@@ -199,6 +199,21 @@ Region region_of(const render::Film& film, const std::string& object) {
     return region;
 }
 
+std::size_t max_runs_in_row(const render::Film& film, const std::string& object) {
+    const std::uint32_t id = id_of(film.objects, object);
+    const auto& ids = film.layers->object;
+    std::size_t most = 0;
+    for (std::size_t y = 0; y < film.height; ++y) {
+        std::size_t runs = 0;
+        for (std::size_t x = 0; x < film.width; ++x) {
+            const std::size_t at = y * film.width + x;
+            runs += ids[at] == id && (x == 0 || ids[at - 1] != id) ? 1 : 0;
+        }
+        most = std::max(most, runs);
+    }
+    return most;
+}
+
 RayStep max_step(const render::Film& film) {
     const render::DataLayers& layers = film.layers.value();
     RayStep longest;

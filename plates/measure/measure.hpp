@@ -56,6 +56,10 @@ struct Region {
 };
 [[nodiscard]] Region region_of(const render::Film& film, const std::string& object);
 
+/// The largest number of separate runs of an object's pixels in a row of the picture. Throws as
+/// region_of does.
+[[nodiscard]] std::size_t max_runs_in_row(const render::Film& film, const std::string& object);
+
 /// The longest steps from a pixel's ray to its right and lower neighbours'.
 struct RayStep {
     double origin = 0.0;     ///< Scene units.

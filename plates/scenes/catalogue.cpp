@@ -12,6 +12,7 @@
 #include "scenes/candle/candle.hpp"
 #include "scenes/gallery/gallery.hpp"
 #include "scenes/wall/wall.hpp"
+#include "scenes/soft/soft.hpp"
 
 namespace balcony::plates {
 
@@ -21,6 +22,7 @@ constexpr std::array scenes{
     SceneRow{"gallery", "a closed room with seven pictures (plates 1 to 3)", make_gallery},
     SceneRow{"wall", "seven by seven pictures on one wall (plates 4 to 8)", make_wall},
     SceneRow{"candle", "a still life with a burning candle, for pictures that hang", make_candle},
+    SceneRow{"soft", "four letters in a studio (plates 14 and 15)", make_soft},
 };
 
 }  // namespace

@@ -45,6 +45,13 @@ camera::Camera ball() {
     })");
 }
 
+TEST(Model, ColorsItsArrows) {
+    const scene::Scene scene = modelled(ball(), {.color = DrawingColor{255, 255, 0}});
+    for (const scene::Material& material : scene.materials) {
+        EXPECT_EQ(material.base_color == scene::Color3f(1.0F, 1.0F, 0.0F), material.name == "rays");
+    }
+}
+
 TEST(Model, HasASurfaceWithNormalsAndParameters) {
     const scene::Scene scene = modelled(ball());
     const auto parts = parts_of(scene);

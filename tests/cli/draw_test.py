@@ -34,6 +34,13 @@ class Draw(support.CommandTest):
                          "--no-axes", "--rays", "0", "-q")
         self.assertEqual(self.parts("bare.svg"), {"eye": 1})
 
+    def test_color_of_arrows(self):
+        self.run_command("draw", "pinhole", "-o", "grey.svg", "--color", "0.2140", "-q")
+        root = ElementTree.parse(self.folder / "grey.svg").getroot()
+        arrows = {path.get("stroke") for path in root.iter(f"{SVG}path")
+                  if path.get("class") == "ray" and path.get("stroke") not in (None, "none")}
+        self.assertEqual(arrows, {"#7f7f7f"})
+
     def test_png(self):
         self.run_command("draw", "superelliptic", "-o", "s.png", "--size", "64x48", "--set",
                          "gamma=1/2")
@@ -122,6 +129,7 @@ class Draw(support.CommandTest):
                 (("pinhole", "-o", "p.svg", "--view", "90"), 2, "--view cannot be '90'"),
                 (("pinhole", "-o", "p.svg", "--size", "5x5"), 2, "a drawing cannot have 5 x 5 pixels"),
                 (("pinhole", "-o", "p.svg", "--length", "0"), 2, "--length cannot be '0'"),
+                (("pinhole", "-o", "p.svg", "--color", "2"), 2, "--color cannot be '2'"),
                 (("my.cam:nowhere", "-o", "p.svg"), 1, "no valid point"),
                 (("pinhole", "-o", "p.svg", "--set", "fov"), 1, "--set fov sets nothing"),
                 (("pinhole",), 2, "")):

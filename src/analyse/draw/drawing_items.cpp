@@ -329,7 +329,8 @@ std::vector<DrawingItem> drawing_items(const CameraGeometry& geometry, std::size
     }
     const double head = 0.024 * extent;
     for (const Arrow& ray : geometry.rays) {
-        append(items, arrow_items(ray, DrawingPart::ray, style.ray, ray_width, head, viewer));
+        append(items, arrow_items(ray, DrawingPart::ray, depiction.color.value_or(style.ray),
+                                  ray_width, head, viewer));
     }
     for (DrawingItem& item : items) {
         item.camera = camera;

@@ -192,15 +192,25 @@ struct CameraColors {
     scene::Color3f ray{0.66F, 0.11F, 0.005F};
 };
 
-/// The colour of one of several cameras, as in the drawing. A power of 2.2 approximates sRGB's
-/// curve.
-CameraColors colors_of(std::size_t camera) {
-    const DrawingColor drawn = camera_color(camera);
-    const auto linear = [](std::uint8_t level) {
-        return std::pow(static_cast<float>(level) / 255.0F, 2.2F);
+/// A power of 2.2 approximates sRGB's curve.
+scene::Color3f linear(const DrawingColor& drawn) {
+    const auto level = [](std::uint8_t byte) {
+        return std::pow(static_cast<float>(byte) / 255.0F, 2.2F);
     };
-    const scene::Color3f own(linear(drawn[0]), linear(drawn[1]), linear(drawn[2]));
-    return {own, own, 0.5F * own};
+    return {level(drawn[0]), level(drawn[1]), level(drawn[2])};
+}
+
+/// The colours of the camera with a number, or of the only one (0), as in the drawing.
+CameraColors colors_of(std::size_t camera, const Depiction& depiction) {
+    CameraColors colors;
+    if (camera > 0) {
+        const scene::Color3f own = linear(camera_color(camera));
+        colors = {own, own, 0.5F * own};
+    }
+    if (depiction.color) {
+        colors.ray = linear(*depiction.color);
+    }
+    return colors;
 }
 
 class Modeller {
@@ -363,7 +373,7 @@ Result<scene::Scene> model(const camera::Picture& picture, const Depiction& depi
     Modeller modeller(picture.name(), *geometry);
     for (std::size_t i = 0; i < geometry->cameras.size(); ++i) {
         add_diagnostics(modeller.add(geometry->cameras[i],
-                                     several ? colors_of(i + 1) : CameraColors{}, depiction));
+                                     colors_of(several ? i + 1 : 0, depiction), depiction));
     }
     add_diagnostics(omissions(*geometry));
     return {modeller.take(), std::move(diagnostics)};

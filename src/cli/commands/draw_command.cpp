@@ -38,6 +38,7 @@ struct DrawOptions {
     SizeWords size;
     std::string rays = "9";
     std::string length = "auto";
+    std::string color = "auto";
     bool no_eye = false;
     bool no_toward = false;
     bool no_frame = false;
@@ -53,6 +54,27 @@ struct Outcome {
 
 constexpr double largest = 1e12;
 
+// From a linear colour, as in the options of render, to bytes of sRGB.
+std::optional<analyse::DrawingColor> read_color(const std::string& text, Diagnostics& diagnostics) {
+    if (text == "auto") {
+        return std::nullopt;
+    }
+    const auto color = color_of(text);
+    if (!color || std::min({color->x, color->y, color->z}) < 0.0F ||
+        std::max({color->x, color->y, color->z}) > 1.0F) {
+        refuse(diagnostics, "--color", text,
+               "give auto, a grey level such as 0.2, or red,green,blue, each from 0 to 1");
+        return std::nullopt;
+    }
+    const auto byte = [](float level) {
+        constexpr float straight = 0.0031308F;
+        const float encoded =
+            level <= straight ? 12.92F * level : 1.055F * std::pow(level, 1.0F / 2.4F) - 0.055F;
+        return static_cast<std::uint8_t>(std::lround(255.0F * encoded));
+    };
+    return analyse::DrawingColor{byte(color->x), byte(color->y), byte(color->z)};
+}
+
 analyse::Depiction read_depiction(const DrawOptions& options, Diagnostics& diagnostics) {
     analyse::Depiction depiction;
     constexpr std::size_t max_rays = 100;
@@ -62,6 +84,7 @@ analyse::Depiction read_depiction(const DrawOptions& options, Diagnostics& diagn
             read_number("--length", options.length, 1e-12, largest,
                         "give auto, or a length above 0 in scene units", diagnostics);
     }
+    depiction.color = read_color(options.color, diagnostics);
     depiction.time =
         read_number("--time", options.time, -largest, largest, "give a number", diagnostics);
     depiction.eye = !options.no_eye;
@@ -236,6 +259,9 @@ void add_draw_command(CLI::App& app, ExitCode& code) {
         value("--rays", options.rays,
               "number of arrows along the longer side of the camera's picture", "COUNT");
         value("--length", options.length, "length of the arrows in scene units", "LENGTH");
+        value("--color", options.color,
+              "colour of the arrows: a grey level, or red,green,blue (linear, from 0 to 1)",
+              "COLOUR");
         command.add_flag("--no-eye", options.no_eye, "omit the eye object");
         command.add_flag("--no-toward", options.no_toward, "omit the direction object");
         command.add_flag("--no-frame", options.no_frame, "omit the picture's border");
