@@ -11,8 +11,8 @@
 #include "balcony/names.hpp"
 #include "scenes/candle/candle.hpp"
 #include "scenes/gallery/gallery.hpp"
-#include "scenes/wall/wall.hpp"
 #include "scenes/soft/soft.hpp"
+#include "scenes/wall/wall.hpp"
 
 namespace balcony::plates {
 
