@@ -10,7 +10,9 @@
 
 #include "balcony/names.hpp"
 #include "scenes/candle/candle.hpp"
+#include "scenes/corner/corner.hpp"
 #include "scenes/gallery/gallery.hpp"
+#include "scenes/plant/plant.hpp"
 #include "scenes/soft/soft.hpp"
 #include "scenes/wall/wall.hpp"
 
@@ -19,10 +21,13 @@ namespace balcony::plates {
 namespace {
 
 constexpr std::array scenes{
-    SceneRow{"gallery", "a closed room with seven pictures (plates 1 to 3)", make_gallery},
-    SceneRow{"wall", "seven by seven pictures on one wall (plates 4 to 8)", make_wall},
     SceneRow{"candle", "a still life with a burning candle, for pictures that hang", make_candle},
+    SceneRow{"corner", "two walls with four pictures under spot lights (plates 9 to 11)",
+             make_corner},
+    SceneRow{"gallery", "a closed room with seven pictures (plates 1 to 3)", make_gallery},
+    SceneRow{"plant", "a plant in a pot by a window: a picture of plates 9 to 11", make_plant},
     SceneRow{"soft", "four letters in a studio (plates 14 and 15)", make_soft},
+    SceneRow{"wall", "seven by seven pictures on one wall (plates 4 to 8)", make_wall},
 };
 
 }  // namespace

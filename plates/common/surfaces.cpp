@@ -1,0 +1,95 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "common/surfaces.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace balcony::plates {
+
+namespace {
+
+using scene::Mesh;
+using scene::V3d;
+using scene::V3f;
+
+// The tangent along one parameter by a central difference that stays within [0, 1].
+V3d difference(const std::function<V3d(double)>& along, double at) {
+    constexpr double step = 1e-4;
+    return along(std::min(at + step, 1.0)) - along(std::max(at - step, 0.0));
+}
+
+}  // namespace
+
+Mesh smooth_surface(int columns, int rows, const SurfacePoint& point) {
+    Mesh mesh;
+    for (int j = 0; j <= rows; ++j) {
+        for (int i = 0; i <= columns; ++i) {
+            const double u = static_cast<double>(i) / columns;
+            const double v = static_cast<double>(j) / rows;
+            // A pole has no tangent of its own along u or v: use that of a place nearby.
+            const double near_u = std::clamp(u, 1e-3, 1.0 - 1e-3);
+            const double near_v = std::clamp(v, 1e-3, 1.0 - 1e-3);
+            const V3d along_u = difference([&](double t) { return point(t, near_v); }, u);
+            const V3d along_v = difference([&](double t) { return point(near_u, t); }, v);
+            mesh.positions.emplace_back(point(u, v));
+            mesh.normals.emplace_back(along_u.cross(along_v).normalized());
+            mesh.texture_coordinates[0].emplace_back(static_cast<float>(u),
+                                                     static_cast<float>(1.0 - v));
+        }
+    }
+    const auto index = [columns](int i, int j) {
+        return static_cast<std::uint32_t>(j * (columns + 1) + i);
+    };
+    for (int j = 0; j < rows; ++j) {
+        for (int i = 0; i < columns; ++i) {
+            mesh.triangles.push_back({index(i, j), index(i + 1, j), index(i + 1, j + 1)});
+            mesh.triangles.push_back({index(i, j), index(i + 1, j + 1), index(i, j + 1)});
+        }
+    }
+    return mesh;
+}
+
+std::vector<V3d> smooth_curve(std::span<const V3d> points, int pieces_per_segment) {
+    // Catmull-Rom with equal parameter steps; beyond an end, the last segment goes on.
+    const auto last = static_cast<int>(points.size()) - 1;
+    const auto point = [&](int i) {
+        if (i < 0) {
+            return points.front() * 2.0 - points[1];
+        }
+        if (i > last) {
+            return points.back() * 2.0 - points[points.size() - 2];
+        }
+        return points[static_cast<std::size_t>(i)];
+    };
+    std::vector<V3d> curve;
+    for (int i = 0; i < last; ++i) {
+        const V3d tangent = (point(i + 1) - point(i - 1)) * 0.5;
+        const V3d next_tangent = (point(i + 2) - point(i)) * 0.5;
+        for (int k = 0; k < pieces_per_segment; ++k) {
+            const double t = static_cast<double>(k) / pieces_per_segment;
+            const double s = t * t * (3.0 - 2.0 * t);
+            curve.push_back(point(i) * (1.0 - s) + point(i + 1) * s +
+                            tangent * (t * (1.0 - t) * (1.0 - t)) -
+                            next_tangent * (t * t * (1.0 - t)));
+        }
+    }
+    curve.push_back(points.back());
+    return curve;
+}
+
+void append(Mesh& mesh, const Mesh& part) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    const auto add = [](auto& to, const auto& from) {
+        to.insert(to.end(), from.begin(), from.end());
+    };
+    add(mesh.positions, part.positions);
+    add(mesh.normals, part.normals);
+    add(mesh.texture_coordinates[0], part.texture_coordinates[0]);
+    for (const auto& [a, b, c] : part.triangles) {
+        mesh.triangles.push_back({first + a, first + b, first + c});
+    }
+}
+
+}  // namespace balcony::plates
