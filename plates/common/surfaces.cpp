@@ -51,45 +51,4 @@ Mesh smooth_surface(int columns, int rows, const SurfacePoint& point) {
     return mesh;
 }
 
-std::vector<V3d> smooth_curve(std::span<const V3d> points, int pieces_per_segment) {
-    // Catmull-Rom with equal parameter steps; beyond an end, the last segment goes on.
-    const auto last = static_cast<int>(points.size()) - 1;
-    const auto point = [&](int i) {
-        if (i < 0) {
-            return points.front() * 2.0 - points[1];
-        }
-        if (i > last) {
-            return points.back() * 2.0 - points[points.size() - 2];
-        }
-        return points[static_cast<std::size_t>(i)];
-    };
-    std::vector<V3d> curve;
-    for (int i = 0; i < last; ++i) {
-        const V3d tangent = (point(i + 1) - point(i - 1)) * 0.5;
-        const V3d next_tangent = (point(i + 2) - point(i)) * 0.5;
-        for (int k = 0; k < pieces_per_segment; ++k) {
-            const double t = static_cast<double>(k) / pieces_per_segment;
-            const double s = t * t * (3.0 - 2.0 * t);
-            curve.push_back(point(i) * (1.0 - s) + point(i + 1) * s +
-                            tangent * (t * (1.0 - t) * (1.0 - t)) -
-                            next_tangent * (t * t * (1.0 - t)));
-        }
-    }
-    curve.push_back(points.back());
-    return curve;
-}
-
-void append(Mesh& mesh, const Mesh& part) {
-    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-    const auto add = [](auto& to, const auto& from) {
-        to.insert(to.end(), from.begin(), from.end());
-    };
-    add(mesh.positions, part.positions);
-    add(mesh.normals, part.normals);
-    add(mesh.texture_coordinates[0], part.texture_coordinates[0]);
-    for (const auto& [a, b, c] : part.triangles) {
-        mesh.triangles.push_back({first + a, first + b, first + c});
-    }
-}
-
 }  // namespace balcony::plates

@@ -5,8 +5,6 @@
 // Meshes of smooth surfaces.
 
 #include <functional>
-#include <span>
-#include <vector>
 
 #include "balcony/scene.hpp"
 
@@ -17,12 +15,5 @@ namespace balcony::plates {
 /// v upwards.
 using SurfacePoint = std::function<scene::V3d(double u, double v)>;
 [[nodiscard]] scene::Mesh smooth_surface(int columns, int rows, const SurfacePoint& point);
-
-/// A curve through points, as equally many pieces between each two.
-[[nodiscard]] std::vector<scene::V3d> smooth_curve(std::span<const scene::V3d> points,
-                                                   int pieces_per_segment);
-
-/// Adds the triangles of a mesh with the same material to another one.
-void append(scene::Mesh& mesh, const scene::Mesh& part);
 
 }  // namespace balcony::plates
