@@ -13,6 +13,7 @@
 #include "scenes/corner/corner.hpp"
 #include "scenes/gallery/gallery.hpp"
 #include "scenes/plant/plant.hpp"
+#include "scenes/print_gallery/print_gallery.hpp"
 #include "scenes/soft/soft.hpp"
 #include "scenes/wall/wall.hpp"
 
@@ -28,6 +29,8 @@ constexpr std::array scenes{
     SceneRow{"plant", "a plant in a pot by a window: a picture of plates 9 to 11", make_plant},
     SceneRow{"soft", "four letters in a studio (plates 14 and 15)", make_soft},
     SceneRow{"wall", "seven by seven pictures on one wall (plates 4 to 8)", make_wall},
+    SceneRow{"print_gallery", "a gallery above a harbour, with a print of itself (plate 19)",
+             make_print_gallery},
 };
 
 }  // namespace
