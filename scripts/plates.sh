@@ -85,3 +85,29 @@ render_plate() {
     fi
     "$build/balcony" render "$scene" -o "$picture" "${options[@]}" "${given[@]}"
 }
+
+# render_hung_pictures [NAME...]: renders the pictures that hang in the scenes again, all of them
+# without a name. Rows of plates/pictures/list: NAME SCENE CAMERA [OPTION...]. The camera is a file
+# beside the list, perhaps with :NAME, or a built-in one.
+render_hung_pictures() {
+    local row words camera known=() name
+    while IFS= read -r row; do
+        read -ra words <<< "$row"
+        known+=("${words[0]}")
+        if [[ $# -gt 0 && " $* " != *" ${words[0]} "* ]]; then
+            continue
+        fi
+        camera=${words[2]}
+        if [[ -e plates/pictures/${camera%%:*} ]]; then
+            camera=plates/pictures/$camera
+        fi
+        "$build/balcony" render "$(scene_file "${words[1]}")" --camera "$camera" \
+            -o "plates/pictures/${words[0]}.jpg" "${words[@]:3}"
+    done < <(grep -v '^#' plates/pictures/list)
+    for name in "$@"; do
+        if [[ " ${known[*]} " != *" $name "* ]]; then
+            say "there is no picture '$name' in plates/pictures/list"
+            return 2
+        fi
+    done
+}

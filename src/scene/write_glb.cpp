@@ -53,7 +53,8 @@ json array_of(const V3d& v) { return json::array({v.x, v.y, v.z}); }
 
 class Writer {
 public:
-    explicit Writer(const scene::Scene& scene) : scene_(scene), turned_(turning(scene.axes, Axes::y_up)) {
+    explicit Writer(const scene::Scene& scene)
+        : scene_(scene), turned_(turning(scene.axes, Axes::y_up)) {
         document_["asset"] = {{"version", "2.0"}, {"generator", "Balcony"}};
         document_["scene"] = 0;
     }
