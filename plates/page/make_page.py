@@ -17,6 +17,7 @@ import sys
 from pathlib import Path
 
 from cam_html import highlighted
+from plate import all_plates, bounds_text, number_text
 
 HERE = Path(__file__).resolve().parent
 
@@ -29,73 +30,19 @@ def escape(text):
     return re.sub(r"\[([^\]]+)\]\([^)]+\)", r"\1", text)
 
 
-class Plate:
-    def __init__(self, source, folder):
-        self.source = source
-        self.folder = folder
-        self.name = source.name
-        self.number = int(self.name[:2])
-        heading, _, rest = (source / "README.md").read_text(encoding="utf-8").partition("\n")
-        self.title = heading.removeprefix("# ").strip()
-        self.paragraph = " ".join(rest.strip().split("\n\n")[0].split())
-        self.values = {}
-        for line in (source / "plate").read_text(encoding="utf-8").splitlines():
-            key, _, value = line.partition("#")[0].strip().partition(" ")
-            self.values[key] = value.strip()
-
-    def file(self, ending):
-        """The name of a file beside the page; none if it is missing."""
-        name = self.name + ending
-        return name if (self.folder / name).exists() else None
-
-    @property
-    def is_rendered(self):
-        return self.file(".png") is not None and self.file(".json") is not None
-
-    def camera_text(self):
-        camera = self.values.get("camera", "camera.cam").split(":")[0]
-        text = (self.source / camera).read_text(encoding="utf-8")
-        return re.sub(r"\A(// (Balcony:|SPDX).*\n)+", "", text).strip()
-
-    def facts(self):
-        return json.loads((self.folder / self.file(".json")).read_text(encoding="utf-8"))
-
-    def pinhole(self):
-        named = self.file(".pinhole")
-        picture = (self.folder / named).read_text(encoding="utf-8").strip() if named else None
-        return picture if picture and (self.folder / picture).exists() else None
-
-
 def picture_html(plate):
     picture = f"{plate.name}.png"
     pinhole = plate.pinhole()
     if not pinhole:
         return f'<a class="picture" href="{picture}"><img src="{picture}" alt="{plate.title}"></a>'
-    return f"""<div class="compare">
+    return f"""<label class="slider"><span>pinhole</span>
+<input type="range" min="0" max="100" value="100" step="0.5" aria-label="from the pinhole to the plate">
+<span>plate</span></label>
+<div class="compare">
 <img src="{picture}" alt="{plate.title}">
 <img class="pinhole" src="{pinhole}" alt="The same scene through a pinhole">
 <i class="edge"></i>
-</div>
-<label class="slider"><span>pinhole</span>
-<input type="range" min="0" max="100" value="100" step="0.5" aria-label="from the pinhole to the plate">
-<span>plate</span></label>"""
-
-
-def number_text(value):
-    if value != value or abs(value) == float("inf"):
-        return str(value)
-    return f"{value:.0f}" if value == round(value) and abs(value) < 1e7 else f"{value:.3g}"
-
-
-def bounds_text(row):
-    least, most = row.get("at_least"), row.get("at_most")
-    if least is not None and most is not None:
-        if least == most:
-            return number_text(least)
-        return f"{number_text(least)} to {number_text(most)}"
-    if least is not None:
-        return f"at least {number_text(least)}"
-    return f"at most {number_text(most)}" if most is not None else ""
+</div>"""
 
 
 def property_html(rows):
@@ -154,8 +101,8 @@ def page_html(plates, properties):
 <header>
 <h1>The plates</h1>
 <p>The fifteen plates of “Ray Tracing with Extended Cameras” (H. Löffelmann and E. Gröller, 1996),
-rendered by Balcony with scenes of its own, and five more. Move the slider below a picture to see the
-same scene through a pinhole.</p>
+rendered by Balcony with scenes of its own, and five more. The slider above a picture brings in the
+view of the same scene through a pinhole.</p>
 </header>
 <nav>{thumbnails}</nav>
 <main>
@@ -171,8 +118,7 @@ def main():
     if len(sys.argv) != 2:
         raise SystemExit(__doc__)
     folder = Path(sys.argv[1])
-    plates = [plate for source in sorted(Path("plates").glob("[0-9][0-9]-*"))
-              if (plate := Plate(source, folder)).is_rendered]
+    plates = [plate for plate in all_plates(folder) if plate.is_rendered]
     measured = folder / "properties.json"
     properties = json.loads(measured.read_text(encoding="utf-8")) if measured.exists() else {}
     part = folder / "index.html.part"
