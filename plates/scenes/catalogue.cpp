@@ -10,11 +10,15 @@
 
 #include "balcony/names.hpp"
 #include "scenes/candle/candle.hpp"
+#include "scenes/chess/chess.hpp"
 #include "scenes/corner/corner.hpp"
 #include "scenes/gallery/gallery.hpp"
+#include "scenes/knot/knot.hpp"
+#include "scenes/marbles/marbles.hpp"
 #include "scenes/plant/plant.hpp"
 #include "scenes/print_gallery/print_gallery.hpp"
 #include "scenes/soft/soft.hpp"
+#include "scenes/towers/towers.hpp"
 #include "scenes/wall/wall.hpp"
 
 namespace balcony::plates {
@@ -31,6 +35,10 @@ constexpr std::array scenes{
     SceneRow{"wall", "seven by seven pictures on one wall (plates 4 to 8)", make_wall},
     SceneRow{"print_gallery", "a gallery above a harbour, with a print of itself (plate 19)",
              make_print_gallery},
+    SceneRow{"chess", "the end of a game of chess, for pictures that hang", make_chess},
+    SceneRow{"knot", "a knotted, coloured tube, for pictures that hang", make_knot},
+    SceneRow{"marbles", "marbles of all colours, for pictures that hang", make_marbles},
+    SceneRow{"towers", "a town of coloured blocks, for pictures that hang", make_towers},
 };
 
 }  // namespace

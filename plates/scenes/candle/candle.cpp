@@ -201,7 +201,7 @@ private:
         fire.name = "flame";
         fire.base_color = Color3f(0.0F);
         fire.specular = 0.0F;
-        fire.emission = Color3f(24.0F);
+        fire.emission = Color3f(15.0F);
         fire.emission_texture.index =
             builder_.texture("flame", 4, 128, flame_color, scene::Wrap::clamp);
         const auto mesh =
