@@ -56,16 +56,19 @@ int floor_of(double x) {
 
 }  // namespace
 
-Painting paint(int width, int height, const Painter& painter, scene::TextureEncoding encoding) {
+Painting paint(int width, int height, const Painter& painter, scene::TextureEncoding encoding,
+               Sampling sampling) {
+    const int a_side = sampling == Sampling::centre ? 1 : samples_per_axis;
+    const int count = a_side * a_side;
     assert(width > 0 && height > 0);
     Painting painting{width, height, {}, encoding};
     painting.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
     tbb::parallel_for(0, height, [&](int row) {
         for (int column = 0; column < width; ++column) {
             Color sum(0.0);
-            for (int k = 0; k < samples_per_pixel; ++k) {
-                const double dx = (k % samples_per_axis + 0.5) / samples_per_axis;
-                const double dy = (k / samples_per_axis + 0.5) / samples_per_axis;
+            for (int k = 0; k < count; ++k) {
+                const double dx = (k % a_side + 0.5) / a_side;
+                const double dy = (k / a_side + 0.5) / a_side;
                 const V2d point((2.0 * (column + dx) - width) / height,
                                 1.0 - 2.0 * (row + dy) / height);
                 const Color color = painter({point, k});
@@ -77,7 +80,7 @@ Painting paint(int width, int height, const Painter& painter, scene::TextureEnco
                        static_cast<std::size_t>(column)) *
                       3;
             for (int channel = 0; channel < 3; ++channel) {
-                painting.pixels[at++] = byte_of(sum[channel] / samples_per_pixel, encoding);
+                painting.pixels[at++] = byte_of(sum[channel] / count, encoding);
             }
         }
     });

@@ -36,12 +36,17 @@ struct Sample {
 inline constexpr int samples_per_axis = 3;
 inline constexpr int samples_per_pixel = samples_per_axis * samples_per_axis;
 
+/// Where a painter is asked: at all samples of a pixel, or at its centre only, for a smooth texture
+/// whose painter takes long.
+enum class Sampling : std::uint8_t { antialiased, centre };
+
 using Painter = std::function<Color(const Sample&)>;
 
-/// Computes a picture: samples_per_pixel samples a pixel, averaged in linear light. The painter is
-/// called from several threads at once; the result does not depend on their number.
+/// Computes a picture: samples_per_pixel samples a pixel, averaged in linear light, or one. The
+/// painter is called from several threads at once; the result does not depend on their number.
 [[nodiscard]] Painting paint(int width, int height, const Painter& painter,
-                             scene::TextureEncoding encoding = scene::TextureEncoding::srgb);
+                             scene::TextureEncoding encoding = scene::TextureEncoding::srgb,
+                             Sampling sampling = Sampling::antialiased);
 
 /// The picture as a PNG file; empty if it could not be encoded.
 [[nodiscard]] std::vector<std::uint8_t> to_png(const Painting& painting);

@@ -36,11 +36,12 @@ scene::MaterialIndex SceneBuilder::material(std::string name, const scene::Color
 
 scene::TextureIndex SceneBuilder::texture(std::string name, int width, int height,
                                           const Painter& painter, scene::Wrap wrap,
-                                          scene::TextureEncoding encoding) {
+                                          scene::TextureEncoding encoding, Sampling sampling) {
     const auto scaled = [this](int pixels) {
         return std::max(1, static_cast<int>(std::lround(pixels * options_.texture_scale)));
     };
-    std::vector<std::uint8_t> png = to_png(paint(scaled(width), scaled(height), painter, encoding));
+    std::vector<std::uint8_t> png =
+        to_png(paint(scaled(width), scaled(height), painter, encoding, sampling));
     if (png.empty()) {
         problems_.push_back(error(fmt::format("cannot encode '{}' as PNG", name), {},
                                   "OpenImageIO was built without PNG support"));

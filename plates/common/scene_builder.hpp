@@ -35,7 +35,8 @@ public:
     /// encoded as sRGB; numbers, such as normal maps and roughness, as they are (linear).
     scene::TextureIndex texture(std::string name, int width, int height, const Painter& painter,
                                 scene::Wrap wrap = scene::Wrap::repeat,
-                                scene::TextureEncoding encoding = scene::TextureEncoding::srgb);
+                                scene::TextureEncoding encoding = scene::TextureEncoding::srgb,
+                                Sampling sampling = Sampling::antialiased);
     /// A picture of plates/pictures, NAME.jpg, which hangs in a gallery.
     scene::TextureIndex hung_picture(std::string_view name);
 

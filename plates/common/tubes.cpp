@@ -148,6 +148,7 @@ void append(Mesh& mesh, const Mesh& part) {
                                              part.texture_coordinates[set].begin(),
                                              part.texture_coordinates[set].end());
     }
+    mesh.colors.insert(mesh.colors.end(), part.colors.begin(), part.colors.end());
     for (const auto& [a, b, c] : part.triangles) {
         mesh.triangles.push_back({first + a, first + b, first + c});
     }

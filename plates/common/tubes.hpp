@@ -26,7 +26,7 @@ enum class TubeEnds { round, closed };
 /// top along the curve.
 [[nodiscard]] scene::Mesh lathe(const std::vector<scene::V3d>& profile, int sides);
 
-/// Adds the triangles of a part to a mesh.
+/// Adds the triangles of a part, which has the same attributes, to a mesh.
 void append(scene::Mesh& mesh, const scene::Mesh& part);
 
 }  // namespace balcony::plates

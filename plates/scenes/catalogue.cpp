@@ -18,6 +18,7 @@
 #include "scenes/plant/plant.hpp"
 #include "scenes/print_gallery/print_gallery.hpp"
 #include "scenes/soft/soft.hpp"
+#include "scenes/temple/temple.hpp"
 #include "scenes/towers/towers.hpp"
 #include "scenes/wall/wall.hpp"
 
@@ -39,6 +40,8 @@ constexpr std::array scenes{
     SceneRow{"knot", "a knotted, coloured tube, for pictures that hang", make_knot},
     SceneRow{"marbles", "marbles of all colours, for pictures that hang", make_marbles},
     SceneRow{"towers", "a town of coloured blocks, for pictures that hang", make_towers},
+    SceneRow{"temple", "a round temple in the desert at evening (plates 12, 13 and 16)",
+             make_temple},
 };
 
 }  // namespace
