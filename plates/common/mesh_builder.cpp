@@ -30,6 +30,16 @@ V3d on_circle(int k, int segments) {
     return {std::cos(angle), std::sin(angle), 0.0};
 }
 
+// Unless it is without an area, as half of a quad with three corners is.
+void add_triangle(scene::Mesh& mesh, const std::array<std::uint32_t, 3>& corners) {
+    const auto& [a, b, c] = corners;
+    const V3d from(mesh.positions[a]);
+    const V3d cross = (V3d(mesh.positions[b]) - from).cross(V3d(mesh.positions[c]) - from);
+    if (cross.length() > 1e-9) {
+        mesh.triangles.push_back(corners);
+    }
+}
+
 }  // namespace
 
 MeshBuilder& MeshBuilder::quad(const V3d& a, const V3d& b, const V3d& c, const V3d& d) {
@@ -225,12 +235,8 @@ scene::Mesh MeshBuilder::mesh() const {
             mesh.normals.emplace_back(corner.normal);
             mesh.texture_coordinates[0].push_back(texture_place(corner.position, outward));
         }
-        if (face[0].position != face[1].position) {
-            mesh.triangles.push_back({first, first + 1, first + 2});
-        }
-        if (face[2].position != face[3].position) {
-            mesh.triangles.push_back({first, first + 2, first + 3});
-        }
+        add_triangle(mesh, {first, first + 1, first + 2});
+        add_triangle(mesh, {first, first + 2, first + 3});
     }
     return mesh;
 }

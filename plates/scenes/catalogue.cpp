@@ -18,6 +18,7 @@
 #include "scenes/plant/plant.hpp"
 #include "scenes/print_gallery/print_gallery.hpp"
 #include "scenes/soft/soft.hpp"
+#include "scenes/street/street.hpp"
 #include "scenes/temple/temple.hpp"
 #include "scenes/towers/towers.hpp"
 #include "scenes/wall/wall.hpp"
@@ -42,6 +43,7 @@ constexpr std::array scenes{
     SceneRow{"towers", "a town of coloured blocks, for pictures that hang", make_towers},
     SceneRow{"temple", "a round temple in the desert at evening (plates 12, 13 and 16)",
              make_temple},
+    SceneRow{"street", "a street between two rows of houses, in autumn (plate 20)", make_street},
 };
 
 }  // namespace
