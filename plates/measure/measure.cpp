@@ -53,15 +53,6 @@ std::size_t count_regions(const std::vector<std::uint32_t>& ids, std::size_t wid
     return regions;
 }
 
-// The ratio of the singular values of [[a, b], [c, d]], from its trace and determinant: with
-// s = |M|^2 and p = |det M| they are the roots of x^2 with x1^2 + x2^2 = s, x1 x2 = p.
-double singular_ratio(double a, double b, double c, double d) {
-    const double s = a * a + b * b + c * c + d * d;
-    const double p = std::fabs(a * d - b * c);
-    const double root = std::sqrt(std::max(s * s - 4.0 * p * p, 0.0));
-    return std::sqrt((s + root) / std::max(s - root, 1e-300));
-}
-
 /// Where a pixel looks on a rectangle, in scene units along right and up.
 struct Sight {
     V3d pixel;  ///< (x, y, 1)
@@ -92,6 +83,15 @@ double max_residual(const std::vector<Sight>& sights) {
 }
 
 }  // namespace
+
+// From the trace and the determinant: with s = |M|^2 and p = |det M| the squares of the singular
+// values are the roots of x^2 with x1^2 + x2^2 = s, x1 x2 = p.
+double singular_ratio(double a, double b, double c, double d) {
+    const double s = a * a + b * b + c * c + d * d;
+    const double p = std::fabs(a * d - b * c);
+    const double root = std::sqrt(std::max(s * s - 4.0 * p * p, 0.0));
+    return std::sqrt((s + root) / std::max(s - root, 1e-300));
+}
 
 Rectangle rectangle_of(const scene::Scene& scene, const std::string& object) {
     std::vector<std::string> names;

@@ -60,6 +60,9 @@ struct Region {
 /// region_of does.
 [[nodiscard]] std::size_t max_runs_in_row(const render::Film& film, const std::string& object);
 
+/// The ratio of the singular values of the matrix [[a, b], [c, d]], the larger one by the smaller.
+[[nodiscard]] double singular_ratio(double a, double b, double c, double d);
+
 /// The longest steps from a pixel's ray to its right and lower neighbours'.
 struct RayStep {
     double origin = 0.0;     ///< Scene units.

@@ -21,6 +21,7 @@
 #include "scenes/street/street.hpp"
 #include "scenes/temple/temple.hpp"
 #include "scenes/towers/towers.hpp"
+#include "scenes/vase/vase.hpp"
 #include "scenes/wall/wall.hpp"
 
 namespace balcony::plates {
@@ -29,21 +30,22 @@ namespace {
 
 constexpr std::array scenes{
     SceneRow{"candle", "a still life with a burning candle, for pictures that hang", make_candle},
+    SceneRow{"chess", "the end of a game of chess, for pictures that hang", make_chess},
     SceneRow{"corner", "two walls with four pictures under spot lights (plates 9 to 11)",
              make_corner},
     SceneRow{"gallery", "a closed room with seven pictures (plates 1 to 3)", make_gallery},
-    SceneRow{"plant", "a plant in a pot by a window: a picture of plates 9 to 11", make_plant},
-    SceneRow{"soft", "four letters in a studio (plates 14 and 15)", make_soft},
-    SceneRow{"wall", "seven by seven pictures on one wall (plates 4 to 8)", make_wall},
-    SceneRow{"print_gallery", "a gallery above a harbour, with a print of itself (plate 19)",
-             make_print_gallery},
-    SceneRow{"chess", "the end of a game of chess, for pictures that hang", make_chess},
     SceneRow{"knot", "a knotted, coloured tube, for pictures that hang", make_knot},
     SceneRow{"marbles", "marbles of all colours, for pictures that hang", make_marbles},
-    SceneRow{"towers", "a town of coloured blocks, for pictures that hang", make_towers},
+    SceneRow{"plant", "a plant in a pot by a window: a picture of plates 9 to 11", make_plant},
+    SceneRow{"print_gallery", "a gallery above a harbour, with a print of itself (plate 19)",
+             make_print_gallery},
+    SceneRow{"soft", "four letters in a studio (plates 14 and 15)", make_soft},
+    SceneRow{"street", "a street between two rows of houses, in autumn (plate 20)", make_street},
     SceneRow{"temple", "a round temple in the desert at evening (plates 12, 13 and 16)",
              make_temple},
-    SceneRow{"street", "a street between two rows of houses, in autumn (plate 20)", make_street},
+    SceneRow{"towers", "a town of coloured blocks, for pictures that hang", make_towers},
+    SceneRow{"vase", "an amphora, painted all round, on a plinth (plate 18)", make_vase},
+    SceneRow{"wall", "seven by seven pictures on one wall (plates 4 to 8)", make_wall},
 };
 
 }  // namespace
