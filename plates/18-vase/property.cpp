@@ -18,7 +18,7 @@ static Measurements measure_vase(Studio& studio, const Overrides& overrides) {
         return studio.look({.scene = "vase",
                             .camera = "18-vase/camera.cam",
                             .name = "unrolled",
-                            .width = 390 * scale,
+                            .width = 398 * scale,
                             .height = 100 * scale},
                            overrides);
     };
@@ -52,17 +52,17 @@ static Measurements measure_vase(Studio& studio, const Overrides& overrides) {
     const double middle_area = median(areas).value_or(0.0);
     const auto tenth = areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 10);
     std::nth_element(areas.begin(), tenth, areas.end());
-    return {{"share of the circumference",
-             static_cast<double>(std::count(seen.begin(), seen.end(), true)) / directions, 1, 1},
-            {"share of the strip that shows the vase", static_cast<double>(vase.pixels) / pixels, 1,
-             1},
-            {"regions of the vase", vase.regions, 1, 1},
-            {"median anisotropy", median(std::move(anisotropy)).value_or(0.0), 1, 1.1},
-            {"area in a pixel that nine of ten exceed, relative to the median one",
-             *tenth / middle_area, 0.8},
-            {"longest step of origins at twice the resolution", fine.origin / coarse.origin, 0, 0.6},
-            {"longest step of directions at twice the resolution", fine.direction / coarse.direction,
-             0, 0.6}};
+    return {
+        {"share of the circumference",
+         static_cast<double>(std::count(seen.begin(), seen.end(), true)) / directions, 1, 1},
+        {"share of the strip that shows the vase", static_cast<double>(vase.pixels) / pixels, 1, 1},
+        {"regions of the vase", vase.regions, 1, 1},
+        {"median anisotropy", median(std::move(anisotropy)).value_or(0.0), 1, 1.1},
+        {"area in a pixel that nine of ten exceed, relative to the median one",
+         *tenth / middle_area, 0.8},
+        {"longest step of origins at twice the resolution", fine.origin / coarse.origin, 0, 0.6},
+        {"longest step of directions at twice the resolution", fine.direction / coarse.direction, 0,
+         0.6}};
 }
 
 Property plate_18() {

@@ -53,9 +53,8 @@ std::vector<V2d> with_spiral(std::vector<V2d> points, double radius, double turn
         const double r = radius * (1.0 - 0.8 * part);
         const double c = std::cos(angle);
         const double s = std::sin(angle);
-        points.push_back(center - V2d(c * to_center.x - s * to_center.y,
-                                      s * to_center.x + c * to_center.y) *
-                                      r);
+        points.push_back(
+            center - V2d(c * to_center.x - s * to_center.y, s * to_center.x + c * to_center.y) * r);
     }
     return points;
 }
@@ -65,7 +64,8 @@ void paint_oarsman(const Brush& brush, double x) {
                 vase_colors.slip);
     brush.fill(ellipse(V2d(x + 0.05, 0.405), V2d(0.033, 0.04)), vase_colors.slip);
     brush.fill({V2d(x + 0.06, 0.39), V2d(x + 0.115, 0.355), V2d(x + 0.05, 0.37)}, vase_colors.slip);
-    brush.draw({V2d(x + 0.03, 0.33), V2d(x + 0.08, 0.28), V2d(x + 0.13, 0.27)}, 0.024, vase_colors.slip);
+    brush.draw({V2d(x + 0.03, 0.33), V2d(x + 0.08, 0.28), V2d(x + 0.13, 0.27)}, 0.024,
+               vase_colors.slip);
 }
 
 void paint_sail(const Brush& brush, SailEmblem emblem) {
@@ -120,30 +120,32 @@ void paint_ship(Drawing& drawing, const Placement& placement, SailEmblem emblem)
         brush.taper({V2d(x - 0.07, -0.05), V2d(x - 0.11, -0.15)}, 0.03, 0.045, vase_colors.slip);
     }
     // The helmsman, and the steering oar.
-    brush.taper({V2d(-0.86, 0.3), V2d(-0.84, 0.42), V2d(-0.82, 0.53)}, 0.12, 0.08, vase_colors.slip);
+    brush.taper({V2d(-0.86, 0.3), V2d(-0.84, 0.42), V2d(-0.82, 0.53)}, 0.12, 0.08,
+                vase_colors.slip);
     brush.fill(ellipse(V2d(-0.8, 0.6), V2d(0.037, 0.046)), vase_colors.slip);
     brush.fill({V2d(-0.79, 0.585), V2d(-0.73, 0.54), V2d(-0.8, 0.56)}, vase_colors.slip);
     brush.draw({V2d(-0.82, 0.5), V2d(-0.76, 0.43), V2d(-0.72, 0.44)}, 0.028, vase_colors.slip);
     brush.taper({V2d(-0.7, 0.48), V2d(-1.02, -0.02)}, 0.02, 0.02, vase_colors.slip);
     brush.taper({V2d(-0.95, 0.08), V2d(-1.09, -0.13)}, 0.03, 0.08, vase_colors.slip);
     // The hull from its stern along the keel to the ram, up the stem and back along the deck.
-    brush.fill_smooth({V2d(-1.06, 0.46), V2d(-0.94, 0.22), V2d(-0.7, 0.06), V2d(-0.3, 0.0),
-                       V2d(0.3, 0.0), V2d(0.75, 0.01), V2d(1.05, 0.03), V2d(1.24, 0.085),
-                       V2d(1.05, 0.14), V2d(0.98, 0.24), V2d(1.0, 0.4), V2d(1.08, 0.52),
-                       V2d(0.95, 0.5), V2d(0.86, 0.34), V2d(0.66, 0.24), V2d(0.2, 0.19),
-                       V2d(-0.3, 0.19), V2d(-0.66, 0.23), V2d(-0.88, 0.34), V2d(-0.98, 0.5)},
-                      vase_colors.slip);
+    brush.fill_smooth(
+        {V2d(-1.06, 0.46), V2d(-0.94, 0.22), V2d(-0.7, 0.06),  V2d(-0.3, 0.0),   V2d(0.3, 0.0),
+         V2d(0.75, 0.01),  V2d(1.05, 0.03),  V2d(1.24, 0.085), V2d(1.05, 0.14),  V2d(0.98, 0.24),
+         V2d(1.0, 0.4),    V2d(1.08, 0.52),  V2d(0.95, 0.5),   V2d(0.86, 0.34),  V2d(0.66, 0.24),
+         V2d(0.2, 0.19),   V2d(-0.3, 0.19),  V2d(-0.66, 0.23), V2d(-0.88, 0.34), V2d(-0.98, 0.5)},
+        vase_colors.slip);
     for (const double spread : {0.0, 0.05, 0.1}) {
-        brush.taper(smooth_path(std::vector<V2d>{V2d(-1.0, 0.42), V2d(-1.1, 0.62 - spread),
-                                                 V2d(-1.1 - 0.5 * spread, 0.8 - spread),
-                                                 V2d(-1.0 - spread, 0.9 - 0.6 * spread),
-                                                 V2d(-0.9 - spread, 0.87 - 0.4 * spread)}),
-                    0.07, 0.02, vase_colors.slip);
+        brush.taper(
+            smooth_path(std::vector<V2d>{
+                V2d(-1.0, 0.42), V2d(-1.1, 0.62 - spread), V2d(-1.1 - 0.5 * spread, 0.8 - spread),
+                V2d(-1.0 - spread, 0.9 - 0.6 * spread), V2d(-0.9 - spread, 0.87 - 0.4 * spread)}),
+            0.07, 0.02, vase_colors.slip);
     }
     brush.draw({V2d(-0.9, 0.26), V2d(-0.6, 0.15), V2d(0.0, 0.115), V2d(0.6, 0.15), V2d(0.84, 0.22)},
                0.014, vase_colors.clay);
-    brush.draw({V2d(-0.82, 0.15), V2d(-0.5, 0.08), V2d(0.0, 0.055), V2d(0.6, 0.06), V2d(0.96, 0.07)},
-               0.03, vase_colors.red);
+    brush.draw(
+        {V2d(-0.82, 0.15), V2d(-0.5, 0.08), V2d(0.0, 0.055), V2d(0.6, 0.06), V2d(0.96, 0.07)}, 0.03,
+        vase_colors.red);
     brush.fill(ellipse(V2d(0.9, 0.24), V2d(0.065, 0.042)), vase_colors.white);
     brush.dot(V2d(0.91, 0.24), 0.024, vase_colors.slip);
 }
@@ -151,11 +153,11 @@ void paint_ship(Drawing& drawing, const Placement& placement, SailEmblem emblem)
 void paint_dolphin(Drawing& drawing, const Placement& placement) {
     const Brush brush(drawing, placement);
     // Back and belly of a leap, from the tail to the beak.
-    brush.fill_smooth({V2d(-0.5, -0.13), V2d(-0.4, 0.04), V2d(-0.2, 0.2), V2d(0.05, 0.26),
-                       V2d(0.26, 0.2), V2d(0.37, 0.1), V2d(0.42, 0.02), V2d(0.53, -0.09),
-                       V2d(0.39, -0.05), V2d(0.27, -0.05), V2d(0.1, 0.02), V2d(-0.12, 0.05),
-                       V2d(-0.32, -0.03), V2d(-0.46, -0.18)},
-                      vase_colors.slip);
+    brush.fill_smooth(
+        {V2d(-0.5, -0.13), V2d(-0.4, 0.04), V2d(-0.2, 0.2), V2d(0.05, 0.26), V2d(0.26, 0.2),
+         V2d(0.37, 0.1), V2d(0.42, 0.02), V2d(0.53, -0.09), V2d(0.39, -0.05), V2d(0.27, -0.05),
+         V2d(0.1, 0.02), V2d(-0.12, 0.05), V2d(-0.32, -0.03), V2d(-0.46, -0.18)},
+        vase_colors.slip);
     brush.fill(smooth_outline(std::vector<V2d>{V2d(-0.14, 0.22), V2d(-0.13, 0.34), V2d(-0.2, 0.4),
                                                V2d(-0.02, 0.34), V2d(0.08, 0.24)}),
                vase_colors.slip);
@@ -203,11 +205,11 @@ void paint_octopus(Drawing& drawing, const Placement& placement) {
             }
         }
     }
-    brush.fill_smooth({V2d(0.0, 0.22), V2d(0.16, 0.3), V2d(0.19, 0.48), V2d(0.16, 0.6),
-                       V2d(0.27, 0.78), V2d(0.26, 1.0), V2d(0.1, 1.13), V2d(-0.1, 1.13),
-                       V2d(-0.26, 1.0), V2d(-0.27, 0.78), V2d(-0.16, 0.6), V2d(-0.19, 0.48),
-                       V2d(-0.16, 0.3)},
-                      vase_colors.slip);
+    brush.fill_smooth(
+        {V2d(0.0, 0.22), V2d(0.16, 0.3), V2d(0.19, 0.48), V2d(0.16, 0.6), V2d(0.27, 0.78),
+         V2d(0.26, 1.0), V2d(0.1, 1.13), V2d(-0.1, 1.13), V2d(-0.26, 1.0), V2d(-0.27, 0.78),
+         V2d(-0.16, 0.6), V2d(-0.19, 0.48), V2d(-0.16, 0.3)},
+        vase_colors.slip);
     for (const double side : {-1.0, 1.0}) {
         brush.dot(V2d(side * 0.095, 0.5), 0.078, vase_colors.white);
         brush.dot(V2d(side * 0.095, 0.5), 0.055, vase_colors.red);

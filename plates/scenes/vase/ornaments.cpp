@@ -59,11 +59,11 @@ void paint_meander(Drawing& drawing, double low, double high, int count) {
 
 void paint_waves(Drawing& drawing, double low, double high, int count) {
     const double step = drawing.length() / count;
-    const std::array<V2d, 9> crest{V2d(-0.45, 0.0),  V2d(0.05, 0.1),  V2d(0.42, 0.3),
-                                   V2d(0.64, 0.6),   V2d(0.6, 0.86),  V2d(0.4, 0.94),
-                                   V2d(0.24, 0.78),  V2d(0.28, 0.6),  V2d(0.42, 0.6)};
-    const Path curl = brush_stroke(smooth_path(crest),
-                                   [](double t) { return 0.2 * (1.0 - t) + 0.045; });
+    const std::array<V2d, 9> crest{V2d(-0.45, 0.0), V2d(0.05, 0.1), V2d(0.42, 0.3),
+                                   V2d(0.64, 0.6),  V2d(0.6, 0.86), V2d(0.4, 0.94),
+                                   V2d(0.24, 0.78), V2d(0.28, 0.6), V2d(0.42, 0.6)};
+    const Path curl =
+        brush_stroke(smooth_path(crest), [](double t) { return 0.2 * (1.0 - t) + 0.045; });
     fill_band(drawing, low, low + 0.18 * (high - low), vase_colors.slip);
     for (int k = 0; k < count; ++k) {
         drawing.fill(placed(curl, {.scale = V2d(step * 0.95, high - low),
@@ -106,11 +106,11 @@ void paint_palmettes(Drawing& drawing, double low, double high, int count, doubl
         }
         drawing.fill(placed(ellipse(V2d(0.0, 0.06), V2d(0.13, 0.12)), at), vase_colors.red);
         for (const double mirrored : {-1.0, 1.0}) {
-            const std::array<V2d, 7> volute{V2d(0.0, -0.02), V2d(0.22, 0.0),  V2d(0.36, 0.14),
-                                            V2d(0.3, 0.28),  V2d(0.2, 0.24),  V2d(0.2, 0.14),
+            const std::array<V2d, 7> volute{V2d(0.0, -0.02), V2d(0.22, 0.0), V2d(0.36, 0.14),
+                                            V2d(0.3, 0.28),  V2d(0.2, 0.24), V2d(0.2, 0.14),
                                             V2d(0.27, 0.13)};
-            const Path line_ = placed(line(smooth_path(volute), 0.045),
-                                      {.scale = V2d(mirrored, 1.0)});
+            const Path line_ =
+                placed(line(smooth_path(volute), 0.045), {.scale = V2d(mirrored, 1.0)});
             drawing.fill(placed(line_, at), vase_colors.slip);
         }
     }

@@ -23,8 +23,8 @@ namespace {
 using scene::Color3f;
 using scene::Material;
 
-// The painted surface from the foot to the lip: (radius, height). The camera of plate 18 follows the
-// same curve.
+// The painted surface from the foot to the lip: (radius, height). The camera of plate 18 follows
+// the same curve.
 constexpr std::array<std::array<double, 2>, 13> profile{{{0.46, 0.40},
                                                          {0.60, 0.62},
                                                          {0.93, 1.05},
@@ -65,9 +65,9 @@ public:
         for (int row = 0; row < rows_; ++row) {
             for (int column = 0; column < columns; ++column) {
                 const V2d at = V2d(column, row) * cell_;
-                values_.push_back(std::lerp(
-                    fractal_noise(at * scale, 4, seed),
-                    fractal_noise((at - V2d(length, 0.0)) * scale, 4, seed), at.x / length));
+                values_.push_back(std::lerp(fractal_noise(at * scale, 4, seed),
+                                            fractal_noise((at - V2d(length, 0.0)) * scale, 4, seed),
+                                            at.x / length));
             }
         }
     }
@@ -109,9 +109,9 @@ private:
         const double length = 2.0 * std::numbers::pi * painted_radius;
         const double height = length_of(outline);
         const int pixels_high = static_cast<int>(std::lround(pixels_round * height / length));
-        const Drawing drawing = paint_vase(
-            static_cast<int>(std::ceil(pixels_round * builder_.options().texture_scale)), length,
-            height);
+        const Drawing drawing =
+            paint_vase(static_cast<int>(std::ceil(pixels_round * builder_.options().texture_scale)),
+                       length, height);
         const auto place = [=](const Sample& sample) {
             const double aspect = static_cast<double>(pixels_round) / pixels_high;
             return V2d((sample.point.x / aspect + 1.0) / 2.0 * length,
@@ -123,8 +123,8 @@ private:
         Material clay;
         clay.name = "painted clay";
         clay.base_color = Color3f(1.0F);
-        clay.base_color_texture.index = builder_.texture(
-            "painting", pixels_round, pixels_high, [&](const Sample& sample) {
+        clay.base_color_texture.index =
+            builder_.texture("painting", pixels_round, pixels_high, [&](const Sample& sample) {
                 // Fired clay is nowhere quite even, and slip is thin in places.
                 const V2d at = place(sample);
                 return drawing.at(at) * (1.0 + 0.22 * kiln(at) + 0.12 * brush(at)) +
@@ -143,10 +143,10 @@ private:
     }
 
     void add_black_parts() {
-            const auto slip = builder_.material("black slip", Color3f(vase_colors.slip), 0.34F);
-        const std::vector<V2d> foot{{0.0, 0.0},   {0.74, 0.0},  {0.78, 0.03}, {0.78, 0.15},
-                                    {0.75, 0.2},  {0.6, 0.25},  {0.5, 0.31},  {0.46, 0.36},
-                                    {0.46, 0.41}};
+        const auto slip = builder_.material("black slip", Color3f(vase_colors.slip), 0.34F);
+        const std::vector<V2d> foot{{0.0, 0.0},   {0.74, 0.0},  {0.78, 0.03},
+                                    {0.78, 0.15}, {0.75, 0.2},  {0.6, 0.25},
+                                    {0.5, 0.31},  {0.46, 0.36}, {0.46, 0.41}};
         builder_.place("foot", builder_.mesh("foot", lathe(foot, 128), slip));
         const std::vector<V2d> lip{{0.59, 4.88}, {0.64, 4.95}, {0.78, 5.04}, {0.84, 5.1},
                                    {0.86, 5.18}, {0.84, 5.26}, {0.78, 5.28}, {0.72, 5.25},
@@ -167,9 +167,9 @@ private:
     // The visitor stands on the side of -x.
     void add_surroundings() {
         const auto stone = builder_.material("plinth", tint(0x4a4540), 0.4F);
-        builder_.place("plinth", builder_.mesh("plinth", chamfered_cube(1.0, 0.01), stone),
-                       M44d().setScale(V3d(7.0, 60.0, 8.0)) *
-                           M44d().setTranslation(V3d(0.5, 0, -4.0)));
+        builder_.place(
+            "plinth", builder_.mesh("plinth", chamfered_cube(1.0, 0.01), stone),
+            M44d().setScale(V3d(7.0, 60.0, 8.0)) * M44d().setTranslation(V3d(0.5, 0, -4.0)));
         const auto paint = builder_.material("wall", tint(0x5d6a70), 0.95F);
         builder_.place("wall", builder_.mesh("wall", rectangle(60.0, 40.0), paint),
                        M44d(0, -1, 0, 0, 0, 0, 1, 0, -1, 0, 0, 0, 9.0, 0, 0, 1));

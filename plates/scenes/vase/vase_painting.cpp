@@ -29,11 +29,14 @@ Drawing paint_vase(int pixels_round, double length, double height) {
                SailEmblem::star);
     // Between the ships, but where the painting is cut open when it is unrolled.
     const double gap = front - 1.21;
-    paint_dolphin(drawing, {.scale = V2d(0.5), .angle = 0.35, .offset = V2d(gap + 0.05, water + 0.36)});
-    paint_dolphin(drawing, {.scale = V2d(0.42), .angle = -0.3, .offset = V2d(gap - 0.1, water + 0.1)});
+    paint_dolphin(drawing,
+                  {.scale = V2d(0.5), .angle = 0.35, .offset = V2d(gap + 0.05, water + 0.36)});
+    paint_dolphin(drawing,
+                  {.scale = V2d(0.42), .angle = -0.3, .offset = V2d(gap - 0.1, water + 0.1)});
     paint_gull(drawing, {.scale = V2d(0.55), .offset = V2d(gap - 0.08, water + 0.86)});
     paint_gull(drawing, {.scale = V2d(0.42), .angle = 0.2, .offset = V2d(gap + 0.2, water + 0.72)});
-    paint_gull(drawing, {.scale = V2d(0.5), .angle = -0.1, .offset = V2d(front + 3.62, water + 0.92)});
+    paint_gull(drawing,
+               {.scale = V2d(0.5), .angle = -0.1, .offset = V2d(front + 3.62, water + 0.92)});
     // Behind the vase.
     paint_octopus(drawing, {.scale = V2d(0.86), .offset = V2d(0.0, water - 0.02)});
     // Shoulder and neck.

@@ -12,7 +12,7 @@ namespace balcony::plates {
 /// The painter's four colours.
 struct VaseColors {
     Color clay = from_srgb(0xc4713c);
-    Color slip = from_srgb(0x17120f);   ///< Black.
+    Color slip = from_srgb(0x17120f);  ///< Black.
     Color red = from_srgb(0x7a2c20);
     Color white = from_srgb(0xe6d6b4);
 };
