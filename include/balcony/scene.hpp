@@ -264,8 +264,9 @@ void add_scene(Scene& scene, Scene added);
 /// The bytes of a binary glTF 2.0 file (GLB) with the scene: one node per instance (named
 /// after its object) or light, one glTF mesh with a single primitive per mesh, embedded PNG and
 /// JPEG images. Meshes are shared by their instances. A z_up scene is rotated to glTF's y up: (x,
-/// y, z) becomes (x, z, -y), in positions, normals, placements and lights alike. Without motion:
-/// the scene as it stands.
+/// y, z) becomes (x, z, -y), in positions, normals, placements and lights alike. What moves
+/// with a node of the motion keeps moving; lights, cameras and meshes that change their shape are
+/// written as they stand.
 ///
 /// The scene must be consistent: indices in range, normals, texture coordinates and colours empty
 /// or one per vertex, textures embedded as PNG or JPEG. The same scene always gives the same bytes.

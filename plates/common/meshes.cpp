@@ -144,4 +144,19 @@ Mesh picture_frame(double width, double height, double moulding_width) {
     return mesh;
 }
 
+void append(Mesh& mesh, const Mesh& part) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), part.positions.begin(), part.positions.end());
+    mesh.normals.insert(mesh.normals.end(), part.normals.begin(), part.normals.end());
+    for (std::size_t set = 0; set < mesh.texture_coordinates.size(); ++set) {
+        mesh.texture_coordinates[set].insert(mesh.texture_coordinates[set].end(),
+                                             part.texture_coordinates[set].begin(),
+                                             part.texture_coordinates[set].end());
+    }
+    mesh.colors.insert(mesh.colors.end(), part.colors.begin(), part.colors.end());
+    for (const auto& [a, b, c] : part.triangles) {
+        mesh.triangles.push_back({first + a, first + b, first + c});
+    }
+}
+
 }  // namespace balcony::plates

@@ -23,4 +23,7 @@ namespace balcony::plates {
 /// the wall behind.
 [[nodiscard]] scene::Mesh picture_frame(double width, double height, double moulding_width);
 
+/// Adds the triangles of a part, which has the same attributes, to a mesh.
+void append(scene::Mesh& mesh, const scene::Mesh& part);
+
 }  // namespace balcony::plates

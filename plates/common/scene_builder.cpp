@@ -7,6 +7,8 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <memory>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -77,11 +79,39 @@ void SceneBuilder::place(std::string name, scene::MeshIndex mesh, const M44d& wo
     scene_.objects.push_back({std::move(name)});
 }
 
+scene::NodeIndex SceneBuilder::turntable(const V3d& place, double seconds, int turns) {
+    // A key for each quarter of a turn, since a rotation takes the shorter way to the next.
+    scene::Track track;
+    track.width = 4;
+    for (int quarter = 0; quarter <= 4 * turns; ++quarter) {
+        const double half_angle = 0.25 * std::numbers::pi * quarter;
+        track.times.push_back(0.25 * seconds * quarter);
+        track.values.insert(track.values.end(),
+                            {0.0F, 0.0F, static_cast<float>(std::sin(half_angle)),
+                             static_cast<float>(std::cos(half_angle))});
+    }
+    motion_.animations.push_back({"turning", track.times.back(), 1});
+    scene::Node node;
+    node.translation = place;
+    node.rotation_track = scene::TrackIndex(motion_.tracks.size());
+    motion_.tracks.push_back(std::move(track));
+    motion_.nodes.push_back(node);
+    return scene::NodeIndex(motion_.nodes.size() - 1);
+}
+
+void SceneBuilder::place_on(scene::NodeIndex turntable, std::string name, scene::MeshIndex mesh) {
+    motion_.instances.push_back({scene_.instances.size(), turntable});
+    place(std::move(name), mesh, world_from_node(motion_, turntable, 0.0));
+}
+
 void SceneBuilder::light(scene::Light light) { scene_.lights.push_back(std::move(light)); }
 
 Result<scene::Scene> SceneBuilder::finish() && {
     if (!problems_.empty()) {
         return std::move(problems_);
+    }
+    if (!motion_.nodes.empty()) {
+        scene_.motion = std::make_shared<const scene::Motion>(std::move(motion_));
     }
     return std::move(scene_);
 }

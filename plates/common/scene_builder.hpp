@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "balcony/base.hpp"
+#include "balcony/motion.hpp"
 #include "balcony/scene.hpp"
 #include "common/painting.hpp"
 #include "common/scene_options.hpp"
@@ -43,6 +44,11 @@ public:
     scene::MeshIndex mesh(std::string name, scene::Mesh mesh, scene::MaterialIndex material);
     /// An object: a mesh with a name of its own, placed in the world.
     void place(std::string name, scene::MeshIndex mesh, const M44d& world_from_mesh = M44d());
+    /// A disc, not visible, that turns counterclockwise about the z axis through a place: a number
+    /// of turns from time 0, each in the given seconds.
+    scene::NodeIndex turntable(const V3d& place, double seconds, int turns);
+    /// An object that turns with it; its mesh has the turntable's place as its origin.
+    void place_on(scene::NodeIndex turntable, std::string name, scene::MeshIndex mesh);
     void light(scene::Light light);
 
     /// The scene, or what was wrong: a picture that is missing, a texture that cannot be encoded.
@@ -51,6 +57,7 @@ public:
 private:
     SceneOptions options_;
     scene::Scene scene_;
+    scene::Motion motion_;
     Diagnostics problems_;
 };
 

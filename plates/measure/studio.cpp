@@ -5,6 +5,8 @@
 
 #include <stdexcept>
 
+#include "balcony/motion.hpp"
+#include "balcony/rays.hpp"
 #include "scenes/catalogue.hpp"
 
 namespace balcony::plates {
@@ -38,6 +40,16 @@ const scene::Scene& Studio::scene(const std::string& name, bool pictures_and_wal
     return *set(name, pictures_and_walls).scene;
 }
 
+// What moves is where it stands at the times of the picture's rays.
+render::Renderer Studio::renderer_for(const Set& set, const camera::Picture& picture) {
+    if (!set.scene->motion) {
+        return *set.renderer;
+    }
+    const rays::RayTimes times = checked(rays::ray_times(picture, {}));
+    return checked(render::Renderer::make(
+        set.scene, {.interval = scene::TimeInterval{times.first, times.last}}));
+}
+
 render::Film Studio::look(const Look& look, const Overrides& overrides) {
     const camera::Picture picture = checked(
         lang::make_picture(std::string(BALCONY_PLATES) + "/" + look.camera, look.name, overrides));
@@ -45,8 +57,8 @@ render::Film Studio::look(const Look& look, const Overrides& overrides) {
     settings.samples = 1;
     settings.integrator = "preview";
     render::Film film = checked(render::make_film({.width = look.width, .height = look.height}));
-    checked(render::render(*set(look.scene, look.pictures_and_walls).renderer, picture, settings,
-                           film));
+    checked(render::render(renderer_for(set(look.scene, look.pictures_and_walls), picture), picture,
+                           settings, film));
     return film;
 }
 

@@ -46,6 +46,7 @@ private:
         std::shared_ptr<const scene::Scene> scene;
         std::shared_ptr<const render::Renderer> renderer;
     };
+    static render::Renderer renderer_for(const Set& set, const camera::Picture& picture);
     const Set& set(const std::string& name, bool pictures_and_walls);
 
     std::map<std::pair<std::string, bool>, Set> sets_;

@@ -12,6 +12,7 @@
 #include "scenes/candle/candle.hpp"
 #include "scenes/chess/chess.hpp"
 #include "scenes/corner/corner.hpp"
+#include "scenes/dancer/dancer.hpp"
 #include "scenes/gallery/gallery.hpp"
 #include "scenes/knot/knot.hpp"
 #include "scenes/marbles/marbles.hpp"
@@ -33,6 +34,7 @@ constexpr std::array scenes{
     SceneRow{"chess", "the end of a game of chess, for pictures that hang", make_chess},
     SceneRow{"corner", "two walls with four pictures under spot lights (plates 9 to 11)",
              make_corner},
+    SceneRow{"dancer", "a porcelain dancer on a turntable (plate 17)", make_dancer},
     SceneRow{"gallery", "a closed room with seven pictures (plates 1 to 3)", make_gallery},
     SceneRow{"knot", "a knotted, coloured tube, for pictures that hang", make_knot},
     SceneRow{"marbles", "marbles of all colours, for pictures that hang", make_marbles},

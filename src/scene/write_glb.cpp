@@ -11,6 +11,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "balcony/motion.hpp"
 #include "scene/axes.hpp"
 #include "scene/gltf/write_material.hpp"
 
@@ -70,6 +71,9 @@ public:
         json roots = json::array();
         for (const scene::Instance& instance : scene_.instances) {
             roots.push_back(add_instance(instance));
+        }
+        if (scene_.motion) {
+            add_motion(*scene_.motion, roots);
         }
         for (const Light& light : scene_.lights) {
             roots.push_back(add_light(light));
@@ -198,6 +202,106 @@ private:
             node["translation"] = array_of(translation);
         }
         return append("nodes", std::move(node));
+    }
+
+    [[nodiscard]] std::vector<double> matrix_of(const M44d& matrix) const {
+        const M44d placed = turned_.transposed() * matrix * turned_;
+        return {&placed[0][0], &placed[0][0] + 16};
+    }
+
+    // Nodes that move, each below its parent, and the instances below them. An instance's node is
+    // the one with its number, since instances are written first.
+    void add_motion(const Motion& motion, json& roots) {
+        if (motion.instances.empty()) {
+            return;
+        }
+        json animation = {{"channels", json::array()}, {"samplers", json::array()}};
+        std::vector<std::size_t> written;
+        for (const Node& node : motion.nodes) {
+            written.push_back(add_moving_node(motion, node, animation));
+            if (node.parent.valid()) {
+                add_child(written[node.parent.value()], written.back());
+            } else {
+                roots.push_back(append("nodes", {{"matrix", matrix_of(node.world_from_parent)},
+                                                 {"children", {written.back()}}}));
+            }
+        }
+        for (const MovingInstance& moving : motion.instances) {
+            json& node = document_["nodes"][moving.instance];
+            node.erase("matrix");
+            node.erase("translation");
+            roots.erase(std::find(roots.begin(), roots.end(), json(moving.instance)));
+            add_child(written[moving.node.value()], moving.instance);
+        }
+        if (!animation["channels"].empty()) {
+            append("animations", std::move(animation));
+        }
+    }
+
+    void add_child(std::size_t parent, std::size_t child) {
+        document_["nodes"][parent]["children"].push_back(child);
+    }
+
+    std::size_t add_moving_node(const Motion& motion, const Node& node, json& animation) {
+        const bool moves = node.translation_track.valid() || node.rotation_track.valid() ||
+                           node.scale_track.valid();
+        if (!moves) {
+            return append("nodes", {{"matrix", matrix_of(node.parent_from_node)}});
+        }
+        V3d translation, axis;
+        turned_.multDirMatrix(node.translation, translation);
+        turned_.multDirMatrix(node.rotation.v, axis);
+        const std::size_t index =
+            append("nodes", {{"translation", array_of(translation)},
+                             {"rotation", {axis.x, axis.y, axis.z, node.rotation.r}},
+                             {"scale", array_of(turned_scale(node.scale))}});
+        add_channel(motion, node.translation_track, index, "translation", animation);
+        add_channel(motion, node.rotation_track, index, "rotation", animation);
+        add_channel(motion, node.scale_track, index, "scale", animation);
+        return index;
+    }
+
+    // Factors along the axes change their order with them, but not their signs.
+    [[nodiscard]] V3d turned_scale(const V3d& scale) const {
+        V3d turned(0.0);
+        for (int from = 0; from < 3; ++from) {
+            for (int to = 0; to < 3; ++to) {
+                turned[to] += std::abs(turned_[from][to]) * scale[from];
+            }
+        }
+        return turned;
+    }
+
+    void add_channel(const Motion& motion, TrackIndex track_index, std::size_t node,
+                     const char* path, json& animation) {
+        if (!track_index.valid()) {
+            return;
+        }
+        const Track& track = motion.tracks[track_index.value()];
+        // Vectors and the vector parts of rotations turn with the axes.
+        const bool is_scale = std::string_view(path) == "scale";
+        std::vector<float> values = track.values;
+        for (std::size_t i = 0; i + track.width <= values.size(); i += track.width) {
+            const V3d own(values[i], values[i + 1], values[i + 2]);
+            V3d vector;
+            turned_.multDirMatrix(own, vector);
+            const V3f turned(is_scale ? turned_scale(own) : vector);
+            std::copy_n(&turned.x, 3, &values[i]);
+        }
+        const std::vector<float> times(track.times.begin(), track.times.end());
+        json input = accessor(times, "SCALAR");
+        input["min"] = {times.front()};
+        input["max"] = {times.back()};
+        json output = accessor(values, "SCALAR");
+        output["count"] = values.size() / track.width;
+        output["type"] = track.width == 4 ? "VEC4" : "VEC3";
+        const char* interpolations[] = {"STEP", "LINEAR", "CUBICSPLINE"};
+        animation["channels"].push_back({{"sampler", animation["samplers"].size()},
+                                         {"target", {{"node", node}, {"path", path}}}});
+        animation["samplers"].push_back(
+            {{"input", append("accessors", std::move(input))},
+             {"output", append("accessors", std::move(output))},
+             {"interpolation", interpolations[std::size_t(track.interpolation)]}});
     }
 
     std::size_t add_light(const Light& light) {

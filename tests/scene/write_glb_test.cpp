@@ -9,6 +9,7 @@
 
 #include <Imath/ImathQuat.h>
 
+#include "balcony/motion.hpp"
 #include "balcony/scene.hpp"
 #include "glb_file.hpp"
 
@@ -52,6 +53,58 @@ GlbFile written(const scene::Scene& scene) {
     GlbFile file;
     read_glb(to_glb(scene), file);
     return file;
+}
+
+// Whatever the interpolation, a written scene moves as the one in memory does, but for its axes and
+// the precision of floats.
+TEST(WriteGlb, KeepsTheMotionOfInstances) {
+    scene::Scene scene = small_scene();
+    scene.instances.push_back(scene.instances[0]);
+    scene.instances[1].object = 1;
+    scene.objects.push_back({"still"});
+    Motion motion;
+    motion.tracks.push_back({Interpolation::linear,
+                             4,
+                             {0.0, 1.0, 2.0},
+                             {0, 0, 0, 1, 0.6F, 0, 0, 0.8F, 0, 0.8F, 0.6F, 0}});
+    motion.tracks.push_back({Interpolation::step, 3, {0.5, 1.5}, {1, 2, 3, 4, 5, 6}});
+    motion.tracks.push_back({Interpolation::cubic_spline,
+                             3,
+                             {0.0, 2.0},
+                             {0, 0, 0, 1, 2, 3, 1, -1, 2, -2, 0, 1, 4, 2, 1, 0, 0, 0}});
+    Node parent;
+    parent.world_from_parent.rotate(V3d(0.2, 0.4, -0.3));
+    parent.translation = V3d(1, 0, -2);
+    parent.rotation_track = TrackIndex(0);
+    Node child;
+    child.parent = NodeIndex(0);
+    child.rotation = Imath::Quatd(0.6, V3d(0, 0.8, 0));
+    child.translation_track = TrackIndex(1);
+    child.scale_track = TrackIndex(2);
+    motion.nodes = {parent, child};
+    motion.instances.push_back({0, NodeIndex(1)});
+    motion.animations.push_back({"all", 2.0, 3});
+    scene.motion = std::make_shared<const Motion>(motion);
+
+    auto read = load("motion.glb", to_glb(scene));
+    ASSERT_TRUE(read) << to_text(read.diagnostics);
+    EXPECT_TRUE(read.diagnostics.empty()) << to_text(read.diagnostics);
+    ASSERT_EQ(read->instances.size(), 2U);
+    for (const double time : {0.0, 0.3, 0.9, 1.2, 1.7, 2.5}) {
+        EXPECT_TRUE(move_to(scene, time).empty());
+        EXPECT_TRUE(move_to(*read, time).empty());
+        for (const scene::Instance& instance : read->instances) {
+            const std::string& name = read->objects[instance.object].name;
+            const scene::Instance& own = scene.instances[name == "still" ? 1 : 0];
+            for (std::size_t i = 0; i < 3; ++i) {
+                const V3d expected = turned(V3d(scene.meshes[0].positions[i]) * own.world_from_mesh,
+                                            Axes::z_up, Axes::y_up);
+                const V3d found = V3d(read->meshes[instance.mesh.value()].positions[i]) *
+                                  instance.world_from_mesh;
+                EXPECT_LT((found - expected).length(), 1e-5) << name << " at " << time;
+            }
+        }
+    }
 }
 
 TEST(WriteGlb, TurnsZUpToYUp) {

@@ -3,12 +3,14 @@
 
 #include "scenes/soft/soft.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
-#include "common/meshes.hpp"
 #include "common/scene_builder.hpp"
-#include "common/tubes.hpp"
+#include "common/solids.hpp"
+#include "scenes/soft/letters.hpp"
 
 namespace balcony::plates {
 
@@ -19,61 +21,24 @@ using scene::Light;
 using scene::Material;
 using scene::Mesh;
 
-// Letters are bent from a round bar, about the point in their middle.
-constexpr double bend = 4.0;
-constexpr double bar = 1.5;
-constexpr double middle_height = 2.0 * bend + bar;
-constexpr int bend_steps = 48;  // Of half a circle.
-
-Mesh straight(const V3d& from, const V3d& to) { return tube({from, to}, bar, TubeEnds::round); }
-
-// Three quarters of a circle above, three quarters below, which meet in the middle.
-Mesh letter_s() {
-    constexpr double pi = std::numbers::pi;
-    constexpr int steps = bend_steps * 3 / 2;
-    std::vector<V3d> path = arc(V3d(0, 0, bend), bend, 0.0, 1.5 * pi, steps);
-    const std::vector<V3d> below = arc(V3d(0, 0, -bend), bend, 0.5 * pi, -pi, steps);
-    path.insert(path.end(), below.begin() + 1, below.end());
-    return tube(path, bar, TubeEnds::round);
-}
-
-Mesh letter_o() {
-    constexpr double pi = std::numbers::pi;
-    std::vector<V3d> path = arc(V3d(0, 0, bend), bend, 0.0, pi, bend_steps);
-    const std::vector<V3d> below = arc(V3d(0, 0, -bend), bend, pi, 2.0 * pi, bend_steps);
-    path.insert(path.end(), below.begin(), below.end());
-    return tube(path, bar, TubeEnds::closed);
-}
-
-Mesh letter_f() {
-    Mesh mesh = straight(V3d(-bend, 0, -2 * bend), V3d(-bend, 0, 2 * bend));
-    append(mesh, straight(V3d(-bend, 0, 0), V3d(1.5, 0, 0)));
-    append(mesh, straight(V3d(-bend, 0, 2 * bend), V3d(bend, 0, 2 * bend)));
-    return mesh;
-}
-
-Mesh letter_t() {
-    Mesh mesh = straight(V3d(0, 0, -2 * bend), V3d(0, 0, 2 * bend));
-    append(mesh, straight(V3d(-bend, 0, 2 * bend), V3d(bend, 0, 2 * bend)));
-    return mesh;
-}
-
 // The studio is a bowl: a floor that rises to a wall without an edge, and closes to a dome.
 constexpr double floor_radius = 90.0;
 constexpr double cove = 50.0;
 constexpr double dome = 140.0;
 
 Mesh bowl() {
-    constexpr double pi = std::numbers::pi;
-    std::vector<V3d> profile;
-    for (int i = 0; i < 8; ++i) {
-        profile.emplace_back(floor_radius * i / 8.0, 0.0, 0.0);
-    }
-    for (const V3d& p : arc(V3d(floor_radius, 0, cove), cove, -0.5 * pi, 0.0, 24)) {
-        profile.push_back(p);
-    }
-    const std::vector<V3d> above = arc(V3d(0, 0, cove), dome, 0.0, 0.5 * pi, 32);
-    profile.insert(profile.end(), above.begin() + 1, above.end());
+    constexpr double right_angle = 0.5 * std::numbers::pi;
+    constexpr int steps = 32;
+    std::vector<V2d> profile{{0.0, 0.0}};
+    const auto add_quarter = [&](const V2d& center, double radius, double from) {
+        for (int i = 0; i <= steps; ++i) {
+            const double angle = from + right_angle * i / steps;
+            profile.push_back(center + radius * V2d(std::cos(angle), std::sin(angle)));
+        }
+    };
+    add_quarter(V2d(floor_radius, cove), cove, -right_angle);
+    profile.pop_back();
+    add_quarter(V2d(0.0, cove), dome, 0.0);
     return lathe(profile, 96);
 }
 
@@ -84,10 +49,10 @@ Color bowl_color(const Sample& sample) {
     return rise(0.5 * (sample.point.y + 1.0) * 1.4);
 }
 
-// The light of a lamp, from its middle to its edge.
+// The light of a lamp, from its edge to its middle.
 Color lamp_glow(const Sample& sample) {
-    const double r = 0.5 * (1.0 + sample.point.y);
-    return Color(0.25 + 0.75 * std::pow(std::max(0.0, 1.0 - r * r), 1.0));
+    const double r = 0.5 * (1.0 - sample.point.y);
+    return Color(1.0 - 0.75 * r * r);
 }
 
 // A disc that shines from one place towards another.
@@ -100,7 +65,7 @@ void add_lamp(SceneBuilder& builder, const char* name, const V3d& from, const V3
     shining.double_sided = false;
     shining.emission_texture.index = builder.texture(name, 4, 64, lamp_glow, scene::Wrap::clamp);
     const scene::MeshIndex disc =
-        builder.mesh(name, lathe({V3d(0.0), V3d(0.5 * radius, 0, 0), V3d(radius, 0, 0)}, 48),
+        builder.mesh(name, lathe(std::array{V2d(radius, 0), V2d(0.5 * radius, 0), V2d(0, 0)}, 48),
                      builder.material(shining));
     const V3d z = (towards - from).normalized();
     const V3d x = V3d(0, 0, 1).cross(z).normalized();
@@ -137,7 +102,7 @@ Result<scene::Scene> make_soft(const SceneOptions& options) {
     const scene::MaterialIndex red = builder.material(lacquer);
     const auto letter = [&](const char* name, Mesh mesh, double x) {
         builder.place(name, builder.mesh(name, std::move(mesh), red),
-                      M44d().setTranslation(V3d(x, 0, middle_height)));
+                      M44d().setTranslation(V3d(x, 0, letter_middle)));
     };
     letter("letter S", letter_s(), -20.0);
     letter("letter O", letter_o(), -7.0);

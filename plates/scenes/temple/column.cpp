@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "common/meshes.hpp"
 #include "common/mouldings.hpp"
-#include "common/tubes.hpp"
 #include "scenes/temple/dimensions.hpp"
 #include "scenes/temple/marble.hpp"
 

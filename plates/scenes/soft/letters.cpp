@@ -1,20 +1,26 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "common/tubes.hpp"
+#include "scenes/soft/letters.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
+
+#include "common/meshes.hpp"
 
 namespace balcony::plates {
 
 namespace {
 
 using scene::Mesh;
-using scene::V2f;
 using scene::V3d;
-using scene::V3f;
+
+// Letters are bent from a round bar, about the point in their middle.
+constexpr double bend = 4.0;
+constexpr double bar = 1.5;
+constexpr int bend_steps = 48;  // Of half a circle.
 
 constexpr int tube_sides = 48;
 
@@ -38,15 +44,22 @@ void add_ring(Mesh& mesh, const Ring& ring) {
     }
 }
 
-void join_rings(Mesh& mesh, std::uint32_t lower, std::uint32_t upper) {
+// Triangles between two rings; a ring that is a point, at the end of a bar, has fewer.
+void join_rings(Mesh& mesh, const std::vector<Ring>& rings, std::uint32_t lower,
+                std::uint32_t upper) {
+    constexpr double point = 1e-9;
     for (std::uint32_t i = 0; i < tube_sides; ++i) {
         const std::uint32_t next = (i + 1) % tube_sides;
         const std::uint32_t a = lower * tube_sides + i;
         const std::uint32_t b = lower * tube_sides + next;
         const std::uint32_t c = upper * tube_sides + next;
         const std::uint32_t d = upper * tube_sides + i;
-        mesh.triangles.push_back({a, b, c});
-        mesh.triangles.push_back({a, c, d});
+        if (rings[lower].radius > point) {
+            mesh.triangles.push_back({a, b, c});
+        }
+        if (rings[upper].radius > point) {
+            mesh.triangles.push_back({a, c, d});
+        }
     }
 }
 
@@ -60,8 +73,6 @@ void add_cap(std::vector<Ring>& rings, const V3d& end, const V3d& along, double 
     }
 }
 
-}  // namespace
-
 std::vector<V3d> arc(const V3d& center, double radius, double from, double to, int steps) {
     std::vector<V3d> points;
     for (int i = 0; i <= steps; ++i) {
@@ -71,8 +82,12 @@ std::vector<V3d> arc(const V3d& center, double radius, double from, double to, i
     return points;
 }
 
-Mesh tube(const std::vector<V3d>& path, double radius, TubeEnds ends) {
-    const bool closed = ends == TubeEnds::closed;
+// A bar along a smooth path in the xz plane. Its ends are half spheres beyond the path, or it is a
+// ring whose last point is joined to the first.
+enum class Ends { round, closed };
+
+Mesh bent_bar(const std::vector<V3d>& path, Ends ends) {
+    const bool closed = ends == Ends::closed;
     const std::size_t count = path.size();
     const auto along = [&](std::size_t i) {
         const V3d& before = i > 0 ? path[i - 1] : closed ? path[count - 1] : path[0];
@@ -81,7 +96,7 @@ Mesh tube(const std::vector<V3d>& path, double radius, TubeEnds ends) {
     };
     std::vector<Ring> rings;
     if (!closed) {
-        add_cap(rings, path.front(), -along(0), radius);
+        add_cap(rings, path.front(), -along(0), bar);
         std::reverse(rings.begin(), rings.end());
         for (Ring& ring : rings) {
             ring.along = -ring.along;
@@ -89,69 +104,57 @@ Mesh tube(const std::vector<V3d>& path, double radius, TubeEnds ends) {
         }
     }
     for (std::size_t i = 0; i < count; ++i) {
-        rings.push_back({path[i], along(i), radius, 0.0});
+        rings.push_back({path[i], along(i), bar, 0.0});
     }
     if (!closed) {
-        add_cap(rings, path.back(), along(count - 1), radius);
+        add_cap(rings, path.back(), along(count - 1), bar);
     }
     Mesh mesh;
     for (const Ring& ring : rings) {
         add_ring(mesh, ring);
     }
     for (std::uint32_t i = 0; i + 1 < rings.size(); ++i) {
-        join_rings(mesh, i, i + 1);
+        join_rings(mesh, rings, i, i + 1);
     }
     if (closed) {
-        join_rings(mesh, static_cast<std::uint32_t>(rings.size()) - 1, 0);
+        join_rings(mesh, rings, static_cast<std::uint32_t>(rings.size()) - 1, 0);
     }
     return mesh;
 }
 
-Mesh lathe(const std::vector<V3d>& profile, int sides) {
-    Mesh mesh;
-    std::vector<double> lengths{0.0};
-    for (std::size_t i = 1; i < profile.size(); ++i) {
-        lengths.push_back(lengths.back() + (profile[i] - profile[i - 1]).length());
-    }
-    for (std::size_t i = 0; i < profile.size(); ++i) {
-        const V3d& before = profile[i > 0 ? i - 1 : 0];
-        const V3d& after = profile[std::min(i + 1, profile.size() - 1)];
-        const V3d along = (after - before).normalized();
-        for (int k = 0; k <= sides; ++k) {
-            const double angle = 2.0 * std::numbers::pi * k / sides;
-            const double c = std::cos(angle);
-            const double s = std::sin(angle);
-            mesh.positions.emplace_back(profile[i].x * c, profile[i].x * s, profile[i].z);
-            mesh.normals.emplace_back(-along.z * c, -along.z * s, along.x);
-            mesh.texture_coordinates[0].emplace_back(static_cast<double>(k) / sides,
-                                                     1.0 - lengths[i] / lengths.back());
-        }
-    }
-    const auto stride = static_cast<std::uint32_t>(sides + 1);
-    for (std::uint32_t i = 0; i + 1 < profile.size(); ++i) {
-        for (std::uint32_t k = 0; k < stride - 1; ++k) {
-            const std::uint32_t a = i * stride + k;
-            const std::uint32_t b = a + stride;
-            mesh.triangles.push_back({a, b, b + 1});
-            mesh.triangles.push_back({a, b + 1, a + 1});
-        }
-    }
+Mesh straight(const V3d& from, const V3d& to) { return bent_bar({from, to}, Ends::round); }
+
+}  // namespace
+
+// Three quarters of a circle above, three quarters below, which meet in the middle.
+Mesh letter_s() {
+    constexpr double pi = std::numbers::pi;
+    constexpr int steps = bend_steps * 3 / 2;
+    std::vector<V3d> path = arc(V3d(0, 0, bend), bend, 0.0, 1.5 * pi, steps);
+    const std::vector<V3d> below = arc(V3d(0, 0, -bend), bend, 0.5 * pi, -pi, steps);
+    path.insert(path.end(), below.begin() + 1, below.end());
+    return bent_bar(path, Ends::round);
+}
+
+Mesh letter_o() {
+    constexpr double pi = std::numbers::pi;
+    std::vector<V3d> path = arc(V3d(0, 0, bend), bend, 0.0, pi, bend_steps);
+    const std::vector<V3d> below = arc(V3d(0, 0, -bend), bend, pi, 2.0 * pi, bend_steps);
+    path.insert(path.end(), below.begin(), below.end());
+    return bent_bar(path, Ends::closed);
+}
+
+Mesh letter_f() {
+    Mesh mesh = straight(V3d(-bend, 0, -2 * bend), V3d(-bend, 0, 2 * bend));
+    append(mesh, straight(V3d(-bend, 0, 0), V3d(1.5, 0, 0)));
+    append(mesh, straight(V3d(-bend, 0, 2 * bend), V3d(bend, 0, 2 * bend)));
     return mesh;
 }
 
-void append(Mesh& mesh, const Mesh& part) {
-    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-    mesh.positions.insert(mesh.positions.end(), part.positions.begin(), part.positions.end());
-    mesh.normals.insert(mesh.normals.end(), part.normals.begin(), part.normals.end());
-    for (std::size_t set = 0; set < mesh.texture_coordinates.size(); ++set) {
-        mesh.texture_coordinates[set].insert(mesh.texture_coordinates[set].end(),
-                                             part.texture_coordinates[set].begin(),
-                                             part.texture_coordinates[set].end());
-    }
-    mesh.colors.insert(mesh.colors.end(), part.colors.begin(), part.colors.end());
-    for (const auto& [a, b, c] : part.triangles) {
-        mesh.triangles.push_back({first + a, first + b, first + c});
-    }
+Mesh letter_t() {
+    Mesh mesh = straight(V3d(0, 0, -2 * bend), V3d(0, 0, 2 * bend));
+    append(mesh, straight(V3d(-bend, 0, 2 * bend), V3d(bend, 0, 2 * bend)));
+    return mesh;
 }
 
 }  // namespace balcony::plates

@@ -1,0 +1,23 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// A dancer in a long pleated dress, her arms above her head: two units high, standing on z = 0
+// about the z axis, her face towards -y.
+
+#include <vector>
+
+#include "balcony/scene.hpp"
+
+namespace balcony::plates {
+
+using Imath::V3d;
+
+[[nodiscard]] scene::Mesh dancer_figure(double cell);
+
+/// The veil that hangs from an arm: -1 is at -x, 1 at x.
+[[nodiscard]] scene::Mesh dancer_veil(double side);
+/// Its hem, and from there its outer edge up to the hand.
+[[nodiscard]] std::vector<V3d> dancer_veil_edge(double side);
+
+}  // namespace balcony::plates
