@@ -116,7 +116,7 @@ bool crossing(const Lattice& lattice, const Corner& cell, V3d& middle) {
     return edges > 0;
 }
 
-void add_triangle(Mesh& mesh, const std::array<std::uint32_t, 3>& corners) {
+void add_unless_flat(Mesh& mesh, const std::array<std::uint32_t, 3>& corners) {
     const scene::V3f& a = mesh.positions[corners[0]];
     const scene::V3f across =
         (mesh.positions[corners[1]] - a).cross(mesh.positions[corners[2]] - a);
@@ -175,8 +175,8 @@ Mesh implicit_surface(const Field& field, const Imath::Box3d& box, double cell, 
                     const auto b = inside ? around(0, 1) : around(1, 0);
                     const auto c = around(0, 0);
                     const auto d = inside ? around(1, 0) : around(0, 1);
-                    add_triangle(mesh, {a, b, c});
-                    add_triangle(mesh, {a, c, d});
+                    add_unless_flat(mesh, {a, b, c});
+                    add_unless_flat(mesh, {a, c, d});
                 }
             }
         }
