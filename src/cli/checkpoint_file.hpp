@@ -34,9 +34,10 @@ public:
     /// Whether the film was loaded from a checkpoint, or saved to one.
     [[nodiscard]] bool is_used() const { return used_; }
 
-private:
+    /// All that the film depends on.
     [[nodiscard]] render::RenderFacts facts(const render::Film& film);
 
+private:
     std::filesystem::path file_;
     render::RenderFacts options_;
     std::vector<std::filesystem::path> inputs_;

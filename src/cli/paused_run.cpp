@@ -53,7 +53,9 @@ Result<render::Summary> run_with_pauses(render::Job& job, const RunLimits& limit
                 pause.request_stop();
             }
         };
-        Result<render::Summary> part = job.run(on_progress, pause.get_token());
+        Result<render::Summary> part = limits.passes.empty()
+                                           ? job.run(on_progress, pause.get_token())
+                                           : job.run(limits.passes, on_progress, pause.get_token());
         total.diagnostics.insert(total.diagnostics.end(), part.diagnostics.begin(),
                                  part.diagnostics.end());
         if (!part) {

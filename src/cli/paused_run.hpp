@@ -4,6 +4,7 @@
 
 // A render that pauses to save what it has.
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <stop_token>
@@ -27,6 +28,8 @@ struct RunLimits {
     /// Asked at each pause, with the warnings since the last one; true ends the run.
     std::function<bool(const Diagnostics&)> gives_up;
     std::vector<Pause> pauses;
+    /// The number of passes that each tile gets; those of the job's settings if empty.
+    std::vector<std::uint32_t> passes{};
 };
 
 /// Runs a job to its end, with pauses. The summary is that of the whole run; it is not interrupted

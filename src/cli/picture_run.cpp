@@ -7,6 +7,7 @@
 
 #include "cli/paused_run.hpp"
 #include "cli/report/report.hpp"
+#include "cli/shard_picture.hpp"
 
 namespace balcony::cli {
 
@@ -18,7 +19,8 @@ PictureRun::PictureRun(const RenderOptions& options, const Request& request,
       output_(output),
       film_(film),
       display_(options.quiet || options.json),
-      checkpoint_(output.file(), option_facts(*options.command), std::move(files), request.since) {}
+      checkpoint_(request.job.shard ? shard_file(output.file(), *request.job.shard) : output.file(),
+                  option_facts(*options.command), std::move(files), request.since) {}
 
 Diagnostics PictureRun::resume() {
     if (request_.job.resume) {
@@ -39,6 +41,10 @@ Result<render::Summary> PictureRun::run(render::Job& job, const render::Progress
     limits.gives_up = [this](const Diagnostics& found) {
         return !found.empty() && checkpoint_.is_used();
     };
+    if (request_.job.shard) {
+        limits.passes = render::passes_of(film_, *request_.job.shard,
+                                          static_cast<std::uint32_t>(request_.settings.samples));
+    }
     if (request_.job.save_every && !output_.is_stream()) {
         limits.pauses.push_back({*request_.job.save_every, [this] { tell(save()); }});
     }
@@ -67,6 +73,14 @@ double PictureRun::exposure() const {
 Diagnostics PictureRun::save() const {
     return output_.write(
         film_, {.exposure = exposure(), .view = request_.view, .dither = !options_.film.no_dither});
+}
+
+Diagnostics PictureRun::save_shard() {
+    const render::Shard& shard = *request_.job.shard;
+    render::RenderFacts facts = checkpoint_.facts(film_);
+    std::erase_if(facts, [](const render::RenderFact& fact) { return fact.name == "--shard"; });
+    return write_shard(film_, shard, facts, output_facts(options_, output_.file()),
+                       shard_file(output_.file(), shard));
 }
 
 bool PictureRun::writes_checkpoints() const {

@@ -55,6 +55,8 @@ public:
     /// The requested exposure, or that of the film so far.
     [[nodiscard]] double exposure() const;
     [[nodiscard]] Diagnostics save() const;
+    /// Instead, if the request is for a shard.
+    [[nodiscard]] Diagnostics save_shard();
 
 private:
     [[nodiscard]] bool writes_checkpoints() const;

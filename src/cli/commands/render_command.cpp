@@ -32,6 +32,7 @@
 #include "cli/report/render_report.hpp"
 #include "cli/report/report.hpp"
 #include "cli/report/usage.hpp"
+#include "cli/shard_picture.hpp"
 
 namespace balcony::cli {
 
@@ -87,6 +88,33 @@ Request read_request(const RenderOptions& options, Diagnostics& diagnostics) {
 /// Tells whether the picture that is being rendered is of no use any more.
 using OutdatedTest = std::function<bool()>;
 
+/// The end of a render of one shard.
+RenderReport keep_shard(RenderReport outcome, const Request& request, const PictureOutput& output,
+                        PictureRun& run, const render::Summary& summary) {
+    const fs::path file = shard_file(output.file(), *request.job.shard);
+    const CheckpointFile& checkpoint = run.checkpoint();
+    if (summary.interrupted) {
+        outcome.sentence = checkpoint.is_used()
+                               ? fmt::format("interrupted; --resume continues from {}\n",
+                                             checkpoint.file().string())
+                               : std::string("interrupted before there was a checkpoint\n");
+        return fail(std::move(outcome), ExitCode::interrupted);
+    }
+    if (const Diagnostics found = run.save_shard(); has_errors(found)) {
+        return fail(std::move(outcome), ExitCode::environment, found);
+    }
+    if (checkpoint.is_used()) {
+        checkpoint.remove();
+    }
+    outcome.facts["output"] = file.string();
+    outcome.facts["seconds"] = summary.seconds;
+    outcome.facts["rays"] = summary.camera_rays;
+    outcome.sentence =
+        fmt::format("{}: shard {} of {} in {}\n", file.string(), request.job.shard->index + 1,
+                    request.job.shard->count, duration_text(summary.seconds));
+    return outcome;
+}
+
 /// Renders and writes. The first signal stops the rendering, but not the writing.
 RenderReport make_picture(RenderReport outcome, const RenderOptions& options,
                           const Request& request, const Loaded& loaded,
@@ -125,6 +153,9 @@ RenderReport make_picture(RenderReport outcome, const RenderOptions& options,
                     {error("a texture cannot be read any more, so the render ends", {},
                            fmt::format("restore it and continue with --resume from '{}'",
                                        run.checkpoint().file().string()))});
+    }
+    if (request.job.shard) {
+        return keep_shard(std::move(outcome), request, output, run, *summary);
     }
     describe(outcome, output, picture, film, *summary);
     describe_preparation(outcome, loaded);
@@ -217,6 +248,11 @@ RenderReport render_picture(const RenderOptions& options, Request request,
             add_frames(options, *loaded.scene, *picture, {width, height}, request.settings));
     }
     if (format == nullptr && render::film_bytes(layout) > request.job.film_memory) {
+        if (request.job.shard) {
+            return fail(std::move(outcome), ExitCode::bad_input,
+                        {error("a shard of this size needs more memory than --film-memory allows",
+                               {}, "raise --film-memory, or render parts with --crop")});
+        }
         return make_banded_picture(std::move(outcome), options, request, loaded, *picture, layout,
                                    target.output);
     }
@@ -351,6 +387,16 @@ ExitCode check_outputs(const RenderOptions& options, const std::vector<SceneOutp
     } else if (options.watch && targets.size() > 1) {
         diagnostics.push_back(
             error("--watch shows one scene, but there are several", {}, "give one scene"));
+    }
+    if (!options.job.shard.empty() && (options.output == "-" || options.watch)) {
+        diagnostics.push_back(error(fmt::format("--shard and {} exclude each other",
+                                                options.watch ? "--watch" : "--output -"),
+                                    {}, "name a file for the picture that the shards make"));
+    }
+    if (!options.job.shard.empty() && options.exposure == "auto" && options.sampling.noise != "0") {
+        diagnostics.push_back(
+            error("--shard with --noise needs --exposure, as noise is relative to white", {},
+                  "add --exposure 0, or the one that a quick preview reports"));
     }
     if (has_errors(diagnostics)) {
         return ExitCode::wrong_usage;

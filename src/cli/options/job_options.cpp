@@ -14,6 +14,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/options/option_values.hpp"
+#include "cli/shard_picture.hpp"
 
 namespace balcony::cli {
 
@@ -100,13 +101,29 @@ void add_job_options(CLI::App& command, JobWords& words) {
                     "as they finish; auto is half of the machine's memory")
         ->type_name("SIZE")
         ->capture_default_str();
+    command
+        .add_option("--shard", words.shard,
+                    "render only one of several parts, such as 2/5, to OUTPUT.shard-2-of-5; "
+                    "balcony merge joins them")
+        ->type_name("PART/PARTS");
 }
 
 JobRequest read_job(const JobWords& words, Diagnostics& diagnostics) {
+    const auto shard = read_shard(words.shard);
+    if (!words.shard.empty() && !shard) {
+        refuse(diagnostics, "--shard", words.shard,
+               "write the number of the part and how many there are, such as 2/5");
+    }
+    if (shard && !words.save_every.empty()) {
+        diagnostics.push_back(error("--shard and --save-every exclude each other", {},
+                                    "a shard is no picture; balcony merge makes one"));
+    }
     return {read_interval("--time-limit", words.time_limit, diagnostics),
             read_interval("--save-every", words.save_every, diagnostics),
-            read_interval("--checkpoint-every", words.checkpoint_every, diagnostics), words.resume,
-            read_memory(words.film_memory, diagnostics)};
+            read_interval("--checkpoint-every", words.checkpoint_every, diagnostics),
+            words.resume,
+            read_memory(words.film_memory, diagnostics),
+            shard};
 }
 
 render::RenderFacts option_facts(const CLI::App& command) {

@@ -8,17 +8,20 @@
 #include <string>
 
 #include "balcony/checkpoint.hpp"
+#include "balcony/shard.hpp"
 #include "cli/command_line.hpp"
 
 namespace balcony::cli {
 
-/// The words of --time-limit, --save-every, --checkpoint-every, --resume and --film-memory.
+/// The words of --time-limit, --save-every, --checkpoint-every, --resume, --film-memory and
+/// --shard.
 struct JobWords {
     std::string time_limit;
     std::string save_every;
     std::string checkpoint_every = "60s";
     bool resume = false;
     std::string film_memory = "auto";
+    std::string shard;
 };
 
 /// Intervals in seconds.
@@ -28,6 +31,7 @@ struct JobRequest {
     std::optional<double> checkpoint_every;
     bool resume = false;
     double film_memory = 0.0;  ///< In bytes.
+    std::optional<render::Shard> shard{};
 };
 
 void add_job_options(CLI::App& command, JobWords& words);

@@ -1,0 +1,41 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The file of a shard, beside the picture that it is a part of.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "balcony/denoise.hpp"
+#include "balcony/film.hpp"
+#include "balcony/shard.hpp"
+#include "cli/options/render_options.hpp"
+
+namespace balcony::cli {
+
+/// "2/5" as a shard; nothing if it cannot be read.
+[[nodiscard]] std::optional<render::Shard> read_shard(std::string_view text);
+
+/// "picture.png.shard-2-of-5"
+[[nodiscard]] std::filesystem::path shard_file(const std::filesystem::path& picture,
+                                               const render::Shard& shard);
+
+/// What becomes of the merged film.
+struct MergedOutput {
+    std::filesystem::path picture;
+    std::optional<double> exposure;  ///< In stops; chosen automatically if empty.
+    render::ViewTransform view = render::ViewTransform::neutral;
+    bool dither = true;
+    std::optional<render::Denoiser> denoiser;
+};
+
+/// As the options of a render ask for it, as facts for a shard's file, and back. Facts that cannot
+/// be read have their default.
+[[nodiscard]] render::RenderFacts output_facts(const RenderOptions& options,
+                                               const std::filesystem::path& picture);
+[[nodiscard]] MergedOutput merged_output(const render::RenderFacts& facts);
+
+}  // namespace balcony::cli
