@@ -4,8 +4,10 @@
 #include "cli/shard_picture.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "cli/options/option_values.hpp"
+#include "cli/report/report.hpp"
 
 namespace balcony::cli {
 
@@ -53,6 +55,51 @@ MergedOutput merged_output(const render::RenderFacts& facts) {
         }
     }
     return output;
+}
+
+void check_shard(const RenderOptions& options, Diagnostics& diagnostics) {
+    if (options.job.shard.empty()) {
+        return;
+    }
+    if (options.output == "-" || options.watch) {
+        diagnostics.push_back(error(fmt::format("--shard and {} exclude each other",
+                                                options.watch ? "--watch" : "--output -"),
+                                    {}, "name a file for the picture that the shards make"));
+    }
+    if (options.exposure == "auto" && options.sampling.noise != "0") {
+        diagnostics.push_back(
+            error("--shard with --noise needs --exposure, as noise is relative to white", {},
+                  "add --exposure 0, or the one that a quick preview reports"));
+    }
+}
+
+RenderReport keep_shard(RenderReport outcome, const Request& request, const PictureOutput& output,
+                        PictureRun& run, const render::Summary& summary) {
+    const std::filesystem::path file = shard_file(output.file(), *request.job.shard);
+    const CheckpointFile& checkpoint = run.checkpoint();
+    if (summary.interrupted) {
+        outcome.sentence = checkpoint.is_used()
+                               ? fmt::format("interrupted; --resume continues from {}\n",
+                                             checkpoint.file().string())
+                               : std::string("interrupted before there was a checkpoint\n");
+        outcome.code = ExitCode::interrupted;
+        return outcome;
+    }
+    if (const Diagnostics found = run.save_shard(); has_errors(found)) {
+        add(outcome, found);
+        outcome.code = ExitCode::environment;
+        return outcome;
+    }
+    if (checkpoint.is_used()) {
+        checkpoint.remove();
+    }
+    outcome.facts["output"] = file.string();
+    outcome.facts["seconds"] = summary.seconds;
+    outcome.facts["rays"] = summary.camera_rays;
+    outcome.sentence =
+        fmt::format("{}: shard {} of {} in {}\n", file.string(), request.job.shard->index + 1,
+                    request.job.shard->count, duration_text(summary.seconds));
+    return outcome;
 }
 
 }  // namespace balcony::cli

@@ -13,6 +13,8 @@
 #include "balcony/film.hpp"
 #include "balcony/shard.hpp"
 #include "cli/options/render_options.hpp"
+#include "cli/picture_run.hpp"
+#include "cli/report/render_report.hpp"
 
 namespace balcony::cli {
 
@@ -37,5 +39,13 @@ struct MergedOutput {
 [[nodiscard]] render::RenderFacts output_facts(const RenderOptions& options,
                                                const std::filesystem::path& picture);
 [[nodiscard]] MergedOutput merged_output(const render::RenderFacts& facts);
+
+/// Rejects options that a shard cannot have.
+void check_shard(const RenderOptions& options, Diagnostics& diagnostics);
+
+/// The end of a render of one shard: writes its file.
+[[nodiscard]] RenderReport keep_shard(RenderReport outcome, const Request& request,
+                                      const PictureOutput& output, PictureRun& run,
+                                      const render::Summary& summary);
 
 }  // namespace balcony::cli

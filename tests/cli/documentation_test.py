@@ -85,7 +85,9 @@ class Documentation(support.CommandTest):
                 "rays": ("pinhole", "--size", "8", "-o", "r.npy"),
                 "stmap": ("pinhole", "--from", "panorama", "--size", "8", "-o", "st.exr"),
                 "warp": ("photo.png", "--from", "panorama", "--camera", "pinhole", "--size", "8",
-                         "-o", "w.png")}
+                         "-o", "w.png"),
+                "merge": ("m.png.shard-1-of-1",)}
+        self.run_command("render", "room.glb", "--size", "8", "--shard", "1/1", "-o", "m.png")
         for command, words in runs.items():
             (row,) = re.findall(rf"^\| `{command}` \| (.*) \|$", page, re.MULTILINE)
             document = self.json_of(command, *words)

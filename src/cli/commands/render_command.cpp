@@ -46,19 +46,6 @@ RenderReport fail(RenderReport outcome, ExitCode code, const Diagnostics& diagno
     return outcome;
 }
 
-/// Rejects an output file that is also an input, even under another name or through a link.
-Diagnostics check_inputs_kept(const std::vector<fs::path>& inputs, const PictureOutput& output) {
-    for (const fs::path& input : inputs) {
-        std::error_code failed;
-        if (fs::equivalent(input, output.file(), failed) && !failed) {
-            return {error(
-                fmt::format("'{}' is part of the scene and would be overwritten", output.name()),
-                {}, "name another picture with --output")};
-        }
-    }
-    return {};
-}
-
 bool has_samples(const render::Film& film) {
     return std::any_of(film.passes.begin(), film.passes.end(),
                        [](std::uint32_t count) { return count > 0; });
@@ -87,33 +74,6 @@ Request read_request(const RenderOptions& options, Diagnostics& diagnostics) {
 
 /// Tells whether the picture that is being rendered is of no use any more.
 using OutdatedTest = std::function<bool()>;
-
-/// The end of a render of one shard.
-RenderReport keep_shard(RenderReport outcome, const Request& request, const PictureOutput& output,
-                        PictureRun& run, const render::Summary& summary) {
-    const fs::path file = shard_file(output.file(), *request.job.shard);
-    const CheckpointFile& checkpoint = run.checkpoint();
-    if (summary.interrupted) {
-        outcome.sentence = checkpoint.is_used()
-                               ? fmt::format("interrupted; --resume continues from {}\n",
-                                             checkpoint.file().string())
-                               : std::string("interrupted before there was a checkpoint\n");
-        return fail(std::move(outcome), ExitCode::interrupted);
-    }
-    if (const Diagnostics found = run.save_shard(); has_errors(found)) {
-        return fail(std::move(outcome), ExitCode::environment, found);
-    }
-    if (checkpoint.is_used()) {
-        checkpoint.remove();
-    }
-    outcome.facts["output"] = file.string();
-    outcome.facts["seconds"] = summary.seconds;
-    outcome.facts["rays"] = summary.camera_rays;
-    outcome.sentence =
-        fmt::format("{}: shard {} of {} in {}\n", file.string(), request.job.shard->index + 1,
-                    request.job.shard->count, duration_text(summary.seconds));
-    return outcome;
-}
 
 /// Renders and writes. The first signal stops the rendering, but not the writing.
 RenderReport make_picture(RenderReport outcome, const RenderOptions& options,
@@ -221,8 +181,7 @@ RenderReport render_picture(const RenderOptions& options, Request request,
         !load(target.scene, request, picture.value, loaded, outcome)) {
         return fail(std::move(outcome), ExitCode::bad_input);
     }
-    if (const Diagnostics found = check_inputs_kept(loaded.files(), target.output);
-        has_errors(found)) {
+    if (const Diagnostics found = target.output.check_inputs(loaded.files()); has_errors(found)) {
         return fail(std::move(outcome), ExitCode::wrong_usage, found);
     }
     if (!of_file) {
@@ -388,16 +347,7 @@ ExitCode check_outputs(const RenderOptions& options, const std::vector<SceneOutp
         diagnostics.push_back(
             error("--watch shows one scene, but there are several", {}, "give one scene"));
     }
-    if (!options.job.shard.empty() && (options.output == "-" || options.watch)) {
-        diagnostics.push_back(error(fmt::format("--shard and {} exclude each other",
-                                                options.watch ? "--watch" : "--output -"),
-                                    {}, "name a file for the picture that the shards make"));
-    }
-    if (!options.job.shard.empty() && options.exposure == "auto" && options.sampling.noise != "0") {
-        diagnostics.push_back(
-            error("--shard with --noise needs --exposure, as noise is relative to white", {},
-                  "add --exposure 0, or the one that a quick preview reports"));
-    }
+    check_shard(options, diagnostics);
     if (has_errors(diagnostics)) {
         return ExitCode::wrong_usage;
     }

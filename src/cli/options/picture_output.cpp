@@ -79,6 +79,17 @@ ExitCode PictureOutput::check(Diagnostics& diagnostics) const {
                                                                        : ExitCode::wrong_usage;
 }
 
+Diagnostics PictureOutput::check_inputs(const std::vector<fs::path>& inputs) const {
+    for (const fs::path& input : inputs) {
+        std::error_code failed;
+        if (fs::equivalent(input, file_, failed) && !failed) {
+            return {error(fmt::format("'{}' is part of the scene and would be overwritten", name()),
+                          {}, "name another picture with --output")};
+        }
+    }
+    return {};
+}
+
 Diagnostics PictureOutput::write(const render::Film& film,
                                  const render::DisplayOptions& options) const {
     if (!is_stream()) {

@@ -31,6 +31,8 @@ public:
 
     /// Rejects what cannot be written, before rendering.
     [[nodiscard]] ExitCode check(Diagnostics& diagnostics) const;
+    /// Rejects a file that is also an input, even under another name or through a link.
+    [[nodiscard]] Diagnostics check_inputs(const std::vector<std::filesystem::path>& inputs) const;
     [[nodiscard]] Diagnostics write(const render::Film& film,
                                     const render::DisplayOptions& options) const;
 

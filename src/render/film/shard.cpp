@@ -228,12 +228,12 @@ bool read_part(SealedReader& input, Array& array, const std::vector<std::size_t>
     if (!size || (*size != 0 && *size != own->size() * sizeof(Element))) {
         return false;
     }
-    if (*size == 0) {
-        return true;
-    }
-    std::vector<Element> part(own->size());
+    std::vector<Element> part(*size / sizeof(Element));
     if (!input.read(std::as_writable_bytes(std::span(part)))) {
         return false;
+    }
+    if (part.empty()) {
+        return true;
     }
     if constexpr (requires { array.resize(all, zero<Element>()); }) {
         array.resize(all, zero<Element>());
