@@ -18,7 +18,7 @@ using scene::Color3f;
 using scene::MaterialIndex;
 using scene::MeshIndex;
 
-constexpr double sea_level = -9.0;
+constexpr double sea_level = -16.0;
 
 // One window with shutters on a wall of 3 by 3 metres.
 Color house_wall(const Sample& sample) {
@@ -63,12 +63,12 @@ public:
 private:
     static M44d town() {
         return M44d().setAxisAngle(V3d(0, 0, 1), 0.62) *
-               M44d().setTranslation(V3d(52.0, 42.0, sea_level));
+               M44d().setTranslation(V3d(84.0, 66.0, sea_level));
     }
 
     // How high the ground is behind the quay.
     static double ground(double away, double left) {
-        return 1.2 + away * 0.62 * std::exp(-std::pow((left - 6.0) / 48.0, 2.0));
+        return 1.2 + away * 0.5 * std::exp(-std::pow((left - 6.0) / 48.0, 2.0));
     }
 
     void add_sea_and_hills() {
@@ -108,8 +108,8 @@ private:
                                   .encoding = scene::TextureEncoding::srgb};
         windows.u_axis = scene::V2f(1.0F / 3.0F, 0.0F);
         windows.v_axis = scene::V2f(0.0F, 1.0F / 3.0F);
-        constexpr std::array<std::uint32_t, 6> colors{0xe8c08a, 0xf0dcb8, 0xd98f66,
-                                                      0xe6a98f, 0xf4ead6, 0xc9705a};
+        constexpr std::array<std::uint32_t, 6> colors{0xdfb478, 0xead3a8, 0xcf8a60,
+                                                      0xd99a80, 0xefe3cc, 0xb9664f};
         // Whole windows: walls of 2 to 4 of them, 2 to 4 storeys.
         std::vector<MeshIndex> houses;
         for (std::size_t i = 0; i < colors.size(); ++i) {
