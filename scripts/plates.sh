@@ -9,6 +9,8 @@
 #       scene    NAME [OPTION...]            what plates/build_scene writes
 #       camera   FILE[:NAME]                 default: camera.cam
 #       pinhole  FILE[:NAME]                 the ordinary view that its page compares with
+#       map      FILE:NAME                   the camera whose magnification its page shows, if the
+#                                            plate is a picture of several
 #       arrows   FILE[:NAME] [OPTION...]     adds a camera as balcony draw writes it to the scene
 #       povray   SCENE CAMERA [OPTION...]    the same through POV-Ray, on an original scene
 #       render   [--OPTION VALUE...]         options for balcony render, each with a value
@@ -33,6 +35,7 @@ plate_title() {
 plate_camera() {
     local camera
     camera=$(plate_value "$1" "${2:-camera}")
+    camera=${camera:-$(plate_value "$1" camera)}
     camera=${camera%% *}
     realpath --relative-to=. --canonicalize-missing "$1/${camera:-camera.cam}"
 }
