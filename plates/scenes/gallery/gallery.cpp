@@ -10,7 +10,6 @@
 
 #include "common/meshes.hpp"
 #include "common/scene_builder.hpp"
-#include "scenes/gallery/paintings.hpp"
 
 namespace balcony::plates {
 
@@ -18,6 +17,7 @@ namespace {
 
 using scene::Color3f;
 using scene::Light;
+using scene::Material;
 using scene::MaterialIndex;
 using scene::MeshIndex;
 using scene::Scene;
@@ -32,6 +32,8 @@ constexpr double pitch_y = 2.0 * room_half_y / steps_y;
 constexpr double pitch_z = 2.0 * room_half_z / steps_z;
 constexpr double cylinder_radius = 0.35;
 constexpr double box_chamfer = 0.14;
+constexpr double spot_distance = 24.0;  // Of the spot lights from their walls.
+constexpr double max_width_lit = 26.0;  // By one of them.
 
 // The squares of a parquet: four planks each, laid by turns along and across. One tile of it is
 // four squares wide and high and fits its own copies.
@@ -53,6 +55,11 @@ Color parquet(const Sample& sample) {
     return wood(shade + 0.14 * grain) * (0.45 + 0.55 * smooth_step(0.0, 0.035, to_joint));
 }
 
+// Something that faces down, from its middle.
+M44d upside_down(const V3d& middle) {
+    return {1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0, middle.x, middle.y, middle.z, 1};
+}
+
 class Gallery {
 public:
     explicit Gallery(const SceneOptions& options) : builder_("gallery", options) {}
@@ -64,16 +71,20 @@ public:
             for (const Hanging& hanging : hangings()) {
                 add_hanging(hanging, ++number);
             }
+            add_skylight();
         }
         add_grid();
-        add_lights();
+        int number = 0;
+        for (const Hanging& hanging : hangings()) {
+            add_spots(hanging, ++number);
+        }
         return std::move(builder_).finish();
     }
 
 private:
     // Walls, floor and ceiling.
     void add_shell() {
-        const MaterialIndex plaster = builder_.material("plaster", tint(0xf0e5d3), 0.95F);
+        const MaterialIndex plaster = builder_.material("plaster", tint(0xdccdb4), 0.95F);
         const MeshIndex long_wall =
             builder_.mesh("long wall", rectangle(2 * room_half_x, 2 * room_half_z), plaster);
         const MeshIndex short_wall =
@@ -86,7 +97,14 @@ private:
         constexpr int parquet_pixels = 320;
         const TextureIndex wood =
             builder_.texture("parquet", parquet_pixels, parquet_pixels, parquet);
-        const MaterialIndex boards = builder_.material("parquet", Color3f(1.0F), 0.6F, wood);
+        Material waxed;
+        waxed.name = "parquet";
+        waxed.base_color = Color3f(1.0F);
+        waxed.base_color_texture.index = wood;
+        waxed.roughness = 0.5F;
+        waxed.clearcoat = 0.6F;
+        waxed.clearcoat_roughness = 0.2F;
+        const MaterialIndex boards = builder_.material(waxed);
         const MeshIndex floor = builder_.mesh(
             "floor", rectangle(2 * room_half_x, 2 * room_half_y, steps_x / 2.0, steps_y / 2.0),
             boards);
@@ -95,16 +113,14 @@ private:
         const MaterialIndex white = builder_.material("ceiling", tint(0xdfd9cd), 0.95F);
         const MeshIndex ceiling =
             builder_.mesh("ceiling", rectangle(2 * room_half_x, 2 * room_half_y), white);
-        const M44d upside_down(1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0, 0, 0, room_half_z, 1);
-        builder_.place("ceiling", ceiling, upside_down);
+        builder_.place("ceiling", ceiling, upside_down(V3d(0, 0, room_half_z)));
     }
 
     void add_hanging(const Hanging& hanging, int number) {
         const std::string picture = fmt::format("picture {}", number);
         const std::string frame = fmt::format("frame {}", number);
-        const TextureIndex painted = builder_.texture(
-            hanging.title, hanging.pixels_x, hanging.pixels_y, hanging.painter, scene::Wrap::clamp);
-        const MaterialIndex canvas = builder_.material(picture, Color3f(1.0F), 0.9F, painted);
+        const MaterialIndex canvas =
+            builder_.material(picture, Color3f(1.0F), 0.7F, builder_.hung_picture(hanging.name));
         const MaterialIndex moulding = number % 2 == 0
                                            ? builder_.material(frame, tint(0x3a2a22), 0.5F)
                                            : builder_.material(frame, tint(0xc79a45), 0.4F);
@@ -121,7 +137,7 @@ private:
     }
 
     void add_grid() {
-        const MaterialIndex stone = builder_.material("terracotta", tint(0xb9653f), 0.85F);
+        const MaterialIndex stone = builder_.material("terracotta", tint(0xb9653f), 0.7F);
         const MaterialIndex iron = builder_.material("iron", tint(0x5a606b), 0.5F);
         box_ = builder_.mesh("box", chamfered_cube(box_size, box_chamfer), stone);
         const std::array<double, 3> pitch{pitch_x, pitch_y, pitch_z};
@@ -166,24 +182,38 @@ private:
                        M44d().setTranslation(middle));
     }
 
-    // Six points in a ring, slightly above the middle. Places and strengths were fitted so that the
-    // light on the walls varies little: in a picture's place a white sheet would have a radiance
-    // between 0.4 and 0.9, towards the corners of the room it falls to 0.2.
-    void add_lights() {
-        int number = 0;
-        const auto add = [&](const V3d& position, float candela) {
-            Light light;
-            light.name = fmt::format("light {}", ++number);
-            light.position = position;
-            light.intensity = Color3f(1.0F, 0.965F, 0.91F) * candela;
-            builder_.light(light);
-        };
-        for (const double x : {-1.0, 1.0}) {
-            for (const double y : {-1.0, 1.0}) {
-                add(V3d(31.0 * x, 11.5 * y, 5.0), 405.0F);
-            }
-            add(V3d(13.5 * x, 0.0, 2.5), 880.0F);
+    // Spot lights in the ceiling in front of a picture, two for a wide one. They aim below its
+    // middle, which is farther away, and their light fades out on the wall around.
+    void add_spots(const Hanging& hanging, int number) {
+        const M44d placed = room_from_wall(hanging.wall);
+        const int count = static_cast<int>(std::ceil(hanging.width / max_width_lit));
+        for (int k = 0; k < count; ++k) {
+            const double right = hanging.right + ((k + 0.5) / count - 0.5) * hanging.width;
+            const V3d aim = V3d(right, hanging.up - 0.3 * hanging.height, picture_offset) * placed;
+            Light spot;
+            spot.name = fmt::format("spot {} {}", number, k + 1);
+            spot.kind = scene::LightKind::spot;
+            spot.position = V3d(right, room_half_z - 0.5, spot_distance) * placed;
+            const V3d way = aim - spot.position;
+            spot.direction = way.normalized();
+            const double reach =
+                std::hypot(hanging.width / count, hanging.height) / 2.0 / way.length();
+            spot.inner_cone = static_cast<float>(std::atan(0.5 * reach));
+            spot.outer_cone = static_cast<float>(std::atan(2.1 * reach));
+            spot.intensity = Color3f(1.0F, 0.88F, 0.70F) * 3400.0F;
+            builder_.light(spot);
         }
+    }
+
+    // A pane in the middle of the ceiling with the light of an evening sky.
+    void add_skylight() {
+        Material pane;
+        pane.name = "skylight";
+        pane.base_color = Color3f(0.0F);
+        pane.emission = Color3f(3.6F, 3.9F, 4.5F);
+        const MeshIndex mesh =
+            builder_.mesh("skylight", rectangle(28, 18), builder_.material(pane));
+        builder_.place("skylight", mesh, upside_down(V3d(0, 0, room_half_z - 0.1)));
     }
 
     SceneBuilder builder_;
@@ -212,13 +242,13 @@ double half_length(Wall wall) {
 // The gaps between pictures stand before columns of the grid.
 const std::array<Hanging, 7>& hangings() {
     static const std::array<Hanging, 7> all{{
-        {"Mandelbrot set", Wall::y_plus, -25.0, 0.0, 18.4, 25.6, 690, 960, mandelbrot},
-        {"Rational function", Wall::y_plus, 0.0, 0.0, 24.0, 24.0, 800, 800, rational_function},
-        {"Whirlpool", Wall::y_plus, 25.0, 0.0, 18.4, 23.0, 736, 920, whirlpool},
-        {"Balcony", Wall::x_plus, 0.0, 0.0, 30.0, 24.0, 960, 768, poster},
-        {"Lake with red sun", Wall::y_minus, -14.7, 0.0, 39.0, 26.0, 1020, 680, woodcut},
-        {"Sunflower", Wall::y_minus, 21.7, 0.0, 25.0, 25.0, 800, 800, sunflower},
-        {"Spheres", Wall::x_minus, 0.0, 0.0, 30.0, 22.5, 960, 720, spheres},
+        {"candle_upright", Wall::y_plus, -25.0, 0.0, 18.4, 25.6},
+        {"town_parallel", Wall::y_plus, 0.0, 0.0, 24.0, 24.0},
+        {"plant", Wall::y_plus, 25.0, 0.0, 18.4, 23.0},
+        {"board_wide", Wall::x_plus, 0.0, 0.0, 30.0, 24.0},
+        {"harbour_wide", Wall::y_minus, -14.7, 0.0, 39.0, 26.0},
+        {"color_wheel", Wall::y_minus, 21.7, 0.0, 25.0, 25.0},
+        {"print_gallery_wide", Wall::x_minus, 0.0, 0.0, 30.0, 22.5},
     }};
     return all;
 }

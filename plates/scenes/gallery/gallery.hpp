@@ -13,7 +13,6 @@
 
 #include "balcony/base.hpp"
 #include "balcony/scene.hpp"
-#include "common/painting.hpp"
 #include "common/scene_options.hpp"
 
 namespace balcony::plates {
@@ -37,15 +36,12 @@ enum class Wall : std::uint8_t { y_plus, x_plus, y_minus, x_minus };
 
 /// Where a picture hangs and what it shows. The names of its nodes are "picture N" and "frame N".
 struct Hanging {
-    std::string title;
+    std::string name;  ///< Of the picture in plates/pictures.
     Wall wall;
     double right;  ///< Of its middle, from the middle of the wall.
     double up;     ///< Of its middle.
     double width;  ///< Without the frame.
     double height;
-    int pixels_x;
-    int pixels_y;
-    Color (*painter)(const Sample&);
 };
 
 /// Number 1 is the first. They go round the room from left to right.

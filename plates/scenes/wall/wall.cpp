@@ -34,13 +34,19 @@ constexpr double backdrop_distance = 9.0;
 // What hangs in the units, row by row. Warm colours are in the middle, around the candle, and cool
 // ones towards the corners.
 constexpr std::array<std::array<std::string_view, wall_units>, wall_units> hung{{
-    {"candle", "candle", "candle", "candle", "candle", "candle", "candle"},
-    {"candle", "candle", "candle", "candle", "candle", "candle", "candle"},
-    {"candle", "candle", "candle", "candle", "candle", "candle", "candle"},
-    {"candle", "candle", "candle", "candle", "candle", "candle", "candle"},
-    {"candle", "candle", "candle", "candle", "candle", "candle", "candle"},
-    {"candle", "candle", "candle", "candle", "candle", "candle", "candle"},
-    {"candle", "candle", "candle", "candle", "candle", "candle", "candle"},
+    {"town_dusk", "knot_inside", "wall_lines", "harbour_fisheye", "marbles_inside", "knot_dawn",
+     "town_night"},
+    {"plant_flower", "knot_around", "town_whirl", "checkmate", "knot_interest", "color_wheel",
+     "board_planet"},
+    {"marbles_inverted", "pawn_storm", "fruit_whirl", "flames", "town_parallel", "table_globe",
+     "knot_flower"},
+    {"knot_globe", "town_rosette", "marbles_red", "candle", "soft_rosette", "board_whirl",
+     "print_gallery"},
+    {"town_planet", "apples", "letter_s", "endgame", "marbles_gold", "town_swell", "soft_globe"},
+    {"board_swell", "board_well", "knot_bowl", "candle_ripples", "town_street", "knot_droste",
+     "plant_leaves"},
+    {"town_tunnel", "gallery_planet", "plant_planet", "corner_zoom", "gallery_swell", "knot_day",
+     "marbles_blue"},
 }};
 
 // (x, y, z) of a mesh go right along the wall, up, and towards the viewer.
@@ -144,7 +150,7 @@ private:
     void add_backdrop() {
         builder_.place("backdrop",
                        builder_.mesh("backdrop", rectangle(6000, 6000),
-                                     builder_.material("backdrop", tint(0x5d6f78), 0.95F)),
+                                     builder_.material("backdrop", tint(0x3d4c57), 0.95F)),
                        world_from_wall(0, 0, -backdrop_distance));
     }
 
