@@ -26,6 +26,11 @@ plate_value() {
     sed -n "s/[[:space:]]*#.*//; s/^$2[[:space:]]\{1,\}//p" "$1/plate"
 }
 
+# plate_size FOLDER: WIDTHxHEIGHT of its render options.
+plate_size() {
+    plate_value "$1" render | sed -n 's/.*--size \([0-9]\+x[0-9]\+\).*/\1/p'
+}
+
 # plate_title FOLDER: the heading of its README.
 plate_title() {
     sed -n 's/^# *//p;T;q' "$1/README.md"

@@ -26,8 +26,8 @@ scripts/plates 2 5 --quality good     # two of them, in their own size
 ```
 
 The page, `build/plates/index.html`, has larger pictures with a slider between the ordinary and the
-extended view, drawings of the cameras, and maps of the magnification. Each folder of
-[plates/](../plates) has a camera and the options of its render.
+extended view, drawings of the cameras, maps of the magnification, and the command line of each plate.
+Each folder of [plates/](../plates) has a camera and the options of its render.
 """
 
 

@@ -80,7 +80,8 @@ def section_html(plate, properties):
 <div class="figures">{aside_html(plate)}</div>
 <div>{property_html(properties)}
 {facts_html(plate)}
-<pre>{highlighted(plate.camera_text())}</pre></div>
+<pre>{highlighted(plate.camera_text())}</pre>
+<pre class="commands">{html.escape(chr(10).join(plate.commands()), quote=False)}</pre></div>
 </div>
 </section>"""
 

@@ -3,6 +3,7 @@
 """A plate as its folder describes it, with the files that scripts/plates makes of it."""
 
 import json
+import os
 import re
 from pathlib import Path
 
@@ -34,6 +35,26 @@ class Plate:
         camera = self.values.get("camera", "camera.cam").split(":")[0]
         text = (self.source / camera).read_text(encoding="utf-8")
         return re.sub(r"\A(// (Balcony:|SPDX).*\n)+", "", text).strip()
+
+    def camera(self, key="camera"):
+        """The camera of a key as the command line takes it."""
+        camera = self.values.get(key, "camera.cam").split()[0]
+        file, colon, name = camera.partition(":")
+        return os.path.relpath(self.source / file) + colon + name
+
+    def commands(self):
+        """The command lines that render the plate, in a folder with the programs in the path."""
+        scene, *options = self.values["scene"].split()
+        lines = [" ".join(["build_scene", scene, f"{scene}.glb", *options])]
+        add = ""
+        if "arrows" in self.values:
+            _, *drawing = self.values["arrows"].split()
+            lines.append(" ".join(["balcony draw", self.camera("arrows"), "--no-eye --no-toward",
+                                   "--no-frame", *drawing, "-o arrows.glb"]))
+            add = " --add arrows.glb"
+        lines.append(f"balcony render {scene}.glb --camera {self.camera()}{add} "
+                     f"{self.values['render']} -o plate-{self.name[:2]}.png")
+        return [re.sub(" +", " ", line) for line in lines]
 
     def facts(self):
         return json.loads((self.folder / self.file(".json")).read_text(encoding="utf-8"))

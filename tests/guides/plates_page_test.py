@@ -98,6 +98,11 @@ class PlatesPage(unittest.TestCase):
         self.assertIn('<span class="number">36</span><span class="unit">deg</span>', self.page)
         self.assertIn('<span class="comment">// All four walls', self.page)
 
+    def test_the_commands_are_those_of_the_plate(self):
+        self.assertIn("build_scene gallery gallery.glb --without-pictures-and-walls\n"
+                      "balcony render gallery.glb --camera plates/02-superelliptic/camera.cam",
+                      self.page)
+
     def test_fits_a_phone_and_a_desk(self):
         for width in (500, 1280):
             with self.subTest(width=width):
