@@ -6,6 +6,7 @@
 #include "balcony/denoise.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -179,6 +180,25 @@ TEST(Denoise, FollowsTheEdgesOfFeatures) {
             mean += film.sum[film.index(x, y)].r / (16.0 * (x >= 24 ? 0.8 : 0.2)) / rows;
         }
         EXPECT_NEAR(mean, 1.0, 4.0 * std::sqrt(1.0 / 3.0 / 16.0 / rows)) << x;
+    }
+}
+
+// A bright lamp of which some pixels see only a part: a linear fit by position would fall below
+// what is around it.
+TEST(Denoise, LeavesNoDarkEdgeAtALamp) {
+    Film film = film_with_step(0.0);
+    constexpr std::array samples_lit{0, 0, 1, 3, 6, 10, 13};  // Of 16, in neighbouring columns.
+    for (std::size_t y = 10; y < 22; ++y) {
+        for (std::size_t k = 0; k < samples_lit.size(); ++k) {
+            const std::size_t i = film.index(8 + k, y);
+            const double bright = samples_lit[k] * 5000.0;
+            film.sum[i] += Color4d(bright, bright, bright, 0.0);
+            film.sum_of_squares[i] += Color4d(bright, bright, bright, 0.0) * 5000.0;
+        }
+    }
+    ASSERT_TRUE(denoise(film, own));
+    for (std::size_t i = 0; i < film.sum.size(); ++i) {
+        ASSERT_GE(film.sum[i].r, 16.0 * 0.2 * 0.99) << i;
     }
 }
 

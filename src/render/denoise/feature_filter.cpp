@@ -221,9 +221,22 @@ private:
                      color_.values(2)[one.index]});
         }
         fit.solve();
+        // A linear function overshoots where the light has an edge that the features do not show,
+        // such as that of a lamp: below 0, even. The light is within that of the similar pixels.
+        std::array<float, 3> least, most;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const auto [low, high] = std::minmax_element(
+                neighbours_.begin(), neighbours_.end(),
+                [&](const Neighbour& a, const Neighbour& b) {
+                    return color_.values(c)[a.index] < color_.values(c)[b.index];
+                });
+            least[c] = color_.values(c)[low->index];
+            most[c] = color_.values(c)[high->index];
+        }
         for (const Neighbour& one : neighbours_) {
             for (std::size_t c = 0; c < 3; ++c) {
-                sums.values(c)[one.index] += one.weight * fit.value(one.terms, c);
+                sums.values(c)[one.index] +=
+                    one.weight * std::clamp(fit.value(one.terms, c), least[c], most[c]);
             }
             sums.values(3)[one.index] += one.weight;
         }
