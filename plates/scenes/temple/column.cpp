@@ -76,9 +76,9 @@ double hollow(const Fluting& fluting, double angle, double z) {
     const double across = 2.0 * (in - std::floor(in)) - 1.0;  // -1 to 1 over a flute and its fillet
     constexpr double half_width = 0.8;
     // The ends are round.
-    const double to_end = std::min(z - fluting.from, fluting.to - z) / 0.075;
-    const double width = half_width * std::sqrt(std::clamp(to_end * (2.0 - to_end), 0.0, 1.0));
-    const double depth = to_end >= 1.0 ? 1.0 : std::sqrt(std::max(to_end, 0.0));
+    const double to_end = std::clamp(std::min(z - fluting.from, fluting.to - z) / 0.075, 0.0, 1.0);
+    const double depth = std::sqrt(to_end * (2.0 - to_end));
+    const double width = half_width * depth;
     double below = 0.0;
     if (std::abs(across) < width) {
         const double s = across / width;

@@ -13,7 +13,7 @@
 namespace balcony::plates::temple {
 
 /// Where the land ends and the sky stands, in metres from the temple.
-inline constexpr double horizon = 25000.0;
+inline constexpr double horizon = 4000.0;
 
 /// Towards the sun, of length 1.
 [[nodiscard]] V3d sun_direction();

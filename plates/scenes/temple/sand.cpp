@@ -57,7 +57,7 @@ V2f ripple_coordinates(const V2d& at) {
 // Golden, and paler towards the horizon, as in dusty air.
 scene::Color4f sand_color(const V2d& at) {
     const double shade = 0.96 + 0.1 * fractal_noise(at / 7.0, 4, 197);
-    const double haze = std::sqrt(smooth_step(60.0, 6000.0, at.length()));
+    const double haze = std::sqrt(smooth_step(60.0, 4000.0, at.length()));
     const Color color = mix(Color(0.66, 0.45, 0.25) * shade, Color(0.72, 0.60, 0.48), haze);
     return {static_cast<float>(color.x), static_cast<float>(color.y), static_cast<float>(color.z),
             1.0F};
@@ -67,7 +67,7 @@ scene::Color4f sand_color(const V2d& at) {
 
 double sand_height(const V2d& at) {
     const double r = at.length();
-    const double sink = 1.0 - 0.75 * smooth_step(1500.0, 9000.0, r);
+    const double sink = 1.0 - 0.75 * smooth_step(1000.0, 4000.0, r);
     const double rise = smooth_step(32.0, 150.0, r);
     const double uneven = 0.2 * fractal_noise(at / 9.0, 3, 161) * smooth_step(12.0, 20.0, r) +
                           0.9 * smooth_step(17.0, 34.0, r) * (1.0 - rise) * dunes(at, 17.0, 165);
@@ -131,12 +131,12 @@ Color sand_ripples(const Sample& sample) {
         constexpr double waves = 26.0;
         const double wave = std::sin(2.0 * pi * (waves * p.x + 6.0 * bend));
         const double crest = std::pow(0.5 + 0.5 * wave, 1.5);
-        const double strength = 0.75 + 0.5 * tile_noise(p, 3, 2, 221);
+        const double strength = smooth_step(-0.35, 0.3, tile_noise(p, 3, 3, 221)) + 0.15;
         return strength * crest + 0.05 * tile_noise(p, 128, 2, 231);
     };
     const V2d p = (sample.point + V2d(1.0)) / 2.0;
     constexpr double step = 1.0 / 2048.0;
-    constexpr double steepness = 0.0062;  // The height of a crest as a fraction of the tile.
+    constexpr double steepness = 0.0038;  // The height of a crest as a fraction of the tile.
     const double dx = height(p + V2d(step, 0)) - height(p - V2d(step, 0));
     const double dy = height(p + V2d(0, step)) - height(p - V2d(0, step));
     const V3d normal =

@@ -17,7 +17,7 @@ using scene::V2f;
 using scene::V3f;
 using std::numbers::pi;
 
-constexpr double sun_elevation = 11.5 * pi / 180.0;
+constexpr double sun_elevation = 13.0 * pi / 180.0;
 constexpr double sun_azimuth = 205.0 * pi / 180.0;  // From the x axis, counter-clockwise.
 constexpr double sun_diameter = 0.7 * pi / 180.0;
 
@@ -32,16 +32,17 @@ Color clear_sky(const V3d& direction) {
     const double apart = std::acos(std::clamp(to_sun, -1.0, 1.0));
     Color color = mix(low, zenith, 1.0 - std::exp(-2.6 * up));
     color = mix(color, dust, (0.6 + 0.28 * to_sun) * std::exp(-up / 0.075));
-    const double halo = 0.26 * std::exp(-apart / 0.45) + 0.9 * std::exp(-apart / 0.09);
+    const double halo = 0.26 * std::exp(-apart / 0.45) + 0.8 * std::exp(-apart / 0.10) +
+                        2.0 * std::exp(-apart / 0.03);
     return color + Color(1.0, 0.76, 0.48) * halo * (0.6 + 0.4 * std::exp(-up / 0.3));
 }
 
-// How dense a layer of cloud is at a place of it, 0 to 1; places are in the unit of its height.
+// How thick a layer of cloud is at a place of it; places are in the unit of its height.
 double heaps(const V2d& at) {
     const V2d bent =
         at + 0.5 * V2d(fractal_noise(at * 0.9, 3, 301), fractal_noise(at * 0.9, 3, 311));
     const double cover = 0.5 * fractal_noise(at * 0.23, 2, 321);
-    return smooth_step(0.0, 0.36, fractal_noise(bent * 0.85, 6, 331) + cover);
+    return std::max(0.0, fractal_noise(bent * 0.85, 6, 331) + cover - 0.02);
 }
 
 double veils(const V2d& at) {
@@ -62,7 +63,7 @@ V2d on_layer(const V3d& direction, double curvature) {
 }
 
 Color sky(const V3d& direction) {
-    static const Color shade(0.25, 0.26, 0.32);
+    static const Color shade(0.30, 0.30, 0.345);
     static const Color lit(1.0, 0.82, 0.64);
     Color color = clear_sky(direction);
     const V3d sun = sun_direction();
@@ -74,15 +75,17 @@ Color sky(const V3d& direction) {
     color = mix(color, lit * (0.55 * forward), 0.42 * veil * fade);
 
     const V2d at = on_layer(direction, 0.09) * 0.9;
-    const double density = heaps(at);
-    if (density > 0.0) {
+    const double thickness = heaps(at);
+    if (thickness > 0.0) {
         // What lies between here and the sun takes its light away.
         const V2d towards = V2d(sun.x, sun.y).normalized();
         double between = 0.0;
         for (int k = 1; k <= 5; ++k) {
             between += heaps(at + towards * (0.11 * k));
         }
-        const double light = std::exp(-0.75 * between);
+        const double light =
+            std::exp(-1.1 * between) * (1.0 - 0.35 * smooth_step(0.2, 0.7, thickness));
+        const double density = 1.0 - std::exp(-5.0 * thickness);
         const double edge = (1.0 - density) * 0.35 * std::pow(to_sun, 3.0);
         const Color cloud = mix(shade, lit * forward * 0.95, 0.12 + 0.88 * light) + lit * edge;
         const double far = std::exp(-0.05 / std::max(direction.z, 1e-3));

@@ -60,9 +60,9 @@ void add_ruins(SceneBuilder& builder) {
                       M44d().setAxisAngle(V3d(0, 1, 0), tilt) *
                           M44d().setAxisAngle(V3d(0, 0, 1), turn) * M44d().setTranslation(at));
     };
-    lay("fallen drum 1", temple::fallen_drum(21, 1.7), V3d(-13.4, 12.6, 0.3), 0.6, 1.55);
-    lay("fallen drum 2", temple::fallen_drum(22, 1.2), V3d(-15.2, 13.6, 0.24), 2.2, 1.42);
-    lay("fallen capital", temple::capital(), V3d(-19.5, -1.5, 0.2), 0.4, 0.85);
+    lay("fallen drum 1", temple::fallen_drum(21, 1.7), V3d(-18.2, 10.2, 0.3), 1.0, 1.55);
+    lay("fallen drum 2", temple::fallen_drum(22, 1.2), V3d(-17.6, 13.6, 0.1), 1.9, 1.42);
+    lay("fallen capital", temple::capital(), V3d(-16.0, -2.2, 0.2), 0.4, 0.85);
 }
 
 void add_desert(SceneBuilder& builder) {
@@ -76,21 +76,20 @@ void add_desert(SceneBuilder& builder) {
                         TextureEncoding::linear, Sampling::centre);
     builder.place("sand", builder.mesh("sand", temple::sand(), builder.material(sand)));
 
+    // It shows its picture as it is. Paths find its light by themselves, as it is nearly even.
     Material sky;
     sky.name = "sky";
-    sky.base_color = scene::Color3f(0.0F);
-    sky.specular = 0.0F;
-    sky.emission = scene::Color3f(1.0F);
-    sky.emission_texture.index =
+    sky.base_color = scene::Color3f(1.0F);
+    sky.unlit = true;
+    sky.base_color_texture.index =
         builder.texture("sky", 2048, 512, temple::sky_picture, Wrap::repeat, TextureEncoding::srgb,
                         Sampling::centre);
     builder.place("sky", builder.mesh("sky", temple::sky_dome(), builder.material(sky)));
 
     Material sun;
     sun.name = "sun";
-    sun.base_color = scene::Color3f(0.0F);
-    sun.specular = 0.0F;
-    sun.emission = scene::Color3f(1.0F, 0.72F, 0.43F) * 7.5e4F;
+    sun.base_color = scene::Color3f(1.0F);
+    sun.emission = scene::Color3f(1.0F, 0.72F, 0.43F) * 9.5e4F;
     builder.place("sun", builder.mesh("sun", temple::sun_disc(), builder.material(sun)));
 }
 
