@@ -45,10 +45,10 @@ struct Hung {
 };
 
 constexpr std::array pictures{
-    Hung{"plant", CornerWall::left, 10.45, 2.7, 3.6, 0xb08a4a},
-    Hung{"plant", CornerWall::left, 6.45, 2.9, 3.4, 0x2b211b},
-    Hung{"plant", CornerWall::right, 6.45, 2.9, 3.4, 0x2b211b},
-    Hung{"plant", CornerWall::right, 10.45, 2.7, 3.6, 0xb08a4a},
+    Hung{"temple_star", CornerWall::left, 10.45, 2.8, 3.5, 0xb08a4a},
+    Hung{"street_planet", CornerWall::left, 6.45, 2.89, 3.4, 0x2b211b},
+    Hung{"tondo", CornerWall::right, 6.45, 2.89, 3.4, 0x2b211b},
+    Hung{"plant", CornerWall::right, 10.45, 2.8, 3.5, 0xb08a4a},
 };
 constexpr double frame_width = 0.28;
 
@@ -198,7 +198,7 @@ private:
         light.kind = scene::LightKind::spot;
         light.direction = (target - position).normalized();
         light.position = position + light.direction * 0.2;
-        light.intensity = Color3f(1.0F, 0.87F, 0.68F) * candela;
+        light.intensity = Color3f(1.0F, 0.92F, 0.8F) * candela;
         light.inner_cone = static_cast<float>(13.0 * std::numbers::pi / 180.0);
         light.outer_cone = static_cast<float>(37.0 * std::numbers::pi / 180.0);
         builder_.light(light);

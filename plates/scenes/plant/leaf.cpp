@@ -77,16 +77,16 @@ scene::Mesh leaf_stalk(const Leaf& leaf) {
             bent_line(leaf.pitch, stalk_bend / leaf.stalk_length, leaf.stalk_length * k / pieces);
         path.push_back(outward * (at.x + 0.06) + V3d(0, 0, at.y));
     }
-    // Under the blade, as its midrib.
-    for (int k = 1; k <= 6; ++k) {
-        const Frame frame = blade_frame(leaf, k / 10.0);
-        path.push_back(frame.origin - frame.up * 0.012);
+    // The end, under the blade.
+    for (const double part : {0.06, 0.16, 0.28}) {
+        const Frame frame = blade_frame(leaf, part);
+        path.push_back(frame.origin - frame.up * (0.02 + 0.05 * part));
     }
     return tube(path, 0.024, false, 8);
 }
 
 Color leaf_color(const Sample& sample) {
-    static const Gradient greens({0x16301b, 0x23502a, 0x39702f, 0x6d9a45});
+    static const Gradient greens({0x1d3d20, 0x2f6330, 0x4c8638, 0x86b04f});
     // The picture is twice as high as wide.
     const double across = 2.0 * sample.point.x;
     const double along = 0.5 + 0.5 * sample.point.y;

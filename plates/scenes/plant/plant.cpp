@@ -101,13 +101,13 @@ void add_pot(SceneBuilder& builder) {
 void add_leaves(SceneBuilder& builder) {
     const scene::TextureIndex colors = builder.texture("leaf", 384, 768, leaf_color);
     std::vector<MaterialIndex> blades;
-    for (const std::uint32_t shade : {0xffffffU, 0xe9f2c8U, 0xd2e0c0U}) {
+    for (const std::uint32_t shade : {0xffffffU, 0xf3f4b4U, 0xc4dcc4U}) {
         Material blade;
         blade.name = fmt::format("leaf {}", blades.size() + 1);
         blade.base_color = tint(shade);
         blade.base_color_texture.index = colors;
         blade.roughness = 0.42F;
-        blade.transmission = 0.22F;
+        blade.transmission = 0.28F;
         blades.push_back(builder.material(blade));
     }
     const auto stem = builder.material("stalk", tint(0x5b7a35), 0.5F);
