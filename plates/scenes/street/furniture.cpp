@@ -226,7 +226,7 @@ private:
     }
 
     void add_tram() {
-        const M44d placed = at(55.0, -1.75, 0.0, 0.0);
+        const M44d placed = at(55.0, 1.75, 0.0, 0.0);
         const auto put = [&](const char* name, const MeshBuilder& built, MaterialIndex material) {
             builder_.place(name, builder_.mesh(name, built.mesh(), material), placed);
         };

@@ -245,7 +245,7 @@ Stock make_stock(SceneBuilder& builder) {
     light.name = "lamplight";
     light.base_color = tint(0x3a2c1c);
     light.roughness = 0.1F;
-    light.emission = scene::Color3f(1.0F, 0.5F, 0.17F) * 5500.0F;
+    light.emission = scene::Color3f(1.0F, 0.38F, 0.07F) * 3600.0F;
     stock.lamplight = builder.material(light);
     return stock;
 }
