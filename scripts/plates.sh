@@ -95,22 +95,28 @@ render_plate() {
 }
 
 # render_hung_pictures [NAME...]: renders the pictures that hang in the scenes again, all of them
-# without a name. Rows of plates/pictures/list: NAME SCENE CAMERA [OPTION...]. The camera is a file
-# beside the list, perhaps with :NAME, or a built-in one.
+# without a name. Rows of plates/pictures/list: NAME SCENE [--OPTION] CAMERA [OPTION...]. The camera is
+# a file beside the list, perhaps with :NAME, or a built-in one.
 render_hung_pictures() {
-    local row words camera known=() name
-    while IFS= read -r row; do
-        read -ra words <<< "$row"
-        known+=("${words[0]}")
-        if [[ $# -gt 0 && " $* " != *" ${words[0]} "* ]]; then
+    local words scene camera known=() name
+    while read -ra words; do
+        name=${words[0]}
+        known+=("$name")
+        if [[ $# -gt 0 && " $* " != *" $name "* ]]; then
             continue
         fi
-        camera=${words[2]}
+        scene=("${words[1]}")
+        words=("${words[@]:2}")
+        while [[ ${words[0]} == --* ]]; do
+            scene+=("${words[0]}")
+            words=("${words[@]:1}")
+        done
+        camera=${words[0]}
         if [[ -e plates/pictures/${camera%%:*} ]]; then
             camera=plates/pictures/$camera
         fi
-        "$build/balcony" render "$(scene_file "${words[1]}")" --camera "$camera" \
-            -o "plates/pictures/${words[0]}.jpg" "${words[@]:3}"
+        "$build/balcony" render "$(scene_file "${scene[@]}")" --camera "$camera" \
+            -o "plates/pictures/$name.jpg" "${words[@]:1}"
     done < <(grep -v '^#' plates/pictures/list)
     for name in "$@"; do
         if [[ " ${known[*]} " != *" $name "* ]]; then
