@@ -167,8 +167,13 @@ private:
     void add_picture(const Hung& hung, int number) {
         const std::string picture = fmt::format("picture {}", number);
         const std::string frame = fmt::format("frame {}", number);
-        const auto canvas =
-            builder_.material(picture, Color3f(1.0F), 0.6F, builder_.hung_picture(hung.picture));
+        Material print;
+        print.name = picture;
+        print.base_color = Color3f(1.0F);
+        print.base_color_texture.index = builder_.hung_picture(hung.picture);
+        print.roughness = 0.8F;
+        print.specular = 0.4F;
+        const auto canvas = builder_.material(print);
         Material gilded;
         gilded.name = frame;
         gilded.base_color = tint(hung.frame);

@@ -100,18 +100,17 @@ void paint_palmettes(Drawing& drawing, double low, double high, int count, doubl
                            .offset = V2d((k + 0.5) * step, upright ? low : high)};
         constexpr int petals = 4;  // On either side of the middle one.
         for (int i = -petals; i <= petals; ++i) {
-            const double angle = i * 0.36;
-            const double length = 0.86 - 0.035 * i * i;
-            drawing.fill(placed(petal(angle, length, 0.052), at), vase_colors.slip);
+            const double length = 0.9 - 0.03 * i * i;
+            drawing.fill(placed(petal(0.34 * i, length, 0.075), at), vase_colors.slip);
         }
-        drawing.fill(placed(ellipse(V2d(0.0, 0.06), V2d(0.13, 0.12)), at), vase_colors.red);
+        drawing.fill(placed(ellipse(V2d(0.0, 0.1), V2d(0.14, 0.12)), at), vase_colors.red);
         for (const double mirrored : {-1.0, 1.0}) {
-            const std::array<V2d, 7> volute{V2d(0.0, -0.02), V2d(0.22, 0.0), V2d(0.36, 0.14),
-                                            V2d(0.3, 0.28),  V2d(0.2, 0.24), V2d(0.2, 0.14),
-                                            V2d(0.27, 0.13)};
-            const Path line_ =
-                placed(line(smooth_path(volute), 0.045), {.scale = V2d(mirrored, 1.0)});
-            drawing.fill(placed(line_, at), vase_colors.slip);
+            const std::array<V2d, 8> volute{V2d(0.0, -0.01), V2d(0.2, -0.01), V2d(0.36, 0.06),
+                                            V2d(0.4, 0.17),  V2d(0.33, 0.25), V2d(0.25, 0.2),
+                                            V2d(0.27, 0.13), V2d(0.32, 0.14)};
+            const Path curl =
+                placed(line(smooth_path(volute), 0.05), {.scale = V2d(mirrored, 1.0)});
+            drawing.fill(placed(curl, at), vase_colors.slip);
         }
     }
 }

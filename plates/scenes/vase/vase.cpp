@@ -135,7 +135,7 @@ private:
             "gloss", pixels_round / 4, pixels_high / 4,
             [&](const Sample& sample) {
                 const double light = drawing.at(place(sample)).x;
-                return Color(0.34 + 0.4 * smooth_step(0.02, 0.25, light));
+                return Color(0.3 + 0.45 * smooth_step(0.02, 0.25, light));
             },
             scene::Wrap::repeat, scene::TextureEncoding::linear);
         clay.roughness_texture.channel = 1;
@@ -143,7 +143,7 @@ private:
     }
 
     void add_black_parts() {
-        const auto slip = builder_.material("black slip", Color3f(vase_colors.slip), 0.34F);
+        const auto slip = builder_.material("black slip", Color3f(vase_colors.slip), 0.3F);
         const std::vector<V2d> foot{{0.0, 0.0},   {0.74, 0.0},  {0.78, 0.03},
                                     {0.78, 0.15}, {0.75, 0.2},  {0.6, 0.25},
                                     {0.5, 0.31},  {0.46, 0.36}, {0.46, 0.41}};
