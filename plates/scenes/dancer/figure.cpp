@@ -63,6 +63,9 @@ double pleats(double angle, double z) {
            0.003 * std::sin(36.0 * angle) * smooth_step(1.10, 1.16, z) * smooth_step(1.36, 1.28, z);
 }
 
+// The dress goes on a little below z = 0, inside the ground that the dancer stands on.
+constexpr double lowest = -0.02;
+
 double body(const V3d& p) {
     const Section s = section_at(p.z);
     const double x = (p.x - s.x) / s.across;
@@ -70,7 +73,7 @@ double body(const V3d& p) {
     const double r = std::sqrt(x * x + y * y);
     const double size = std::min(s.across, s.along);
     const double round = (r - 1.0 - pleats(std::atan2(y, x), p.z) * std::min(r, 1.5)) * size;
-    return std::max({round, -p.z, p.z - sections.back().z});
+    return std::max({round, lowest - p.z, p.z - sections.back().z});
 }
 
 double ellipsoid(const V3d& p, const V3d& center, const V3d& radii) {
@@ -112,20 +115,14 @@ double arm(const V3d& p, double side) {
     return d;
 }
 
-constexpr double bend = 0.05;
-
 double head(const V3d& p) {
     const V3d middle(0.018, -0.016, 1.685);
     // The face is narrower towards the chin.
-    double d = ellipsoid(p, middle + V3d(0, 0.006, 0.012), V3d(0.080, 0.096, 0.102));
-    d = smooth_min(d, ellipsoid(p, middle + V3d(0.0, -0.030, -0.048), V3d(0.049, 0.056, 0.072)),
-                   bend);
-    d = smooth_min(
-        d, limb(p, middle + V3d(0, -0.096, 0.005), middle + V3d(0, -0.104, -0.024), 0.006, 0.011),
-        0.03);
+    const double skull = ellipsoid(p, middle + V3d(0, 0.006, 0.012), V3d(0.080, 0.096, 0.102));
+    const double chin = ellipsoid(p, middle + V3d(0.0, -0.030, -0.048), V3d(0.049, 0.056, 0.072));
     // A knot of hair.
-    return smooth_min(d, ellipsoid(p, middle + V3d(0.0, 0.096, 0.050), V3d(0.050, 0.046, 0.048)),
-                      0.015);
+    const double knot = ellipsoid(p, middle + V3d(0.0, 0.096, 0.050), V3d(0.050, 0.046, 0.048));
+    return smooth_min(smooth_min(skull, chin, 0.05), knot, 0.015);
 }
 
 double figure(const V3d& p) {
@@ -151,7 +148,7 @@ double figure(const V3d& p) {
 }  // namespace
 
 Mesh dancer_figure(double cell) {
-    const Imath::Box3d box(V3d(-0.5, -0.5, -0.03), V3d(0.5, 0.62, 2.12));
+    const Imath::Box3d box(V3d(-0.5, -0.5, -0.05), V3d(0.5, 0.62, 2.12));
     return implicit_surface(figure, box, cell, 1.8);
 }
 
@@ -163,7 +160,7 @@ struct Reach {
     double z, inner, outer;
 };
 constexpr std::array reaches{
-    Reach{0.10, 0.05, 0.30}, Reach{0.30, 0.05, 0.41},   Reach{0.60, 0.05, 0.50},
+    Reach{0.07, 0.05, 0.19}, Reach{0.30, 0.05, 0.41},   Reach{0.60, 0.05, 0.50},
     Reach{0.90, 0.05, 0.55}, Reach{1.20, 0.05, 0.565},  Reach{1.45, 0.16, 0.54},
     Reach{1.65, 0.27, 0.47}, Reach{1.85, 0.245, 0.345}, Reach{2.00, 0.09, 0.12},
 };

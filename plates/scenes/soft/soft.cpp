@@ -44,8 +44,8 @@ Mesh bowl() {
 
 // Warm paper on the floor, which fades into the dark on its way up.
 Color bowl_color(const Sample& sample) {
-    static const Gradient rise({0xd2a46c, 0xd2a46c, 0xc4935f, 0x8a7a70, 0x555a60, 0x3b3f47,
-                                0x33363f, 0x30333c, 0x2e313a, 0x2c2f38});
+    static const Gradient rise({0xd2a46c, 0xd2a46c, 0xc4935f, 0x8a7668, 0x4c525c, 0x2b3442, 0x212b3a,
+                                0x1e2837, 0x1c2634, 0x1b2431});
     return rise(0.5 * (sample.point.y + 1.0) * 1.4);
 }
 
@@ -118,8 +118,8 @@ Result<scene::Scene> make_soft(const SceneOptions& options) {
              Color3f(1.0F, 0.80F, 0.58F) * 70.0F);
     add_lamp(builder, "fill light", V3d(-40, -122, 44), V3d(0, 0, 8), 22.0,
              Color3f(0.50F, 0.75F, 1.0F) * 12.0F);
-    add_glow(builder, "warm glow", 1.2, Color3f(1.0F, 0.55F, 0.14F) * 900e3F);
-    add_glow(builder, "cool glow", -1.2, Color3f(0.12F, 0.5F, 1.0F) * 700e3F);
+    add_glow(builder, "warm glow", 1.2, Color3f(1.0F, 0.50F, 0.12F) * 2400e3F);
+    add_glow(builder, "cool glow", -1.2, Color3f(0.10F, 0.5F, 1.0F) * 1000e3F);
     return std::move(builder).finish();
 }
 
