@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "measure/measure.hpp"
 #include "measure/property.hpp"
@@ -35,16 +34,12 @@ static V3d turned_back(const render::Film& film, std::size_t pixel) {
             std::cos(angle) * seen.y - std::sin(angle) * seen.x, seen.z};
 }
 
-// The pixels of an object, row by row.
-static std::vector<std::size_t> pixels_of(const render::Film& film, const std::string& object) {
-    const auto place = std::find(film.objects.begin(), film.objects.end(), object);
-    if (place == film.objects.end()) {
-        throw std::runtime_error("no object is named " + object);
-    }
-    const auto id = static_cast<std::uint32_t>(place - film.objects.begin()) + 1;
+// The pixels of the objects whose names begin alike, row by row.
+static std::vector<std::size_t> pixels_of(const render::Film& film, const std::string& begin) {
     std::vector<std::size_t> pixels;
     for (std::size_t pixel = 0; pixel < film.layers->object.size(); ++pixel) {
-        if (film.layers->object[pixel] == id) {
+        const std::uint32_t id = film.layers->object[pixel];
+        if (id != 0 && film.objects[id - 1].compare(0, begin.size(), begin) == 0) {
             pixels.push_back(pixel);
         }
     }
@@ -68,8 +63,8 @@ static std::size_t passes(const render::Film& film, const std::vector<std::size_
 
 // The dancer turns while the picture is read from its foot to its top. So what a row shows of the
 // golden edge of a veil, turned back by the angle of the row's time, is the edge of the veil that
-// stands still, within its radius of 0.01 and the thousandth of its size that moving things may be
-// off their path. Each turn, the edge of each veil passes once in front of her.
+// stands still: within its radius, and the way of 0.0075 that the outermost point of the edge goes
+// in the time of half a row. Each turn, the edge of each veil passes once in front of her.
 static Measurements measure_twist(Studio& studio, const Overrides& overrides) {
     const render::Film film = studio.look({.scene = "dancer",
                                            .camera = "17-fourth-dimension/camera.cam",
@@ -87,9 +82,9 @@ static Measurements measure_twist(Studio& studio, const Overrides& overrides) {
         }
         passed += passes(film, pixels);
     }
-    return {
-        {"distance of a veil's edge from its place at the time of the row", farthest, 0, 0.0125},
-        {"times that an edge passes in front of the dancer", passed, 2, 3}};
+    return {{"distance of a veil's edge from its place at the time of the row", farthest, 0,
+             dancer_edge_radius + 0.0075},
+            {"times that an edge passes in front of the dancer", passed, 2, 3}};
 }
 
 // Read at once, or at another speed.

@@ -3,8 +3,12 @@
 
 #include "scenes/dancer/dancer.hpp"
 
+#include <algorithm>
+#include <span>
 #include <string>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "common/meshes.hpp"
 #include "common/scene_builder.hpp"
@@ -46,6 +50,20 @@ void add_panel(SceneBuilder& builder, const char* name, const V3d& from, const V
         M44d(x.x, x.y, x.z, 0, y.x, y.y, y.z, 0, z.x, z.y, z.z, 0, from.x, from.y, from.z, 1));
 }
 
+// The golden edge of a veil, in short pieces: the smaller a mesh, the finer the steps in which its
+// movement is traced, and the rounder the line that it draws in the picture.
+void add_edge(SceneBuilder& builder, const std::string& name, const std::vector<V3d>& path,
+              scene::NodeIndex table, scene::MaterialIndex material) {
+    constexpr std::size_t points = 12;
+    int number = 0;
+    for (std::size_t first = 0; first + 1 < path.size(); first += points) {
+        const std::size_t count = std::min(points + 1, path.size() - first);
+        const std::string piece = fmt::format("{} {}", name, ++number);
+        const scene::Mesh mesh = tube(std::span(path).subspan(first, count), dancer_edge_radius);
+        builder.place_on(table, piece, builder.mesh(piece, mesh, material));
+    }
+}
+
 }  // namespace
 
 Result<scene::Scene> make_dancer(const SceneOptions& options) {
@@ -74,12 +92,11 @@ Result<scene::Scene> make_dancer(const SceneOptions& options) {
     for (const double side : {-1.0, 1.0}) {
         const std::string end = side < 0.0 ? " left" : " right";
         builder.place_on(table, "veil" + end, builder.mesh("veil" + end, dancer_veil(side), veil));
-        builder.place_on(table, "edge" + end,
-                         builder.mesh("edge" + end, tube(dancer_veil_edge(side), 0.010), golden));
+        add_edge(builder, "edge" + end, dancer_veil_edge(side), table, golden);
     }
     add_plinth(builder);
 
-    const scene::MaterialIndex wall = builder.material("wall", tint(0x3d4a52), 0.9F);
+    const scene::MaterialIndex wall = builder.material("wall", tint(0x323d45), 0.9F);
     const M44d upright(1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 2.6, 2.0, 1);
     builder.place("wall", builder.mesh("wall", rectangle(14, 8), wall), upright);
 
@@ -88,8 +105,8 @@ Result<scene::Scene> make_dancer(const SceneOptions& options) {
     glow.kind = scene::LightKind::spot;
     glow.position = V3d(0, 0.6, 0.2);
     glow.direction = V3d(0, 1, 0.55).normalized();
-    glow.intensity = Color3f(0.45F, 0.75F, 0.85F) * 9.0F;
-    glow.outer_cone = 1.1F;
+    glow.intensity = Color3f(0.45F, 0.75F, 0.85F) * 16.0F;
+    glow.outer_cone = 0.95F;
     builder.light(glow);
 
     add_panel(builder, "key light", V3d(-2.6, -2.2, 2.9), V3d(0, 0, 1.1), 1.4, 2.2,

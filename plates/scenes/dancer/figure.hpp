@@ -17,6 +17,7 @@ using Imath::V3d;
 
 /// The veil that hangs from an arm: -1 is at -x, 1 at x.
 [[nodiscard]] scene::Mesh dancer_veil(double side);
+inline constexpr double dancer_edge_radius = 0.01;  ///< Of the gold.
 /// Its hem, and from there its outer edge up to the hand.
 [[nodiscard]] std::vector<V3d> dancer_veil_edge(double side);
 
