@@ -190,9 +190,14 @@ TEST(Path, AnUnlitSurfaceShowsItsColorAndReflectsNothing) {
     shown.unlit = true;
     add(scene, wall(0.0F, 10.0F), shown);
     scene.lights = {lamp_at(0.0, 0.0, 0.5)};
+    shown.roughness = 0.0F;
     Request asked = traced(2, 2, 4);
-    const Film film = render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)), asked).film;
-    EXPECT_FLOAT_EQ(film.pixel(0, 0).g, 0.3F);
+    for (const char* integrator : {"path", "direct", "preview"}) {
+        asked.integrator = integrator;
+        // From the side, where a preview would darken it.
+        const Film film = render(scene, pinhole(view_down_z(0.0, 0.0, 1.2)), asked).film;
+        EXPECT_FLOAT_EQ(film.pixel(0, 0).g, 0.3F) << integrator;
+    }
 }
 
 TEST(Path, ClampedIndirectLightIsDarkerAndDirectLightIsNot) {

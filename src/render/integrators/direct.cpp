@@ -37,6 +37,9 @@ public:
 
 private:
     [[nodiscard]] Shaded shade(const Ray& ray, const Interaction& at) const override {
+        if (at.appearance.unlit) {
+            return {at.appearance.base_color, Color3f(0.0F), Color3f(0.0F)};
+        }
         // A facet of a coarse mesh that faces away from a light is lit if the smooth surface is:
         // the shadow ray decides.
         const Bsdf bsdf = bsdf_at(at, at.surface.normal);
@@ -68,7 +71,8 @@ private:
 
     [[nodiscard]] std::optional<Branch> reflect(const Branch& arriving, const Color3f& weight,
                                                 const Interaction& at) const override {
-        if (!is_mirror(at.appearance) || arriving.reflections >= settings().mirror_depth) {
+        if (!is_mirror(at.appearance) || at.appearance.unlit ||
+            arriving.reflections >= settings().mirror_depth) {
             return std::nullopt;
         }
         const auto sample =
@@ -93,7 +97,8 @@ private:
 }  // namespace
 
 bool may_be_mirror(const scene::Material& material) {
-    return material.roughness < mirror_roughness || material.roughness_texture.valid();
+    return !material.unlit &&
+           (material.roughness < mirror_roughness || material.roughness_texture.valid());
 }
 
 std::unique_ptr<Integrator> make_direct(const TracedScene& traced, const Settings& settings) {

@@ -116,11 +116,17 @@ private:
     }
 
     static Color3f radiance(const Appearance& appearance, const V3f& normal, const V3f& direction) {
+        if (appearance.unlit) {
+            return appearance.base_color;
+        }
         return appearance.emission + std::abs(normal.dot(direction)) * appearance.base_color;
     }
     static Color4f opaque(const Color3f& color) { return {color.x, color.y, color.z, 1.0F}; }
 
     [[nodiscard]] Shaded shade(const Ray& ray, const Interaction& at) const override {
+        if (at.appearance.unlit) {
+            return {at.appearance.base_color, Color3f(0.0F), Color3f(0.0F)};
+        }
         const float cosine = std::abs(at.surface.normal.dot(ray.direction));
         return {at.appearance.emission, Color3f(0.0F), cosine * at.appearance.base_color};
     }
