@@ -20,7 +20,7 @@ using scene::V2f;
 using scene::V3f;
 using std::numbers::pi;
 
-const V2d wind(std::cos(2.7), std::sin(2.7));  // Blows this way.
+const V2d wind(std::cos(0.2), std::sin(0.2));  // Blows this way.
 
 // One train of dunes: a long slope to windward, a short steep one to leeward.
 double dunes(const V2d& at, double length, std::uint32_t seed) {

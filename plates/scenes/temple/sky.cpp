@@ -24,8 +24,8 @@ constexpr double sun_diameter = 0.7 * pi / 180.0;
 // The clear sky of a late afternoon: blue above, pale and warm at the horizon, bright about the
 // sun.
 Color clear_sky(const V3d& direction) {
-    static const Color zenith(0.042, 0.10, 0.235);
-    static const Color low(0.33, 0.38, 0.44);
+    static const Color zenith(0.036, 0.10, 0.26);
+    static const Color low(0.32, 0.40, 0.50);
     static const Color dust(0.80, 0.56, 0.36);
     const double up = std::max(direction.z, 0.0);
     const double to_sun = direction.dot(sun_direction());
@@ -63,7 +63,7 @@ V2d on_layer(const V3d& direction, double curvature) {
 }
 
 Color sky(const V3d& direction) {
-    static const Color shade(0.30, 0.30, 0.345);
+    static const Color shade(0.38, 0.375, 0.41);
     static const Color lit(1.0, 0.82, 0.64);
     Color color = clear_sky(direction);
     const V3d sun = sun_direction();
