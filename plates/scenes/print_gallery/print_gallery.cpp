@@ -11,7 +11,6 @@
 
 #include "common/mesh_builder.hpp"
 #include "common/meshes.hpp"
-#include "scenes/gallery/paintings.hpp"
 #include "scenes/print_gallery/parts.hpp"
 
 namespace balcony::plates {
@@ -67,8 +66,7 @@ Color wood(const Sample& sample) {
 }
 
 struct Hung {
-    const char* title;  ///< Of a picture in plates/pictures if there is no painter.
-    Painter painter;
+    const char* name;  // Of the picture in plates/pictures.
     double width;
     double height;
     bool on_end_wall;
@@ -300,28 +298,23 @@ private:
 
     void add_pictures() {
         const std::array<Hung, 11> all{{
-            {"plant", {}, 0.56, 0.7, true, 1.55, 1.97, 0.0},
-            {"street_walker", {}, 0.84, 0.56, true, -0.96, 2.06, 0.0},
-            {"Sunflower", sunflower, 0.42, 0.42, true, -0.72, 1.39, 0.06},
-            {"Whirlpool", whirlpool, 0.34, 0.43, true, -1.3, 1.4, 0.06},
-            {"candle", {}, 0.62, 0.62, true, 0.2, 2.78, 0.0},
-            {"both_sides", {}, 1.1, 0.52, true, -0.98, 2.86, 0.0},
-            {"Spheres", spheres, 0.8, 0.6, true, -1.98, 2.1, 0.0},
-            {"plant", {}, 0.72, 0.9, false, 5.9, 1.95, 0.1},
-            {"Whirlpool at the wall", whirlpool, 0.88, 1.1, false, 4.3, 1.95, 0.1},
-            {"both_sides", {}, 1.5, 0.71, false, 2.6, 1.95, 0.1},
-            {"candle", {}, 0.9, 0.9, false, 0.9, 1.95, 0.1},
+            {"plant", 0.56, 0.7, true, 1.55, 1.97, 0.0},
+            {"street_walker", 0.84, 0.56, true, -0.96, 2.06, 0.0},
+            {"town_parallel", 0.42, 0.42, true, -0.72, 1.39, 0.06},
+            {"plant", 0.344, 0.43, true, -1.3, 1.4, 0.06},
+            {"candle", 0.62, 0.62, true, 0.2, 2.78, 0.0},
+            {"both_sides", 1.1, 0.52, true, -0.98, 2.86, 0.0},
+            {"town_swell", 0.6, 0.6, true, -1.98, 2.1, 0.0},
+            {"plant", 0.72, 0.9, false, 5.9, 1.95, 0.1},
+            {"candle_upright", 0.79, 1.1, false, 4.3, 1.95, 0.1},
+            {"both_sides", 1.5, 0.71, false, 2.6, 1.95, 0.1},
+            {"candle", 0.9, 0.9, false, 0.9, 1.95, 0.1},
         }};
         int number = 0;
         for (const Hung& picture : all) {
             ++number;
             const std::string name = fmt::format("picture {}", number);
-            const double ratio = picture.width / picture.height;
-            const scene::TextureIndex painted =
-                picture.painter
-                    ? builder_.texture(picture.title, static_cast<int>(std::lround(320 * ratio)),
-                                       320, picture.painter, scene::Wrap::clamp)
-                    : builder_.hung_picture(picture.title);
+            const scene::TextureIndex painted = builder_.hung_picture(picture.name);
             const M44d placed = hung(picture.on_end_wall, picture.along, picture.up, 0.02);
             builder_.place(name,
                            builder_.mesh(name, rectangle(picture.width, picture.height),

@@ -34,18 +34,18 @@ constexpr double backdrop_distance = 9.0;
 // What hangs in the units, row by row. Warm colours are in the middle, around the candle, and cool
 // ones towards the corners.
 constexpr std::array<std::array<std::string_view, wall_units>, wall_units> hung{{
-    {"town_dusk", "knot_inside", "wall_lines", "harbour_fisheye", "marbles_inside", "knot_dawn",
-     "town_night"},
+    {"temple_planet", "knot_inside", "street_tram", "harbour_fisheye", "marbles_inside",
+     "knot_dawn", "town_night"},
     {"plant_flower", "knot_around", "town_whirl", "checkmate", "knot_interest", "color_wheel",
      "board_planet"},
     {"marbles_inverted", "pawn_storm", "fruit_whirl", "flames", "town_parallel", "table_globe",
      "knot_flower"},
     {"knot_globe", "town_rosette", "marbles_red", "candle", "soft_rosette", "board_whirl",
      "print_gallery"},
-    {"town_planet", "apples", "letter_s", "endgame", "marbles_gold", "town_swell", "soft_globe"},
-    {"board_swell", "board_well", "knot_bowl", "candle_ripples", "town_street", "knot_droste",
+    {"temple_sides", "apples", "letter_s", "endgame", "marbles_gold", "town_swell", "dancer"},
+    {"board_swell", "board_well", "knot_bowl", "temple_flight", "town_street", "knot_droste",
      "plant_leaves"},
-    {"town_tunnel", "gallery_planet", "plant_planet", "corner_zoom", "gallery_swell", "knot_day",
+    {"town_tunnel", "gallery_planet", "tram_planet", "corner_zoom", "gallery_swell", "knot_day",
      "marbles_blue"},
 }};
 
@@ -108,10 +108,15 @@ private:
                                    world_from_wall(right, up, front));
                 };
                 const std::string name(hung[std::size_t(row)][std::size_t(column)]);
-                const MaterialIndex canvas =
-                    builder_.material(name, Color3f(1.0F), 0.7F, builder_.hung_picture(name));
+                Material canvas;
+                canvas.name = name;
+                canvas.base_color = Color3f(1.0F);
+                canvas.base_color_texture.index = builder_.hung_picture(name);
+                canvas.roughness = 0.7F;
+                canvas.specular = 0.3F;
+                const MeshIndex picture = builder_.mesh(name, sheet, builder_.material(canvas));
                 place("wall", piece, 0.0);
-                place("picture", builder_.mesh(name, sheet, canvas), picture_front);
+                place("picture", picture, picture_front);
                 place("frame", frames[std::size_t((row + 2 * column) % 4)], picture_front);
             }
         }
