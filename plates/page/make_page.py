@@ -64,11 +64,21 @@ def facts_html(plate):
 
 def aside_html(plate):
     figures = [("-camera.svg", "The camera: where its rays start, and where they go"),
-               ("-map.png", "Magnification: bright where things appear large"),
-               ("-povray.png", "The original scene through the same camera in POV-Ray")]
+               ("-map.png", "Magnification: bright where things appear large")]
     return "".join(f'<figure><img loading="lazy" src="{plate.name}{ending}" alt="">'
                    f"<figcaption>{caption}</figcaption></figure>"
                    for ending, caption in figures if plate.file(ending))
+
+
+def povray_html(plate):
+    """Beside each other: the plate, and POV-Ray's own scene through the same camera."""
+    if not plate.file("-povray.png"):
+        return ""
+    figures = [(".png", "Balcony, with its own scene"),
+               ("-povray.png", "POV-Ray, with the original scene, through the same camera")]
+    return '<div class="pair">' + "".join(
+        f'<figure><img loading="lazy" src="{plate.name}{ending}" alt="">'
+        f"<figcaption>{caption}</figcaption></figure>" for ending, caption in figures) + "</div>"
 
 
 def section_html(plate, properties):
@@ -76,7 +86,7 @@ def section_html(plate, properties):
 <h2>{escape(plate.title)}</h2>
 {picture_html(plate)}
 <p>{escape(plate.paragraph)}</p>
-<div class="details">
+{povray_html(plate)}<div class="details">
 <div class="figures">{aside_html(plate)}</div>
 <div>{property_html(properties)}
 {facts_html(plate)}
