@@ -39,13 +39,14 @@ Mesh bowl() {
     add_quarter(V2d(floor_radius, cove), cove, -right_angle);
     profile.pop_back();
     add_quarter(V2d(0.0, cove), dome, 0.0);
+    profile.back().x = 0.0;
     return lathe(profile, 96);
 }
 
 // Warm paper on the floor, which fades into the dark on its way up.
 Color bowl_color(const Sample& sample) {
-    static const Gradient rise({0xd2a46c, 0xd2a46c, 0xc4935f, 0x8a7668, 0x4c525c, 0x2b3442, 0x212b3a,
-                                0x1e2837, 0x1c2634, 0x1b2431});
+    static const Gradient rise({0xd2a46c, 0xd2a46c, 0xc4935f, 0x8a7668, 0x4c525c, 0x2b3442,
+                                0x212b3a, 0x1e2837, 0x1c2634, 0x1b2431});
     return rise(0.5 * (sample.point.y + 1.0) * 1.4);
 }
 
