@@ -6,7 +6,6 @@
 
 #include <tbb/parallel_for.h>
 
-#include "common/mouldings.hpp"
 #include "scenes/temple/desert.hpp"
 #include "scenes/temple/dimensions.hpp"
 #include "scenes/temple/marble.hpp"

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "common/mouldings.hpp"
 #include "scenes/temple/desert.hpp"
 
 namespace balcony::plates::temple {
