@@ -101,8 +101,9 @@ public:
 
 private:
     void add_walls() {
-        const auto paint = builder_.material("plaster", Color3f(1.0F), 0.9F,
-                                             builder_.texture("plaster", 512, 512, plaster));
+        const auto paint =
+            builder_.material("plaster", Color3f(1.0F), 0.9F,
+                              builder_.texture("plaster", 512, 512, plaster, scene::Wrap::mirror));
         const auto oak = builder_.material("oak", Color3f(1.0F), 0.35F,
                                            builder_.texture("oak", 1024, 1024, herringbone));
         const auto white = builder_.material("ceiling", tint(0xd8d4cb), 0.9F);

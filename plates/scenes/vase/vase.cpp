@@ -139,6 +139,7 @@ private:
             },
             scene::Wrap::repeat, scene::TextureEncoding::linear);
         clay.roughness_texture.channel = 1;
+        clay.specular = 0.5F;
         builder_.place("vase", builder_.mesh("vase", lathe(outline, 192), builder_.material(clay)));
     }
 
@@ -166,7 +167,7 @@ private:
 
     // The visitor stands on the side of -x.
     void add_surroundings() {
-        const auto stone = builder_.material("plinth", tint(0x4a4540), 0.4F);
+        const auto stone = builder_.material("plinth", tint(0x2f2b28), 0.4F);
         builder_.place(
             "plinth", builder_.mesh("plinth", chamfered_cube(1.0, 0.01), stone),
             M44d().setScale(V3d(7.0, 60.0, 8.0)) * M44d().setTranslation(V3d(0.5, 0, -4.0)));
