@@ -118,7 +118,7 @@ Result<scene::Scene> make_soft(const SceneOptions& options) {
     add_lamp(builder, "key light", V3d(10, 130, 62), V3d(0, 0, 8), 17.0,
              Color3f(1.0F, 0.80F, 0.58F) * 70.0F);
     add_lamp(builder, "fill light", V3d(-40, -122, 44), V3d(0, 0, 8), 22.0,
-             Color3f(0.50F, 0.75F, 1.0F) * 12.0F);
+             Color3f(0.55F, 0.77F, 1.0F) * 17.0F);
     add_glow(builder, "warm glow", 1.2, Color3f(1.0F, 0.50F, 0.12F) * 2400e3F);
     add_glow(builder, "cool glow", -1.2, Color3f(0.10F, 0.5F, 1.0F) * 1000e3F);
     return std::move(builder).finish();
