@@ -28,7 +28,7 @@ using scene::testing::elements_of;
 using scene::testing::GlbFile;
 using scene::testing::read_glb;
 
-// Small paintings: all else does not depend on their size.
+// Small textures: all else does not depend on their size.
 constexpr double small = 0.04;
 
 std::vector<std::uint8_t> gallery_bytes(bool pictures_and_walls) {

@@ -162,7 +162,7 @@ private:
     // A warm window high on the left, so low above the wall that cylinders throw long shadows, and
     // a cooler and weaker one on the right.
     void add_lights() {
-        add_window("window", V3d(150, -210, 220), 60, Color3f(250.0F, 208.0F, 158.0F));
+        add_window("window", V3d(150, -210, 220), 60, Color3f(215.0F, 180.0F, 138.0F));
         add_window("far window", V3d(320, 330, 60), 160, Color3f(5.0F, 6.2F, 8.0F));
     }
 
