@@ -22,13 +22,12 @@ static double distance_to(const std::vector<V3d>& path, const V3d& point) {
 }
 
 constexpr double expected_turns = 1.5;
-constexpr double expected_first = 1.83;
 
 // A place of the dancer that a row of the picture shows, where it is while she stands still.
 static V3d turned_back(const render::Film& film, std::size_t pixel) {
     const double y =
         (static_cast<double>(pixel / film.width) + 0.5) / static_cast<double>(film.height);
-    const double angle = 2.0 * std::numbers::pi * (expected_first + expected_turns * (1.0 - y));
+    const double angle = dancer_start + 2.0 * std::numbers::pi * expected_turns * (1.0 - y);
     const V3d seen(film.layers->position[pixel]);
     return {std::cos(angle) * seen.x + std::sin(angle) * seen.y,
             std::cos(angle) * seen.y - std::sin(angle) * seen.x, seen.z};
@@ -63,8 +62,9 @@ static std::size_t passes(const render::Film& film, const std::vector<std::size_
 
 // The dancer turns while the picture is read from its foot to its top. So what a row shows of the
 // golden edge of a veil, turned back by the angle of the row's time, is the edge of the veil that
-// stands still: within its radius, and the way of 0.0075 that the outermost point of the edge goes
-// in the time of half a row. Each turn, the edge of each veil passes once in front of her.
+// stands still: within its radius, and the 0.0004 that the outermost point is off its circle
+// in the middle of one of the 128 steps of its movement. Each turn, the edge of each veil passes
+// once in front of her.
 static Measurements measure_twist(Studio& studio, const Overrides& overrides) {
     const render::Film film = studio.look({.scene = "dancer",
                                            .camera = "17-fourth-dimension/camera.cam",
@@ -83,7 +83,7 @@ static Measurements measure_twist(Studio& studio, const Overrides& overrides) {
         passed += passes(film, pixels);
     }
     return {{"distance of a veil's edge from its place at the time of the row", farthest, 0,
-             dancer_edge_radius + 0.0075},
+             dancer_edge_radius + 0.0005},
             {"times that an edge passes in front of the dancer", passed, 2, 3}};
 }
 

@@ -79,12 +79,13 @@ void SceneBuilder::place(std::string name, scene::MeshIndex mesh, const M44d& wo
     scene_.objects.push_back({std::move(name)});
 }
 
-scene::NodeIndex SceneBuilder::turntable(const V3d& place, double seconds, int turns) {
+scene::NodeIndex SceneBuilder::turntable(const V3d& place, double seconds, int turns,
+                                         double start) {
     // A key for each quarter of a turn, since a rotation takes the shorter way to the next.
     scene::Track track;
     track.width = 4;
     for (int quarter = 0; quarter <= 4 * turns; ++quarter) {
-        const double half_angle = 0.25 * std::numbers::pi * quarter;
+        const double half_angle = 0.5 * start + 0.25 * std::numbers::pi * quarter;
         track.times.push_back(0.25 * seconds * quarter);
         track.values.insert(track.values.end(),
                             {0.0F, 0.0F, static_cast<float>(std::sin(half_angle)),

@@ -45,8 +45,8 @@ public:
     /// An object: a mesh with a name of its own, placed in the world.
     void place(std::string name, scene::MeshIndex mesh, const M44d& world_from_mesh = M44d());
     /// A disc, not visible, that turns counterclockwise about the z axis through a place: a number
-    /// of turns from time 0, each in the given seconds.
-    scene::NodeIndex turntable(const V3d& place, double seconds, int turns);
+    /// of turns from time 0, each in the given seconds. It starts at an angle, in radians.
+    scene::NodeIndex turntable(const V3d& place, double seconds, int turns, double start);
     /// An object that turns with it; its mesh has the turntable's place as its origin.
     void place_on(scene::NodeIndex turntable, std::string name, scene::MeshIndex mesh);
     void light(scene::Light light);

@@ -87,7 +87,7 @@ Result<scene::Scene> make_dancer(const SceneOptions& options) {
     silk.base_color = tint(0xe9e2d6);
     silk.roughness = 0.55F;
     const scene::MaterialIndex veil = builder.material(silk);
-    const scene::NodeIndex table = builder.turntable(V3d(0.0), 1.0, 8);
+    const scene::NodeIndex table = builder.turntable(V3d(0.0), 1.0, 2, dancer_start);
     builder.place_on(table, "dancer", figure);
     for (const double side : {-1.0, 1.0}) {
         const std::string end = side < 0.0 ? " left" : " right";

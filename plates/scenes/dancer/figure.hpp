@@ -5,6 +5,7 @@
 // A dancer in a long pleated dress, her arms above her head: two units high, standing on z = 0
 // about the z axis, her face towards -y.
 
+#include <numbers>
 #include <vector>
 
 #include "balcony/scene.hpp"
@@ -12,6 +13,9 @@
 namespace balcony::plates {
 
 using Imath::V3d;
+
+/// How far the dancer has turned at time 0, in radians: she faces -y 0.17 seconds later.
+inline constexpr double dancer_start = -0.17 * 2.0 * std::numbers::pi;
 
 [[nodiscard]] scene::Mesh dancer_figure(double cell);
 
