@@ -314,8 +314,8 @@ u′ + i v′ = at + scale^k z^α      z = (u − at₁) + i (v − at₂)
 α = 1 − i turns log(scale)/2π for grows = clockwise, 1 + i … for the other
 z^α = exp(α log z) with −180° < arg z ≤ 180°
 k   the whole number with 1/scale < scale^k m ≤ 1, where for z^α = a + i b
-    m = the smallest number for which m offset ± m frame encloses (a, b): without
-    an offset max(|a|/frame₁, |b|/frame₂) for rectangle and
+    m = the smallest number for which m offset ± m frame encloses (a, b):
+    without an offset, max(|a|/frame₁, |b|/frame₂) for rectangle and
     √((a/frame₁)² + (b/frame₂)²) for ellipse
 (B. de Smit and H. W. Lenstra, "The Mathematical Structure of Escher's Print
 Gallery", 2003: theirs is turns = 1, scale = 256.)
