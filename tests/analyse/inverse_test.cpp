@@ -58,8 +58,8 @@ TEST(InverseLaw, HoldsForEveryBuiltInCamera) {
     }
 }
 
-// Where a picture folds, as plate 15 does, two sightings of a point meet. Nearer to each other than a
-// pixel, one of them may stand for both.
+// Where a picture folds, as plate 15 does, two sightings of a point meet. Nearer to each other than
+// a pixel, one of them may stand for both.
 TEST(InverseLaw, HoldsForThePlates) {
     constexpr double one_for_both = 1.0;
     std::size_t count = 0;
