@@ -8,6 +8,8 @@
 #include <numbers>
 #include <span>
 
+#include "common/mesh_builder.hpp"
+
 namespace balcony::plates {
 
 namespace {
@@ -36,49 +38,7 @@ void add_polygon(Mesh& mesh, std::span<const V3d> corners, const V3d& outward) {
 }  // namespace
 
 Mesh chamfered_cube(double size, double chamfer) {
-    Mesh mesh;
-    const double outer = size / 2.0;
-    const double inner = outer - chamfer;
-    // The cube's corner with the signs s, drawn inwards along all axes but one.
-    const auto point = [&](const V3d& s, int face) {
-        V3d p = s * inner;
-        p[face] = s[face] * outer;
-        return p;
-    };
-    for (int face = 0; face < 3; ++face) {
-        const int a = (face + 1) % 3;
-        const int b = (face + 2) % 3;
-        for (const double side : {-1.0, 1.0}) {
-            const auto signs = [&](double sa, double sb) {
-                V3d s;
-                s[face] = side;
-                s[a] = sa;
-                s[b] = sb;
-                return s;
-            };
-            V3d outward(0.0);
-            outward[face] = side;
-            const std::array<V3d, 4> square{point(signs(-1, -1), face), point(signs(1, -1), face),
-                                            point(signs(1, 1), face), point(signs(-1, 1), face)};
-            add_polygon(mesh, square, outward);
-            // The cut edge between this face and the next one, on both sides of it.
-            for (const double sa : {-1.0, 1.0}) {
-                const V3d low = signs(sa, -1);
-                const V3d high = signs(sa, 1);
-                const std::array<V3d, 4> edge{point(low, face), point(high, face), point(high, a),
-                                              point(low, a)};
-                V3d diagonal = outward;
-                diagonal[a] = sa;
-                add_polygon(mesh, edge, diagonal);
-            }
-        }
-    }
-    for (int corner = 0; corner < 8; ++corner) {
-        const V3d s((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1,
-                    (corner & 4) != 0 ? 1 : -1);
-        add_polygon(mesh, std::array<V3d, 3>{point(s, 0), point(s, 1), point(s, 2)}, s);
-    }
-    return mesh;
+    return MeshBuilder().box(V3d(-size / 2), V3d(size / 2), chamfer).mesh();
 }
 
 Mesh cylinder(int axis, double length, double radius) {

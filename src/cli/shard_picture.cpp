@@ -11,19 +11,6 @@
 
 namespace balcony::cli {
 
-std::optional<render::Shard> read_shard(std::string_view text) {
-    const std::size_t slash = text.find('/');
-    if (slash == std::string_view::npos) {
-        return std::nullopt;
-    }
-    const auto number = number_of<std::size_t>(text.substr(0, slash));
-    const auto count = number_of<std::size_t>(text.substr(slash + 1));
-    if (!number || !count || *number < 1 || *number > *count || *count > render::max_shards) {
-        return std::nullopt;
-    }
-    return render::Shard{*number - 1, *count};
-}
-
 std::filesystem::path shard_file(const std::filesystem::path& picture, const render::Shard& shard) {
     std::filesystem::path file = picture;
     file += fmt::format(".shard-{}-of-{}", shard.index + 1, shard.count);

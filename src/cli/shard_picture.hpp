@@ -18,9 +18,6 @@
 
 namespace balcony::cli {
 
-/// "2/5" as a shard; nothing if it cannot be read.
-[[nodiscard]] std::optional<render::Shard> read_shard(std::string_view text);
-
 /// "picture.png.shard-2-of-5"
 [[nodiscard]] std::filesystem::path shard_file(const std::filesystem::path& picture,
                                                const render::Shard& shard);

@@ -14,7 +14,6 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/options/option_values.hpp"
-#include "cli/shard_picture.hpp"
 
 namespace balcony::cli {
 
@@ -74,6 +73,20 @@ std::optional<double> read_interval(std::string_view option, const std::string& 
         return std::nullopt;
     }
     return seconds;
+}
+
+// "2/5"
+std::optional<render::Shard> read_shard(std::string_view text) {
+    const std::size_t slash = text.find('/');
+    if (slash == std::string_view::npos) {
+        return std::nullopt;
+    }
+    const auto number = number_of<std::size_t>(text.substr(0, slash));
+    const auto count = number_of<std::size_t>(text.substr(slash + 1));
+    if (!number || !count || *number < 1 || *number > *count || *count > render::max_shards) {
+        return std::nullopt;
+    }
+    return render::Shard{*number - 1, *count};
 }
 
 }  // namespace
