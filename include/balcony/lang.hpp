@@ -4,6 +4,7 @@
 
 // Lang: the camera description language (.cam). docs/language.md has the grammar.
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -21,6 +22,27 @@ namespace balcony::lang {
 struct Override {
     std::string name;
     std::string expression;
+};
+
+/// What `fit` statements know of a scene, in axes with z up: where it is and where one stands well
+/// in it. By default an arbitrary one.
+struct SceneMeasures {
+    std::array<double, 3> min{-1.0, -1.0, 0.0}, max{1.0, 1.0, 2.0};  ///< Its bounds.
+    /// A point in the open, from which much of it is seen.
+    std::array<double, 3> inside{0.0, 0.0, 1.0};
+    /// Of the vertical cylinder around the centre of the bounds that contains everything.
+    double radius = 1.42;
+    /// The surface of revolution around the same axis that contains everything: distances from the
+    /// axis and heights above the centre, from bottom to top.
+    std::vector<std::array<double, 2>> profile{{1.42, -1.0}, {1.42, 1.0}};
+};
+
+/// A parameter that a `fit` statement has set.
+struct FittedParameter {
+    std::string camera;
+    std::string name;
+    std::optional<double> value;  ///< Of a constant number; angles in radians.
+    bool is_angle = false;
 };
 
 /// The declaration of a camera or a picture in a file.
@@ -160,6 +182,12 @@ public:
     /// What cameras and pictures a file has, in its order, without making them.
     [[nodiscard]] Result<std::vector<Description>> describe(const CameraSource& source);
 
+    /// Cameras and pictures that are made from now on are fitted to a scene: their `fit` statements
+    /// replace the defaults of parameters. Without a scene, they are made as they are written.
+    void fit_to(std::optional<SceneMeasures> scene);
+    /// What `fit` statements have set in the last make_picture().
+    [[nodiscard]] const std::vector<FittedParameter>& fitted() const;
+
     /// The files on the disk that were read or looked for since the last reload(): camera files,
     /// tables, images and meshes. To notice a change, watch these.
     [[nodiscard]] std::vector<std::filesystem::path> files() const;
@@ -188,7 +216,9 @@ private:
 /// errors is not formatted.
 [[nodiscard]] Result<std::string> format(const std::shared_ptr<const SourceText>& source);
 
-/// The names of the built-in cameras: pinhole, orthographic, ...
+/// The names of the built-in cameras by family: fisheye, panorama, ...
 [[nodiscard]] const std::vector<std::string>& built_in_cameras();
+/// The family of a built-in camera, which is its folder in cameras/; empty if there is none.
+[[nodiscard]] std::string_view family_of(std::string_view built_in_camera);
 
 }  // namespace balcony::lang

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <Imath/ImathBox.h>
@@ -78,6 +79,25 @@ struct Miss {
 /// other objects together. If the scene is a closed room, it stands inside where it sees many
 /// objects, each of them large. A scene without a finite size is an error.
 [[nodiscard]] Result<scene::Camera> default_camera(const scene::Scene& scene);
+
+/// Where a scene or an object is and where one stands well in it, in axes with z up.
+struct SceneExtent {
+    /// Of all but its surroundings: a ground or a sky much larger than all other objects together.
+    Imath::Box3d bounds;
+    /// At eye level, 1.6 metres, above what is below, but not above the middle of a low scene; in
+    /// the open, where much is seen and nothing is near.
+    Imath::V3d inside{0.0};
+    /// Of the vertical cylinder around the centre of the bounds that contains everything.
+    double radius = 0.0;
+    /// Distances from the axis of this cylinder and heights above its centre, from bottom to top:
+    /// of a surface of revolution that contains everything.
+    std::vector<Imath::V2d> profile;
+};
+
+/// Measures a scene, or the first object of a name. An unknown name and what has no finite size are
+/// errors.
+[[nodiscard]] Result<SceneExtent> measure_scene(const scene::Scene& scene,
+                                                const std::string& object = {});
 
 /// From the origin of a ray to a point that it may show.
 struct SightLine {

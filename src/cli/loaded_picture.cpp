@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "balcony/rays.hpp"
+#include "cli/options/fit_options.hpp"
 #include "cli/options/scene_argument.hpp"
 #include "cli/report/report.hpp"
 
@@ -31,6 +32,23 @@ scene::TimeInterval times_of_rays(const render::Settings& settings,
 
 }  // namespace
 
+bool read_scene(const std::string& name, const Request& request, Loaded& loaded,
+                RenderReport& outcome) {
+    if (loaded.scene) {
+        return true;
+    }
+    const auto begin = std::chrono::steady_clock::now();
+    auto scene = load_scene(name, request.settings.time, request.added);
+    loaded.load_seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    add(outcome, scene.diagnostics);
+    if (!scene) {
+        return false;
+    }
+    loaded.scene = std::make_shared<const scene::Scene>(std::move(*scene));
+    return true;
+}
+
 bool load(const std::string& name, const Request& request,
           const std::optional<camera::Picture>& picture, Loaded& loaded, RenderReport& outcome) {
     const render::Settings& settings = request.settings;
@@ -38,16 +56,8 @@ bool load(const std::string& name, const Request& request,
     if (loaded.renderer && times.begin == loaded.times.begin && times.end == loaded.times.end) {
         return true;
     }
-    if (!loaded.scene) {
-        const auto begin = std::chrono::steady_clock::now();
-        auto scene = load_scene(name, settings.time, request.added);
-        loaded.load_seconds =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-        add(outcome, scene.diagnostics);
-        if (!scene) {
-            return false;
-        }
-        loaded.scene = std::make_shared<const scene::Scene>(std::move(*scene));
+    if (!read_scene(name, request, loaded, outcome)) {
+        return false;
     }
     auto renderer = render::Renderer::make(
         loaded.scene, {.texture_memory = request.texture_memory, .interval = times});
@@ -62,6 +72,7 @@ void describe_preparation(RenderReport& report, const Loaded& loaded) {
     report.facts["load_seconds"] = loaded.load_seconds;
     report.facts["build_seconds"] = preparation.build_seconds;
     report.facts["texture_seconds"] = preparation.texture_seconds;
+    report.sentence += fitted_text(loaded.cameras);
     // Most scenes are ready at once.
     constexpr double noticeable = 0.5;
     const double preparing = preparation.build_seconds + preparation.texture_seconds;

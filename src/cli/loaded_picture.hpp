@@ -35,6 +35,10 @@ struct Loaded {
     }
 };
 
+/// Reads the scene, unless that is done. False if it fails, as the report says.
+[[nodiscard]] bool read_scene(const std::string& name, const Request& request, Loaded& loaded,
+                              RenderReport& outcome);
+
 /// Reads the scene and prepares it for the times of the picture's rays, unless that is done. False
 /// if it fails, as the report says. Without a picture, for the time that the shutter is open.
 [[nodiscard]] bool load(const std::string& name, const Request& request,

@@ -9,11 +9,12 @@ namespace balcony::lang {
 
 /// A file of cameras/, compiled into the library.
 struct BuiltInCamera {
-    std::string_view name;  ///< Without .cam.
+    std::string_view name;    ///< Without .cam.
+    std::string_view family;  ///< Its folder.
     std::string_view text;
 };
 
-/// All built-in cameras, sorted by name; CMake generates the definition.
+/// All built-in cameras, by family and name; CMake generates the definition.
 [[nodiscard]] std::span<const BuiltInCamera> built_in_camera_files();
 /// A built-in camera by its name, with or without .cam; null if there is none.
 [[nodiscard]] const BuiltInCamera* find_built_in_camera(std::string_view name);

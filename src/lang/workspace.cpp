@@ -238,6 +238,8 @@ public:
 
     const camera::Catalogue catalogue;
     Files files;
+    std::optional<SceneMeasures> scene;
+    std::vector<FittedParameter> fitted;
 };
 
 Workspace::Workspace(camera::Catalogue catalogue)
@@ -251,11 +253,17 @@ std::vector<std::filesystem::path> Workspace::files() const {
     return {paths.begin(), paths.end()};
 }
 
+void Workspace::fit_to(std::optional<SceneMeasures> scene) {
+    implementation_->scene = std::move(scene);
+}
+
+const std::vector<FittedParameter>& Workspace::fitted() const { return implementation_->fitted; }
+
 void Workspace::reload() { implementation_->files = Files(implementation_->catalogue); }
 
 Result<camera::Camera> Workspace::make_camera(const CameraSource& source, std::string_view name,
                                               const std::vector<Override>& overrides) {
-    Session session(implementation_->files);
+    Session session(implementation_->files, implementation_->scene);
     const Module* module = read(session, source);
     const auto place = find_camera(module, name, session.reporter());
     const auto build = [&] { return build_camera(*place, {overrides, {}}, session, true); };
@@ -267,7 +275,7 @@ Result<OpenCamera> Workspace::make_open_camera(
     const CameraSource& source, std::string_view name, const std::vector<Override>& overrides,
     const std::optional<std::vector<std::string>>& open) {
     const auto make = [&](const std::vector<std::string>& names) -> Result<OpenAttempt> {
-        Session session(implementation_->files);
+        Session session(implementation_->files, implementation_->scene);
         const Module* module = read(session, source);
         const auto place = find_camera(module, name, session.reporter());
         std::vector<Value> values;
@@ -290,17 +298,19 @@ Result<OpenCamera> Workspace::make_open_camera(
 
 Result<camera::Picture> Workspace::make_picture(const CameraSource& source, std::string_view name,
                                                 const std::vector<Override>& overrides) {
-    Session session(implementation_->files);
+    Session session(implementation_->files, implementation_->scene);
     const Module* module = read(session, source);
     const auto place = find(module, name, false, session.reporter());
-    return finish(place ? build_whole(*place, overrides, session) : std::nullopt, module,
-                  session.reporter());
+    std::optional<camera::Picture> made =
+        place ? build_whole(*place, overrides, session) : std::nullopt;
+    implementation_->fitted = session.fitted();
+    return finish(std::move(made), module, session.reporter());
 }
 
 Result<std::vector<camera::Picture>> Workspace::make_all(const CameraSource& source,
                                                          const std::vector<Override>& overrides,
                                                          std::string_view name) {
-    Session session(implementation_->files);
+    Session session(implementation_->files, implementation_->scene);
     const Module* module = read(session, source);
     const auto named = name.empty() ? std::nullopt : find(module, name, false, session.reporter());
     std::vector<camera::Picture> made;
@@ -325,7 +335,7 @@ Result<std::vector<camera::Picture>> Workspace::make_all(const CameraSource& sou
 
 Result<ExplainedPicture> Workspace::explain(const CameraSource& source, std::string_view name,
                                             const std::vector<Override>& overrides) {
-    Session session(implementation_->files);
+    Session session(implementation_->files, implementation_->scene);
     const Module* module = read(session, source);
     const auto place = find(module, name, false, session.reporter());
     std::optional<camera::Picture> made =
@@ -339,7 +349,7 @@ Result<ExplainedPicture> Workspace::explain(const CameraSource& source, std::str
 }
 
 Result<std::vector<Description>> Workspace::describe(const CameraSource& source) {
-    Session session(implementation_->files);
+    Session session(implementation_->files, implementation_->scene);
     const Module* module = read(session, source);
     if (session.reporter().error_count() > 0) {
         return session.reporter().take();
@@ -370,6 +380,11 @@ const std::vector<std::string>& built_in_cameras() {
         return made;
     }();
     return names;
+}
+
+std::string_view family_of(std::string_view built_in_camera) {
+    const BuiltInCamera* camera = find_built_in_camera(built_in_camera);
+    return camera != nullptr ? camera->family : std::string_view();
 }
 
 }  // namespace balcony::lang

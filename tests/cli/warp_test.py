@@ -37,7 +37,7 @@ class Warp(support.CommandTest):
     def test_to_its_own_camera_a_photo_stays_as_it_is(self):
         for camera in ("pinhole", "panorama"):
             width, height, rows = self.warped("--from", camera, "--camera", camera, "--size",
-                                              "64x32", "--fit", "stretch")
+                                              "64x32", "--aspect", "stretch")
             self.assertEqual((width, height), (64, 32))
             wanted = [[(*pixel, 255) for pixel in row] for row in self.rows]
             self.assertEqual([[tuple(pixel) for pixel in row] for row in rows], wanted, camera)

@@ -178,7 +178,7 @@ class Agreement(unittest.TestCase):
 
     def picture(self, command, *options):
         subprocess.run([guide.BALCONY, *command, "--camera", "c.cam", "--size",
-                        f"{WIDTH}x{HEIGHT}", "--fit", "stretch", "--samples", "1", "--quiet", "-o",
+                        f"{WIDTH}x{HEIGHT}", "--aspect", "stretch", "--samples", "1", "--quiet", "-o",
                         "picture.png", *options], cwd=self.folder, check=True)
         return [[object_of(pixel) for pixel in row]
                 for row in png.read(self.folder / "picture.png")]

@@ -399,7 +399,7 @@ void add_check_command(CLI::App& app, ExitCode& code) {
         add_size_options(command, options.size,
                          "size of the picture in pixels (default: about a million pixels, with the "
                          "camera's aspect ratio)");
-        add_fit_option(command, options.size);
+        add_aspect_option(command, options.size);
         command
             .add_option("--layer", options.layer,
                         "analyse only this layer of the picture: 1 is at the back, 3.1 is in the "

@@ -80,7 +80,7 @@ void add_explain_command(CLI::App& app, ExitCode& code) {
         add_set_option(command, options.set);
         add_size_options(command, options.size,
                          "size of the picture in pixels for which the formulas are valid");
-        add_fit_option(command, options.size);
+        add_aspect_option(command, options.size);
         command.add_flag("--json", options.json, "print the description as JSON");
         command.footer(
             "Examples:\n  balcony explain superelliptic\n  balcony explain my.cam:closeup");

@@ -130,11 +130,8 @@ bool is_built_in_camera(const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// The cameras of a file, or the built-in cameras with the comments of their files.
-Result<std::vector<lang::Description>> cameras_of(const std::string& file) {
-    if (file != "cameras") {
-        return lang::Workspace().describe(file);
-    }
+// Those that `--camera NAME` finds; what else their files define serves these.
+Result<std::vector<lang::Description>> built_in_descriptions() {
     lang::Workspace workspace;
     std::vector<lang::Description> all;
     for (const std::string& name : lang::built_in_cameras()) {
@@ -142,7 +139,11 @@ Result<std::vector<lang::Description>> cameras_of(const std::string& file) {
         if (!described) {
             return described;
         }
-        all.insert(all.end(), described->begin(), described->end());
+        for (lang::Description& one : *described) {
+            if (one.name == name) {
+                all.push_back(std::move(one));
+            }
+        }
     }
     return all;
 }
@@ -189,21 +190,54 @@ std::string camera_text(const lang::Description& described, bool whole) {
     return text;
 }
 
-ExitCode list_cameras(const ListOptions& options) {
-    const auto cameras = cameras_of(options.what);
-    nlohmann::json all = nlohmann::json::array();
-    std::string text;
-    if (cameras) {
-        for (const lang::Description& described : *cameras) {
-            all.push_back(camera_json(described));
-            text += camera_text(described, cameras->size() == 1);
-        }
+// Under the names of their families, one per line with what it is for.
+std::string built_in_text(const std::vector<lang::Description>& cameras) {
+    std::size_t longest = 0;
+    for (const lang::Description& described : cameras) {
+        longest = std::max(longest, described.name.size());
     }
+    std::string text;
+    std::string_view heading;
+    for (const lang::Description& described : cameras) {
+        const std::string_view family = lang::family_of(described.name);
+        if (heading != family) {
+            text += fmt::format("{}{}\n", heading.empty() ? "" : "\n", family);
+            heading = family;
+        }
+        std::string use = first_sentence(described.comment);
+        std::replace(use.begin(), use.end(), '\n', ' ');
+        text += fmt::format("  {:<{}} {}\n", described.name, longest, use);
+    }
+    return text;
+}
+
+std::string cameras_text(const std::vector<lang::Description>& cameras) {
+    std::string text;
+    for (const lang::Description& described : cameras) {
+        text += camera_text(described, cameras.size() == 1);
+    }
+    return text;
+}
+
+ExitCode list_cameras(const ListOptions& options) {
+    const bool built_in = options.what == "cameras";
+    const auto cameras =
+        built_in ? built_in_descriptions() : lang::Workspace().describe(options.what);
     if (options.json) {
+        nlohmann::json all = nlohmann::json::array();
+        for (const lang::Description& described :
+             cameras.value.value_or(std::vector<lang::Description>())) {
+            all.push_back(camera_json(described));
+            if (built_in) {
+                all.back()["family"] = lang::family_of(described.name);
+            }
+        }
         print_json({{"cameras", all}, {"diagnostics", to_json(cameras.diagnostics)}});
     } else {
         report(cameras.diagnostics);
-        print_result(text);
+        if (cameras) {
+            print_result(built_in ? built_in_text(*cameras) : cameras_text(*cameras));
+        }
     }
     return cameras ? ExitCode::done : ExitCode::bad_input;
 }
@@ -284,7 +318,8 @@ void add_list_command(CLI::App& app, ExitCode& code) {
             "  balcony list                   all stages, one per line\n"
             "  balcony list direction_rules   the stages of one kind\n"
             "  balcony list superellipse      one stage with its parameters and its formula\n"
-            "  balcony list cameras           the built-in cameras\n"
+            "  balcony list cameras           the built-in cameras, by family\n"
+            "  balcony list panorama          one of them with its parameters\n"
             "  balcony list gallery.cam       the cameras of a file");
     };
     add_command<ListOptions>(app, code, "list", "lists stages and cameras", list, describe);

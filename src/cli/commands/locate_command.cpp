@@ -342,7 +342,7 @@ void add_locate_command(CLI::App& app, ExitCode& code) {
             ->type_name("SCENE");
         add_set_option(command, options.set);
         add_size_options(command, options.size, "size of the picture in pixels");
-        add_fit_option(command, options.size);
+        add_aspect_option(command, options.size);
         add_time_option(command, options.time);
         command
             .add_option(

@@ -240,7 +240,7 @@ void add_pov_command(CLI::App& app, ExitCode& code) {
             ->type_name("FILE");
         add_set_option(command, options.set);
         add_size_options(command, options.size, "size of the picture in pixels");
-        add_fit_option(command, options.size);
+        add_aspect_option(command, options.size);
         const auto value = [&](const char* names, std::string& text, const std::string& meaning,
                                const char* type) {
             command.add_option(names, text, meaning)->type_name(type)->capture_default_str();

@@ -233,7 +233,7 @@ void add_rays_command(CLI::App& app, ExitCode& code) {
                          "add the derivatives of each ray by the picture's x and y to a ray map");
         add_set_option(command, options.set);
         add_size_options(command, options.size, "size of the picture in pixels");
-        add_fit_option(command, options.size);
+        add_aspect_option(command, options.size);
         add_time_option(command, options.time);
         command
             .add_option("--axes", options.axes,

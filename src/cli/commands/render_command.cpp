@@ -28,6 +28,7 @@
 #include "cli/options/render_options.hpp"
 #include "cli/options/scene_argument.hpp"
 #include "cli/picture_run.hpp"
+#include "cli/render_request.hpp"
 #include "cli/report/json.hpp"
 #include "cli/report/render_report.hpp"
 #include "cli/report/report.hpp"
@@ -49,27 +50,6 @@ RenderReport fail(RenderReport outcome, ExitCode code, const Diagnostics& diagno
 bool has_samples(const render::Film& film) {
     return std::any_of(film.passes.begin(), film.passes.end(),
                        [](std::uint32_t count) { return count > 0; });
-}
-
-Request read_request(const RenderOptions& options, Diagnostics& diagnostics) {
-    Request request{
-        read_settings(options, diagnostics),    read_exposure(options, diagnostics),
-        read_view(options, diagnostics),        read_size(options.size, diagnostics),
-        read_layers(options.film, diagnostics), read_crop(options.crop, diagnostics),
-        read_job(options.job, diagnostics),     read_texture_memory(options.textures, diagnostics),
-        read_denoise(options.film, diagnostics)};
-    request.added = options.add;
-    if (request.exposure) {
-        request.settings.sampling.white = std::exp2(-*request.exposure);
-    }
-    if (request.denoise) {
-        request.denoise->threads = request.settings.threads;
-    }
-    if (options.camera.empty() && !options.set.empty()) {
-        diagnostics.push_back(
-            error("--set needs a camera whose parameter it sets", {}, "add --camera FILE"));
-    }
-    return request;
 }
 
 /// Tells whether the picture that is being rendered is of no use any more.
@@ -161,6 +141,16 @@ RenderReport make_picture(RenderReport outcome, const RenderOptions& options,
     return outcome;
 }
 
+/// Fits cameras to the scene, which is read for it.
+bool fit(const RenderOptions& options, const Request& request, const std::string& scene,
+         Loaded& loaded, RenderReport& outcome) {
+    if (!read_scene(scene, request, loaded, outcome)) {
+        return false;
+    }
+    add(outcome, fit_cameras(options.fit, *loaded.scene, loaded.cameras));
+    return !has_errors(outcome.diagnostics);
+}
+
 RenderReport render_picture(const RenderOptions& options, Request request,
                             const SceneOutput& target, Loaded& loaded,
                             const OutdatedTest& is_outdated = {}) {
@@ -173,9 +163,15 @@ RenderReport render_picture(const RenderOptions& options, Request request,
     // A camera loads fast, so its mistakes are reported before a large scene is read.
     Result<camera::Picture> picture;
     const bool of_file = !options.camera.empty() && !is_of_scene(options.camera);
+    if (options.fit.wanted() && !fit(options, request, target.scene, loaded, outcome)) {
+        return fail(std::move(outcome), ExitCode::bad_input);
+    }
     if (of_file) {
         picture = load_picture(options.camera, options.set, loaded.cameras);
         add(outcome, picture.diagnostics);
+        if (picture && options.fit.wanted()) {
+            add(outcome, check_fitted(loaded.cameras));
+        }
     }
     if (has_errors(outcome.diagnostics) ||
         !load(target.scene, request, picture.value, loaded, outcome)) {
@@ -385,7 +381,7 @@ void add_picture_options(CLI::App& command, RenderOptions& options) {
     add_size_options(command, options.size,
                      "size in pixels (default: that of the picture, or about a million pixels with "
                      "its aspect ratio)");
-    add_fit_option(command, options.size);
+    add_aspect_option(command, options.size);
     add_crop_options(command, options.crop);
     add_sampling_options(command, options.sampling);
     add_integrator_options(command, options.integrator);
@@ -452,6 +448,7 @@ void add_render_command(CLI::App& app, ExitCode& code) {
                 "that shows the scene well)")
             ->type_name("FILE[:NAME]");
         add_set_option(command, options.set);
+        add_fit_options(command, options.fit);
         add_time_option(command, options.time);
         add_shutter_options(command, options.shutter);
         command

@@ -36,7 +36,7 @@ std::optional<std::size_t> read_side(std::string_view option, const std::string&
 camera::Fit read_fit(const std::string& text, Diagnostics& diagnostics) {
     const std::optional<camera::Fit> fit = camera::find_fit(text);
     if (!fit) {
-        refuse(diagnostics, "--fit", text,
+        refuse(diagnostics, "--aspect", text,
                suggestion(text, camera::fit_names(), "the choices are"));
     }
     return fit.value_or(camera::Fit::fit);
@@ -96,13 +96,13 @@ PictureSize read_size(const SizeWords& words, Diagnostics& diagnostics) {
     return size;
 }
 
-void add_fit_option(CLI::App& command, SizeWords& words) {
+void add_aspect_option(CLI::App& command, SizeWords& words) {
     std::vector<std::string> modes;
     for (const std::string& name : camera::fit_names()) {
         modes.push_back(fmt::format("{} ({})", name, meaning_of(*camera::find_fit(name))));
     }
     command
-        .add_option("--fit", words.fit,
+        .add_option("--aspect", words.fit,
                     fmt::format("what the picture does in a size of another aspect ratio: {}; a "
                                 "camera with 'square' in its map shows more or less instead",
                                 fmt::join(modes, ", ")))

@@ -16,7 +16,7 @@
 
 namespace balcony::cli {
 
-/// The words of --size, --width, --height and --fit.
+/// The words of --size, --width, --height and --aspect.
 struct SizeWords {
     std::string size;
     std::string width;
@@ -40,8 +40,8 @@ struct PictureSize {
 void add_size_options(CLI::App& command, SizeWords& words, const std::string& meaning);
 [[nodiscard]] PictureSize read_size(const SizeWords& words, Diagnostics& diagnostics);
 
-/// Adds --fit.
-void add_fit_option(CLI::App& command, SizeWords& words);
+/// Adds --aspect.
+void add_aspect_option(CLI::App& command, SizeWords& words);
 
 /// Adds --time.
 void add_time_option(CLI::App& command, std::string& time);

@@ -79,7 +79,7 @@ void add_photo_options(CLI::App& command, PhotoOptions& options) {
                     "back")
         ->type_name("LAYER");
     add_size_options(command, options.size, "size of the picture in pixels");
-    add_fit_option(command, options.size);
+    add_aspect_option(command, options.size);
     add_time_option(command, options.time);
 }
 

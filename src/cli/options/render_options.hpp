@@ -10,6 +10,7 @@
 #include "cli/options/common_options.hpp"
 #include "cli/options/crop_options.hpp"
 #include "cli/options/film_options.hpp"
+#include "cli/options/fit_options.hpp"
 #include "cli/options/integrator_options.hpp"
 #include "cli/options/job_options.hpp"
 #include "cli/options/light_options.hpp"
@@ -31,6 +32,7 @@ struct RenderOptions {
     LightWords light;
     JobWords job;
     std::vector<std::string> set;
+    FitWords fit;
     IntegratorWords integrator;
     std::string background = "auto";
     std::string threads = "0";

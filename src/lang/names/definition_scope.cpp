@@ -22,6 +22,7 @@ DefinitionScope::DefinitionScope(const LocatedDefinition& place, const GivenPara
       tree_(place.module->tree),
       session_(session),
       scope_(place.module->scope.get()),
+      fitted_(place, scope_, session),
       values_(given.values),
       open_(given.open) {
     read_overrides(given.overrides);
@@ -101,6 +102,7 @@ void DefinitionScope::define_parameter(const DefinitionParameter& parameter) {
     if (parameter.default_value.valid()) {
         value = evaluate_any(tree_, parameter.default_value, scope_, session_.context());
     }
+    value = fitted(value, name);
     // The last value applies, as usual for options.
     const auto given = std::find_if(given_.rbegin(), given_.rend(),
                                     [name](const Given& one) { return one.name == name; });
@@ -120,6 +122,21 @@ void DefinitionScope::define_parameter(const DefinitionParameter& parameter) {
     if (!scope_.define(name, {value, place, "parameter", false})) {
         report_duplicate(parameter.name, place, scope_.find_here(name)->place, session_.reporter());
     }
+}
+
+// The value in the scene that the session fits cameras to. Without one, a fit statement is only
+// checked.
+Value DefinitionScope::fitted(const Value& default_value, std::string_view name) {
+    const auto found = fitted_.find(name);
+    if (!found) {
+        return default_value;
+    }
+    Value value = checked(found->value, found->place, default_value, name);
+    if (!session_.scene()) {
+        return value.failed() ? value : default_value;
+    }
+    session_.note_fitted(place_.camera->name.text, name, value);
+    return value;
 }
 
 // An input in the place of a number that does not change.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "balcony/lang.hpp"
+#include "lang/names/fitted_parameters.hpp"
 #include "lang/names/session.hpp"
 
 namespace balcony::lang {
@@ -48,6 +49,7 @@ private:
     void read_overrides(const std::vector<Override>& overrides);
     void define_parameters();
     void define_parameter(const DefinitionParameter& parameter);
+    [[nodiscard]] Value fitted(const Value& default_value, std::string_view name);
     [[nodiscard]] Value opened(const Value& value, std::string_view name);
     void check_names(const std::vector<ParameterValue>& values);
     [[nodiscard]] Value overridden(const Given& given, const Value& default_value,
@@ -60,6 +62,7 @@ private:
     const SyntaxTree& tree_;
     Session& session_;
     Scope scope_;
+    FittedParameters fitted_;
     std::vector<Given> given_;
     const std::vector<ParameterValue> values_;
     const std::vector<std::string> open_;

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "lang/built_in_cameras.hpp"
+#include "lang/names/scene_names.hpp"
 
 namespace balcony::lang {
 
@@ -42,11 +43,22 @@ const BuiltInCamera* find_built_in_camera(std::string_view name) {
     return nullptr;
 }
 
-Session::Session(Files& files)
+Session::Session(Files& files, std::optional<SceneMeasures> scene)
     : files_(files),
       graph_(std::make_shared<expr::Graph>()),
       context_{*graph_, reporter_, files.catalogue(), calls_},
-      constants_(constants(*graph_)) {}
+      scene_(std::move(scene)),
+      constants_(constants(*graph_)) {
+    announce_scene_names(*constants_);
+}
+
+void Session::note_fitted(std::string_view camera, std::string_view parameter, const Value& value) {
+    std::optional<double> number;
+    if (value.is_constant()) {
+        number = value.constant();
+    }
+    fitted_.push_back({std::string(camera), std::string(parameter), number, value.is_angle()});
+}
 
 const SyntaxTree& Session::keep(SyntaxTree tree) {
     overrides_.push_back(std::make_unique<SyntaxTree>(std::move(tree)));

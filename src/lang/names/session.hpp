@@ -15,6 +15,7 @@
 
 #include "balcony/catalogue.hpp"
 #include "balcony/expr.hpp"
+#include "balcony/lang.hpp"
 #include "balcony/picture.hpp"
 #include "lang/names/files.hpp"
 #include "lang/names/scope.hpp"
@@ -43,8 +44,8 @@ struct LocatedDefinition {
 
 class Session {
 public:
-    /// The files must outlive it.
-    explicit Session(Files& files);
+    /// The files must outlive it. With a scene, cameras are fitted to it.
+    explicit Session(Files& files, std::optional<SceneMeasures> scene = {});
 
     [[nodiscard]] Reporter& reporter() { return reporter_; }
     [[nodiscard]] const std::shared_ptr<expr::Graph>& graph() const { return graph_; }
@@ -52,6 +53,12 @@ public:
     [[nodiscard]] const Context& context() const { return context_; }
     [[nodiscard]] const camera::Catalogue& catalogue() const { return files_.catalogue(); }
     [[nodiscard]] Files& files() { return files_; }
+
+    /// The scene that cameras are fitted to.
+    [[nodiscard]] const std::optional<SceneMeasures>& scene() const { return scene_; }
+    void note_fitted(std::string_view camera, std::string_view parameter, const Value& value);
+    /// The parameters that were fitted.
+    [[nodiscard]] const std::vector<FittedParameter>& fitted() const { return fitted_; }
 
     /// Reads a file or a built-in camera with its imports. Returns null if there is none, which is
     /// reported. Other errors are reported too, but return a module.
@@ -95,6 +102,8 @@ private:
     std::shared_ptr<expr::Graph> graph_;
     CallWork calls_;
     const Context context_;
+    const std::optional<SceneMeasures> scene_;
+    std::vector<FittedParameter> fitted_;
     std::unique_ptr<Scope> constants_;
     std::map<std::string, std::unique_ptr<Module>> modules_;
     std::vector<Opened> opened_;  // The current chain of imports.

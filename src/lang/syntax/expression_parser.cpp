@@ -377,8 +377,8 @@ std::optional<ExpressionId> ExpressionParser::stage(std::string_view what) {
 // A plain name on the same line that does not start the next statement.
 bool ExpressionParser::at_word() const {
     return tokens_.peek().kind == TokenKind::name && !tokens_.at_new_line() &&
-           find_statement(tokens_.peek(), false) == nullptr && !is_file_keyword(tokens_.peek()) &&
-           !tokens_.peek(1).is("(") && !tokens_.peek(1).is("=");
+           find_statement(tokens_.peek(), Block::camera) == nullptr &&
+           !is_file_keyword(tokens_.peek()) && !tokens_.peek(1).is("(") && !tokens_.peek(1).is("=");
 }
 
 std::optional<ExpressionId> ExpressionParser::stage_with_words(std::string_view what) {

@@ -68,8 +68,8 @@ private:
 
     void stray_item() {
         const Token& token = tokens_.peek();
-        const bool opens_statement =
-            find_statement(token, false) != nullptr || find_statement(token, true) != nullptr;
+        const bool opens_statement = find_statement(token, Block::camera) != nullptr ||
+                                     find_statement(token, Block::picture) != nullptr;
         const bool camera_follows = looks_like_camera();
         if (opens_statement) {
             tokens_.error(token.span,
@@ -136,7 +136,7 @@ private:
     [[nodiscard]] bool looks_like_camera() const {
         return tokens_.peek().kind == TokenKind::name && tokens_.peek(1).kind == TokenKind::name &&
                tokens_.peek(after_name(1)).is("{") &&
-               find_statement(tokens_.peek(), false) == nullptr;
+               find_statement(tokens_.peek(), Block::camera) == nullptr;
     }
 
     void import() {

@@ -84,7 +84,7 @@ Statement StatementParser::unmarked_let() {
 
 Statement StatementParser::statement(Block block) {
     const Token& token = tokens_.peek();
-    const StatementRow* row = keyword_at(token);
+    const StatementRow* row = find_statement(token, block);
     Statement made;
     made.keyword = token.span;
     if (row == nullptr || !row->stands_in(block)) {
@@ -123,6 +123,7 @@ bool StatementParser::body(const StatementRow& row, Statement& made) {
         case Shape::optional_corners: return optional_corners(made);
         case Shape::placements: return placements(row, made);
         case Shape::loop: return loop(made);
+        case Shape::assignments: return assignments(made);
         case Shape::stage:
         case Shape::stages:
         case Shape::rule:
@@ -352,6 +353,43 @@ std::optional<ExpressionId> StatementParser::placement(const StatementRow& row) 
     return expressions_.add_call({row.keyword, {begin, tokens_.previous().span.end}},
                                  {{std::nullopt, corners.first}, {std::nullopt, corners.last}},
                                  first);
+}
+
+// radius = 2*scene_radius, (px, py, pz) = scene_inside
+bool StatementParser::assignments(Statement& made) {
+    std::vector<Assignment> read;
+    do {
+        Assignment one;
+        if (!assigned_names(one) ||
+            !tokens_.expect("=", "after what is fitted", "for example fit radius = scene_radius")) {
+            return false;
+        }
+        const auto value = expressions_.expression();
+        if (!value) {
+            return false;
+        }
+        one.value = *value;
+        read.push_back(std::move(one));
+    } while (tokens_.accept(","));
+    made.content = std::move(read);
+    return true;
+}
+
+// px or (px, py, pz)
+bool StatementParser::assigned_names(Assignment& assignment) {
+    const Span opening = tokens_.peek().span;
+    assignment.is_tuple = tokens_.accept("(");
+    do {
+        const Token& token = tokens_.peek();
+        if (token.kind != TokenKind::name || keyword_at(token) != nullptr) {
+            tokens_.expected("a parameter of the camera or the picture",
+                             "for example fit radius = scene_radius, (px, py, pz) = scene_inside");
+            return false;
+        }
+        assignment.names.push_back({token.text, token.span});
+        tokens_.next();
+    } while (assignment.is_tuple && tokens_.accept(","));
+    return !assignment.is_tuple || tokens_.expect_closing(")", opening);
 }
 
 // for i in 0 .. 6 { layers }

@@ -24,7 +24,7 @@ public:
     /// Selects the keywords of pictures or of cameras for the following statements.
     void enter(bool in_picture) { in_picture_ = in_picture; }
     [[nodiscard]] const StatementRow* keyword_at(const Token& token) const {
-        return find_statement(token, in_picture_);
+        return find_statement(token, in_picture_ ? Block::picture : Block::camera);
     }
     /// Parses a name to be defined. A reserved name is reported and returned anyway.
     [[nodiscard]] std::optional<Identifier> new_name(std::string_view what);
@@ -53,6 +53,8 @@ private:
     [[nodiscard]] bool optional_corners(Statement& made);
     [[nodiscard]] bool placements(const StatementRow& row, Statement& made);
     [[nodiscard]] std::optional<ExpressionId> placement(const StatementRow& row);
+    [[nodiscard]] bool assignments(Statement& made);
+    [[nodiscard]] bool assigned_names(Assignment& assignment);
     [[nodiscard]] bool expect_corner();
     [[nodiscard]] bool loop(Statement& made);
     [[nodiscard]] bool is_shown_camera(Block block) const;

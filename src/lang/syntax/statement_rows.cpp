@@ -98,6 +98,12 @@ constexpr std::array rows = {
                  .meaning = "when each ray meets the scene, and t in the other formulas of the "
                             "camera; x and y are the point of the picture as fractions from its "
                             "top left corner"},
+    StatementRow{.kind = StatementKind::fitted,
+                 .keyword = "fit",
+                 .blocks = in_camera | in_pictures,
+                 .shape = Shape::assignments,
+                 .once = false,
+                 .meaning = "what parameters are where --fit places the camera in a scene"},
     StatementRow{.kind = StatementKind::place,
                  .keyword = "place",
                  .blocks = in_camera | in_layer,
@@ -205,15 +211,20 @@ const StatementRow* row_of(StatementKind kind) {
     return row != rows.end() ? row : nullptr;
 }
 
-const StatementRow* find_statement(const Token& token, bool in_picture) {
-    const auto here =
-        static_cast<std::uint8_t>(in_picture ? in_pictures | in_layer : in_camera | in_path);
+const StatementRow* find_statement(const Token& token, Block block) {
+    const bool in_camera_or_path = block == Block::camera || block == Block::path;
+    const std::uint8_t around = in_camera_or_path ? in_camera | in_path : in_pictures | in_layer;
+    const StatementRow* found = nullptr;
     for (const StatementRow& row : rows) {
-        if ((row.blocks & here) != 0 && token.is_name(row.keyword)) {
+        if ((row.blocks & around) == 0 || !token.is_name(row.keyword)) {
+            continue;
+        }
+        if (row.stands_in(block)) {
             return &row;
         }
+        found = found != nullptr ? found : &row;
     }
-    return nullptr;
+    return found;
 }
 
 bool is_file_keyword(const Token& token) {

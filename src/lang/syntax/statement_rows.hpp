@@ -36,14 +36,15 @@ enum class Shape : std::uint8_t {
     ranges,    ///< u = first .. last, v = square
     corners,   ///< (a, b) .. (c, d)
     optional_corners,
-    placements,  ///< Corners and stages with commas between them; corners are the stage `place`.
-    stage,       ///< A stage.
-    stages,      ///< Stages with commas between them.
-    rule,        ///< A stage, or its name with words behind it: normal outward.
-    path,        ///< A stage, or a block.
-    layer,       ///< The name of a camera or a picture, with or without a block.
-    loop,        ///< name in first .. last, or name in list, and a block.
-    call,        ///< The keyword itself is what is called: frame(0.01).
+    placements,   ///< Corners and stages with commas between them; corners are the stage `place`.
+    stage,        ///< A stage.
+    stages,       ///< Stages with commas between them.
+    rule,         ///< A stage, or its name with words behind it: normal outward.
+    path,         ///< A stage, or a block.
+    layer,        ///< The name of a camera or a picture, with or without a block.
+    loop,         ///< name in first .. last, or name in list, and a block.
+    assignments,  ///< name = value, (name, name) = value
+    call,         ///< The keyword itself is what is called: frame(0.01).
 };
 
 struct StatementRow {
@@ -68,8 +69,8 @@ struct StatementRow {
 /// Null for an unknown statement.
 [[nodiscard]] const StatementRow* row_of(StatementKind kind);
 /// The row of a token that opens a statement in a camera and its paths, or in a picture and its
-/// layers; null if it does not.
-[[nodiscard]] const StatementRow* find_statement(const Token& token, bool in_picture);
+/// layers; null if it does not. If a keyword has several rows, it is the one of the block.
+[[nodiscard]] const StatementRow* find_statement(const Token& token, Block block);
 /// Whether a token is import, camera or picture.
 [[nodiscard]] bool is_file_keyword(const Token& token);
 [[nodiscard]] std::vector<std::string> keywords_for(Block block);

@@ -69,6 +69,7 @@ enum class StatementKind : std::uint8_t {
     look,
     lens,
     time,
+    fitted,
     place,
     arrange,
     layer,
@@ -107,6 +108,13 @@ struct LoopSyntax {
     ExpressionId last;  ///< Invalid for a list, which is then `first`.
 };
 
+/// name = value, or (name, name) = value, of a fit statement.
+struct Assignment {
+    std::vector<Identifier> names;  ///< Several are the elements of a tuple.
+    bool is_tuple = false;
+    ExpressionId value;
+};
+
 /// (a, b) .. (c, d), from the top left corner to the bottom right one.
 struct Corners {
     Span span;
@@ -118,7 +126,7 @@ struct Corners {
 struct Statement {
     using Content =
         std::variant<std::monostate, LetSyntax, ExpressionId, Identifier, std::vector<MapRange>,
-                     Corners, LoopSyntax, std::vector<ExpressionId>>;
+                     Corners, LoopSyntax, std::vector<Assignment>, std::vector<ExpressionId>>;
 
     StatementKind kind = StatementKind::unknown;
     Span keyword;
@@ -141,6 +149,9 @@ struct Statement {
     /// Null where a statement may omit them and does.
     [[nodiscard]] const Corners* corners() const { return std::get_if<Corners>(&content); }
     [[nodiscard]] const LoopSyntax& loop() const { return std::get<LoopSyntax>(content); }
+    [[nodiscard]] const std::vector<Assignment>& assignments() const {
+        return std::get<std::vector<Assignment>>(content);
+    }
     /// None if a block stands in their place.
     [[nodiscard]] std::span<const ExpressionId> stages() const {
         const auto* written = std::get_if<std::vector<ExpressionId>>(&content);

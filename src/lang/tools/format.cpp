@@ -202,8 +202,8 @@ private:
         piece.sum = role == Role::loose && !is_any(token, {"=", ".."});
         lines_.back().pieces.push_back(piece);
         // Some statements are written as a call; others have their content after a space.
-        const bool call =
-            is_call(find_statement(token, true)) || is_call(find_statement(token, false));
+        const bool call = is_call(find_statement(token, Block::picture)) ||
+                          is_call(find_statement(token, Block::camera));
         previous_ = {&token, role, first && !call};
         if (token.is("{")) {
             ++depth_;

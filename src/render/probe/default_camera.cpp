@@ -9,18 +9,17 @@
 #include <vector>
 
 #include "balcony/probe.hpp"
-#include "render/probe/hit_geometry.hpp"
 #include "render/probe/main_objects.hpp"
+#include "render/probe/viewer.hpp"
 
 namespace balcony::render {
 
 namespace {
 
 using Imath::V3d;
-using Imath::V3f;
 
 using std::numbers::pi;
-constexpr double aspect = 16.0 / 9.0;
+constexpr double aspect = default_view_aspect;
 
 /// A camera at a point that looks along a direction, for a horizontal field of view.
 scene::Camera camera_at(const V3d& position, const V3d& forward, const V3d& up, double field) {
@@ -60,94 +59,6 @@ scene::Camera view_of(const Imath::Box3d& box, Axes axes) {
     return camera;
 }
 
-/// What the rays of a coarse picture, or in all directions, meet.
-struct Sight {
-    std::vector<std::size_t> rays_by_object;
-    std::size_t rays = 0;
-    std::size_t hits = 0;
-    std::size_t fronts = 0;  ///< Hits on the front of a triangle.
-    double distance_sum = 0.0;
-    double nearest = std::numeric_limits<double>::infinity();
-
-    [[nodiscard]] std::size_t objects() const {
-        return rays_by_object.size() - static_cast<std::size_t>(std::count(
-                                           rays_by_object.begin(), rays_by_object.end(), 0U));
-    }
-};
-
-class Viewer {
-public:
-    Viewer(const scene::Scene& scene, const embree::Accelerator& accelerator)
-        : scene_(scene), geometry_(scene), accelerator_(accelerator) {}
-
-    [[nodiscard]] Sight look(const scene::Camera& camera) const {
-        constexpr int columns = 20;
-        constexpr int rows = 12;
-        Sight sight = empty_sight();
-        for (int row = 0; row < rows; ++row) {
-            for (int column = 0; column < columns; ++column) {
-                const double x = (2.0 * (column + 0.5) / columns - 1.0) * camera.half_height;
-                const double y = (2.0 * (row + 0.5) / rows - 1.0) * camera.half_height;
-                add(camera.position,
-                    (camera.forward + aspect * x * camera.right + y * camera.up).normalized(),
-                    sight);
-            }
-        }
-        return sight;
-    }
-
-    // In all directions, on a Fibonacci lattice.
-    [[nodiscard]] Sight look_round(const V3d& from) const {
-        constexpr int directions = 256;
-        Sight sight = empty_sight();
-        for (int i = 0; i < directions; ++i) {
-            const double z = 1.0 - (2.0 * i + 1.0) / directions;
-            const double radius = std::sqrt(1.0 - z * z);
-            const double angle = 2.0 * pi * i / std::numbers::phi;
-            add(from, {radius * std::cos(angle), radius * std::sin(angle), z}, sight);
-        }
-        return sight;
-    }
-
-    /// Whether a lamp shines on a point.
-    [[nodiscard]] bool is_lit(const V3d& point) const {
-        return std::any_of(scene_.lights.begin(), scene_.lights.end(),
-                           [&](const scene::Light& light) {
-                               const V3d way = light.position - point;
-                               embree::Ray ray{V3f(point), V3f(way)};
-                               ray.farthest = 1.0F;
-                               return light.kind != scene::LightKind::directional &&
-                                      !accelerator_.intersect(ray).any();
-                           });
-    }
-
-private:
-    [[nodiscard]] Sight empty_sight() const {
-        Sight sight;
-        sight.rays_by_object.resize(scene_.objects.size());
-        return sight;
-    }
-
-    void add(const V3d& from, const V3d& direction, Sight& sight) const {
-        const embree::Ray ray{V3f(from), V3f(direction)};
-        const embree::Hit hit = accelerator_.intersect(ray);
-        ++sight.rays;
-        if (!hit.any()) {
-            return;
-        }
-        const double distance = (V3d(geometry_.place(hit)) - from).length();
-        ++sight.hits;
-        ++sight.rays_by_object[geometry_.object(hit)];
-        sight.fronts += geometry_.from_behind(hit, ray.direction) ? 0 : 1;
-        sight.distance_sum += distance;
-        sight.nearest = std::min(sight.nearest, distance);
-    }
-
-    const scene::Scene& scene_;
-    HitGeometry geometry_;
-    const embree::Accelerator& accelerator_;
-};
-
 /// A place to stand within a closed room.
 struct RoomView {
     scene::Camera camera;
@@ -155,15 +66,6 @@ struct RoomView {
     bool lit = false;            ///< By a lamp.
     bool faces_inwards = false;  ///< The walls show their front.
 };
-
-// Many objects, each large, and far away.
-double interest(const Sight& sight) {
-    double sum = 0.0;
-    for (const std::size_t rays : sight.rays_by_object) {
-        sum += std::sqrt(static_cast<double>(rays));
-    }
-    return sum * std::sqrt(sight.distance_sum);
-}
 
 // The most interesting view from a point.
 RoomView best_view_from(const Viewer& viewer, const V3d& point, Axes axes) {
@@ -178,7 +80,7 @@ RoomView best_view_from(const Viewer& viewer, const V3d& point, Axes axes) {
         view.camera = camera_at(point, turned(forward, Axes::z_up, axes),
                                 turned(V3d(0.0, 0.0, 1.0), Axes::z_up, axes), field);
         view.sight = viewer.look(view.camera);
-        if (interest(view.sight) > interest(best.sight)) {
+        if (view.sight.interest() > best.sight.interest()) {
             best = std::move(view);
         }
     }
@@ -216,7 +118,7 @@ std::optional<RoomView> best_room_view(const Viewer& viewer, const scene::Scene&
             RoomView view = best_view_from(viewer, point, scene.axes);
             view.lit = viewer.is_lit(point);
             view.faces_inwards = inwards;
-            if (!best || interest(view.sight) > interest(best->sight)) {
+            if (!best || view.sight.interest() > best->sight.interest()) {
                 best = std::move(view);
             }
         }

@@ -1,0 +1,96 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "lang/names/fitted_parameters.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "lang/names/definition_scope.hpp"
+#include "lang/names/evaluate.hpp"
+#include "lang/names/scene_names.hpp"
+
+namespace balcony::lang {
+
+FittedParameters::FittedParameters(const LocatedDefinition& place, Scope& names, Session& session)
+    : place_(place), tree_(place.module->tree), session_(session), scene_names_(&names) {
+    for (const Statement& statement : place.camera->statements) {
+        if (statement.kind == StatementKind::fitted && !statement.broken) {
+            for (const Assignment& assignment : statement.assignments()) {
+                read(assignment);
+            }
+        }
+    }
+    if (!places_.empty()) {
+        define_scene_names(session.scene().value_or(SceneMeasures()), axes(), *session.graph(),
+                           scene_names_);
+    }
+}
+
+void FittedParameters::read(const Assignment& assignment) {
+    std::vector<std::string> known;
+    for (const DefinitionParameter& parameter : place_.camera->parameters) {
+        known.emplace_back(parameter.name.text);
+    }
+    for (std::size_t i = 0; i < assignment.names.size(); ++i) {
+        const Identifier& name = assignment.names[i];
+        if (std::find(known.begin(), known.end(), name.text) == known.end()) {
+            session_.reporter().error(
+                tree_.at(name.span),
+                fmt::format("the {} '{}' has no parameter '{}' that fit could set",
+                            word_for(*place_.camera), place_.camera->name.text, name.text),
+                known.empty() ? "it has no parameters"
+                              : suggestion(name.text, known, "its parameters are"));
+        } else {
+            add(assignment, i);
+        }
+    }
+}
+
+void FittedParameters::add(const Assignment& assignment, std::size_t index) {
+    const Identifier& name = assignment.names[index];
+    const auto [earlier, is_new] = places_.try_emplace(name.text, Place{&assignment, index});
+    if (!is_new) {
+        const Place& first = earlier->second;
+        Diagnostic diagnostic = error(fmt::format("'{}' is fitted twice", name.text),
+                                      tree_.at(name.span), "remove one of the two");
+        diagnostic.notes.push_back(
+            {tree_.at(first.assignment->names[first.index].span), "first fitted here"});
+        session_.reporter().add(std::move(diagnostic));
+    }
+}
+
+// A picture has z up; a camera says it.
+Axes FittedParameters::axes() const {
+    const auto& statements = place_.camera->statements;
+    const bool y_up =
+        std::any_of(statements.begin(), statements.end(), [](const Statement& statement) {
+            return statement.kind == StatementKind::axes && !statement.broken &&
+                   statement.word().text == "y_up";
+        });
+    return y_up ? Axes::y_up : Axes::z_up;
+}
+
+std::optional<FittedParameters::Fitted> FittedParameters::find(std::string_view name) {
+    const auto found = places_.find(name);
+    if (found == places_.end()) {
+        return std::nullopt;
+    }
+    const auto& [assignment, index] = found->second;
+    const SourceSpan place = tree_.at(tree_[assignment->value].span);
+    const Value value = evaluate_any(tree_, assignment->value, scene_names_, session_.context());
+    if (value.failed() || !assignment->is_tuple) {
+        return Fitted{value, place};
+    }
+    const std::size_t count = assignment->names.size();
+    if (value.form != Value::Form::tuple || value.elements->size() != count) {
+        session_.reporter().error(
+            place, fmt::format("{} names are fitted, but this is {}", count, form_of(value)),
+            "write as many numbers in parentheses, for example (px, py, pz) = scene_inside");
+        return Fitted{{}, place};
+    }
+    return Fitted{(*value.elements)[index].value, place};
+}
+
+}  // namespace balcony::lang

@@ -1,0 +1,45 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string_view>
+
+#include "lang/names/session.hpp"
+
+namespace balcony::lang {
+
+/// The `fit` statements of a camera or a picture.
+class FittedParameters {
+public:
+    /// `names` are those that the defaults of parameters may use. Reports names that are not
+    /// parameters, or fitted twice.
+    FittedParameters(const LocatedDefinition& place, Scope& names, Session& session);
+
+    /// The value of a parameter in the scene of the session, or in an arbitrary one without it, and
+    /// where it is written; nothing for a parameter that is not fitted.
+    struct Fitted {
+        Value value;
+        SourceSpan place;
+    };
+    [[nodiscard]] std::optional<Fitted> find(std::string_view name);
+
+private:
+    struct Place {
+        const Assignment* assignment;
+        std::size_t index;  ///< Of the name in it.
+    };
+
+    void read(const Assignment& assignment);
+    void add(const Assignment& assignment, std::size_t index);
+    [[nodiscard]] Axes axes() const;
+
+    const LocatedDefinition place_;
+    const SyntaxTree& tree_;
+    Session& session_;
+    Scope scene_names_;
+    std::map<std::string_view, Place> places_;
+};
+
+}  // namespace balcony::lang

@@ -1,0 +1,72 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "lang/names/scene_names.hpp"
+
+#include <array>
+
+namespace balcony::lang {
+
+namespace {
+
+Value number(double value, expr::Graph& graph) { return {graph.constant(value)}; }
+
+template <class Values, class MakeElement>
+Value compound(Value::Form form, const Values& values, const MakeElement& make_element) {
+    std::vector<Element> elements;
+    for (const auto& value : values) {
+        elements.push_back({make_element(value), {}});
+    }
+    Value made;
+    made.form = form;
+    made.elements = std::make_shared<const std::vector<Element>>(std::move(elements));
+    return made;
+}
+
+template <std::size_t n>
+Value tuple(const std::array<double, n>& values, expr::Graph& graph) {
+    return compound(Value::Form::tuple, values, [&graph](double x) { return number(x, graph); });
+}
+
+// A point given with z up. A camera with y up calls (x, z, -y) what one with z up calls (x, y, z).
+std::array<double, 3> in_axes(const std::array<double, 3>& p, Axes axes) {
+    return axes == Axes::z_up ? p : std::array{p[0], p[2], -p[1]};
+}
+
+}  // namespace
+
+void define_scene_names(const SceneMeasures& scene, Axes axes, expr::Graph& graph, Scope& scope) {
+    const auto define = [&scope](std::string_view name, Value value) {
+        scope.define(name, {std::move(value), {}, "measure of a scene", true});
+    };
+    const std::array from = in_axes(scene.min, axes);
+    const std::array to = in_axes(scene.max, axes);
+    std::array<double, 3> min{};
+    std::array<double, 3> max{};
+    std::array<double, 3> center{};
+    std::array<double, 3> size{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        min[i] = std::min(from[i], to[i]);
+        max[i] = std::max(from[i], to[i]);
+        center[i] = 0.5 * (min[i] + max[i]);
+        size[i] = max[i] - min[i];
+    }
+    define("scene_min", tuple(min, graph));
+    define("scene_max", tuple(max, graph));
+    define("scene_center", tuple(center, graph));
+    define("scene_size", tuple(size, graph));
+    define("scene_inside", tuple(in_axes(scene.inside, axes), graph));
+    define("scene_radius", number(scene.radius, graph));
+    define("scene_profile",
+           compound(Value::Form::list, scene.profile,
+                    [&graph](const std::array<double, 2>& point) { return tuple(point, graph); }));
+}
+
+void announce_scene_names(Scope& scope) {
+    for (const std::string_view name : {"scene_min", "scene_max", "scene_center", "scene_size",
+                                        "scene_inside", "scene_radius", "scene_profile"}) {
+        scope.announce(name, "it is known in fit statements only");
+    }
+}
+
+}  // namespace balcony::lang

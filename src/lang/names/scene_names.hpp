@@ -1,0 +1,21 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The names that `fit` statements use for the measures of a scene.
+
+#include <string_view>
+
+#include "balcony/lang.hpp"
+#include "lang/names/scope.hpp"
+
+namespace balcony::lang {
+
+/// Defines scene_min, scene_max, scene_center, scene_size, scene_inside, scene_radius and
+/// scene_profile, in some axes.
+void define_scene_names(const SceneMeasures& scene, Axes axes, expr::Graph& graph, Scope& scope);
+
+/// Stores for all of these names why they cannot be used outside of `fit`.
+void announce_scene_names(Scope& scope);
+
+}  // namespace balcony::lang

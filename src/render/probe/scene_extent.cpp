@@ -1,0 +1,236 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "balcony/names.hpp"
+#include "balcony/probe.hpp"
+#include "render/probe/main_objects.hpp"
+#include "render/probe/viewer.hpp"
+
+namespace balcony::render {
+
+namespace {
+
+using Imath::V2d;
+using Imath::V3d;
+using Box = Imath::Box3d;
+
+// ------------------------------------------------------------------------------------ geometry
+
+/// Calls a function with the ends of every edge of every triangle, with z up.
+template <class Function>
+void for_each_edge(const scene::Scene& scene, std::optional<std::uint32_t> object,
+                   const Function& function) {
+    for (const scene::Instance& instance : scene.instances) {
+        if (object && instance.object != *object) {
+            continue;
+        }
+        const scene::Mesh& mesh = scene.meshes[instance.mesh.value()];
+        const auto corner = [&](std::uint32_t i) {
+            return turned(V3d(mesh.positions[i]) * instance.world_from_mesh, scene.axes,
+                          Axes::z_up);
+        };
+        for (const auto& triangle : mesh.triangles) {
+            const std::array p{corner(triangle[0]), corner(triangle[1]), corner(triangle[2])};
+            for (std::size_t i = 0; i < 3; ++i) {
+                function(p[i], p[(i + 1) % 3]);
+            }
+        }
+    }
+}
+
+Box turned_box(const Box& box, Axes axes) {
+    Box made;
+    made.extendBy(turned(box.min, axes, Axes::z_up));
+    made.extendBy(turned(box.max, axes, Axes::z_up));
+    return made;
+}
+
+// ------------------------------------------------------------------------------------- profile
+
+/// The largest distances from a vertical axis, by height.
+class Profile {
+public:
+    explicit Profile(const Box& box)
+        : center_(0.5 * (box.min + box.max)),
+          low_(box.min.z),
+          step_((box.max.z - box.min.z) / static_cast<double>(intervals)) {}
+
+    // On an edge, the distance from the axis is a convex function. So it is largest at the ends of
+    // the part of the edge in an interval of heights.
+    void add(V3d a, V3d b) {
+        if (a.z > b.z) {
+            std::swap(a, b);
+        }
+        const std::size_t first = interval_of(a.z);
+        const std::size_t last = interval_of(b.z);
+        for (std::size_t i = first; i <= last; ++i) {
+            add(i == first ? a : at_height(a, b, height(i)), i);
+            add(i == last ? b : at_height(a, b, height(i + 1)), i);
+        }
+    }
+
+    /// From bottom to top; heights are relative to the centre.
+    [[nodiscard]] std::vector<V2d> points(double least_radius) const {
+        std::vector<V2d> made;
+        for (std::size_t i = 0; i <= intervals; ++i) {
+            const double below = i > 0 ? largest_[i - 1] : 0.0;
+            const double above = i < intervals ? largest_[i] : 0.0;
+            made.emplace_back(std::max({below, above, least_radius}), height(i) - center_.z);
+        }
+        return made;
+    }
+
+private:
+    static constexpr std::size_t intervals = 32;
+
+    [[nodiscard]] double height(std::size_t i) const {
+        return low_ + step_ * static_cast<double>(i);
+    }
+    [[nodiscard]] std::size_t interval_of(double z) const {
+        const double i = step_ > 0.0 ? (z - low_) / step_ : 0.0;
+        return static_cast<std::size_t>(std::clamp(i, 0.0, static_cast<double>(intervals) - 1.0));
+    }
+    static V3d at_height(const V3d& a, const V3d& b, double z) {
+        const double share = std::clamp((z - a.z) / (b.z - a.z), 0.0, 1.0);
+        return a + share * (b - a);
+    }
+    void add(const V3d& p, std::size_t i) {
+        largest_[i] = std::max(largest_[i], std::hypot(p.x - center_.x, p.y - center_.y));
+    }
+
+    V3d center_;
+    double low_, step_;
+    std::array<double, intervals> largest_{};
+};
+
+// -------------------------------------------------------------------------------------- inside
+
+/// A place to stand in the open.
+class Inside {
+public:
+    Inside(const scene::Scene& scene, const Viewer& viewer, const Box& box)
+        : scene_(scene), viewer_(viewer), box_(box) {}
+
+    /// Much of the scene is seen from there, nothing is near, and it is near the middle.
+    [[nodiscard]] V3d find() const {
+        constexpr int steps = 9;
+        V3d best = 0.5 * (box_.min + box_.max);
+        double highest = 0.0;
+        for (int i = 0; i < steps * steps; ++i) {
+            const double x = (i % steps + 0.5) / steps;
+            const double y = (i / steps + 0.5) / steps;  // NOLINT(bugprone-integer-division)
+            for (const double level : {0.5 * (box_.min.z + box_.max.z), box_.min.z}) {
+                const V3d point =
+                    at_eye_level({between(0, x), between(1, y), level + 1e-3 * size().z});
+                const double found = merit(point) * std::exp(-4.0 * (sqr(x - 0.5) + sqr(y - 0.5)));
+                if (found > highest) {
+                    highest = found;
+                    best = point;
+                }
+            }
+        }
+        return best;
+    }
+
+private:
+    static double sqr(double x) { return x * x; }
+    [[nodiscard]] V3d size() const { return box_.size(); }
+    [[nodiscard]] double between(int axis, double share) const {
+        return box_.min[axis] + share * size()[axis];
+    }
+
+    // A person's eye level above what is below the point, but at most in the middle of the scene's
+    // height, as of an object on a table.
+    [[nodiscard]] V3d at_eye_level(const V3d& point) const {
+        constexpr double eye_level = 1.6;  // Metres.
+        const double ground =
+            point.z - viewer_.distance(in_scene(point), in_scene({0.0, 0.0, -1.0}));
+        const double floor = std::isfinite(ground) ? std::max(ground, box_.min.z) : box_.min.z;
+        const double level =
+            std::min(eye_level / scene_.meters_per_unit, 0.5 * (box_.max.z - floor));
+        return {point.x, point.y, floor + level};
+    }
+
+    // The clearance counts up to a tenth of the scene's width.
+    [[nodiscard]] double merit(const V3d& point) const {
+        const Sight round = viewer_.look_round(in_scene(point));
+        if (2 * round.fronts <= round.hits) {
+            return 0.0;  // Within a solid.
+        }
+        const double enough = 0.1 * std::hypot(size().x, size().y);
+        return round.interest() * sqr(std::min(round.nearest / enough, 1.0));
+    }
+
+    [[nodiscard]] V3d in_scene(const V3d& v) const { return turned(v, Axes::z_up, scene_.axes); }
+
+    const scene::Scene& scene_;
+    const Viewer& viewer_;
+    const Box box_;
+};
+
+// -------------------------------------------------------------------------------------- object
+
+Result<std::optional<std::uint32_t>> find_object(const scene::Scene& scene,
+                                                 const std::string& name) {
+    if (name.empty()) {
+        return std::optional<std::uint32_t>();
+    }
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        if (scene.objects[i].name == name) {
+            return std::optional(static_cast<std::uint32_t>(i));
+        }
+        names.push_back(scene.objects[i].name);
+    }
+    const auto nearest = nearest_name(name, names);
+    return error(fmt::format("'{}' has no object '{}'", scene.name, name), {},
+                 nearest ? fmt::format("did you mean '{}'?", *nearest)
+                         : "balcony info --objects lists the objects of a scene");
+}
+
+}  // namespace
+
+Result<SceneExtent> measure_scene(const scene::Scene& scene, const std::string& object) {
+    const auto wanted = find_object(scene, object);
+    if (!wanted) {
+        return wanted.diagnostics;
+    }
+    Box box;
+    for_each_edge(scene, *wanted, [&box](const V3d& a, const V3d&) { box.extendBy(a); });
+    if (box.isEmpty() || !std::isfinite(box.size().length())) {
+        return error(object.empty()
+                         ? std::string("the scene has no finite size, so no camera fits it")
+                         : fmt::format("'{}' has no finite size, so no camera fits it", object),
+                     {}, "correct the coordinates of the scene");
+    }
+    if (const auto main = box_of_main_objects(scene); main && object.empty()) {
+        box = turned_box(*main, scene.axes);
+    }
+    const Result<embree::Accelerator> accelerator = embree::Accelerator::build(scene);
+    if (!accelerator) {
+        return accelerator.diagnostics;
+    }
+    const V3d center = 0.5 * (box.min + box.max);
+    SceneExtent extent;
+    extent.bounds = box;
+    Profile profile(box);
+    for_each_edge(scene, *wanted, [&](V3d a, V3d b) {
+        // The surroundings of the main objects are not part of the profile.
+        if (box.intersects(a) && box.intersects(b)) {
+            profile.add(a, b);
+            extent.radius = std::max(extent.radius, std::hypot(a.x - center.x, a.y - center.y));
+        }
+    });
+    extent.profile = profile.points(1e-3 * std::max(extent.radius, 1e-9));
+    extent.inside = Inside(scene, Viewer(scene, *accelerator), box).find();
+    return extent;
+}
+
+}  // namespace balcony::render

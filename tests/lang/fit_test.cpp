@@ -1,0 +1,94 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// `fit` statements: parameters that follow from the measures of a scene.
+
+#include <gtest/gtest.h>
+
+#include "support.hpp"
+
+namespace balcony::lang::fit_test {
+
+namespace {
+
+SceneMeasures box() {
+    return {.min = {1.0, 2.0, 3.0},
+            .max = {5.0, 4.0, 9.0},
+            .inside = {2.0, 3.0, 4.6},
+            .radius = 2.5,
+            .profile = {{2.0, -3.0}, {2.5, 3.0}}};
+}
+
+CameraSource text(std::string written) {
+    return {std::make_shared<const SourceText>("test.cam", std::move(written))};
+}
+
+std::array<double, 3> origin_of(const CameraSource& source, std::optional<SceneMeasures> scene,
+                                const std::vector<Override>& overrides = {}) {
+    Workspace workspace;
+    workspace.fit_to(std::move(scene));
+    const Result<camera::Camera> made = workspace.make_camera(source, "", overrides);
+    EXPECT_TRUE(made) << to_text(made.diagnostics);
+    EXPECT_EQ(to_text(made.diagnostics), "");
+    return test::ray(*made, 0.5, 0.5, 1.0, 1.0).origin;
+}
+
+// A camera whose origin is three parameters.
+std::string at(const std::string& fit) {
+    return "camera c(a = 10, b = 20, c = 30, profile = [(1, 0), (1, 1)]) {\n" + fit +
+           "\n  map u = 1 .. -1, v = square\n  eye point(a, b, c + 0*profile[0][0])\n"
+           "  toward plane((100, 0, 0))\n}\n";
+}
+
+using Point = std::array<double, 3>;
+
+}  // namespace
+
+TEST(Fit, ReplacesDefaultsInAScene) {
+    const CameraSource source =
+        text(at("fit (a, b) = (scene_inside[0], scene_min[1]), "
+                "c = scene_radius*scene_size[2]"));
+    EXPECT_EQ(origin_of(source, box()), (Point{2.0, 2.0, 15.0}));
+    EXPECT_EQ(origin_of(source, std::nullopt), (Point{10.0, 20.0, 30.0}));
+}
+
+TEST(Fit, GivesWayToValuesFromTheCommandLine) {
+    const CameraSource source = text(at("fit a = scene_max[0], b = scene_center[1]"));
+    EXPECT_EQ(origin_of(source, box(), {{"a", "7"}}), (Point{7.0, 3.0, 30.0}));
+}
+
+TEST(Fit, UsesParametersBeforeIt) {
+    const CameraSource source = text(at("fit b = a + scene_radius, c = scene_profile[1][0]"));
+    EXPECT_EQ(origin_of(source, box(), {{"a", "1"}}), (Point{1.0, 3.5, 2.5}));
+}
+
+TEST(Fit, SetsLists) {
+    const CameraSource source = text(
+        "camera c(profile = [(1, 0), (1, 1)]) { fit profile = scene_profile  map u = 1 .. -1, v = "
+        "square  eye point(profile[0][0], profile[0][1], profile[1][0])  toward plane((9, 0, 0)) "
+        "}");
+    EXPECT_EQ(origin_of(source, box()), (Point{2.0, -3.0, 2.5}));
+}
+
+// A camera with y up calls (x, z, -y) what one with z up calls (x, y, z).
+TEST(Fit, FollowsTheAxesOfTheCamera) {
+    const CameraSource source = text(at("axes y_up  fit (a, b, c) = scene_min"));
+    EXPECT_EQ(origin_of(source, box()), (Point{1.0, 3.0, -4.0}));
+    const CameraSource size = text(at("axes y_up  fit (a, b, c) = scene_size"));
+    EXPECT_EQ(origin_of(size, box()), (Point{4.0, 6.0, 2.0}));
+}
+
+TEST(Fit, ReachesTheLayersOfAPicture) {
+    Workspace workspace;
+    workspace.fit_to(box());
+    const Result<camera::Picture> made = workspace.make_picture(
+        text(at("fit a = scene_min[0], b = scene_min[1]") + "picture p { layer c(b = 8) }"));
+    ASSERT_TRUE(made) << to_text(made.diagnostics);
+    const auto& layer = std::get<camera::Camera>(made->parts().layers.front().content);
+    EXPECT_EQ(test::ray(layer, 0.5, 0.5, 1.0, 1.0).origin, (Point{1.0, 8.0, 30.0}));
+    ASSERT_EQ(workspace.fitted().size(), 2U);
+    EXPECT_EQ(workspace.fitted().front().name, "a");
+    EXPECT_EQ(workspace.fitted().front().value, 1.0);
+}
+
+}  // namespace balcony::lang::fit_test
