@@ -4,6 +4,7 @@
 #include "common/surfaces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace balcony::plates {
@@ -42,10 +43,20 @@ Mesh smooth_surface(int columns, int rows, const SurfacePoint& point) {
     const auto index = [columns](int i, int j) {
         return static_cast<std::uint32_t>(j * (columns + 1) + i);
     };
+    // At a pole, where a side has no length, every second triangle is left out.
+    const auto add = [&mesh](const std::array<std::uint32_t, 3>& corners) {
+        const auto& [a, b, c] = corners;
+        const auto apart = [&](std::uint32_t p, std::uint32_t q) {
+            return (mesh.positions[p] - mesh.positions[q]).length() > 1e-6F;
+        };
+        if (apart(a, b) && apart(b, c) && apart(c, a)) {
+            mesh.triangles.push_back(corners);
+        }
+    };
     for (int j = 0; j < rows; ++j) {
         for (int i = 0; i < columns; ++i) {
-            mesh.triangles.push_back({index(i, j), index(i + 1, j), index(i + 1, j + 1)});
-            mesh.triangles.push_back({index(i, j), index(i + 1, j + 1), index(i, j + 1)});
+            add({index(i, j), index(i + 1, j), index(i + 1, j + 1)});
+            add({index(i, j), index(i + 1, j + 1), index(i, j + 1)});
         }
     }
     return mesh;

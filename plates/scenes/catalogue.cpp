@@ -18,6 +18,7 @@
 #include "scenes/marbles/marbles.hpp"
 #include "scenes/plant/plant.hpp"
 #include "scenes/print_gallery/print_gallery.hpp"
+#include "scenes/room/room.hpp"
 #include "scenes/soft/soft.hpp"
 #include "scenes/street/street.hpp"
 #include "scenes/temple/temple.hpp"
@@ -41,6 +42,7 @@ constexpr std::array scenes{
     SceneRow{"plant", "a plant in a pot by a window: a picture of plates 9 to 11", make_plant},
     SceneRow{"print_gallery", "a gallery above a harbour, with a print of itself (plate 19)",
              make_print_gallery},
+    SceneRow{"room", "a furnished living room with windows on one side", make_room},
     SceneRow{"soft", "four letters in a studio (plates 14 and 15)", make_soft},
     SceneRow{"street", "a street between two rows of houses, in autumn (plate 20)", make_street},
     SceneRow{"temple", "a round temple in the desert at evening (plates 12, 13 and 16)",

@@ -53,6 +53,22 @@ double outline(double part) {
 
 }  // namespace
 
+Leaf leaf_of_plant(int number, int count) {
+    constexpr double degrees = std::numbers::pi / 180.0;
+    const auto random = [number](std::uint32_t what) { return lattice_noise(number, 3, what); };
+    const double age = 1.0 - (number + 0.5) / count;
+    const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));
+    return {.azimuth = number * golden_angle + 0.5 * random(1),
+            .pitch = (88.0 - 44.0 * age - 12.0 * random(2)) * degrees,
+            .stalk_length = 1.75 - 0.75 * age + 0.65 * random(3),
+            .length = 1.15 + 0.45 * std::sqrt(age) + 0.3 * random(4),
+            .width = 0.62 + 0.24 * age + 0.14 * random(5),
+            .droop = (35.0 + 55.0 * age + 30.0 * random(6)) * degrees,
+            .roll = (random(7) - 0.5) * 50.0 * degrees,
+            .wave = 0.02 + 0.035 * random(8),
+            .phase = 6.0 * random(9)};
+}
+
 scene::Mesh leaf_blade(const Leaf& leaf) {
     return smooth_surface(12, 28, [&](double u, double v) {
         const Frame frame = blade_frame(leaf, v);

@@ -22,6 +22,10 @@ struct Leaf {
     double phase;   ///< Of the waves.
 };
 
+/// A leaf of a plant with so many leaves, of which the youngest (with the highest numbers) stand in
+/// the middle, upright and small.
+[[nodiscard]] Leaf leaf_of_plant(int number, int count);
+
 [[nodiscard]] scene::Mesh leaf_blade(const Leaf& leaf);
 [[nodiscard]] scene::Mesh leaf_stalk(const Leaf& leaf);
 

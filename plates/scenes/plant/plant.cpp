@@ -28,22 +28,6 @@ constexpr double degrees = std::numbers::pi / 180.0;
 constexpr double soil_height = 1.62;
 constexpr int leaf_count = 46;
 
-// The youngest leaves stand in the middle, upright and small.
-Leaf leaf_number(int number) {
-    const auto random = [number](std::uint32_t what) { return lattice_noise(number, 3, what); };
-    const double age = 1.0 - (number + 0.5) / leaf_count;
-    const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));
-    return {.azimuth = number * golden_angle + 0.5 * random(1),
-            .pitch = (88.0 - 44.0 * age - 12.0 * random(2)) * degrees,
-            .stalk_length = 1.75 - 0.75 * age + 0.65 * random(3),
-            .length = 1.15 + 0.45 * std::sqrt(age) + 0.3 * random(4),
-            .width = 0.62 + 0.24 * age + 0.14 * random(5),
-            .droop = (35.0 + 55.0 * age + 30.0 * random(6)) * degrees,
-            .roll = (random(7) - 0.5) * 50.0 * degrees,
-            .wave = 0.02 + 0.035 * random(8),
-            .phase = 6.0 * random(9)};
-}
-
 Color terracotta(const Sample& sample) {
     const double spots = fractal_noise(sample.point * V2d(3.0, 5.0), 5, 31);
     const double lime = smooth_step(0.05, 0.5, fractal_noise(sample.point * V2d(2.0, 2.5), 4, 33));
@@ -113,7 +97,7 @@ void add_leaves(SceneBuilder& builder) {
     const auto stem = builder.material("stalk", tint(0x5b7a35), 0.5F);
     const M44d in_pot = M44d().setTranslation(V3d(0, 0, soil_height - 0.1));
     for (int number = 0; number < leaf_count; ++number) {
-        const Leaf leaf = leaf_number(number);
+        const Leaf leaf = leaf_of_plant(number, leaf_count);
         const std::string name = fmt::format("leaf {}", number + 1);
         const auto which = static_cast<std::size_t>(lattice_noise(number, 0, 77) * 3.0);
         builder.place(name, builder.mesh(name, leaf_blade(leaf), blades[which]), in_pot);
