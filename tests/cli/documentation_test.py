@@ -70,7 +70,7 @@ class Documentation(support.CommandTest):
     def test_the_superelliptic_camera_is_the_built_in_one(self):
         """A reader who types the listing gets the camera that has its name."""
         cameras = support.REPOSITORY / "cameras"
-        code = "".join(line for line in (cameras / "superelliptic.cam").open()
+        code = "".join(line for line in (cameras / "paper" / "superelliptic.cam").open()
                        if not line.startswith("//"))
         for name in ("README.md", "docs/language.md"):
             page = (support.REPOSITORY / name).read_text()
