@@ -20,16 +20,13 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "balcony/base.hpp"
 #include "balcony/expr.hpp"
+#include "balcony/formula.hpp"
 
 namespace balcony::camera {
-
-using expr::Expr;
-using expr::Graph;
 
 // ------------------------------------------------------------------------------------ spaces
 
@@ -67,43 +64,6 @@ struct PictureSize {
 };
 
 // ---------------------------------------------------------------------------- stage parameters
-
-/// A separate formula: results as functions of parameters and time. Immutable, cheap to copy.
-class Formula {
-public:
-    /// `parameters` are variables of `graph`, the only ones that `results` may use.
-    Formula(std::shared_ptr<Graph> graph, std::vector<Expr> parameters, std::vector<Expr> results);
-
-    [[nodiscard]] std::size_t parameter_count() const { return parameters_.size(); }
-    [[nodiscard]] std::size_t result_count() const { return results_.size(); }
-    /// The results in another graph, with arguments substituted for the parameters.
-    [[nodiscard]] std::vector<Expr> emit(Graph& graph, std::span<const Expr> arguments) const;
-    /// The value of result i if it is constant.
-    [[nodiscard]] std::optional<double> constant(std::size_t i) const;
-    /// The same with every result held between two numbers.
-    [[nodiscard]] Formula clamped(double minimum, double maximum) const;
-
-private:
-    std::shared_ptr<Graph> graph_;
-    std::vector<Expr> parameters_;
-    std::vector<Expr> results_;
-};
-
-/// A number argument of a stage: a constant or a formula in time.
-class Scalar {
-public:
-    Scalar(double value = 0.0) : value_(value) {}
-    /// A formula without parameters and with one result.
-    Scalar(Formula formula);
-
-    [[nodiscard]] std::optional<double> constant() const;
-    /// The same number, held between two others.
-    [[nodiscard]] Scalar clamped(double minimum, double maximum) const;
-    [[nodiscard]] Expr emit(Graph& graph) const;
-
-private:
-    std::variant<double, Formula> value_;
-};
 
 class Stage;
 
@@ -422,6 +382,13 @@ struct RayFootprint {
 /// that of the central ray.
 [[nodiscard]] RayFootprint footprint_through_lens(const RayExpressions& ray);
 
+/// A turn of all rays of a camera about a vertical axis, counterclockwise seen from above.
+struct Turn {
+    Scalar angle;                    ///< In radians.
+    std::array<double, 3> center{};  ///< A point of the axis.
+    Axes axes = Axes::z_up;          ///< Of the centre.
+};
+
 /// An extended camera. Its stages write their formulas once, when it is made.
 class Camera {
 public:
@@ -431,7 +398,8 @@ public:
         Path eye;
         std::optional<Path> toward;
         DirectionRulePointer look;
-        LensPointer lens{};  ///< Null: a pinhole at the origin of each ray.
+        LensPointer lens{};          ///< Null: a pinhole at the origin of each ray.
+        std::optional<Turn> turn{};  ///< Of the rays that all of this makes.
         /// When each ray meets the scene: a number of seconds as a formula of the point of the
         /// camera's own picture, in fractions from its top left corner. It replaces t in all other
         /// formulas of the camera. Without it, every ray meets the scene at time t.
@@ -453,6 +421,8 @@ public:
 
     [[nodiscard]] const std::string& name() const { return emitted_->parts.name; }
     [[nodiscard]] const Parts& parts() const { return emitted_->parts; }
+    /// The same camera with another turn.
+    [[nodiscard]] Camera with_turn(const Turn& turn) const;
     /// The aspect without which its picture is stretched: that of its parts. Nothing if its maps
     /// adapt to any aspect; the map of a point does not matter.
     [[nodiscard]] std::optional<double> fixed_aspect() const;

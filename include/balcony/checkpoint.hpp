@@ -20,6 +20,9 @@ struct RenderFact {
 };
 using RenderFacts = std::vector<RenderFact>;
 
+/// What differs between the facts of two renders, in words; empty if nothing does.
+[[nodiscard]] std::string difference(const RenderFacts& before, const RenderFacts& now);
+
 /// Replaces the file by a checkpoint of the film. The file is first written as FILE.new, so that it
 /// is always complete. A failure is an error, and the file is unchanged.
 [[nodiscard]] Diagnostics write_checkpoint(const Film& film, const RenderFacts& facts,

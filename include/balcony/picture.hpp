@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -147,6 +148,8 @@ public:
     Picture(Camera camera);
     /// The same, with another treatment of pictures of another aspect.
     [[nodiscard]] Picture with_fit(Fit fit) const;
+    /// The same, with another turn of all its cameras.
+    [[nodiscard]] Picture with_turn(const Turn& turn) const;
 
     [[nodiscard]] const std::string& name() const { return parts_->name; }
     [[nodiscard]] const Parts& parts() const { return *parts_; }
@@ -161,6 +164,9 @@ public:
     [[nodiscard]] PictureExpressions emit(Graph& graph, double width, double height) const;
 
 private:
+    using TurnedCameras = std::map<const Camera::Parts*, Camera>;
+    [[nodiscard]] Picture with_turn(const Turn& turn, TurnedCameras& cameras) const;
+
     explicit Picture(Parts parts) : parts_(std::make_shared<const Parts>(std::move(parts))) {}
     std::shared_ptr<const Parts> parts_;
     bool of_layers_ = true;

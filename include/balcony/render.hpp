@@ -86,11 +86,19 @@ enum class LampSampling : std::uint8_t {
     surfaces,  ///< By directions that a surface scatters light to.
 };
 
+/// What lights a scene that has no light of its own.
+enum class SubstituteLight : std::uint8_t {
+    sky,
+    eye,  ///< A light at the eye.
+};
+
 /// Light that is not part of the scene, for `path`.
 struct LightSettings {
-    /// If empty, a scene without any light gets one: a sky where the picture shows surfaces that
-    /// could see it, and otherwise a light at the eye.
+    /// If empty, a scene without any light gets a substitute.
     std::optional<Environment> environment{};
+    /// If empty, it is a sky where the picture shows surfaces that could see it, and otherwise a
+    /// light at the eye.
+    std::optional<SubstituteLight> substitute{};
     /// The environment is the background of the picture, and opaque; not if Settings::background is
     /// a colour.
     bool visible = true;
@@ -167,6 +175,11 @@ public:
     [[nodiscard]] static Result<Renderer> make(std::shared_ptr<const scene::Scene> scene,
                                                const RendererSettings& settings = {});
 
+    /// The same scene for other times, after scene::move_to() has moved it in place. Shares the
+    /// textures and all that does not move. If anything moves, this renderer and its jobs must not
+    /// be used any more.
+    [[nodiscard]] Result<Renderer> moved(const scene::TimeInterval& interval) const;
+
     [[nodiscard]] const Preparation& preparation() const;
 
 private:
@@ -212,7 +225,8 @@ struct Summary {
     /// Pixels that show a surface which one of the frames shows at several places, of which the
     /// nearest counts.
     std::uint64_t ambiguous_motion = 0;
-    std::string light;             ///< What lights the scene of `path`: "2 lamps, ...".
+    std::string light;  ///< What lights the scene of `path`: "2 lamps, ...".
+    std::optional<SubstituteLight> substitute{};  ///< Of `path`, if the scene has no light.
     Color3f ambient{0.0F};         ///< The ambient radiance, from the settings or chosen.
     std::size_t passes = 0;        ///< The number of passes that all tiles of the film have.
     bool interrupted = false;      ///< Stopped before all tiles had all passes.
@@ -236,6 +250,11 @@ public:
     [[nodiscard]] static Result<Job> make(const Renderer& renderer, const camera::Picture& picture,
                                           const Settings& settings, Film& film);
 
+    /// The same picture with other settings, such as another time, on another film. A film of the
+    /// same size takes over the compiled picture. The renderer is one of the same scene.
+    [[nodiscard]] Result<Job> again(const Renderer& renderer, const Settings& settings,
+                                    Film& film) const;
+
     /// What lights the picture, as Summary::light.
     [[nodiscard]] const std::string& light() const;
 
@@ -252,6 +271,9 @@ public:
 private:
     struct State;
     explicit Job(std::shared_ptr<const State> state) : state_(std::move(state)) {}
+    [[nodiscard]] static Result<Job> make(const Renderer& renderer, const camera::Picture& picture,
+                                          const Settings& settings, Film& film,
+                                          const State* previous);
     std::shared_ptr<const State> state_;
 };
 

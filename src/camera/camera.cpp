@@ -201,6 +201,9 @@ Camera::Emitted::Emitted(Parts made_of)
         ray.lens = lens_around(ray, *parts.lens, picture, lens_emit);
         problems.insert(problems.end(), lens_emit.problems().begin(), lens_emit.problems().end());
     }
+    if (parts.turn) {
+        ray = turned(ray, *parts.turn, parts.axes, Emitter(graph));
+    }
     if (parts.time) {
         const std::array fractions{picture.point.x / picture.size.width,
                                    picture.point.y / picture.size.height};
@@ -208,6 +211,12 @@ Camera::Emitted::Emitted(Parts made_of)
         ray = at_time(ray, time);
         stages = substitute(graph, stages, std::array{expr::Substitution{graph.time(), time}});
     }
+}
+
+Camera Camera::with_turn(const Turn& turn) const {
+    Parts turned = parts();
+    turned.turn = turn;
+    return Camera(std::make_shared<const Emitted>(std::move(turned)));
 }
 
 std::optional<double> Camera::fixed_aspect() const {

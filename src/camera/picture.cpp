@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -412,6 +413,30 @@ Picture Picture::with_fit(Fit fit) const {
     parts.fit = fit;
     if (!of_layers_) {
         parts.layers.front().fit = fit;
+    }
+    Picture made(std::move(parts));
+    made.of_layers_ = of_layers_;
+    return made;
+}
+
+Picture Picture::with_turn(const Turn& turn) const {
+    TurnedCameras cameras;
+    return with_turn(turn, cameras);
+}
+
+// Layers that share a camera still do afterwards.
+Picture Picture::with_turn(const Turn& turn, TurnedCameras& cameras) const {
+    Parts parts = *parts_;
+    for (Layer& layer : parts.layers) {
+        if (const Picture* const inner = nested(layer)) {
+            layer.content = std::make_shared<const Picture>(inner->with_turn(turn, cameras));
+            continue;
+        }
+        const auto own = std::get<Camera>(layer.content);
+        const auto known = cameras.find(&own.parts());
+        const Camera turned = known != cameras.end() ? known->second : own.with_turn(turn);
+        cameras.try_emplace(&own.parts(), turned);
+        layer.content = turned;
     }
     Picture made(std::move(parts));
     made.of_layers_ = of_layers_;

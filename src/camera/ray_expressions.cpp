@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <Imath/ImathVec.h>
+
 namespace balcony::camera {
 
 namespace {
@@ -151,6 +153,28 @@ RayFootprint footprint_through_lens(const RayExpressions& ray) {
     slopes.direction_by_x = turned(slopes.direction_by_x, graph.picture_x());
     slopes.direction_by_y = turned(slopes.direction_by_y, graph.picture_y());
     return slopes;
+}
+
+// ---------------------------------------------------------------------------------------- turn
+
+RayExpressions turned(const RayExpressions& ray, const Turn& turn, Axes axes, const Emitter& emit) {
+    const Expr angle = emit(turn.angle);
+    const Expr c = cos(angle);
+    const Expr s = sin(angle);
+    const auto about_vertical = [&](const ObjectVector& v) {
+        return axes == Axes::z_up ? ObjectVector{c * v.x - s * v.y, s * v.x + c * v.y, v.z}
+                                  : ObjectVector{c * v.x + s * v.z, v.y, c * v.z - s * v.x};
+    };
+    const auto& [x, y, z] = turn.center;
+    const Imath::V3d o = balcony::turned(Imath::V3d(x, y, z), turn.axes, axes);
+    const ObjectPoint center{emit(o.x), emit(o.y), emit(o.z)};
+    RayExpressions made = ray;
+    made.origin = center + about_vertical(ray.origin - center);
+    made.direction = about_vertical(ray.direction);
+    if (ray.lens) {
+        made.lens->offset = about_vertical(ray.lens->offset);
+    }
+    return made;
 }
 
 // ---------------------------------------------------------------------------------------- time

@@ -24,6 +24,10 @@ namespace balcony::camera {
 [[nodiscard]] LensExpressions lens_around(const RayExpressions& ray, const Lens& lens,
                                           const PicturePoint& picture, Emitter& emit);
 
+/// A ray of a camera with these axes, turned with its lens.
+[[nodiscard]] RayExpressions turned(const RayExpressions& ray, const Turn& turn, Axes axes,
+                                    const Emitter& emit);
+
 /// The ray at another time, which replaces t.
 [[nodiscard]] RayExpressions at_time(const RayExpressions& ray, Expr time);
 

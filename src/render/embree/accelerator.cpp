@@ -32,7 +32,7 @@ struct ReleaseGeometry {
     void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
 };
 using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, ReleaseDevice>;
-using BuiltScene = std::unique_ptr<std::remove_pointer_t<RTCScene>, ReleaseScene>;
+using BuiltScene = std::shared_ptr<std::remove_pointer_t<RTCScene>>;
 using Geometry = std::unique_ptr<std::remove_pointer_t<RTCGeometry>, ReleaseGeometry>;
 
 // The first error that Embree reported.
@@ -120,7 +120,7 @@ Geometry make_triangles(RTCDevice device, const scene::Scene& scene, const Motio
 }
 
 BuiltScene make_scene(RTCDevice device) {
-    BuiltScene built(rtcNewScene(device));
+    BuiltScene built(rtcNewScene(device), ReleaseScene());
     rtcSetSceneFlags(built.get(), RTC_SCENE_FLAG_ROBUST);
     // Medium is the highest quality whose result does not depend on the number of threads.
     rtcSetSceneBuildQuality(built.get(), RTC_BUILD_QUALITY_MEDIUM);
@@ -203,13 +203,19 @@ void set_lane(RTCRay16& packet, std::size_t lane, const Ray& ray) {
 
 }  // namespace
 
-struct Accelerator::State {
-    std::unique_ptr<ErrorLog> errors = std::make_unique<ErrorLog>();
+// Embree, with the errors that it reports.
+struct Engine {
+    ErrorLog errors;
     Device device;
+};
+
+struct Accelerator::State {
+    std::shared_ptr<Engine> engine = std::make_shared<Engine>();
     std::vector<BuiltScene> meshes;  // By mesh; null for one that no instance places.
     BuiltScene world;
     float reach = max_coordinate;
 
+    [[nodiscard]] RTCDevice device() const { return engine->device.get(); }
     void place(const scene::Scene& scene, const MotionSteps& motion, std::size_t instance);
     void copy(const scene::Scene& scene, const MotionSteps& motion, std::size_t instance);
     [[nodiscard]] bool traceable(const Ray& ray) const;
@@ -220,15 +226,15 @@ void Accelerator::State::place(const scene::Scene& scene, const MotionSteps& mot
     const scene::MeshIndex index = scene.instances[instance].mesh;
     BuiltScene& mesh = meshes[index.value()];
     if (!mesh) {
-        mesh = make_scene(device.get());
+        mesh = make_scene(device());
         if (const Geometry triangles =
-                make_triangles(device.get(), scene, motion, index, std::nullopt)) {
+                make_triangles(device(), scene, motion, index, std::nullopt)) {
             rtcAttachGeometry(mesh.get(), triangles.get());
         }
         rtcCommitScene(mesh.get());
     }
     const auto steps = motion.matrices(instance);
-    const Geometry placed = make_instance(device.get(), mesh.get(), steps);
+    const Geometry placed = make_instance(device(), mesh.get(), steps);
     rtcAttachGeometryByID(world.get(), placed.get(), static_cast<unsigned>(instance));
     for (const scene::M44d& world_from_mesh : steps) {
         reach = std::min(reach, static_cast<float>(*reach_into(world_from_mesh)));
@@ -238,7 +244,7 @@ void Accelerator::State::place(const scene::Scene& scene, const MotionSteps& mot
 void Accelerator::State::copy(const scene::Scene& scene, const MotionSteps& motion,
                               std::size_t instance) {
     if (const Geometry triangles =
-            make_triangles(device.get(), scene, motion, scene.instances[instance].mesh, instance)) {
+            make_triangles(device(), scene, motion, scene.instances[instance].mesh, instance)) {
         rtcAttachGeometryByID(world.get(), triangles.get(), static_cast<unsigned>(instance));
     }
 }
@@ -255,14 +261,32 @@ Result<Accelerator> Accelerator::build(const scene::Scene& scene, const scene::M
         return broken;
     }
     auto state = std::make_shared<State>();
-    state->device.reset(rtcNewDevice(nullptr));
-    if (!state->device) {
+    Engine& engine = *state->engine;
+    engine.device.reset(rtcNewDevice(nullptr));
+    if (!engine.device) {
         return error("Embree cannot start on this machine");
     }
-    rtcSetDeviceErrorFunction(state->device.get(), record_error, state->errors.get());
-
-    state->world = make_scene(state->device.get());
+    rtcSetDeviceErrorFunction(engine.device.get(), record_error, &engine.errors);
     state->meshes.resize(scene.meshes.size());
+    return fill(std::move(state), scene, movement);
+}
+
+Result<Accelerator> Accelerator::moved(const scene::Scene& scene,
+                                       const scene::Movement& movement) const {
+    auto state = std::make_shared<State>();
+    state->engine = state_->engine;
+    state->meshes = state_->meshes;
+    if (scene.motion) {
+        for (const scene::Deformation& deformation : scene.motion->deformations) {
+            state->meshes[deformation.mesh.value()].reset();
+        }
+    }
+    return fill(std::move(state), scene, movement);
+}
+
+Result<Accelerator> Accelerator::fill(std::shared_ptr<State> state, const scene::Scene& scene,
+                                      const scene::Movement& movement) {
+    state->world = make_scene(state->device());
     const MotionSteps motion(scene, movement);
     const std::vector<Use> uses = choose_uses(scene, motion);
     for (std::size_t i = 0; i < uses.size(); ++i) {
@@ -278,9 +302,8 @@ Result<Accelerator> Accelerator::build(const scene::Scene& scene, const scene::M
     }
     rtcCommitScene(state->world.get());
 
-    if (!state->errors->first.empty()) {
-        return error(
-            fmt::format("the acceleration structure cannot be built: {}", state->errors->first));
+    if (const std::string& first = state->engine->errors.first; !first.empty()) {
+        return error(fmt::format("the acceleration structure cannot be built: {}", first));
     }
     return {Accelerator(std::move(state)), name_left_out(scene, uses)};
 }

@@ -125,6 +125,11 @@ public:
     [[nodiscard]] static Result<Accelerator> build(const scene::Scene& scene,
                                                    const scene::Movement& movement = {});
 
+    /// The same for the scene of this structure at another time. Shares the meshes that are placed
+    /// and keep their shape.
+    [[nodiscard]] Result<Accelerator> moved(const scene::Scene& scene,
+                                            const scene::Movement& movement) const;
+
     /// The largest absolute coordinate of a ray's origin: max_coordinate, or less if a shared
     /// mesh is placed by a matrix that shrinks it.
     [[nodiscard]] float reach() const;
@@ -153,6 +158,9 @@ public:
 private:
     struct State;
     explicit Accelerator(std::shared_ptr<const State> state) : state_(std::move(state)) {}
+    [[nodiscard]] static Result<Accelerator> fill(std::shared_ptr<State> state,
+                                                  const scene::Scene& scene,
+                                                  const scene::Movement& movement);
     std::shared_ptr<const State> state_;
 };
 

@@ -16,7 +16,4 @@ namespace balcony::render {
 
 [[nodiscard]] std::optional<std::string_view> find(const RenderFacts& facts, std::string_view name);
 
-/// What differs, in words; empty if nothing does.
-[[nodiscard]] std::string difference(const RenderFacts& before, const RenderFacts& now);
-
 }  // namespace balcony::render

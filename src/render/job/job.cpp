@@ -212,6 +212,7 @@ private:
         summary.ambiguous_motion = counts.motion.ambiguous;
         summary.ambient = *parts_.settings.ambient;
         summary.light = parts_.light;
+        summary.substitute = parts_.substitute;
         summary.passes = fewest_passes();
         summary.interrupted = !complete;
         summary.seconds = watch_.seconds();
@@ -258,12 +259,24 @@ Diagnostic out_of_memory() {
 
 struct Job::State {
     std::shared_ptr<const Renderer::State> renderer;
+    camera::Picture picture;
+    bool footprints;                  // Whether it was compiled with them,
+    std::array<std::size_t, 2> size;  // and for which size in pixels.
     JobParts parts;
     Film* film;
 };
 
 Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
                       const Settings& settings, Film& film) {
+    return make(renderer, picture, settings, film, nullptr);
+}
+
+Result<Job> Job::again(const Renderer& renderer, const Settings& settings, Film& film) const {
+    return make(renderer, state_->picture, settings, film, state_.get());
+}
+
+Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
+                      const Settings& settings, Film& film, const State* previous) {
     if (Diagnostics found = check(settings); !found.empty()) {
         return found;
     }
@@ -283,11 +296,16 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
         if (!focus) {
             return std::move(focus.diagnostics);
         }
-        Result<rays::CompiledPicture> compiled = rays::compile(
-            picture, static_cast<double>(film.width), static_cast<double>(film.height),
-            {.axes = traced.scene->axes,
-             .footprints = traced.materials.has_textures() || with_magnification,
-             .inputs = lens_inputs(*focus)});
+        const bool footprints = traced.materials.has_textures() || with_magnification;
+        const std::array size{film.width, film.height};
+        Result<rays::CompiledPicture> compiled =
+            previous != nullptr && previous->size == size && previous->footprints == footprints
+                ? Result<rays::CompiledPicture>(previous->parts.picture)
+                : rays::compile(picture, static_cast<double>(film.width),
+                                static_cast<double>(film.height),
+                                {.axes = traced.scene->axes,
+                                 .footprints = footprints,
+                                 .inputs = lens_inputs(*focus)});
         if (!compiled) {
             return std::move(compiled.diagnostics);
         }
@@ -307,10 +325,12 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
         PictureRays picture_rays(*compiled, traced.interval, *focus);
         read_visible_textures(traced, picture_rays, film, settings.time);
         std::string light;
+        std::optional<SubstituteLight> substitute;
         if (traces_environment(settings.integrator)) {
             Lighting lighting = lighting_of(traced, picture_rays, film, settings);
             traced.lights = std::move(lighting.lights);
             light = std::move(lighting.description);
+            substitute = lighting.substitute;
             complete.ambient = Color3f(0.0F);
         } else if (!complete.ambient) {
             complete.ambient = ambient_of(traced, picture_rays, film, settings.time);
@@ -333,9 +353,12 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
         auto motion = motion_of(traced, *compiled, settings, film);
         return Job(std::make_shared<const State>(
             State{renderer.state_,
+                  picture,
+                  footprints,
+                  size,
                   {std::move(traced), std::move(*compiled), std::move(*focus), complete,
-                   find_integrator(settings.integrator), std::move(light), std::move(motion),
-                   watch.seconds()},
+                   find_integrator(settings.integrator), std::move(light), substitute,
+                   std::move(motion), watch.seconds()},
                   &film}));
     } catch (const std::bad_alloc&) {
         return out_of_memory();

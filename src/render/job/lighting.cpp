@@ -73,11 +73,15 @@ Lighting lighting_of(const TracedScene& traced, PictureRays& rays, const Film& f
     if (!own.empty() || !traced.scene->default_light) {
         return {traced.lights.with({}, settings.light.sun_angle), own.empty() ? "no light" : own};
     }
-    if (sees_sky(traced, rays, film, settings.time)) {
+    const SubstituteLight substitute = settings.light.substitute ? *settings.light.substitute
+                                       : sees_sky(traced, rays, film, settings.time)
+                                           ? SubstituteLight::sky
+                                           : SubstituteLight::eye;
+    if (substitute == SubstituteLight::sky) {
         const Environment sky = Environment::dome();
-        return {traced.lights.with(sky), sky.description()};
+        return {traced.lights.with(sky), sky.description(), substitute};
     }
-    return {traced.lights.lit_from_eye(), "a light at the eye, as the scene has none"};
+    return {traced.lights.lit_from_eye(), "a light at the eye, as the scene has none", substitute};
 }
 
 }  // namespace balcony::render

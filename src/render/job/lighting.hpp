@@ -15,6 +15,7 @@ namespace balcony::render {
 struct Lighting {
     LightSet lights;
     std::string description;  ///< As Summary::light.
+    std::optional<SubstituteLight> substitute{};
 };
 
 /// The lights of the scene with the environment of the settings, or the light that replaces them

@@ -49,6 +49,29 @@ Result<Renderer> Renderer::make(std::shared_ptr<const scene::Scene> scene,
             std::move(warnings)};
 }
 
+Result<Renderer> Renderer::moved(const scene::TimeInterval& interval) const {
+    TracedScene traced = state_->traced;
+    traced.interval = interval;
+    const scene::Scene& scene = *traced.scene;
+    const Stopwatch watch;
+    Diagnostics warnings;
+    if (scene.motion) {
+        const scene::Movement movement = scene::movement(scene, interval);
+        Result<embree::Accelerator> accelerator = traced.accelerator.moved(scene, movement);
+        if (!accelerator) {
+            return std::move(accelerator.diagnostics);
+        }
+        warnings = std::move(accelerator.diagnostics);
+        traced.accelerator = std::move(*accelerator);
+        traced.surfaces = SurfaceFinder(scene, movement);
+        traced.lights = LightSet(scene, traced.textures.get(), movement);
+    }
+    Preparation preparation = state_->preparation;
+    preparation.build_seconds = watch.seconds();
+    return {Renderer(std::make_shared<const State>(State{std::move(traced), preparation})),
+            std::move(warnings)};
+}
+
 const Renderer::Preparation& Renderer::preparation() const { return state_->preparation; }
 
 }  // namespace balcony::render

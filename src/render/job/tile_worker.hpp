@@ -24,6 +24,7 @@ struct JobParts {
     Settings settings;
     IntegratorMaker integrator;
     std::string light;                          ///< As Summary::light.
+    std::optional<SubstituteLight> substitute;  ///< As Summary::substitute.
     std::shared_ptr<const FrameMotion> motion;  ///< Null if the film has no such layer.
     double compile_seconds = 0.0;
 };

@@ -1,0 +1,58 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// What a stage is made of: numbers and functions that may change with time.
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "balcony/expr.hpp"
+
+namespace balcony::camera {
+
+using expr::Expr;
+using expr::Graph;
+
+/// A separate formula: results as functions of parameters and time. Immutable, cheap to copy.
+class Formula {
+public:
+    /// `parameters` are variables of `graph`, the only ones that `results` may use.
+    Formula(std::shared_ptr<Graph> graph, std::vector<Expr> parameters, std::vector<Expr> results);
+
+    [[nodiscard]] std::size_t parameter_count() const { return parameters_.size(); }
+    [[nodiscard]] std::size_t result_count() const { return results_.size(); }
+    /// The results in another graph, with arguments substituted for the parameters.
+    [[nodiscard]] std::vector<Expr> emit(Graph& graph, std::span<const Expr> arguments) const;
+    /// The value of result i if it is constant.
+    [[nodiscard]] std::optional<double> constant(std::size_t i) const;
+    /// The same with every result held between two numbers.
+    [[nodiscard]] Formula clamped(double minimum, double maximum) const;
+
+private:
+    std::shared_ptr<Graph> graph_;
+    std::vector<Expr> parameters_;
+    std::vector<Expr> results_;
+};
+
+/// A number argument of a stage: a constant or a formula in time.
+class Scalar {
+public:
+    Scalar(double value = 0.0) : value_(value) {}
+    /// A formula without parameters and with one result.
+    Scalar(Formula formula);
+
+    [[nodiscard]] std::optional<double> constant() const;
+    /// The same number, held between two others.
+    [[nodiscard]] Scalar clamped(double minimum, double maximum) const;
+    [[nodiscard]] Expr emit(Graph& graph) const;
+
+private:
+    std::variant<double, Formula> value_;
+};
+
+}  // namespace balcony::camera

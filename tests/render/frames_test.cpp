@@ -1,0 +1,132 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// The frames of an animation: a renderer that is moved and a job that goes on give what new ones
+// give.
+
+#include <cstring>
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "balcony/motion.hpp"
+#include "support.hpp"
+
+namespace balcony::render::test::frames_test {
+
+namespace {
+
+// A shared mesh in three places, of which one moves, and a wall of its own that moves, too.
+scene::Scene moving_scene() {
+    scene::Scene scene;
+    add(scene, wall(-4.0F, 9.0F), white());
+    add(scene, coarse_sphere(0.4F, 24, 12), white());
+    for (const double x : {-1.0, 1.0}) {
+        scene::Instance copy = scene.instances.back();
+        copy.world_from_mesh.setTranslation(V3d(x, 0.3, -1.0));
+        scene.instances.push_back(copy);
+    }
+    add(scene, wall(-2.0F, 0.5F), white());
+    scene::Light lamp;
+    lamp.kind = scene::LightKind::point;
+    lamp.position = V3d(0.0, 2.0, 2.0);
+    lamp.intensity = scene::Color3f(30.0F);
+    scene.lights.push_back(lamp);
+
+    auto motion = std::make_shared<scene::Motion>();
+    motion->tracks = {{scene::Interpolation::linear, 3, {0.0, 1.0}, {0, 0, 0, 0.5F, 1.0F, 0.3F}}};
+    scene::Node node;
+    node.translation_track = scene::TrackIndex(0);
+    scene::Node above = node;
+    above.world_from_parent.setTranslation(lamp.position);
+    motion->nodes = {node, above};
+    motion->instances = {{2, scene::NodeIndex(0)}, {4, scene::NodeIndex(0)}};
+    motion->lights = {{0, scene::NodeIndex(1)}};
+    motion->animations = {{"test", 1.0, 1}};
+    scene.motion = std::move(motion);
+    return scene;
+}
+
+constexpr double frame = 0.25;
+constexpr Shutter shutter{0.5 * frame, ShutterShape::box};
+
+Settings settings_at(double time) {
+    Settings settings;
+    settings.samples = 2;
+    settings.time = time;
+    settings.shutter = shutter;
+    return settings;
+}
+
+Film empty_film() { return *make_film({.width = 96, .height = 64, .data_layers = false}); }
+
+camera::Camera view() { return pinhole(view_down_z(0.2, 0.3, 3.0)); }
+
+bool same(const Film& a, const Film& b) {
+    return a.sum.size() == b.sum.size() &&
+           std::memcmp(a.sum.data(), b.sum.data(), a.sum.size() * sizeof(a.sum[0])) == 0;
+}
+
+Film rendered_anew(scene::Scene scene, double time) {
+    EXPECT_TRUE(scene::move_to(scene, time).empty());
+    const auto renderer = Renderer::make(std::make_shared<scene::Scene>(std::move(scene)),
+                                         {.interval = shutter.exposure(time)});
+    Film film = empty_film();
+    EXPECT_TRUE(renderer && render::render(*renderer, view(), settings_at(time), film));
+    return film;
+}
+
+}  // namespace
+
+TEST(Frames, AreThoseOfNewRenderers) {
+    for (const bool moves : {true, false}) {
+        scene::Scene scene = moving_scene();
+        if (!moves) {
+            scene.motion.reset();
+        }
+        const auto shared = std::make_shared<scene::Scene>(scene);
+        Result<Renderer> renderer = Renderer::make(shared, {.interval = shutter.exposure(0.0)});
+        ASSERT_TRUE(renderer);
+        Film first = empty_film();
+        Result<Job> job = Job::make(*renderer, view(), settings_at(0.0), first);
+        ASSERT_TRUE(job && job->run());
+        ASSERT_TRUE(same(first, rendered_anew(scene, 0.0)));
+        Film last = first;
+        for (const double time : {frame, 3.0 * frame, 2.0 * frame}) {
+            ASSERT_TRUE(scene::move_to(*shared, time).empty());
+            renderer = renderer->moved(shutter.exposure(time));
+            ASSERT_TRUE(renderer);
+            Film film = empty_film();
+            job = job->again(*renderer, settings_at(time), film);
+            ASSERT_TRUE(job && job->run());
+            EXPECT_TRUE(same(film, rendered_anew(scene, time))) << time;
+            EXPECT_EQ(same(film, last), !moves);
+            last = film;
+        }
+    }
+}
+
+// A wall without lamps is lit by a sky if the picture could show one, unless the light is chosen.
+TEST(Frames, SubstituteLightIsReportedAndCanBeHeld) {
+    scene::Scene scene;
+    add(scene, wall(-1.0F, 9.0F), white());
+    scene.default_light = true;
+    const auto renderer = Renderer::make(std::make_shared<scene::Scene>(scene));
+    ASSERT_TRUE(renderer);
+    Film film = empty_film();
+    Settings settings = settings_at(0.0);
+    settings.shutter = {};
+    const auto chosen = render::render(*renderer, view(), settings, film);
+    ASSERT_TRUE(chosen);
+    EXPECT_EQ(chosen->substitute, SubstituteLight::sky);
+    for (const SubstituteLight light : {SubstituteLight::sky, SubstituteLight::eye}) {
+        Film held = empty_film();
+        settings.light.substitute = light;
+        const auto summary = render::render(*renderer, view(), settings, held);
+        ASSERT_TRUE(summary);
+        EXPECT_EQ(summary->substitute, light);
+        EXPECT_EQ(same(held, film), light == SubstituteLight::sky);
+    }
+}
+
+}  // namespace balcony::render::test::frames_test
