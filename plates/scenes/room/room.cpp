@@ -110,7 +110,7 @@ private:
         outside.name = "daylight";
         outside.base_color = Color3f(0.0F);
         outside.specular = 0.0F;
-        outside.emission = Color3f(7.0F);
+        outside.emission = Color3f(9.0F);
         outside.emission_texture.index =
             builder.texture("countryside", 416, 520, countryside, scene::Wrap::clamp);
         const MaterialIndex daylight = builder.material(outside);
@@ -368,13 +368,13 @@ private:
         const Lamp hanging = pendant();
         const M44d above = M44d().setTranslation(V3d(1.65, 1.5, ceiling));
         put("pendant", hanging.metal, brass_, above);
-        put("globe of the pendant", hanging.shade, glowing("opal glass", warm * 4.0F), above);
+        put("globe of the pendant", hanging.shade, glowing("opal glass", warm * 9.0F), above);
         const Lamp standing = floor_lamp();
         const V3d corner(-3.02, 1.78, 0);
         put("floor lamp", standing.metal, brass_, M44d().setTranslation(corner));
         put("lampshade", standing.shade, glowing("lampshade", Color3f(2.0F, 1.4F, 0.8F)),
             M44d().setTranslation(corner));
-        add_light("floor lamp", corner + V3d(0, 0, 1.55), warm * 3.0F, {});
+        add_light("floor lamp", corner + V3d(0, 0, 1.55), warm * 6.0F, {});
 
         MeshBuilder rings, discs;
         for (const double x : {-2.2, 0.0, 2.2}) {
@@ -382,7 +382,7 @@ private:
                 const V3d at(x, y, ceiling);
                 rings.lathe(at - V3d(0, 0, 0.012), {{0.045, 0.0}, {0.06, 0.0}, {0.065, 0.012}});
                 discs.lathe(at - V3d(0, 0, 0.006), {{0.0, 0.0}, {0.045, 0.0}});
-                add_light("spot", at - V3d(0, 0, 0.02), warm * 7.0F, 85.0 * degrees);
+                add_light("spot", at - V3d(0, 0, 0.02), warm * 6.0F, 85.0 * degrees);
             }
         }
         put("rings of the spot lights", rings, brass_);
