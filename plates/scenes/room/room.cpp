@@ -374,7 +374,10 @@ private:
         put("floor lamp", standing.metal, brass_, M44d().setTranslation(corner));
         put("lampshade", standing.shade, glowing("lampshade", Color3f(2.0F, 1.4F, 0.8F)),
             M44d().setTranslation(corner));
-        add_light("floor lamp", corner + V3d(0, 0, 1.55), warm * 6.0F, {});
+        add_light("floor lamp", corner + V3d(0, 0, 1.55), warm * 3.0F, {});
+
+        // What a photographer would add, so that the ceiling is not lit by reflections alone.
+        add_light("fill", V3d(0, 0, 1.3), Color3f(2.8F), {});
 
         MeshBuilder rings, discs;
         for (const double x : {-2.2, 0.0, 2.2}) {
@@ -382,7 +385,7 @@ private:
                 const V3d at(x, y, ceiling);
                 rings.lathe(at - V3d(0, 0, 0.012), {{0.045, 0.0}, {0.06, 0.0}, {0.065, 0.012}});
                 discs.lathe(at - V3d(0, 0, 0.006), {{0.0, 0.0}, {0.045, 0.0}});
-                add_light("spot", at - V3d(0, 0, 0.02), warm * 6.0F, 85.0 * degrees);
+                add_light("spot", at - V3d(0, 0, 0.02), warm * 5.0F, 85.0 * degrees);
             }
         }
         put("rings of the spot lights", rings, brass_);
