@@ -77,6 +77,9 @@ TEST(DrawingLimits, EndlessLinesAreLeftOutAndThatIsSaid) {
 
 TEST(DrawingLimits, AUsualCameraIsDrawnWhole) {
     for (const std::string& name : lang::built_in_cameras()) {
+        if (name == "droste") {  // Its seams repeat without end.
+            continue;
+        }
         EXPECT_TRUE(draw(test::standard(name)).diagnostics.empty()) << name;
         EXPECT_TRUE(model(test::standard(name)).diagnostics.empty()) << name;
     }
