@@ -261,7 +261,7 @@ public:
                                                  Emitter& emit) const = 0;
 };
 
-/// A ray through the middle of a lens.
+/// A ray of a point of the picture, before a lens and stereo move it.
 struct CentralRay {
     ObjectPoint origin;
     ObjectVector direction;     ///< Unit length.
@@ -271,6 +271,21 @@ struct CentralRay {
 
 /// The central ray in the middle of the picture, which does not depend on the point of the picture.
 [[nodiscard]] CentralRay middle_of(const CentralRay& ray);
+
+/// The ray of one eye.
+struct EyeRay {
+    ObjectPoint origin;
+    ObjectVector direction;  ///< Of any length except 0.
+};
+
+/// One view of a stereo pair: the same picture from an eye that stands beside the camera's own.
+class StereoView : public Stage {
+public:
+    /// The ray of the eye, for the ray of the camera between the eyes. `up` is the upward direction
+    /// of the camera's own axes after its moves, of unit length.
+    [[nodiscard]] virtual EyeRay eye(const CentralRay& ray, const ObjectVector& up,
+                                     Emitter& emit) const = 0;
+};
 
 /// Where the picture of a lens is sharp.
 class FocusSurface : public Stage {
@@ -326,6 +341,7 @@ using DirectionRulePointer = std::shared_ptr<const DirectionRule>;
 using ClipShapePointer = std::shared_ptr<const ClipShape>;
 using FocusSurfacePointer = std::shared_ptr<const FocusSurface>;
 using LensPointer = std::shared_ptr<const Lens>;
+using StereoViewPointer = std::shared_ptr<const StereoView>;
 
 // ----------------------------------------------------------------------------------- machine
 
@@ -398,6 +414,7 @@ public:
         Path eye;
         std::optional<Path> toward;
         DirectionRulePointer look;
+        StereoViewPointer stereo{};  ///< Null: the only view.
         LensPointer lens{};          ///< Null: a pinhole at the origin of each ray.
         std::optional<Turn> turn{};  ///< Of the rays that all of this makes.
         /// When each ray meets the scene: a number of seconds as a formula of the point of the
@@ -418,6 +435,8 @@ public:
     /// what they need, and the formulas have at most max_operations_of_camera operations. A
     /// direction object that the rule has no use for is left out with a warning.
     [[nodiscard]] static Result<Camera> make(Parts parts);
+    /// The same camera as a view of a stereo pair. It is an error if it is one already.
+    [[nodiscard]] Result<Camera> with_stereo(StereoViewPointer view) const;
 
     [[nodiscard]] const std::string& name() const { return emitted_->parts.name; }
     [[nodiscard]] const Parts& parts() const { return emitted_->parts; }

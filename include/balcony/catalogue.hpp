@@ -30,6 +30,7 @@ enum class StageKind : std::uint8_t {
     object_generator,
     object_transformer,
     direction_rule,
+    stereo_view,
     lens,
     focus,
     clip_shape,

@@ -160,6 +160,10 @@ consteval StageKind kind_of<DirectionRule>() {
     return StageKind::direction_rule;
 }
 template <>
+consteval StageKind kind_of<StereoView>() {
+    return StageKind::stereo_view;
+}
+template <>
 consteval StageKind kind_of<Lens>() {
     return StageKind::lens;
 }

@@ -79,6 +79,10 @@ struct Leader {
     Stroke stroke{};
 };
 
+/// Red, green and blue of a colour in linear light, each as weights of the red, green and blue of
+/// another.
+using ColorMatrix = std::array<std::array<double, 3>, 3>;
+
 class Picture;
 
 /// One layer of a picture. Its window is the part of the picture that it covers; the clip is a
@@ -97,6 +101,7 @@ struct Layer {
     ClipShapePointer clip{};       ///< Null: the whole window.
     Scalar softness = 0.0;  ///< Width of the clip's edge, as a fraction of the window's height.
     Scalar alpha = 1.0;
+    std::optional<ColorMatrix> channels{};  ///< Of what it shows; its own colours without it.
     BlendMode blend = BlendMode::normal;
     std::optional<Stroke> frame{};  ///< Along the clip, inside its edge.
     std::vector<Leader> leaders{};
@@ -110,6 +115,7 @@ struct PictureExpressions {
         std::string name;  ///< For a ray: the layer's name, prefixed by those of its groups.
         /// From 0 (invisible) to 1, including alpha. NaN counts as 0.
         Expr coverage;
+        std::optional<ColorMatrix> channels;  ///< Applied before the coverage and the blend mode.
         BlendMode blend = BlendMode::normal;
         std::optional<RayExpressions> ray;
         Axes axes = Axes::z_up;  ///< Origin of the ray.
@@ -150,6 +156,9 @@ public:
     [[nodiscard]] Picture with_fit(Fit fit) const;
     /// The same, with another turn of all its cameras.
     [[nodiscard]] Picture with_turn(const Turn& turn) const;
+    /// The same with all its cameras as views of a stereo pair. It is an error if one of them is
+    /// one already. Layers that share a camera still do.
+    [[nodiscard]] Result<Picture> with_stereo(const StereoViewPointer& view) const;
 
     [[nodiscard]] const std::string& name() const { return parts_->name; }
     [[nodiscard]] const Parts& parts() const { return *parts_; }
@@ -171,6 +180,10 @@ private:
     std::shared_ptr<const Parts> parts_;
     bool of_layers_ = true;
 };
+
+/// What a layer shows, as a view of a stereo pair.
+[[nodiscard]] Result<decltype(Layer::content)> with_stereo(const decltype(Layer::content)& content,
+                                                           const StereoViewPointer& view);
 
 /// The front one of the layers behind a layer that show the same camera or picture, with the same
 /// parameters; nothing if none does. The region that the layer shows is one of this layer's

@@ -173,6 +173,7 @@ class CompiledPicture {
 public:
     /// What is drawn, in the order of drawing: a camera layer, a paint or a group.
     struct Element {
+        std::optional<camera::ColorMatrix> channels;
         camera::BlendMode blend = camera::BlendMode::normal;
         std::optional<std::size_t>
             coverage;                      ///< Index into the coverages; without it, 1 everywhere.
@@ -195,9 +196,10 @@ public:
     /// is from 0 to 1, or NaN.
     void run_coverages(const Tile& tile, Scratch& scratch, std::span<double* const> results) const;
 
-    /// One camera that covers everything.
+    /// One camera that covers everything, in its own colours.
     [[nodiscard]] bool is_one_camera() const {
-        return elements_.size() == 1 && elements_.front().layer && !coverages_;
+        return elements_.size() == 1 && elements_.front().layer && !coverages_ &&
+               !elements_.front().channels;
     }
 
 private:

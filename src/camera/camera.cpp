@@ -182,6 +182,32 @@ RayExpressions ray_in_own_picture(const Camera::Parts& parts, const PicturePoint
             {}};
 }
 
+// Where the camera's moves turn the upward direction of its axes, at the place to which they move
+// the origin. Moves that need a surface do not turn it.
+ObjectVector up_of(const Camera::Parts& parts, Graph& graph) {
+    const Expr zero = graph.constant(0.0);
+    const Expr height = graph.fresh_variable();
+    const bool y_up = parts.axes == Axes::y_up;
+    ObjectPoint p = y_up ? ObjectPoint{zero, height, zero} : ObjectPoint{zero, zero, height};
+    Emitter unused(graph);
+    for (const ObjectTransformerPointer& transformer : parts.eye.object_transformers) {
+        if (transformer->min_dimension() == 0) {
+            p = transformer->transform(p, unused);
+        }
+    }
+    const std::array coordinates{p.x, p.y, p.z};
+    const std::vector<Expr> slopes = expr::differentiate(coordinates, height);
+    const std::array put{expr::Substitution{height, zero}};
+    const std::vector<Expr> at_origin = expr::substitute(graph, slopes, put);
+    const ObjectVector up{at_origin[0], at_origin[1], at_origin[2]};
+    const Expr square = dot(up, up);
+    const Expr known = 0.0 < square && is_finite(square);
+    const auto unit = [&](Expr part, bool is_up) {
+        return select(known, part / sqrt(square), graph.constant(is_up ? 1.0 : 0.0));
+    };
+    return {unit(up.x, false), unit(up.y, y_up), unit(up.z, !y_up)};
+}
+
 }  // namespace
 
 Camera::Emitted::Emitted(Parts made_of)
@@ -196,6 +222,12 @@ Camera::Emitted::Emitted(Parts made_of)
     ray = ray_in_own_picture(parts, picture, emit);
     stages = std::move(emit.stages());
     problems = emit.problems();
+    if (parts.stereo) {
+        Emitter stereo_emit(graph, trial);
+        ray = seen_by_eye(ray, *parts.stereo, up_of(parts, graph), picture, stereo_emit);
+        problems.insert(problems.end(), stereo_emit.problems().begin(),
+                        stereo_emit.problems().end());
+    }
     if (parts.lens && parts.lens->radius().constant() != 0.0) {
         Emitter lens_emit(graph, trial);
         ray.lens = lens_around(ray, *parts.lens, picture, lens_emit);

@@ -22,6 +22,7 @@ std::string_view name_of(StageKind kind) {
         case StageKind::object_generator: return "object generator";
         case StageKind::object_transformer: return "object transformer";
         case StageKind::direction_rule: return "direction rule";
+        case StageKind::stereo_view: return "stereo view";
         case StageKind::lens: return "lens";
         case StageKind::focus: return "focus";
         case StageKind::clip_shape: return "clip shape";

@@ -70,6 +70,7 @@ Result<std::shared_ptr<const Stage>> as_stage(Result<std::shared_ptr<const Port>
 [[nodiscard]] std::vector<StageEntry> curve_rules();
 [[nodiscard]] std::vector<StageEntry> optical_rules();
 [[nodiscard]] std::vector<StageEntry> blended_rule();
+[[nodiscard]] std::vector<StageEntry> stereo_views();
 [[nodiscard]] std::vector<StageEntry> lenses();
 [[nodiscard]] std::vector<StageEntry> focus_surfaces();
 
@@ -109,6 +110,7 @@ inline constexpr auto families = {
     curve_rules,
     optical_rules,
     blended_rule,
+    stereo_views,
     lenses,
     focus_surfaces,
     complex_maps,

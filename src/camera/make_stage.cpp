@@ -27,6 +27,7 @@ bool is_of_kind(const Stage& stage, StageKind kind) {
         case StageKind::object_generator: return fits(std::type_identity<ObjectGenerator>());
         case StageKind::object_transformer: return fits(std::type_identity<ObjectTransformer>());
         case StageKind::direction_rule: return fits(std::type_identity<DirectionRule>());
+        case StageKind::stereo_view: return fits(std::type_identity<StereoView>());
         case StageKind::lens: return fits(std::type_identity<Lens>());
         case StageKind::focus: return fits(std::type_identity<FocusSurface>());
         case StageKind::clip_shape: return fits(std::type_identity<ClipShape>());

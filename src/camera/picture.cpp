@@ -229,6 +229,7 @@ private:
         content.name = path.empty() ? layer.name : path + "/" + layer.name;
         content.coverage =
             emit(layer.alpha) * coverage(layer, *clip, are_same(whole, window), window, own, emit);
+        content.channels = layer.channels;
         content.blend = layer.blend;
         if (contents_ == Contents::emitted) {
             add_contents(layer, own, content);

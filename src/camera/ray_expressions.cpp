@@ -20,23 +20,9 @@ ObjectVector without_part_along(const ObjectVector& unit, const ObjectVector& a)
     return a + -(dot(a, unit) * unit);
 }
 
-// The unit vector across a ray that points to the right in the picture: the direction in which the
-// sharp point moves along picture x. If it does not move, that in which the origin moves; if
-// neither moves, the right of a viewer whose head is up.
-ObjectVector right_across(const RayExpressions& ray, Expr vergence, const Emitter& emit) {
-    constexpr double smallest_square = 1e-24;
-    const ObjectVector& d = ray.direction;
-    const RayFootprint slopes = footprint(ray);
-    const ObjectVector of_sharp_point =
-        without_part_along(d, slopes.direction_by_x + vergence * slopes.origin_by_x);
-    const ObjectVector of_origin = without_part_along(d, slopes.origin_by_x);
-    const ObjectVector z{emit(0.0), emit(0.0), emit(1.0)};
-    const ObjectVector x{emit(1.0), emit(0.0), emit(0.0)};
-    const ObjectVector of_viewer = cross(d, select(abs(d.z) < 0.9, z, x));
-    const ObjectVector right =
-        select(smallest_square < dot(of_sharp_point, of_sharp_point), of_sharp_point,
-               select(smallest_square < dot(of_origin, of_origin), of_origin, of_viewer));
-    return (1.0 / sqrt(dot(right, right))) * right;
+ObjectVector by_x(const std::array<Expr, 3>& values, Graph& graph) {
+    const std::vector<Expr> slopes = expr::differentiate(values, graph.picture_x());
+    return {slopes[0], slopes[1], slopes[2]};
 }
 
 std::vector<Expr> values_of(const RayExpressions& ray) {
@@ -106,17 +92,51 @@ RayFootprint footprint(const RayExpressions& ray) {
             {by_y[3], by_y[4], by_y[5]}};
 }
 
+// -------------------------------------------------------------------------------------- stereo
+
+ObjectVector right_across(const CentralRay& ray, std::optional<Expr> vergence,
+                          const Emitter& emit) {
+    constexpr double smallest_square = 1e-24;
+    Graph& graph = emit.graph();
+    const auto& [o, d, parameters, picture] = ray;
+    const ObjectVector origin_by_x = by_x({o.x, o.y, o.z}, graph);
+    const ObjectVector direction_by_x = by_x({d.x, d.y, d.z}, graph);
+    const ObjectVector first =
+        without_part_along(d, vergence ? direction_by_x + *vergence * origin_by_x : origin_by_x);
+    const ObjectVector second = without_part_along(d, vergence ? origin_by_x : direction_by_x);
+    const ObjectVector z{emit(0.0), emit(0.0), emit(1.0)};
+    const ObjectVector x{emit(1.0), emit(0.0), emit(0.0)};
+    const ObjectVector of_viewer = cross(d, select(abs(d.z) < 0.9, z, x));
+    const ObjectVector right =
+        select(smallest_square < dot(first, first), first,
+               select(smallest_square < dot(second, second), second, of_viewer));
+    return (1.0 / sqrt(dot(right, right))) * right;
+}
+
+RayExpressions seen_by_eye(const RayExpressions& ray, const StereoView& stereo,
+                           const ObjectVector& up, const PicturePoint& picture, Emitter& emit) {
+    const EyeRay eye = stereo.eye({ray.origin, ray.direction, ray.parameters, picture}, up, emit);
+    const Expr squared_length = dot(eye.direction, eye.direction);
+    const ObjectVector offset = eye.origin - ray.origin;
+    emit.require(0.0 < squared_length && is_finite(squared_length + dot(offset, offset)));
+    RayExpressions made = ray;
+    made.origin = eye.origin;
+    made.direction = (1.0 / sqrt(squared_length)) * eye.direction;
+    made.valid = ray.valid && emit.valid();
+    return made;
+}
+
 // ---------------------------------------------------------------------------------------- lens
 
 LensExpressions lens_around(const RayExpressions& ray, const Lens& lens,
                             const PicturePoint& picture, Emitter& emit) {
     Graph& graph = emit.graph();
-    const Expr power =
-        lens.focus().vergence({ray.origin, ray.direction, ray.parameters, picture}, emit);
+    const CentralRay central{ray.origin, ray.direction, ray.parameters, picture};
+    const Expr power = lens.focus().vergence(central, emit);
     const Expr vergence = select(0.0 < power && is_finite(power), power, emit(0.0));
     const AperturePoint at =
         lens.aperture({graph.input(lens_input_x), graph.input(lens_input_y)}, emit);
-    const ObjectVector right = right_across(ray, vergence, emit);
+    const ObjectVector right = right_across(central, vergence, emit);
     const ObjectVector up = cross(right, ray.direction);
     const Expr radius = emit(lens.radius());
     const ObjectVector offset = radius * (at.x * right + at.y * up);

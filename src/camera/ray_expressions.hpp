@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The formulas of a ray after its direction is known: its lens and its time.
+// The formulas of a ray after its direction is known: its stereo view, its lens and its time.
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,19 @@ namespace balcony::camera {
 [[nodiscard]] std::vector<StageValues> substitute(Graph& target,
                                                   std::span<const StageValues> stages,
                                                   std::span<const expr::Substitution> put);
+
+/// The unit vector across a ray that points to the right in the picture: the direction in which a
+/// point of the ray moves along picture x. The point is that at the distance 1 divided by the
+/// vergence; without a vergence, one near the origin. If it does not move, the direction in which
+/// the origin moves, or else that of the ray; if neither moves, the right of a viewer whose head is
+/// up.
+[[nodiscard]] ObjectVector right_across(const CentralRay& ray, std::optional<Expr> vergence,
+                                        const Emitter& emit);
+
+/// The ray of an eye, of the camera's own picture. `up` is that of StereoView::eye.
+[[nodiscard]] RayExpressions seen_by_eye(const RayExpressions& ray, const StereoView& stereo,
+                                         const ObjectVector& up, const PicturePoint& picture,
+                                         Emitter& emit);
 
 /// The lens around a ray of the camera's own picture.
 [[nodiscard]] LensExpressions lens_around(const RayExpressions& ray, const Lens& lens,

@@ -28,6 +28,7 @@ struct Request {
     JobRequest job;
     std::size_t texture_memory = render::default_texture_memory;
     std::optional<render::DenoiseOptions> denoise;
+    std::optional<StereoRequest> stereo{};
     std::vector<std::string> added{};                       ///< Scenes that join each scene.
     Diagnostics warnings{};                                 ///< Of files that all pictures share.
     FileWatch::Time since = FileWatch::Time::clock::now();  ///< Before the files were read.

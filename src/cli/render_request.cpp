@@ -17,6 +17,7 @@ Request read_request(const RenderOptions& options, Diagnostics& diagnostics) {
         read_job(options.job, diagnostics),     read_texture_memory(options.textures, diagnostics),
         read_denoise(options.film, diagnostics)};
     request.added = options.add;
+    request.stereo = read_stereo(options.stereo, diagnostics);
     if (request.exposure) {
         request.settings.sampling.white = std::exp2(-*request.exposure);
     }

@@ -37,6 +37,7 @@ private:
 
     CompiledPicture::Element element(const camera::PictureExpressions::Element& one) {
         CompiledPicture::Element made;
+        made.channels = one.channels;
         made.blend = one.blend;
         if (!one.coverage.is_constant(1.0)) {
             made.coverage = roots_.size();

@@ -54,6 +54,7 @@ Arguments::StagePointer some_stage(StageKind kind) {
         case StageKind::object_transformer: return *try_stage(kind, "scale", {});
         case StageKind::object_generator: return object("sphere");
         case StageKind::direction_rule: return *try_stage(kind, "normal", {});
+        case StageKind::stereo_view: return *try_stage(kind, "stereo", {});
         case StageKind::lens: return *try_stage(kind, "lens", {});
         case StageKind::focus: return *try_stage(kind, "distance", {});
         case StageKind::clip_shape: return *try_stage(kind, "ellipse", {});

@@ -9,7 +9,6 @@
 #include <stop_token>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "balcony/bands.hpp"
@@ -111,6 +110,8 @@ RenderReport make_picture(RenderReport outcome, const RenderOptions& options,
     }
     const double exposure = run.exposure();
     outcome.facts["exposure"] = exposure;
+    outcome.exposure = exposure;
+    outcome.ambient = film.ambient;
     if (!request.exposure && exposure != 0.0) {
         outcome.sentence +=
             summary->light.empty()
@@ -189,6 +190,13 @@ RenderReport render_picture(const RenderOptions& options, Request request,
         return fail(std::move(outcome), ExitCode::bad_input);
     }
     *picture = picture->with_fit(request.size.fit);
+    if (target.stereo) {
+        picture = camera::stereo_picture(*picture, *target.stereo, request.stereo->pair);
+        add(outcome, picture.diagnostics);
+        if (!picture) {
+            return fail(std::move(outcome), ExitCode::bad_input);
+        }
+    }
     const render::DisplayFormat* const format = target.output.display_format();
     const auto whole = request.size.resolve(picture->aspect(), picture->parts().size);
     const auto [width, height] = request.crop.scaled(whole.first, whole.second);
@@ -305,16 +313,35 @@ ExitCode watch(const RenderOptions& options, Request request, const SceneOutput&
     }
 }
 
-/// Renders one scene after the other. A scene that fails does not stop the others.
+/// Whether a picture is that of the other eye.
+bool is_second_eye(const SceneOutput& target, const Request& request) {
+    return request.stereo && request.stereo->has_two_files() &&
+           target.stereo == request.stereo->formats.back();
+}
+
+/// Renders one picture after the other. A scene that fails does not stop the others. Both eyes see
+/// a scene with the same exposure and ambient light, those of the first.
 ExitCode render_all(const RenderOptions& options, const Request& request,
                     const std::vector<SceneOutput>& targets) {
     ExitCode code = ExitCode::done;
     nlohmann::json pictures = nlohmann::json::array();
-    lang::Workspace cameras;
+    Loaded loaded;
+    RenderReport outcome;
     for (const SceneOutput& target : targets) {
-        Loaded loaded{std::move(cameras), {}, {}};
-        const RenderReport outcome = render_picture(options, request, target, loaded);
-        cameras = std::move(loaded.cameras);
+        Request wanted = request;
+        if (is_second_eye(target, request)) {
+            if (has_errors(outcome.diagnostics)) {
+                continue;
+            }
+            wanted.exposure = outcome.exposure;
+            // Only light without shadows follows the picture.
+            if (!wanted.settings.ambient && outcome.ambient != render::Color3f(0.0F)) {
+                wanted.settings.ambient = outcome.ambient;
+            }
+        } else {
+            loaded = {std::move(loaded.cameras), {}, {}};
+        }
+        outcome = render_picture(options, wanted, target, loaded);
         if (options.json) {
             pictures.push_back(json_of(outcome));
             pictures.back()["scene"] = target.scene;
@@ -339,6 +366,12 @@ ExitCode check_outputs(const RenderOptions& options, const std::vector<SceneOutp
         diagnostics.push_back(error(fmt::format("--output - and {} exclude each other",
                                                 options.json ? "--json" : "--watch"),
                                     {}, "name a file for the picture"));
+    } else if (options.output == "-" && targets.size() > 1) {
+        diagnostics.push_back(error("--output - takes one picture, but there are several", {},
+                                    "name a file for the pictures"));
+    } else if (options.watch && targets.size() > 1 && options.stereo.format == "files") {
+        diagnostics.push_back(error("--watch shows one picture, but --stereo files makes two", {},
+                                    "write --stereo side_by_side"));
     } else if (options.watch && targets.size() > 1) {
         diagnostics.push_back(
             error("--watch shows one scene, but there are several", {}, "give one scene"));
@@ -358,7 +391,8 @@ ExitCode check_outputs(const RenderOptions& options, const std::vector<SceneOutp
 ExitCode render_command(const RenderOptions& options) {
     RenderReport outcome;
     Request request = read_request(options, outcome.diagnostics);
-    const std::vector<SceneOutput> targets = scene_outputs(options, outcome.diagnostics);
+    const std::vector<SceneOutput> targets =
+        scene_outputs(options, request.stereo, outcome.diagnostics);
     outcome.code = check_outputs(options, targets, outcome.diagnostics);
     if (outcome.code != ExitCode::done) {
         return finish(outcome, options);
@@ -375,49 +409,6 @@ ExitCode render_command(const RenderOptions& options) {
     }
     Loaded loaded;
     return finish(render_picture(options, request, targets.front(), loaded), options);
-}
-
-void add_picture_options(CLI::App& command, RenderOptions& options) {
-    add_size_options(command, options.size,
-                     "size in pixels (default: that of the picture, or about a million pixels with "
-                     "its aspect ratio)");
-    add_aspect_option(command, options.size);
-    add_crop_options(command, options.crop);
-    add_sampling_options(command, options.sampling);
-    add_integrator_options(command, options.integrator);
-    add_light_options(command, options.light);
-    command
-        .add_option(
-            "--exposure", options.exposure,
-            "exposure in stops (PNG); auto changes pictures that would be nearly black or white")
-        ->type_name("STOPS")
-        ->capture_default_str();
-    std::vector<std::string> views;
-    for (const std::string& name : render::view_transform_names()) {
-        views.push_back(
-            fmt::format("{} ({})", name, meaning_of(*render::find_view_transform(name))));
-    }
-    command
-        .add_option(
-            "--view-transform", options.view,
-            fmt::format("from light to display colours (PNG): {}", fmt::join(views, " or ")))
-        ->type_name("NAME")
-        ->capture_default_str();
-    command
-        .add_option(
-            "--ambient", options.ambient,
-            "light from all directions: with path an environment of this radiance, with direct "
-            "without shadows; auto follows the scene's lights with direct")
-        ->type_name("RADIANCE")
-        ->capture_default_str();
-    command
-        .add_option("--background", options.background,
-                    "transparent, black, white, a grey level, or red,green,blue (linear, from 0 to "
-                    "1), as the display shows it; auto shows the environment, if there is one")
-        ->type_name("COLOUR")
-        ->capture_default_str();
-    add_film_options(command, options.film);
-    add_texture_options(command, options.textures);
 }
 
 }  // namespace
@@ -451,6 +442,7 @@ void add_render_command(CLI::App& app, ExitCode& code) {
         add_fit_options(command, options.fit);
         add_time_option(command, options.time);
         add_shutter_options(command, options.shutter);
+        add_stereo_options(command, options.stereo);
         command
             .add_option_function<std::string>(
                 "-o,--output", [&options](const std::string& file) { options.output = file; },

@@ -54,6 +54,21 @@ fs::path output_for(const std::string& scene, const std::optional<std::string>& 
     return name;
 }
 
+std::vector<SceneOutput> with_stereo(const std::vector<SceneOutput>& pictures,
+                                     const StereoRequest& stereo) {
+    std::vector<SceneOutput> made;
+    for (const SceneOutput& picture : pictures) {
+        const fs::path& file = picture.output.file();
+        for (const camera::StereoFormat format : stereo.formats) {
+            made.push_back(
+                {picture.scene,
+                 stereo.has_two_files() ? PictureOutput(file_of_eye(file, format)) : picture.output,
+                 format});
+        }
+    }
+    return made;
+}
+
 }  // namespace
 
 ExitCode PictureOutput::check(Diagnostics& diagnostics) const {
@@ -102,7 +117,9 @@ Diagnostics PictureOutput::write(const render::Film& film,
     return bytes.diagnostics;
 }
 
-std::vector<SceneOutput> scene_outputs(const RenderOptions& options, Diagnostics& diagnostics) {
+std::vector<SceneOutput> scene_outputs(const RenderOptions& options,
+                                       const std::optional<StereoRequest>& stereo,
+                                       Diagnostics& diagnostics) {
     std::vector<SceneOutput> made;
     std::map<fs::path, std::string> scenes;
     for (const std::string& pattern : options.scenes) {
@@ -124,7 +141,7 @@ std::vector<SceneOutput> scene_outputs(const RenderOptions& options, Diagnostics
             }
         }
     }
-    return made;
+    return stereo ? with_stereo(made, *stereo) : made;
 }
 
 }  // namespace balcony::cli

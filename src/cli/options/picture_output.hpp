@@ -44,12 +44,14 @@ private:
 struct SceneOutput {
     std::string scene;
     PictureOutput output;
+    std::optional<camera::StereoFormat> stereo{};
 };
 
 /// Expands patterns of scenes such as '*.glb' that the shell has left, and "{scene}" in the name of
 /// the output. Without a name, a picture is in this folder and named after its scene. Several
-/// scenes need several outputs.
+/// scenes need several outputs, and so do eyes.
 [[nodiscard]] std::vector<SceneOutput> scene_outputs(const RenderOptions& options,
+                                                     const std::optional<StereoRequest>& stereo,
                                                      Diagnostics& diagnostics);
 
 }  // namespace balcony::cli

@@ -9,6 +9,8 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
 
 #include "cli/options/option_values.hpp"
 
@@ -33,6 +35,49 @@ std::optional<render::Color3f> read_background(const std::string& text, Diagnost
 }
 
 }  // namespace
+
+void add_picture_options(CLI::App& command, RenderOptions& options) {
+    add_size_options(command, options.size,
+                     "size in pixels (default: that of the picture, or about a million pixels with "
+                     "its aspect ratio)");
+    add_aspect_option(command, options.size);
+    add_crop_options(command, options.crop);
+    add_sampling_options(command, options.sampling);
+    add_integrator_options(command, options.integrator);
+    add_light_options(command, options.light);
+    command
+        .add_option(
+            "--exposure", options.exposure,
+            "exposure in stops (PNG); auto changes pictures that would be nearly black or white")
+        ->type_name("STOPS")
+        ->capture_default_str();
+    std::vector<std::string> views;
+    for (const std::string& name : render::view_transform_names()) {
+        views.push_back(
+            fmt::format("{} ({})", name, meaning_of(*render::find_view_transform(name))));
+    }
+    command
+        .add_option(
+            "--view-transform", options.view,
+            fmt::format("from light to display colours (PNG): {}", fmt::join(views, " or ")))
+        ->type_name("NAME")
+        ->capture_default_str();
+    command
+        .add_option(
+            "--ambient", options.ambient,
+            "light from all directions: with path an environment of this radiance, with direct "
+            "without shadows; auto follows the scene's lights with direct")
+        ->type_name("RADIANCE")
+        ->capture_default_str();
+    command
+        .add_option("--background", options.background,
+                    "transparent, black, white, a grey level, or red,green,blue (linear, from 0 to "
+                    "1), as the display shows it; auto shows the environment, if there is one")
+        ->type_name("COLOUR")
+        ->capture_default_str();
+    add_film_options(command, options.film);
+    add_texture_options(command, options.textures);
+}
 
 render::Settings read_settings(const RenderOptions& options, Diagnostics& diagnostics) {
     constexpr double any = std::numeric_limits<double>::max();

@@ -16,6 +16,7 @@
 #include "cli/options/light_options.hpp"
 #include "cli/options/sampling_options.hpp"
 #include "cli/options/shutter_options.hpp"
+#include "cli/options/stereo_options.hpp"
 #include "cli/options/texture_options.hpp"
 
 namespace balcony::cli {
@@ -38,6 +39,7 @@ struct RenderOptions {
     std::string threads = "0";
     std::string time = "0";
     ShutterWords shutter;
+    StereoWords stereo;
     std::string exposure = "auto";
     std::string ambient = "auto";
     std::string view = std::string(render::name_of(render::ViewTransform::neutral));
@@ -48,6 +50,9 @@ struct RenderOptions {
     bool json = false;
     const CLI::App* command = nullptr;  ///< With the options as they were written.
 };
+
+/// Adds the options of what a picture looks like: its size and part, its light and its colours.
+void add_picture_options(CLI::App& command, RenderOptions& options);
 
 /// The settings that the options ask for; what cannot be read is added to
 /// `diagnostics`, each with its option.

@@ -19,6 +19,7 @@
 #include "balcony/lang.hpp"
 #include "balcony/povray.hpp"
 #include "balcony/render.hpp"
+#include "balcony/stereo.hpp"
 #include "cli/options/camera_argument.hpp"
 #include "cli/options/scene_argument.hpp"
 
@@ -173,6 +174,24 @@ void add_view_transforms(const Before&, Candidates& words) {
     }
 }
 
+void add_stereo_formats(const Before&, Candidates& words) {
+    for (const std::string& name : camera::stereo_format_names()) {
+        words.add(name, meaning_of(*camera::find_stereo_format(name)));
+    }
+    words.add("files", "both eyes' pictures in two files");
+}
+
+void add_baselines(const Before&, Candidates& words) {
+    const auto* row = camera::catalogue().find(camera::StageKind::stereo_view, "stereo");
+    for (const camera::StageParameter& parameter : row->parameters) {
+        if (const auto* type = parameter.as<camera::ChoiceParameter>()) {
+            for (const std::string_view choice : type->choices) {
+                words.add(choice);
+            }
+        }
+    }
+}
+
 void add_shutter_shapes(const Before&, Candidates& words) {
     for (const std::string& name : render::shutter_shape_names()) {
         words.add(name, meaning_of(*render::find_shutter_shape(name)));
@@ -238,6 +257,8 @@ constexpr std::array values{
     Values{"--integrator", add_integrators},
     Values{"--view-transform", add_view_transforms},
     Values{"--shutter-shape", add_shutter_shapes},
+    Values{"--stereo", add_stereo_formats},
+    Values{"--baseline", add_baselines},
     Values{"--axes", add_axes},
     Values{"--map", add_maps},
     Values{"--format", add_number_formats},

@@ -18,6 +18,9 @@ struct RenderReport {
     Diagnostics diagnostics;
     nlohmann::json facts = nlohmann::json::object();
     std::string sentence;
+    /// What a picture chose by itself, for another one that must look the same.
+    double exposure = 0.0;
+    render::Color3f ambient{0.0F};
     bool outdated = false;  ///< Stopped because a file changed.
 };
 

@@ -41,6 +41,7 @@ constexpr std::array headings{
     Heading{"Objects from formulas", StageKind::object_generator, false},
     Heading{"Points, curves and surfaces of elementary geometry", StageKind::object_generator},
     Heading{"Direction rules", StageKind::direction_rule},
+    Heading{"Stereo views", StageKind::stereo_view},
     Heading{"Lenses", StageKind::lens},
     Heading{"Surfaces of focus", StageKind::focus},
     Heading{"Picture arrangers", StageKind::picture_arranger},

@@ -44,6 +44,7 @@ public:
         paths(parts);
         own_picture(parts);
         look(parts);
+        stereo(parts);
         lens(parts);
         time(parts);
         parts.written = stages_.written();
@@ -103,6 +104,7 @@ private:
         const bool has_toward = !statements_.lacks(StatementKind::toward);
         return parts.look && whole(parts.eye) && all(parts.arrangers) &&
                has_toward == parts.toward.has_value() && (!parts.toward || whole(*parts.toward)) &&
+               statements_.lacks(StatementKind::stereo) == (parts.stereo == nullptr) &&
                statements_.lacks(StatementKind::lens) == (parts.lens == nullptr) &&
                statements_.lacks(StatementKind::time) == !parts.time;
     }
@@ -353,7 +355,13 @@ private:
         }
     }
 
-    // --------------------------------------------------------------------------- lens and time
+    // -------------------------------------------------------------------- stereo, lens and time
+
+    void stereo(camera::Camera::Parts& parts) {
+        if (const Statement* statement = statements_.find(StatementKind::stereo)) {
+            parts.stereo = stages_.make<camera::StereoView>(statement->stages().front());
+        }
+    }
 
     void lens(camera::Camera::Parts& parts) {
         if (const Statement* statement = statements_.find(StatementKind::lens)) {

@@ -52,6 +52,20 @@ const StageEntry& frame_row() {
     return row;
 }
 
+StageParameter weights(std::string_view name, std::array<double, 3> own) {
+    return {.name = name,
+            .type = TripleParameter{.default_value = own, .constant = true},
+            .meaning = "weights of the layer's red, green and blue"};
+}
+
+const StageEntry& channels_row() {
+    static const StageEntry row{
+        .name = "channels",
+        .parameters = {weights("red", {1.0, 0.0, 0.0}), weights("green", {0.0, 1.0, 0.0}),
+                       weights("blue", {0.0, 0.0, 1.0})}};
+    return row;
+}
+
 const StageEntry& region_row() {
     static const StageEntry row{
         .name = "region",
@@ -78,18 +92,20 @@ public:
             made.clip = stages_.make<camera::ClipShape>(clip->stages().front());
         }
         numbers(made);
+        channels(made);
         blend(made);
         fit(made);
         if (const Statement* show = own_.find(StatementKind::show)) {
             made.show = region(*show->corners());
         }
         strokes(made);
+        const bool good_view = stereo(made);
         const auto has_all = [](const auto& arrangers) {
             return std::find(arrangers.begin(), arrangers.end(), nullptr) == arrangers.end();
         };
         // What is null has been reported, perhaps at an earlier use.
         return reporter_.error_count() == errors_before && has_all(made.arrangers) &&
-               has_all(made.inner_arrangers) && (clip == nullptr || made.clip);
+               has_all(made.inner_arrangers) && (clip == nullptr || made.clip) && good_view;
     }
 
 private:
@@ -112,6 +128,44 @@ private:
             made.softness = given->has("soft") ? given->number("soft") : made.softness;
             made.alpha = given->has("alpha") ? given->number("alpha") : made.alpha;
         }
+    }
+
+    void channels(camera::Layer& made) {
+        const Statement* statement = own_.find(StatementKind::channels);
+        if (statement == nullptr) {
+            return;
+        }
+        if (const auto given =
+                stages_.arguments(channels_row(), tree_[statement->stages().front()])) {
+            const auto row = [&given](std::string_view name) {
+                const std::array<camera::Scalar, 3> weights = given->triple(name);
+                return std::array{*weights[0].constant(), *weights[1].constant(),
+                                  *weights[2].constant()};
+            };
+            made.channels = camera::ColorMatrix{row("red"), row("green"), row("blue")};
+        }
+    }
+
+    // False if the view or the layer's content has an error, which is reported.
+    bool stereo(camera::Layer& made) {
+        const Statement* statement = own_.find(StatementKind::stereo);
+        if (statement == nullptr) {
+            return true;
+        }
+        const auto view = stages_.make<camera::StereoView>(statement->stages().front());
+        const auto* picture = std::get_if<std::shared_ptr<const camera::Picture>>(&made.content);
+        if (!view || (picture != nullptr && !*picture)) {
+            return false;
+        }
+        auto seen = camera::with_stereo(made.content, view);
+        for (Diagnostic& diagnostic : seen.diagnostics) {
+            diagnostic.span = tree_.at(statement->keyword);
+            reporter_.add(std::move(diagnostic));
+        }
+        if (seen) {
+            made.content = std::move(*seen);
+        }
+        return seen.value.has_value();
     }
 
     void blend(camera::Layer& made) {

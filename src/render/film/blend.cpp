@@ -84,6 +84,16 @@ Color4f blended(BlendMode mode, const Color4f& below, const Color4f& source, flo
             source.a * source_alone + below.a * below_alone + source.a * below.a};
 }
 
+Drawn with_channels(const Drawn& drawn, const camera::ColorMatrix& channels) {
+    const auto of = [&channels](const Color4f& c) {
+        const auto sum = [&c](const std::array<double, 3>& weights) {
+            return static_cast<float>(weights[0] * c.r + weights[1] * c.g + weights[2] * c.b);
+        };
+        return Color4f(sum(channels[0]), sum(channels[1]), sum(channels[2]), c.a);
+    };
+    return {of(drawn.light), of(drawn.display), of(drawn.mirrored), drawn.presence};
+}
+
 Drawn composed(const Drawn& below, const Drawn& source, float coverage, BlendMode mode) {
     const float share = coverage * source.presence;
     const float presence = below.presence + share - below.presence * share;

@@ -31,6 +31,9 @@ struct Drawn {
 [[nodiscard]] Color4f blended(camera::BlendMode mode, const Color4f& below, const Color4f& source,
                               float below_other = 0.0F, float source_other = 0.0F);
 
+/// With colours that are made of the channels of these.
+[[nodiscard]] Drawn with_channels(const Drawn& drawn, const camera::ColorMatrix& channels);
+
 /// Interpolates between the backdrop and the blended source by a coverage from 0 to 1. A source
 /// in mode normal that covers a point hides everything below, even where its scene is empty. The
 /// other modes blend light with light and display colours with each other; where one of the two

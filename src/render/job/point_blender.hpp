@@ -37,6 +37,12 @@ public:
 
 private:
     [[nodiscard]] Drawn source(const rays::CompiledPicture::Element& element, std::size_t i) const {
+        const Drawn own = contents(element, i);
+        return element.channels ? with_channels(own, *element.channels) : own;
+    }
+
+    [[nodiscard]] Drawn contents(const rays::CompiledPicture::Element& element,
+                                 std::size_t i) const {
         if (!element.group.empty()) {
             return (*this)(element.group, i);
         }
