@@ -18,6 +18,11 @@ Request read_request(const RenderOptions& options, Diagnostics& diagnostics) {
         read_denoise(options.film, diagnostics)};
     request.added = options.add;
     request.stereo = read_stereo(options.stereo, diagnostics);
+    // Others mix the channels, so that an eye would see what belongs to the other one.
+    if (request.stereo && request.stereo->is_anaglyph() &&
+        options.command->count("--view-transform") == 0) {
+        request.view = render::ViewTransform::standard;
+    }
     if (request.exposure) {
         request.settings.sampling.white = std::exp2(-*request.exposure);
     }

@@ -105,6 +105,33 @@ TEST(Pictures, LayersAreClippedPlacedAndMoved) {
 }
 
 // The lines go from corner to corner; those two are drawn that cross neither rectangle.
+TEST(Pictures, LayersMixTheirChannels) {
+    const camera::Picture p = made(test::joined(
+        {cameras, "picture p { layer plain  layer plain { channels(green = (0.5, 0, 2)) } }"}));
+    EXPECT_FALSE(p.parts().layers[0].channels);
+    const camera::ColorMatrix expected{{{1.0, 0.0, 0.0}, {0.5, 0.0, 2.0}, {0.0, 0.0, 1.0}}};
+    EXPECT_EQ(p.parts().layers[1].channels, expected);
+    expr::Graph graph;
+    EXPECT_EQ(p.emit(graph, 200.0, 100.0).elements[1].channels, expected);
+}
+
+TEST(Pictures, LayersAreViewsOfAStereoPair) {
+    const camera::Picture p =
+        made(test::joined({cameras,
+                           "picture two { layer round  layer round }"
+                           "picture p { layer two { stereo(separation = 3, side = -1) }  layer "
+                           "round { stereo(side = 1) } }"}));
+    const auto& left =
+        std::get<std::shared_ptr<const camera::Picture>>(p.parts().layers[0].content);
+    const auto* back = std::get_if<camera::Camera>(&left->parts().layers[0].content);
+    const auto* front = std::get_if<camera::Camera>(&left->parts().layers[1].content);
+    ASSERT_TRUE(back != nullptr && front != nullptr);
+    EXPECT_TRUE(back->parts().stereo);
+    EXPECT_EQ(&back->parts(), &front->parts()) << "layers still share a camera";
+    const auto& right = std::get<camera::Camera>(p.parts().layers[1].content);
+    EXPECT_NE(right.parts().stereo, back->parts().stereo);
+}
+
 TEST(Pictures, LeaderLinesEndAtTheCorners) {
     const camera::Picture picture = made(test::joined({cameras, R"(picture p {
         layer plain

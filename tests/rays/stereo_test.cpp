@@ -272,8 +272,9 @@ TEST(StereoOfAnyCamera, HasItsRightEyeToTheRightInThePicture) {
         panorama,
         std::string("map u = -180deg .. 180deg, v = -90deg .. 90deg eye point toward sphere(1) "),
         rollout,
-        std::string("map u = 4 .. -4, v = square  eye plane(along_u = y, along_v = z) "
-                    "look absolute  toward point(1, 0, 0) ")};
+        std::string(
+            "map u = 4 .. -4, v = square  eye plane(along_u = (0, 1, 0), along_v = (0, 0, 1)) "
+            "look absolute  toward point(1, 0, 0) ")};
     for (const std::string& statements : cameras) {
         const Probe one(statements);
         const Probe eye(statements + stereo("0.2, 2", 1.0));

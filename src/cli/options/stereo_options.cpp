@@ -39,8 +39,8 @@ std::optional<std::array<double, 2>> angles_of(std::string_view text) {
     if (!from || !to || !(0.0 <= *from && *from < *to && *to <= 90.0)) {
         return std::nullopt;
     }
-    constexpr double degree = std::numbers::pi / 180.0;
-    return std::array{*from * degree, *to * degree};
+    constexpr double per_degree = std::numbers::pi / 180.0;
+    return std::array{*from * per_degree, *to * per_degree};
 }
 
 // An option that does nothing without --stereo.
@@ -59,6 +59,12 @@ void refuse_alone(const StereoWords& words, Diagnostics& diagnostics) {
 }
 
 }  // namespace
+
+bool StereoRequest::is_anaglyph() const {
+    const StereoFormat format = formats.front();
+    return format == StereoFormat::anaglyph || format == StereoFormat::anaglyph_color ||
+           format == StereoFormat::anaglyph_grey;
+}
 
 void add_stereo_options(CLI::App& command, StereoWords& words) {
     std::string formats;

@@ -27,6 +27,8 @@ struct StereoRequest {
     camera::StereoPair pair;
 
     [[nodiscard]] bool has_two_files() const { return formats.size() > 1; }
+    /// Whether the eyes differ in their colours alone.
+    [[nodiscard]] bool is_anaglyph() const;
 };
 
 void add_stereo_options(CLI::App& command, StereoWords& words);
