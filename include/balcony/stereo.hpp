@@ -17,14 +17,14 @@ namespace balcony::camera {
 
 /// How a picture shows what the eyes see.
 enum class StereoFormat : std::uint8_t {
-    left,             ///< The picture of the left eye alone.
-    right,            ///< The picture of the right eye alone.
-    side_by_side,     ///< Twice as wide: the left eye's picture on the left.
-    cross_eyed,       ///< Twice as wide: the left eye's picture on the right.
-    top_bottom,       ///< Twice as high: the left eye's picture on top.
-    anaglyph,         ///< For red and cyan glasses, red on the left: colours by least squares.
+    left,            ///< The picture of the left eye alone.
+    right,           ///< The picture of the right eye alone.
+    side_by_side,    ///< Twice as wide: the left eye's picture on the left.
+    cross_eyed,      ///< Twice as wide: the left eye's picture on the right.
+    top_bottom,      ///< Twice as high: the left eye's picture on top.
+    anaglyph,        ///< For red and cyan glasses, red on the left: colours by least squares.
     anaglyph_color,  ///< Likewise; red of the left eye's picture, green and blue of the other.
-    anaglyph_grey,    ///< Likewise; the luminances of both pictures.
+    anaglyph_grey,   ///< Likewise; the luminances of both pictures.
 };
 
 [[nodiscard]] std::string_view name_of(StereoFormat format);
