@@ -23,19 +23,19 @@ using std::numbers::pi;
 
 // Some dozen roundings of numbers of the size of the scene.
 constexpr double rounding = 1e-12;
-constexpr double width = 160.0;
 constexpr double height = 80.0;
 
 // What the layers of a picture show, as rays at points in fractions from the top left.
 class Layers {
 public:
-    explicit Layers(const camera::Picture& picture) : layers_(compiled(picture)) {}
+    explicit Layers(const camera::Picture& picture)
+        : width_(height * picture.aspect()), layers_(compiled(picture, width_)) {}
     explicit Layers(const std::string& name, const std::vector<lang::Override>& set = {})
         : Layers(make_picture(name, set)) {}
 
     [[nodiscard]] std::size_t size() const { return layers_.layers().size(); }
     [[nodiscard]] Ray at(std::size_t layer, const V2d& fraction) const {
-        const V2d point(fraction.x * width, fraction.y * height);
+        const V2d point(fraction.x * width_, fraction.y * height);
         rays::Scratch scratch;
         rays::RayBatch batch;
         layers_.layers()[layer].rays.run(
@@ -44,12 +44,12 @@ public:
     }
 
 private:
-    static rays::VisibleLayers compiled(const camera::Picture& picture) {
-        auto made = rays::compile_layers(picture.with_fit(camera::Fit::stretch), width, height,
-                                         {.points = true});
+    static rays::VisibleLayers compiled(const camera::Picture& picture, double width) {
+        auto made = rays::compile_layers(picture, width, height, {.points = true});
         EXPECT_TRUE(made) << to_text(made.diagnostics);
         return *made;
     }
+    double width_;
     rays::VisibleLayers layers_;
 };
 
@@ -136,11 +136,11 @@ TEST(StereoCameras, PairsHaveOffAxisFrusta) {
     constexpr double separation = 0.2;
     constexpr double convergence = 5.0;
     const double half_width = std::tan(pi / 6.0);
+    const double half_height = half_width * 9.0 / 16.0;
     const std::vector<lang::Override> set{{"separation", "0.2"}, {"convergence", "5"}};
     for (const std::string name : {"stereo_pair", "cross_eyed", "anaglyph"}) {
         const Layers both(name, set);
         ASSERT_EQ(both.size(), 2U);
-        const double half_height = half_width * height / (name == "anaglyph" ? width : 0.5 * width);
         for (const std::size_t eye : {std::size_t{0}, std::size_t{1}}) {
             const double beside = (eye == 0 ? -0.5 : 0.5) * separation;
             const double l = -half_width - beside / convergence;
