@@ -121,6 +121,7 @@ int main(int argc, char** argv) {
         Section{"compile", bench::print_compilation},
         Section{"inverse", bench::print_inverse},
         Section{"scenes", bench::print_scenes},
+        Section{"start", bench::print_start},
     };
     const std::vector<std::string_view> wanted(argv + 1, argv + argc);
     const auto is_wanted = [&wanted](const Section& section) {

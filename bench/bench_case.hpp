@@ -46,6 +46,9 @@ void print_inverse();
 /// Prints how long a large scene file takes to load.
 void print_scenes();
 
+/// Prints how long the command takes to start.
+void print_start();
+
 /// Prints whole frames: what an extended camera adds to the time of a picture.
 void print_frames();
 

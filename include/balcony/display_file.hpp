@@ -17,7 +17,7 @@ namespace balcony::render {
 
 struct DisplayFormat {
     std::string_view extension;  ///< ".png"
-    std::string_view encoder;    ///< The name in OpenImageIO.
+    std::string_view encoder;    ///< The format, as for images::encode().
     bool has_alpha = true;
     int bits = 8;  ///< Bits per channel by default.
     int max_bits = 8;

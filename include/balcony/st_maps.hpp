@@ -102,7 +102,7 @@ struct StMapWritten {
 /// A photo as it is read. Copies share its pixels.
 class Photo {
 public:
-    /// In any format that scene::ImageFile opens.
+    /// In any format that images::ImageFile opens.
     [[nodiscard]] static Result<Photo> load(const std::filesystem::path& file);
 
     [[nodiscard]] std::size_t width() const;

@@ -12,6 +12,7 @@
 #include <unistd.h>
 #include <nlohmann/json.hpp>
 
+#include "balcony/images.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/interruption.hpp"
 #include "cli/options/command_words.hpp"
@@ -140,6 +141,10 @@ int main(int argc, char** argv) {
         "balcony"};
     describe(app);
     ExitCode code = run(app, argc, argv);
+    // Whatever could not be done without it: the installation is at fault.
+    if (balcony::images::is_missing()) {
+        code = ExitCode::environment;
+    }
     if (!cli::finish_output()) {
         cli::report({balcony::error("standard output cannot be written to")});
         code = code == ExitCode::done ? ExitCode::environment : code;

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "balcony/image_file.hpp"
+#include "balcony/images.hpp"
 #include "data/files.hpp"
 
 namespace balcony::data {
@@ -15,7 +15,7 @@ namespace balcony::data {
 namespace {
 
 using camera::GreyImage;
-using scene::ImageFile;
+using images::ImageFile;
 
 Diagnostic no_image(const File& file, const Diagnostic& reason) {
     return error(fmt::format("'{}' cannot be read as an image: {}", file.name, reason.message), {},
@@ -61,9 +61,9 @@ Result<std::shared_ptr<const GreyImage>> read_pixels(ImageFile& input, const Fil
 }  // namespace
 
 Result<std::shared_ptr<const GreyImage>> read_grey_image(const File& file) {
-    Result<ImageFile> input =
+    const Result<std::unique_ptr<ImageFile>> input =
         file.bytes ? ImageFile::open(file.path, *file.bytes) : ImageFile::open(file.path);
-    return input ? read_pixels(*input, file) : no_image(file, input.diagnostics.front());
+    return input ? read_pixels(**input, file) : no_image(file, input.diagnostics.front());
 }
 
 }  // namespace balcony::data

@@ -13,7 +13,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "balcony/image_file.hpp"
+#include "balcony/images.hpp"
 #include "data/files.hpp"
 #include "data/npy_array.hpp"
 
@@ -22,7 +22,7 @@ namespace balcony::data {
 namespace {
 
 using camera::PixelMap;
-using scene::ImageFile;
+using images::ImageFile;
 using MapResult = Result<std::shared_ptr<const PixelMap>>;
 
 /// What a map is made of.
@@ -164,10 +164,10 @@ MapResult read_image(const MapForm& form, const File& file, ImageFile& input) {
 }
 
 MapResult read_image(const MapForm& form, const File& file) {
-    constexpr auto all = scene::ImageChannels::all;
-    Result<ImageFile> input =
+    constexpr auto all = images::ImageChannels::all;
+    const Result<std::unique_ptr<ImageFile>> input =
         file.bytes ? ImageFile::open(file.path, *file.bytes, all) : ImageFile::open(file.path, all);
-    return input ? read_image(form, file, *input) : no_map(form, file, input.diagnostics.front());
+    return input ? read_image(form, file, **input) : no_map(form, file, input.diagnostics.front());
 }
 
 // --------------------------------------------------------------------------------------- arrays

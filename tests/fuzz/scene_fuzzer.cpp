@@ -22,7 +22,7 @@
 #include <unistd.h>
 
 #include "../laws/scene_laws.hpp"
-#include "balcony/image_file.hpp"
+#include "balcony/images.hpp"
 #include "balcony/scene.hpp"
 
 namespace {
@@ -40,19 +40,23 @@ void demand(const std::string& broken) {
 
 // The first rows; the others go the same way.
 void read_image(const char* name, Bytes bytes) {
-    Result<scene::ImageFile> image = scene::ImageFile::open(name, bytes);
-    demand(image || has_errors(image.diagnostics) ? "" : "neither an image nor an error");
+    const auto opened = images::ImageFile::open(name, bytes);
+    demand(opened || has_errors(opened.diagnostics) ? "" : "neither an image nor an error");
     constexpr std::size_t max_values = 1'000'000;
-    if (!image || image->width() * image->channels() > max_values) {
+    if (!opened) {
         return;
     }
-    const std::size_t row = image->width() * image->channels();
-    const std::size_t rows = std::min(image->height(), max_values / row);
+    images::ImageFile& image = **opened;
+    if (image.width() * image.channels() > max_values) {
+        return;
+    }
+    const std::size_t row = image.width() * image.channels();
+    const std::size_t rows = std::min(image.height(), max_values / row);
     std::vector<float> values(rows * row);
-    if (!image->read_rows(0, rows, values)) {
+    if (!image.read_rows(0, rows, values)) {
         // Back to the top.
         values.resize(row);
-        (void)image->read_rows(0, 1, values);
+        (void)image.read_rows(0, 1, values);
     }
 }
 

@@ -26,7 +26,16 @@ endfunction()
 build("${CMAKE_CURRENT_LIST_DIR}/consumer" "${consumer}")
 run("${consumer}/consumer")
 run("${consumer}/consumer_of_cameras")
-run("${prefix}/bin/balcony" --version)
+run("${consumer}/consumer_of_images")
+
+# The command finds its module wherever the prefix is.
+set(moved "${FOLDER}/moved")
+file(REMOVE_RECURSE "${moved}")
+file(RENAME "${prefix}" "${moved}")
+file(WRITE "${moved}/scene.obj" "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+run("${moved}/bin/balcony" render "${moved}/scene.obj" --size 8x8 -s 1 -q -o "${moved}/picture.png")
+file(REMOVE "${moved}/scene.obj" "${moved}/picture.png")
+file(RENAME "${moved}" "${prefix}")
 
 # The example has a stage of its own. Its picture has a line for each row, light and dark in it.
 build("${EXAMPLES}/own_stage" "${example}")

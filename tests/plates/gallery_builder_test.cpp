@@ -13,7 +13,7 @@
 #include <sys/wait.h>
 
 #include "../scene/glb_file.hpp"
-#include "balcony/image_file.hpp"
+#include "balcony/images.hpp"
 
 namespace balcony::plates::gallery_builder_test {
 
@@ -235,9 +235,9 @@ TEST(Gallery, PicturesHaveTheShapeOfTheirFrames) {
             gallery->textures.begin(), gallery->textures.end(),
             [&](const scene::Texture& candidate) { return candidate.name == hanging.name; });
         ASSERT_NE(texture, gallery->textures.end()) << hanging.name;
-        const auto image = scene::ImageFile::open(texture->name, texture->bytes);
+        const auto image = images::ImageFile::open(texture->name, texture->bytes);
         ASSERT_TRUE(image) << hanging.name;
-        const double pixels = double(image->width()) / double(image->height());
+        const double pixels = double((*image)->width()) / double((*image)->height());
         // Half a pixel in 600 of either side.
         EXPECT_NEAR(pixels / (hanging.width / hanging.height), 1.0, 0.5 / 600) << hanging.name;
     }

@@ -8,13 +8,13 @@
 
 #include <fmt/format.h>
 
-#include "balcony/image_file.hpp"
+#include "balcony/images.hpp"
 
 namespace balcony::bridge {
 
 namespace {
 
-using scene::ImageFile;
+using images::ImageFile;
 
 Diagnostic no_photo(const std::filesystem::path& file, const Diagnostic& reason) {
     return error(fmt::format("'{}' cannot be read as an image: {}", file.string(), reason.message),
@@ -49,23 +49,24 @@ struct PhotoForm {
 }  // namespace
 
 Result<Photo> Photo::load(const std::filesystem::path& file) {
-    Result<ImageFile> input = ImageFile::open(file);
-    if (!input) {
-        return no_photo(file, input.diagnostics.front());
+    const Result<std::unique_ptr<ImageFile>> opened = ImageFile::open(file);
+    if (!opened) {
+        return no_photo(file, opened.diagnostics.front());
     }
+    ImageFile& input = **opened;
     auto made = std::make_shared<Pixels>();
-    made->width = input->width();
-    made->height = input->height();
-    made->deep = !input->has_bytes() && !input->is_float();
+    made->width = input.width();
+    made->height = input.height();
+    made->deep = !input.has_bytes() && !input.is_float();
     made->values.reserve(4 * made->width * made->height);
-    const PhotoForm form{input->channels(), input->is_float(),
-                         input->unassociated_alpha().has_value()};
+    const PhotoForm form{input.channels(), input.is_float(),
+                         input.unassociated_alpha().has_value()};
     constexpr std::size_t rows_at_once = 64;
     std::vector<float> rows;
     for (std::size_t row = 0; row < made->height; row += rows_at_once) {
         const std::size_t end = std::min(row + rows_at_once, made->height);
         rows.resize((end - row) * made->width * form.channels);
-        if (const auto failure = input->read_rows(row, end, rows)) {
+        if (const auto failure = input.read_rows(row, end, rows)) {
             return no_photo(file, *failure);
         }
         for (std::size_t i = 0; i < rows.size(); i += form.channels) {

@@ -7,11 +7,11 @@
 #include <limits>
 
 #include "balcony/display_file.hpp"
+#include "balcony/images.hpp"
 #include "balcony/output_file.hpp"
 #include "balcony/st_maps.hpp"
 #include "bridge/maps/exr_rows.hpp"
 #include "bridge/maps/photo.hpp"
-#include "bridge/maps/photo_texture.hpp"
 
 namespace balcony::bridge {
 
@@ -24,15 +24,16 @@ struct ColorRows {
     std::vector<float> values;
 };
 
-ColorRows color_rows(const StMap& map, const PhotoTexture& photo, const RowSpan& span) {
+ColorRows color_rows(const StMap& map, const images::FilteredImage& photo, const RowSpan& span) {
     ColorRows rows{span, 0, {}};
     std::vector<SourcePlace> places;
     map.run(span.first, span.count, places);
     rows.values.reserve(4 * places.size());
     for (const SourcePlace& place : places) {
         rows.valid += place.valid ? 1 : 0;
-        const std::array<float, 4> color =
-            place.coverage > 0.0 ? photo(place) : std::array<float, 4>{};
+        const std::array<float, 4> color = place.coverage > 0.0
+                                               ? photo.mean(place.st, place.st_by_x, place.st_by_y)
+                                               : std::array<float, 4>{};
         for (const float value : color) {
             rows.values.push_back(static_cast<float>(place.coverage) * value);
         }
@@ -74,7 +75,7 @@ Diagnostics write_display(const std::vector<float>& values, const StMap& map, bo
     return bytes ? write_whole(file, std::span(*bytes)) : bytes.diagnostics;
 }
 
-StMapWritten warp_to_exr(const StMap& map, const PhotoTexture& photo,
+StMapWritten warp_to_exr(const StMap& map, const images::FilteredImage& photo,
                          const std::filesystem::path& file, const std::stop_token& stop) {
     OutputFile output(file);
     if (!output.stream()) {
@@ -102,7 +103,13 @@ StMapWritten warp_to_exr(const StMap& map, const PhotoTexture& photo,
 
 StMapWritten warp_photo(const StMap& map, const Photo& photo, const std::filesystem::path& file,
                         const std::stop_token& stop) {
-    const PhotoTexture texture(photo, map.closes());
+    const Photo::Pixels& pixels = photo.pixels();
+    const auto filtered =
+        images::FilteredImage::make({pixels.width, pixels.height, pixels.values}, map.closes());
+    if (!filtered) {
+        return {.problems = filtered.diagnostics};
+    }
+    const images::FilteredImage& texture = **filtered;
     const render::DisplayFormat* const format = render::display_format(file);
     if (format == nullptr) {
         return warp_to_exr(map, texture, file, stop);

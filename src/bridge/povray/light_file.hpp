@@ -4,12 +4,13 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <span>
 
 #include <Imath/ImathColor.h>
 
 #include "balcony/base.hpp"
-#include "balcony/image_file.hpp"
+#include "balcony/images.hpp"
 
 namespace balcony::bridge::povray {
 
@@ -24,9 +25,9 @@ public:
     [[nodiscard]] Diagnostics read_rows(std::size_t begin, std::span<Imath::Color4f> light);
 
 private:
-    explicit LightFile(scene::ImageFile image) : image_(std::move(image)) {}
+    explicit LightFile(std::unique_ptr<images::ImageFile> image) : image_(std::move(image)) {}
 
-    scene::ImageFile image_;
+    std::unique_ptr<images::ImageFile> image_;
 };
 
 }  // namespace balcony::bridge::povray

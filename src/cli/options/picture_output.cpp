@@ -9,6 +9,7 @@
 #include <glob.h>
 #include <unistd.h>
 
+#include "balcony/images.hpp"
 #include "cli/options/camera_argument.hpp"
 #include "cli/report/report.hpp"
 
@@ -74,7 +75,8 @@ std::vector<SceneOutput> with_stereo(const std::vector<SceneOutput>& pictures,
 ExitCode PictureOutput::check(Diagnostics& diagnostics) const {
     if (is_stream()) {
         if (isatty(STDOUT_FILENO) == 0) {
-            return ExitCode::done;
+            diagnostics = images::require();
+            return diagnostics.empty() ? ExitCode::done : ExitCode::environment;
         }
         diagnostics.push_back(error("a picture cannot be shown on a terminal", {},
                                     "redirect the output: balcony render ... -o - > picture.png"));

@@ -7,10 +7,9 @@
 #include <array>
 #include <string>
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
+#include "balcony/images.hpp"
 #include "balcony/output_file.hpp"
 #include "render/film/extension.hpp"
 
@@ -29,36 +28,12 @@ constexpr std::array formats{
     DisplayFormat{".tiff", "tiff", true, 16, 16, any_side},
 };
 
-Result<std::vector<std::uint8_t>> encode(const void* samples, OIIO::TypeDesc type,
-                                         const DisplaySize& size, const DisplayFormat& format) {
+Result<std::vector<std::uint8_t>> encode(const images::Samples& samples, const DisplaySize& size,
+                                         const DisplayFormat& format) {
     if (Diagnostics found = check_size(format, size.width, size.height); has_errors(found)) {
         return found;
     }
-    OIIO::ImageSpec spec(static_cast<int>(size.width), static_cast<int>(size.height),
-                         static_cast<int>(size.channels), type);
-    spec.attribute("oiio:ColorSpace", "sRGB");
-    spec.attribute("oiio:UnassociatedAlpha", 1);
-    // Quality at which sharp lines have no visible fringes; without subsampling of colours.
-    if (format.encoder == "jpeg") {
-        spec.attribute("Compression", "jpeg:92");
-        spec.attribute("jpeg:subsampling", "4:4:4");
-    } else if (format.encoder == "webp") {
-        spec.attribute("Compression", "webp:92");
-    } else if (format.encoder == "tiff") {
-        spec.attribute("Compression", "zip");
-        // OpenImageIO 2.4 writes invalid files if it adds EXIF data to a file in memory.
-        spec.attribute("tiff:write_exif", 0);
-    }
-    std::vector<unsigned char> bytes;
-    OIIO::Filesystem::IOVecOutput memory(bytes);
-    const auto output = OIIO::ImageOutput::create(std::string(format.encoder));
-    const std::string name = "picture" + std::string(format.extension);
-    if (!output || !output->set_ioproxy(&memory) || !output->open(name, spec) ||
-        !output->write_image(type, samples) || !output->close()) {
-        return error(fmt::format("the picture cannot be encoded as {}: {}", format.encoder,
-                                 output ? output->geterror() : OIIO::geterror()));
-    }
-    return bytes;
+    return images::encode({size.width, size.height, size.channels, samples}, format.encoder);
 }
 
 }  // namespace
@@ -85,12 +60,12 @@ Diagnostics check_size(const DisplayFormat& format, std::size_t width, std::size
 
 Result<std::vector<std::uint8_t>> encode(const std::vector<std::uint8_t>& samples,
                                          const DisplaySize& size, const DisplayFormat& format) {
-    return encode(samples.data(), OIIO::TypeDesc::UINT8, size, format);
+    return encode(images::Samples(std::span(samples)), size, format);
 }
 
 Result<std::vector<std::uint8_t>> encode(const std::vector<std::uint16_t>& samples,
                                          const DisplaySize& size, const DisplayFormat& format) {
-    return encode(samples.data(), OIIO::TypeDesc::UINT16, size, format);
+    return encode(images::Samples(std::span(samples)), size, format);
 }
 
 Diagnostics write_samples(const std::vector<std::uint8_t>& samples, const DisplaySize& size,

@@ -8,8 +8,8 @@
 #include <span>
 #include <type_traits>
 
-#include <OpenImageIO/sysutil.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "balcony/bands.hpp"
 #include "render/film/film_arrays.hpp"
@@ -38,6 +38,12 @@ bool at_center(const LayerInfo& layer) {
     return layer.sampling == LayerSampling::center && layer.bytes > 0;
 }
 
+/// In bytes; negative if the system does not say.
+double physical_memory() {
+    return static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+           static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
 Diagnostics check(const FilmLayout& layout, const Region& window) {
     Diagnostics found;
     const auto check_side = [&](std::size_t side, std::string_view what) {
@@ -62,7 +68,7 @@ Diagnostics check(const FilmLayout& layout, const Region& window) {
             window.width, window.height, window.x, window.y, layout.width, layout.height))};
     }
     const double bytes = film_bytes(layout);
-    const auto memory = static_cast<double>(OIIO::Sysutil::physical_memory());
+    const double memory = physical_memory();
     if (memory > 0.0 && bytes > memory) {
         return {error(
             fmt::format("a film of {} x {} pixels needs {:.1f} GB, but this machine has {:.1f} GB",

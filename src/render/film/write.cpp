@@ -8,6 +8,7 @@
 
 #include "balcony/display_file.hpp"
 #include "balcony/film.hpp"
+#include "balcony/images.hpp"
 #include "balcony/output_file.hpp"
 #include "render/film/extension.hpp"
 
@@ -30,9 +31,14 @@ Diagnostic not_a_picture_format(const std::filesystem::path& file) {
 }
 
 Diagnostics check_output(const std::filesystem::path& file) {
-    return display_format(file) != nullptr || extension_of(file) == ".exr"
-               ? OutputFile::check(file)
-               : Diagnostics{not_a_picture_format(file)};
+    if (extension_of(file) == ".exr") {
+        return OutputFile::check(file);
+    }
+    if (display_format(file) == nullptr) {
+        return {not_a_picture_format(file)};
+    }
+    Diagnostics found = images::require();
+    return found.empty() ? OutputFile::check(file) : found;
 }
 
 Diagnostics write(const Film& film, const std::filesystem::path& file,

@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-#include "balcony/image_file.hpp"
+#include "balcony/images.hpp"
 #include "balcony/scene.hpp"
 #include "render/lights/atmosphere.hpp"
 #include "render/lights/environment_state.hpp"
@@ -35,7 +35,7 @@ float from_srgb(float encoded) {
 /// Reads colours, and repairs those that are no light.
 class PixelReader {
 public:
-    explicit PixelReader(const scene::ImageFile& image)
+    explicit PixelReader(const images::ImageFile& image)
         : channels_(image.channels()), linear_(image.is_float()) {}
 
     [[nodiscard]] Color3f read(std::span<const float> pixel) {
@@ -103,24 +103,25 @@ Diagnostic unusable(const std::filesystem::path& file, const Diagnostic& reason)
 }  // namespace
 
 Result<Environment> Environment::load(const std::filesystem::path& file) {
-    Result<scene::ImageFile> image = scene::ImageFile::open(file);
-    if (!image) {
-        return unusable(file, image.diagnostics.front());
+    const Result<std::unique_ptr<images::ImageFile>> opened = images::ImageFile::open(file);
+    if (!opened) {
+        return unusable(file, opened.diagnostics.front());
     }
+    images::ImageFile& image = **opened;
     try {
-        const std::size_t width = image->width();
-        const std::size_t height = image->height();
+        const std::size_t width = image.width();
+        const std::size_t height = image.height();
         std::vector<Color3f> texels;
         texels.reserve(width * height);
-        std::vector<float> row(width * image->channels());
-        PixelReader pixels(*image);
+        std::vector<float> row(width * image.channels());
+        PixelReader pixels(image);
         for (std::size_t y = 0; y < height; ++y) {
-            if (const auto failure = image->read_rows(y, y + 1, row)) {
+            if (const auto failure = image.read_rows(y, y + 1, row)) {
                 return unusable(file, *failure);
             }
             for (std::size_t x = 0; x < width; ++x) {
                 texels.push_back(
-                    pixels.read(std::span(row).subspan(x * image->channels(), image->channels())));
+                    pixels.read(std::span(row).subspan(x * image.channels(), image.channels())));
             }
         }
         Diagnostics warnings;

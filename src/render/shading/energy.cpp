@@ -5,6 +5,9 @@
 
 #include <cmath>
 
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
 #include "render/shading/microfacets.hpp"
 
 namespace balcony::render {
@@ -38,10 +41,13 @@ LayerEnergies::Row LayerEnergies::make_row(float alpha) {
 
 const std::vector<LayerEnergies::Row>& LayerEnergies::rows() {
     static const std::vector<Row> made = [] {
-        std::vector<Row> all;
-        for (std::size_t i = 0; i < width_count; ++i) {
-            all.push_back(make_row(table_width(i, width_count)));
-        }
+        std::vector<Row> all(width_count);
+        // Isolated: this thread takes no other task, which might wait for these rows.
+        tbb::this_task_arena::isolate([&all] {
+            tbb::parallel_for(std::size_t{0}, width_count, [&all](std::size_t i) {
+                all[i] = make_row(table_width(i, width_count));
+            });
+        });
         return all;
     }();
     return made;

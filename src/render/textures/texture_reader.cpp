@@ -54,9 +54,8 @@ float linear_from_srgb(float value) {
 }
 
 Result<TextureReader> TextureReader::open(const scene::Texture& texture, TextureEncoding encoding) {
-    Result<scene::ImageFile> image = texture.file.empty()
-                                         ? scene::ImageFile::open(texture.name, texture.bytes)
-                                         : scene::ImageFile::open(texture.file);
+    auto image = texture.file.empty() ? images::ImageFile::open(texture.name, texture.bytes)
+                                      : images::ImageFile::open(texture.file);
     if (!image) {
         return std::move(image.diagnostics);
     }
@@ -66,8 +65,8 @@ Result<TextureReader> TextureReader::open(const scene::Texture& texture, Texture
 template <class Value>
 std::optional<Diagnostic> TextureReader::read_values(std::size_t begin, std::size_t end,
                                                      std::vector<Value>& values) {
-    values.resize((end - begin) * image_.width() * image_.channels());
-    return image_.read_rows(begin, end, values);
+    values.resize((end - begin) * image_->width() * image_->channels());
+    return image_->read_rows(begin, end, values);
 }
 
 Imath::half TextureReader::repaired(float value) {
@@ -85,7 +84,7 @@ std::optional<Diagnostic> TextureReader::read_rows(std::size_t begin, std::size_
         return failure;
     }
     spread<ByteTexel, std::uint8_t>(
-        bytes_, image_.channels(), 255, texels,
+        bytes_, image_->channels(), 255, texels,
         [](ByteTexel& texel, std::uint8_t r, std::uint8_t g, std::uint8_t b, std::uint8_t a) {
             texel = {r, g, b, a};
         });
@@ -100,7 +99,7 @@ std::optional<Diagnostic> TextureReader::read_rows(std::size_t begin, std::size_
     }
     const bool is_srgb = encoding_ == TextureEncoding::srgb;
     const auto color = [&](float value) { return repaired(is_srgb ? linear(value) : value); };
-    spread<HalfTexel, float>(floats_, image_.channels(), 1.0F, texels,
+    spread<HalfTexel, float>(floats_, image_->channels(), 1.0F, texels,
                              [&](HalfTexel& texel, float r, float g, float b, float a) {
                                  texel = {color(r), color(g), color(b), repaired(a)};
                              });

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -15,7 +16,7 @@
 #include <Imath/half.h>
 
 #include "balcony/base.hpp"
-#include "balcony/image_file.hpp"
+#include "balcony/images.hpp"
 #include "balcony/scene.hpp"
 
 namespace balcony::render {
@@ -32,14 +33,14 @@ using HalfTexel = std::array<Imath::half, 4>;   ///< Linear.
 class TextureReader {
 public:
     /// The texture must outlive the result. The message of an error is a reason, as that of
-    /// scene::ImageFile::open().
+    /// images::ImageFile::open().
     [[nodiscard]] static Result<TextureReader> open(const scene::Texture& texture,
                                                     TextureEncoding encoding);
 
-    [[nodiscard]] std::size_t width() const { return image_.width(); }
-    [[nodiscard]] std::size_t height() const { return image_.height(); }
+    [[nodiscard]] std::size_t width() const { return image_->width(); }
+    [[nodiscard]] std::size_t height() const { return image_->height(); }
     [[nodiscard]] TextureEncoding encoding() const { return encoding_; }
-    [[nodiscard]] bool has_bytes() const { return image_.has_bytes(); }
+    [[nodiscard]] bool has_bytes() const { return image_->has_bytes(); }
     /// Whether a value that was read was not finite.
     [[nodiscard]] bool has_repaired() const { return repaired_; }
 
@@ -51,7 +52,7 @@ public:
                                                       std::span<HalfTexel> texels);
 
 private:
-    TextureReader(scene::ImageFile image, TextureEncoding encoding)
+    TextureReader(std::unique_ptr<images::ImageFile> image, TextureEncoding encoding)
         : image_(std::move(image)), encoding_(encoding) {}
 
     template <class Value>
@@ -59,7 +60,7 @@ private:
                                                         std::vector<Value>& values);
     [[nodiscard]] Imath::half repaired(float value);
 
-    scene::ImageFile image_;
+    std::unique_ptr<images::ImageFile> image_;
     TextureEncoding encoding_;
     bool repaired_ = false;
     std::vector<std::uint8_t> bytes_;  // Of the rows at work; kept for their memory.

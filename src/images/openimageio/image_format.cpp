@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "scene/images/image_format.hpp"
+#include "images/openimageio/image_format.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace balcony::scene {
+namespace balcony::images {
 
 namespace {
 
@@ -207,4 +207,4 @@ const ImageFormat* image_format(IOProxy& bytes, const std::filesystem::path& nam
     return found == formats.end() ? nullptr : found;
 }
 
-}  // namespace balcony::scene
+}  // namespace balcony::images

@@ -9,7 +9,7 @@
 
 #include <OpenImageIO/filesystem.h>
 
-namespace balcony::scene {
+namespace balcony::images {
 
 /// The contents of an image header.
 struct DeclaredSize {
@@ -34,4 +34,4 @@ struct ImageFormat {
 [[nodiscard]] const ImageFormat* image_format(OIIO::Filesystem::IOProxy& bytes,
                                               const std::filesystem::path& name);
 
-}  // namespace balcony::scene
+}  // namespace balcony::images

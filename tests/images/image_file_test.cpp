@@ -3,22 +3,41 @@
 
 // Image files: which are opened, what is checked before pixels are read, and that rows are rows.
 
-#include "balcony/image_file.hpp"
+#include "balcony/images.hpp"
 
 #include <fstream>
 #include <iterator>
 #include <random>
 
 #include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
 
-#include "scene_files.hpp"
-
-namespace balcony::scene::testing::image_file_test {
+namespace balcony::images::testing::image_file_test {
 
 namespace {
 
-class Images : public SceneFiles {
+// Each test has a folder of its own.
+class Images : public ::testing::Test {
 protected:
+    Images() {
+        const auto* const test = ::testing::UnitTest::GetInstance()->current_test_info();
+        directory = std::filesystem::path(::testing::TempDir()) /
+                    (std::string("balcony_images_") + test->name());
+        std::filesystem::remove_all(directory);
+        std::filesystem::create_directories(directory);
+    }
+    ~Images() override {
+        std::error_code ignored;
+        std::filesystem::remove_all(directory, ignored);
+    }
+
+    [[nodiscard]] std::filesystem::path write(const std::string& name,
+                                              const std::string& bytes) const {
+        const std::filesystem::path file = directory / name;
+        std::ofstream(file, std::ios::binary) << bytes;
+        return file;
+    }
+
     static constexpr int width = 37;
     static constexpr int height = 29;
 
@@ -44,6 +63,8 @@ protected:
         std::ifstream stream(file, std::ios::binary);
         return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
     }
+
+    std::filesystem::path directory;
 };
 
 constexpr const char* endings[] = {"png", "jpg", "webp", "tif", "exr", "hdr", "tga", "bmp"};
@@ -55,7 +76,7 @@ std::vector<float> rows_of(ImageFile& file, std::size_t begin, std::size_t end) 
     return values;
 }
 
-std::string reason(const Result<ImageFile>& opened) {
+std::string reason(const Result<std::unique_ptr<ImageFile>>& opened) {
     return opened ? "opened" : opened.diagnostics.front().message;
 }
 
@@ -109,15 +130,15 @@ std::string tga(std::size_t width, std::size_t height) {
 
 TEST_F(Images, BytesAreTheFloatsTimes255) {
     for (const std::string ending : endings) {
-        Result<ImageFile> opened = ImageFile::open(image("image." + ending));
+        Result<std::unique_ptr<ImageFile>> opened = ImageFile::open(image("image." + ending));
         ASSERT_TRUE(opened) << ending;
-        EXPECT_EQ(opened->has_bytes(), ending != "exr" && ending != "hdr") << ending;
-        if (!opened->has_bytes()) {
+        EXPECT_EQ((*opened)->has_bytes(), ending != "exr" && ending != "hdr") << ending;
+        if (!(*opened)->has_bytes()) {
             continue;
         }
-        const std::vector<float> floats = rows_of(*opened, 3, 20);
+        const std::vector<float> floats = rows_of(**opened, 3, 20);
         std::vector<std::uint8_t> bytes(floats.size());
-        EXPECT_FALSE(opened->read_rows(3, 20, bytes)) << ending;
+        EXPECT_FALSE((*opened)->read_rows(3, 20, bytes)) << ending;
         for (std::size_t i = 0; i < floats.size(); ++i) {
             ASSERT_NEAR(255.0F * floats[i], bytes[i], 1e-4F) << ending << ' ' << i;
         }
@@ -130,13 +151,13 @@ TEST_F(Images, TheFirstBytesTellTheFormat) {
         const std::vector<std::uint8_t> bytes = bytes_of(file);
         // By the bytes alone; TGA needs its ending.
         const char* name = ending == "tga" ? "other.TGA" : "other.gif";
-        for (Result<ImageFile>& opened :
+        for (Result<std::unique_ptr<ImageFile>>& opened :
              std::array{ImageFile::open(file), ImageFile::open(name, bytes)}) {
             ASSERT_TRUE(opened) << ending << ": " << reason(opened);
-            EXPECT_EQ(opened->width(), static_cast<std::size_t>(width)) << ending;
-            EXPECT_EQ(opened->height(), static_cast<std::size_t>(height)) << ending;
-            EXPECT_EQ(opened->channels(), 3U) << ending;
-            const std::vector<float> values = rows_of(*opened, 0, height);
+            EXPECT_EQ((*opened)->width(), static_cast<std::size_t>(width)) << ending;
+            EXPECT_EQ((*opened)->height(), static_cast<std::size_t>(height)) << ending;
+            EXPECT_EQ((*opened)->channels(), 3U) << ending;
+            const std::vector<float> values = rows_of(**opened, 0, height);
             // Formats with a loss spread a colour to its neighbours.
             constexpr float loss = 0.1F;
             EXPECT_NEAR(values[3 * 20], 20.0F / 255.0F, loss) << ending;
@@ -149,9 +170,9 @@ TEST_F(Images, RowsComeInAnyOrder) {
     for (const std::string ending : endings) {
         auto opened = ImageFile::open(image("image." + ending));
         ASSERT_TRUE(opened) << ending;
-        const std::vector<float> all = rows_of(*opened, 0, height);
+        const std::vector<float> all = rows_of(**opened, 0, height);
         for (const std::size_t begin : {20U, 3U, 11U, 0U}) {
-            const std::vector<float> part = rows_of(*opened, begin, begin + 5);
+            const std::vector<float> part = rows_of(**opened, begin, begin + 5);
             EXPECT_TRUE(std::equal(part.begin(), part.end(),
                                    all.begin() + static_cast<std::ptrdiff_t>(begin) * width * 3))
                 << ending << " " << begin;
@@ -164,7 +185,7 @@ TEST_F(Images, TiledImagesAreReadByRows) {
     auto tiled = ImageFile::open(image("tiled.tif", 16));
     ASSERT_TRUE(plain && tiled);
     for (const auto& [begin, end] : {std::pair{0U, 29U}, {5U, 7U}, {15U, 17U}, {28U, 29U}}) {
-        EXPECT_EQ(rows_of(*plain, begin, end), rows_of(*tiled, begin, end)) << begin;
+        EXPECT_EQ(rows_of(**plain, begin, end), rows_of(**tiled, begin, end)) << begin;
     }
 }
 
@@ -263,9 +284,9 @@ TEST_F(Images, ChangedBytesDoNoHarm) {
                 continue;
             }
             ++opened_count;
-            const std::size_t rows = std::min<std::size_t>(opened->height(), 64);
-            std::vector<float> values(rows * opened->width() * opened->channels());
-            (void)opened->read_rows(0, rows, values);
+            const std::size_t rows = std::min<std::size_t>((*opened)->height(), 64);
+            std::vector<float> values(rows * (*opened)->width() * (*opened)->channels());
+            (void)(*opened)->read_rows(0, rows, values);
         }
         // The checksums of PNG find every change.
         EXPECT_TRUE(ending == "png" ? opened_count == 0 : opened_count > 20)
@@ -273,4 +294,4 @@ TEST_F(Images, ChangedBytesDoNoHarm) {
     }
 }
 
-}  // namespace balcony::scene::testing::image_file_test
+}  // namespace balcony::images::testing::image_file_test

@@ -1,0 +1,90 @@
+# Balcony: rendering through extended cameras.
+# SPDX-License-Identifier: Apache-2.0
+"""What the command loads: OpenImageIO with the first image, and not before."""
+
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+import support
+
+MASKED = """// Shows what the mask shows.
+picture masked {
+    layer panorama {
+        fill
+        clip image("mask.png")
+    }
+}
+"""
+
+
+class Start(support.CommandTest):
+    def libraries(self, *words):
+        """What the dynamic linker says of the libraries that it loads."""
+        _, err = self.run_command(*words, env=os.environ | {"LD_DEBUG": "files"})
+        self.assertIn("libstdc++", err)
+        return err
+
+    def test_commands_without_images_load_no_library_for_images(self):
+        for words in (("--version",), ("render", "--help"), ("list", "cameras"),
+                      ("complete", "render", "scene.obj", "--camera", "p"),
+                      ("fmt", "my.cam"), ("check", "my.cam:above"), ("explain", "panorama"),
+                      ("export", "panorama", "--to", "c"), ("info", "scene.obj"),
+                      ("locate", "panorama", "--point", "1,2,3"), ("draw", "panorama", "-o", "rays.svg"),
+                      ("rays", "panorama", "-W", "8", "-o", "rays.npy"),
+                      ("render", "scene.obj", "-W", "8", "-s", "1", "-o", "picture.exr")):
+            with self.subTest(words):
+                self.assertNotIn("libOpenImageIO", self.libraries(*words))
+
+    def test_images_load_it(self):
+        for words in (("render", "scene.obj", "-W", "8", "-s", "1", "-o", "picture.png"),
+                      ("warp", "picture.png", "--from", "pinhole", "-c", "pinhole", "-W", "8",
+                       "-o", "warped.png")):
+            with self.subTest(words):
+                self.assertIn("libOpenImageIO", self.libraries(*words))
+
+
+class Installation(support.CommandTest):
+    """The executable finds its module by its own place."""
+
+    def setUp(self):
+        super().setUp()
+        self.balcony = self.folder / "bin" / "balcony"
+        self.balcony.parent.mkdir()
+        (self.folder / "masked.cam").write_text(MASKED)
+
+    def run_copy(self, *words):
+        run = subprocess.run([self.balcony, *words], cwd=self.folder, stdin=subprocess.DEVNULL,
+                             capture_output=True, text=True, timeout=120)
+        return run.returncode, run.stderr
+
+    def assert_incomplete(self, *reasons):
+        for words in (("render", "scene.obj", "-o", "picture.png"), ("check", "masked.cam")):
+            code, said = self.run_copy(*words)
+            self.assertEqual(code, 3, said)
+            for reason in ("the installation is incomplete: ", *reasons):
+                self.assertIn(reason, said)
+        self.assertFalse((self.folder / "picture.png").exists())
+        self.assertEqual(self.run_copy("list", "cameras"), (0, ""))
+
+    def module(self):
+        return next(Path(support.BALCONY).parent.glob("balcony_images-*.so"))
+
+    def test_without_the_module(self):
+        shutil.copy(support.BALCONY, self.balcony)
+        self.assert_incomplete("there is no '", self.module().name, "install Balcony again")
+
+    def test_a_module_that_cannot_be_loaded(self):
+        shutil.copy(support.BALCONY, self.balcony)
+        (self.balcony.parent / self.module().name).write_text("no library")
+        self.assert_incomplete(str(self.balcony.parent / self.module().name), "OpenImageIO")
+
+    def test_a_link_to_the_executable(self):
+        self.balcony.symlink_to(support.BALCONY)
+        self.assertEqual(self.run_copy("render", "scene.obj", "-W", "8", "-s", "1", "-q",
+                                       "-o", "picture.png"), (0, ""))
+
+
+if __name__ == "__main__":
+    support.main()
