@@ -13,6 +13,7 @@
 #include <set>
 #include <string>
 
+#include "../laws/built_in_cameras.hpp"
 #include "support.hpp"
 
 namespace balcony::analyse::diagnose_test {
@@ -162,7 +163,7 @@ TEST(Findings, SuperellipticCameraHasNone) {
 TEST(Findings, BuiltInCamerasHaveNoneButOnPurpose) {
     // These fold, jump or repeat what they show: that is what they are for.
     const std::set<std::string> on_purpose{"droste", "kaleidoscope", "print_gallery", "swing"};
-    for (const std::string& name : lang::built_in_cameras()) {
+    for (const std::string& name : laws::single_built_in_cameras()) {
         const camera::Camera camera = standard(name);
         const double width = 500 * std::sqrt(camera.parts().aspect);
         const Report report =

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../laws/built_in_cameras.hpp"
 #include "balcony/drawing.hpp"
 #include "support.hpp"
 
@@ -76,7 +77,7 @@ TEST(DrawingLimits, EndlessLinesAreLeftOutAndThatIsSaid) {
 }
 
 TEST(DrawingLimits, AUsualCameraIsDrawnWhole) {
-    for (const std::string& name : lang::built_in_cameras()) {
+    for (const std::string& name : laws::single_built_in_cameras()) {
         if (name == "droste") {  // Its seams repeat without end.
             continue;
         }

@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../laws/built_in_cameras.hpp"
 #include "analyse/draw/camera_geometry.hpp"
 #include "support.hpp"
 
@@ -52,7 +53,7 @@ std::size_t count(const Drawing& drawing, DrawingPart part) {
 }
 
 TEST(Drawing, OfEveryBuiltInCameraIsOnThePage) {
-    for (const std::string& name : lang::built_in_cameras()) {
+    for (const std::string& name : laws::single_built_in_cameras()) {
         const auto drawing = draw(test::standard(name));
         ASSERT_TRUE(drawing) << name;
         EXPECT_GT(drawing->shapes.size(), 100U) << name;

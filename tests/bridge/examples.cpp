@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "../laws/built_in_cameras.hpp"
 #include "balcony/catalogue.hpp"
 #include "balcony/lang.hpp"
 #include "balcony/ray_difference.hpp"
@@ -47,7 +48,7 @@ std::vector<Example> all_examples() {
                 std::make_shared<const SourceText>("example", std::string(row.example)));
         }
     }
-    for (const std::string& name : lang::built_in_cameras()) {
+    for (const std::string& name : laws::single_built_in_cameras()) {
         add("built_in_" + name, fmt::format("built-in `{}`", name), false, name);
     }
     const std::filesystem::path plates = std::filesystem::path(BALCONY_SOURCE_DIR) / "plates";

@@ -16,6 +16,7 @@
 
 #include <fmt/format.h>
 
+#include "../laws/built_in_cameras.hpp"
 #include "balcony/lang.hpp"
 
 namespace balcony::rays::rays_test {
@@ -64,7 +65,7 @@ TEST(RayProgram, GivesTheSameRaysOverTilesAndAtPoints) {
 }
 
 TEST(RayProgram, AgreesWithTheScalarDefinitions) {
-    for (const std::string& name : lang::built_in_cameras()) {
+    for (const std::string& name : laws::single_built_in_cameras()) {
         const camera::Camera camera = built_in(name);
         expr::Graph graph;
         const camera::RayExpressions ray = camera.emit(graph, 160, 90);
@@ -213,7 +214,7 @@ TEST(Camera, LooksOutwardAtAllTimes) {
 }
 
 TEST(Camera, DependsOnlyOnTheAspectRatio) {
-    for (const std::string& name : lang::built_in_cameras()) {
+    for (const std::string& name : laws::single_built_in_cameras()) {
         const camera::Camera camera = built_in(name);
         const Ray small = ray_at(compiled(camera, 100, 75, {.points = true}), {33.0, 21.0});
         const Ray large = ray_at(compiled(camera, 400, 300, {.points = true}), {132.0, 84.0});
