@@ -21,7 +21,7 @@ TEST(Panini, IsThePublishedProjection) {
                 const double latitude = part(random);
                 const double scale = (d + 1.0) / (d + std::cos(longitude));
                 const double u = scale * std::sin(longitude);
-                const double v = scale * std::tan(latitude) * (1.0 - s + s / std::cos(longitude));
+                const double v = std::tan(latitude) * ((1.0 - s) * scale + s / std::cos(longitude));
                 const Sample at = probe(u, v);
                 EXPECT_TRUE(at.valid);
                 expect_near(at.point,
@@ -30,6 +30,13 @@ TEST(Panini, IsThePublishedProjection) {
                             1e-12);
             }
         }
+    }
+    // With s = 1, a horizontal line across the view is straight: the image of (1, y, z) is at v =
+    // z.
+    const GeneratorProbe straight(object("panini", {{"d", numbers({1.0})}, {"s", numbers({1.0})}}));
+    for (const double u : {0.0, 0.5, 1.0, 1.5}) {
+        const Vector p = straight(u, 0.7).point;
+        EXPECT_NEAR(p[2] / p[0], 0.7, 1e-14) << u;
     }
     // With d = 3, the image of the circle ends at (d + 1)/√(d² − 1).
     const GeneratorProbe probe(object("panini", {{"d", numbers({3.0})}}));

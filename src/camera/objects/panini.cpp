@@ -30,8 +30,8 @@ public:
         const Expr reach = d + cosine;
         emit.require(0.0 < reach);
         const Expr sine = h * reach;
-        // The vertical scale is that of the projection, or of a perspective one where s is 1.
-        const Expr vertical = (1.0 - s) * (d + 1.0) / reach + s * (d + 1.0) / (reach * cosine);
+        // The vertical scale is that of the projection, or where s is 1 that of a perspective view.
+        const Expr vertical = (1.0 - s) * (d + 1.0) / reach + s / cosine;
         emit.require(0.0 < vertical);
         const Expr tangent = p.v / vertical;
         const Expr scale = emit(radius_) / sqrt(1.0 + tangent * tangent);
@@ -52,7 +52,7 @@ std::vector<StageEntry> panini() {
                     "lines straight in wide views; u = v = 0 is on the x axis",
          .formula = R"(
 the point at longitude φ and latitude θ with
-u = S sin φ,   v = S tan θ (1 − s + s/cos φ),   S = (d + 1)/(d + cos φ)
+u = S sin φ,   v = tan θ ((1 − s) S + s/cos φ),   S = (d + 1)/(d + cos φ)
 no point where these have no inverse: d + cos φ ≤ 0, 1 + d cos φ < 0
 )",
          .parameters = {positive_parameter("radius", 1.0, "the radius"),
