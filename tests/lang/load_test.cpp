@@ -139,6 +139,16 @@ TEST(Load, UnknownFilesGetASuggestion) {
     EXPECT_EQ(said[0].remedy, "did you mean 'pinhole'?");
 }
 
+TEST(Load, AWordOfADescriptionFindsItsCamera) {
+    const auto remedy = [](const char* name) {
+        return make_camera(name, "").diagnostics.at(0).remedy;
+    };
+    EXPECT_TRUE(remedy("equirectangular")
+                    .starts_with("'equirectangular' is in the description of 'panorama'"))
+        << remedy("equirectangular");
+    EXPECT_EQ(remedy("nowhere_to_be_found"), "'balcony list cameras' shows the built-in cameras");
+}
+
 TEST(Load, DescribesCameras) {
     const test::TemporaryFolder folder;
     const auto file = folder.write("a.cam",

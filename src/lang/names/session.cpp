@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "balcony/names.hpp"
 #include "lang/built_in_cameras.hpp"
 #include "lang/names/scene_names.hpp"
 
@@ -25,6 +26,25 @@ std::vector<std::string> built_in_names(std::string_view suffix) {
         names.push_back(std::string(camera.name) + std::string(suffix));
     }
     return names;
+}
+
+// The remedy for an unknown name: a camera with a similar name, or cameras whose descriptions
+// contain it, such as panorama for "equirectangular".
+std::string instead_of(std::string_view name) {
+    if (const auto nearest = nearest_name(name, built_in_names(""))) {
+        return fmt::format("did you mean '{}'?", *nearest);
+    }
+    std::vector<std::string> described;
+    for (const BuiltInCamera& camera : built_in_camera_files()) {
+        const std::string_view comment = camera.text.substr(0, camera.text.find("\ncamera "));
+        if (comment.find(name) != std::string_view::npos) {
+            described.emplace_back(camera.name);
+        }
+    }
+    constexpr std::size_t max_described = 8;
+    return described.empty() || described.size() > max_described
+               ? "'balcony list cameras' shows the built-in cameras"
+               : fmt::format("'{}' is in the description of {}", name, all_of(described));
 }
 
 std::string standard_key(std::string_view name) { return fmt::format("standard/{}.cam", name); }
@@ -96,7 +116,7 @@ Module* Session::load(const fs::path& file) {
     const std::optional<std::string> key = files_.key_of(file);
     if (!key) {
         reporter_.error({}, fmt::format("there is no file and no built-in camera named '{}'", name),
-                        suggestion(name, built_in_names(""), "the built-in cameras are"));
+                        instead_of(name));
         return nullptr;
     }
     return open_file(*key, file, name, {});
