@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -82,13 +83,15 @@ TEST_P(BuiltIn, FitsAScene) {
     EXPECT_EQ(to_text(made.diagnostics), "");
     EXPECT_FALSE(workspace.fitted().empty()) << "no fit statement";
     constexpr std::size_t side = 48;
-    const Result<rays::CompiledPicture> picture = rays::compile(*made, side, side, {});
+    const auto width = static_cast<std::size_t>(std::lround(side * made->aspect()));
+    const Result<rays::CompiledPicture> picture =
+        rays::compile(*made, static_cast<double>(width), side, {});
     ASSERT_TRUE(picture);
     std::size_t valid = 0;
     rays::Scratch scratch;
     rays::RayBatch batch;
     for (const auto& layer : picture->layers()) {
-        layer.rays.run({.width = side, .height = side}, scratch, batch);
+        layer.rays.run({.width = width, .height = side}, scratch, batch);
         for (std::size_t i = 0; i < batch.size(); ++i) {
             if (batch.valid(i)) {
                 ++valid;
@@ -96,7 +99,7 @@ TEST_P(BuiltIn, FitsAScene) {
             }
         }
     }
-    EXPECT_GE(valid, side * side / 3);
+    EXPECT_GE(valid, width * side / 3);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, BuiltIn, testing::ValuesIn(lang::built_in_cameras()),

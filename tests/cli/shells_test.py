@@ -29,11 +29,11 @@ class Completion(support.CommandTest):
         self.assertEqual(self.words("help", "re"), ["render"])
 
     def test_files(self):
-        (self.folder / "more").mkdir()
-        (self.folder / "more" / "hall.ply").write_text("")
-        self.assertEqual(self.words("render", ""), ["more/", "room.glb", "scene.obj"])
-        self.assertEqual(self.words("render", "more/"), ["more/hall.ply"])
-        self.assertEqual(self.words("fmt", "m"), ["more/", "my.cam"])
+        (self.folder / "my_rooms").mkdir()
+        (self.folder / "my_rooms" / "hall.ply").write_text("")
+        self.assertEqual(self.words("render", ""), ["my_rooms/", "room.glb", "scene.obj"])
+        self.assertEqual(self.words("render", "my_rooms/"), ["mylar/hall.ply"])
+        self.assertEqual(self.words("fmt", "my"), ["my.cam", "my_rooms/"])
         self.assertEqual(self.words("check", "my.cam", "--scene", "ro"), ["room.glb"])
 
     def test_cameras_and_their_parameters(self):

@@ -116,16 +116,6 @@ TEST(StandardCameras, FisheyeAngleGrowsWithTheDistance) {
     }
 }
 
-TEST(StandardCameras, CylinderLooksOutAndIn) {
-    const Ray out = test::ray(standard("cylinder", {{"radius", "2"}}), 25, 0, 100, 50);
-    expect_near(out.origin, {0, 2, 1});
-    expect_near(out.direction, {0, 1, 0});
-    const Ray in =
-        test::ray(standard("cylinder", {{"radius", "2"}, {"side", "-1"}}), 25, 0, 100, 50);
-    expect_near(in.origin, {0, -2, 1});
-    expect_near(in.direction, {0, 1, 0});
-}
-
 TEST(StandardCameras, HyperbolicRaysEndUpAtRightAnglesToTheWalls) {
     const camera::Camera camera = standard("hyperbolic", {{"width", "20"}});
     const double half = std::sqrt(0.5);

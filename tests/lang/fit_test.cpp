@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "support.hpp"
 
 namespace balcony::lang::fit_test {
@@ -60,6 +62,11 @@ TEST(Fit, GivesWayToValuesFromTheCommandLine) {
 TEST(Fit, UsesParametersBeforeIt) {
     const CameraSource source = text(at("fit b = a + scene_radius, c = scene_profile[1][0]"));
     EXPECT_EQ(origin_of(source, box(), {{"a", "1"}}), (Point{1.0, 3.5, 2.5}));
+}
+
+TEST(Fit, KnowsTheLengthOfTheProfile) {
+    EXPECT_EQ(origin_of(text(at("fit c = scene_profile_length")), box()),
+              (Point{10.0, 20.0, std::hypot(0.5, 6.0)}));
 }
 
 TEST(Fit, SetsLists) {

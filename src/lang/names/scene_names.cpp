@@ -4,6 +4,7 @@
 #include "lang/names/scene_names.hpp"
 
 #include <array>
+#include <cmath>
 
 namespace balcony::lang {
 
@@ -33,6 +34,14 @@ std::array<double, 3> in_axes(const std::array<double, 3>& p, Axes axes) {
     return axes == Axes::z_up ? p : std::array{p[0], p[2], -p[1]};
 }
 
+double length_of(const std::vector<std::array<double, 2>>& line) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        length += std::hypot(line[i][0] - line[i - 1][0], line[i][1] - line[i - 1][1]);
+    }
+    return length;
+}
+
 }  // namespace
 
 void define_scene_names(const SceneMeasures& scene, Axes axes, expr::Graph& graph, Scope& scope) {
@@ -60,11 +69,13 @@ void define_scene_names(const SceneMeasures& scene, Axes axes, expr::Graph& grap
     define("scene_profile",
            compound(Value::Form::list, scene.profile,
                     [&graph](const std::array<double, 2>& point) { return tuple(point, graph); }));
+    define("scene_profile_length", number(length_of(scene.profile), graph));
 }
 
 void announce_scene_names(Scope& scope) {
-    for (const std::string_view name : {"scene_min", "scene_max", "scene_center", "scene_size",
-                                        "scene_inside", "scene_radius", "scene_profile"}) {
+    for (const std::string_view name :
+         {"scene_min", "scene_max", "scene_center", "scene_size", "scene_inside", "scene_radius",
+          "scene_profile", "scene_profile_length"}) {
         scope.announce(name, "it is known in fit statements only");
     }
 }

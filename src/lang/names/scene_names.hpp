@@ -11,8 +11,8 @@
 
 namespace balcony::lang {
 
-/// Defines scene_min, scene_max, scene_center, scene_size, scene_inside, scene_radius and
-/// scene_profile, in some axes.
+/// Defines scene_min, scene_max, scene_center, scene_size, scene_inside, scene_radius,
+/// scene_profile and scene_profile_length, in some axes.
 void define_scene_names(const SceneMeasures& scene, Axes axes, expr::Graph& graph, Scope& scope);
 
 /// Stores for all of these names why they cannot be used outside of `fit`.
