@@ -65,6 +65,7 @@ struct PictureSize {
 
 // ---------------------------------------------------------------------------- stage parameters
 
+class RayTarget;
 class Stage;
 
 /// What a stage computes on the way to a ray, for programs that show a camera stage by stage.
@@ -102,6 +103,11 @@ public:
     [[nodiscard]] Expr operator()(const Scalar& value) const { return value.emit(*graph_); }
     /// Requires a condition; where it is false, there is no ray.
     void require(Expr condition) { valid_ = valid_ && condition; }
+    /// The same, with the error of a camera whose condition holds at no point of its picture.
+    void require_somewhere(Expr condition, Diagnostic otherwise) {
+        require(condition);
+        needs_.push_back({condition, std::move(otherwise)});
+    }
     /// The results of a function; no ray where it says that they do not hold.
     [[nodiscard]] std::vector<Expr> call(std::shared_ptr<const expr::Native> function,
                                          std::span<const Expr> at) {
@@ -118,6 +124,12 @@ public:
     /// means that there is no camera.
     void report(Diagnostic problem) { problems_.push_back(std::move(problem)); }
     [[nodiscard]] const Diagnostics& problems() const { return problems_; }
+    /// A condition that holds somewhere in the picture, or else a diagnostic.
+    struct Need {
+        Expr condition;
+        Diagnostic otherwise;
+    };
+    [[nodiscard]] const std::vector<Need>& needs() const { return needs_; }
 
     /// The values of expressions at a point of the picture, in pixels, at time 0: for a stage that
     /// chooses its formula by trying it out. A camera is emitted for pictures of any size; here its
@@ -134,6 +146,7 @@ private:
     Graph* graph_;
     Expr valid_;
     Diagnostics problems_;
+    std::vector<Need> needs_;
     Trial trial_;
     std::vector<StageValues> stages_;
 };
@@ -207,6 +220,8 @@ public:
     [[nodiscard]] virtual std::optional<ParameterRectangle> own_picture() const {
         return std::nullopt;
     }
+    /// The whole surface for rays, or null if only its points are known, as of most surfaces.
+    [[nodiscard]] virtual std::shared_ptr<const RayTarget> ray_target() const { return nullptr; }
 };
 
 /// A point of an object on its way through the object transformers.
@@ -242,6 +257,7 @@ struct PathPoint {
     ObjectVector normal;  ///< The generator's own normal, transformed; otherwise along_u x along_v.
     ObjectVector one_sided_normal;  ///< The normal, reversed where the orientation changes.
     ObjectPoint center;  ///< The image of the origin under the path's object transformers.
+    Expr has_center;     ///< Whether they transform the origin.
     ParameterPoint parameters;
     PictureSize size;  ///< The size of the camera's image, which the path covers.
 };

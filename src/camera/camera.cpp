@@ -208,6 +208,31 @@ ObjectVector up_of(const Camera::Parts& parts, Graph& graph) {
     return {unit(up.x, false), unit(up.y, y_up), unit(up.z, !y_up)};
 }
 
+/// The errors of conditions that hold at no point of a fine grid over the picture, at time 0. Most
+/// hold at one of the first points, those of a coarse grid.
+Diagnostics unmet_needs(const PicturePoint& picture, const Emitter& emit) {
+    std::vector<Emitter::Need> unmet = emit.needs();
+    if (unmet.empty()) {
+        return {};
+    }
+    const std::array extent{picture.size.width, picture.size.height};
+    const std::vector<double> size = emit.trial(extent, 0.0, 0.0);
+    for (const int cells : {4, 16, 64}) {
+        for (int i = 0; i < cells * cells && !unmet.empty(); ++i) {
+            const double x = (i % cells + 0.5) / cells * size[0];
+            const double y = (i / cells + 0.5) / cells * size[1];
+            std::erase_if(unmet, [&](const Emitter::Need& need) {
+                return emit.trial(std::array{need.condition}, x, y)[0] != 0.0;
+            });
+        }
+    }
+    Diagnostics errors;
+    for (Emitter::Need& need : unmet) {
+        errors.push_back(std::move(need.otherwise));
+    }
+    return errors;
+}
+
 }  // namespace
 
 Camera::Emitted::Emitted(Parts made_of)
@@ -222,6 +247,8 @@ Camera::Emitted::Emitted(Parts made_of)
     ray = ray_in_own_picture(parts, picture, emit);
     stages = std::move(emit.stages());
     problems = emit.problems();
+    const Diagnostics unmet = unmet_needs(picture, emit);
+    problems.insert(problems.end(), unmet.begin(), unmet.end());
     if (parts.stereo) {
         Emitter stereo_emit(graph, trial);
         ray = seen_by_eye(ray, *parts.stereo, up_of(parts, graph), picture, stereo_emit);

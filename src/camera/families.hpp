@@ -56,6 +56,7 @@ Result<std::shared_ptr<const Stage>> as_stage(Result<std::shared_ptr<const Port>
 [[nodiscard]] std::vector<StageEntry> sweeps();
 [[nodiscard]] std::vector<StageEntry> formula_objects();
 [[nodiscard]] std::vector<StageEntry> mesh_surface();
+[[nodiscard]] std::vector<StageEntry> screens();
 [[nodiscard]] std::vector<StageEntry> ray_maps();
 [[nodiscard]] std::vector<StageEntry> st_maps();
 [[nodiscard]] std::vector<StageEntry> panini();
@@ -65,6 +66,7 @@ Result<std::shared_ptr<const Stage>> as_stage(Result<std::shared_ptr<const Port>
 [[nodiscard]] std::vector<StageEntry> calibration_files();
 [[nodiscard]] std::vector<StageEntry> object_affine();
 [[nodiscard]] std::vector<StageEntry> parallel_surface();
+[[nodiscard]] std::vector<StageEntry> projection();
 [[nodiscard]] std::vector<StageEntry> normal_rule();
 [[nodiscard]] std::vector<StageEntry> direction_rules();
 [[nodiscard]] std::vector<StageEntry> curve_rules();
@@ -97,6 +99,7 @@ inline constexpr auto families = {
     sweeps,
     formula_objects,
     mesh_surface,
+    screens,
     ray_maps,
     panini,
     mirrors,
@@ -105,6 +108,7 @@ inline constexpr auto families = {
     closed_form_cameras,
     object_affine,
     parallel_surface,
+    projection,
     normal_rule,
     direction_rules,
     curve_rules,

@@ -106,11 +106,17 @@ PathPoint Path::emit(const PicturePoint& picture, Emitter& emit,
     }
     const std::vector<Expr> put = expr::substitute(graph, made, free);
     emit.require(put[13]);
+    for (const Emitter::Need& need : object_emit.needs()) {
+        const std::array condition{need.condition};
+        emit.require_somewhere(expr::substitute(graph, condition, free)[0], need.otherwise);
+    }
     for (StageValues& stage : substitute(graph, object_emit.stages(), free)) {
         emit.record(std::move(stage));
     }
 
     const Expr zero = graph.constant(0.0);
+    Emitter center_emit(graph);
+    const ObjectPoint center = moved(*this, {zero, zero, zero}, center_emit);
     const Expr turned_over = put[12] < zero;
     const auto one_sided = [&](Expr along) { return select(turned_over, -along, along); };
     return {{put[0], put[1], put[2]},
@@ -120,7 +126,8 @@ PathPoint Path::emit(const PicturePoint& picture, Emitter& emit,
                                    : std::nullopt,
             {put[9], put[10], put[11]},
             {one_sided(put[9]), one_sided(put[10]), one_sided(put[11])},
-            moved(*this, {zero, zero, zero}, emit),
+            center,
+            center_emit.valid(),
             parameters,
             picture.size};
 }

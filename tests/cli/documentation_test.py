@@ -16,7 +16,7 @@ STARTS = ("balcony ", "build/release/balcony ")
 
 def command_lines(text):
     """The lines of a text that start the command, without their comments."""
-    for line in text.splitlines():
+    for line in text.replace("\\\n", " ").splitlines():
         line = line.strip().removeprefix("$ ")
         if line.startswith(STARTS):
             # In help, two spaces part a command from what it does.

@@ -63,7 +63,10 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"spow(-8, 1/3)", -2}, Case{"spow(4, 0.5)", 2},
         Case{"abs(-2) + sign(-3) + floor(-0.5)", 0}, Case{"min(1, 2) + max(3, 4)", 5},
         Case{"mod(-1, 3)", 2}, Case{"sinh(1) + cosh(1) - exp(1)", 0}, Case{"asinh(sinh(2))", 2},
-        Case{"atanh(tanh(0.5)) + acosh(cosh(2))", 2.5}, Case{"is_finite(1)", 1}));
+        Case{"atanh(tanh(0.5)) + acosh(cosh(2))", 2.5}, Case{"is_finite(1)", 1},
+        // Elements of lists and tuples.
+        Case{"count([(1, 2), (3, 4), (5, 6)])", 3}, Case{"count((1, 2)) + count([7])", 3},
+        Case{"2*count([1, 2, 3]) - [4, 5][count([6])]", 1}));
 
 TEST(Expression, UsesTime) {
     EXPECT_EQ(value_of("2*t + 1", 3.0), 7.0);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "camera/families.hpp"
+#include "camera/objects/ray_targets.hpp"
 #include "camera/stage_parameters.hpp"
 
 namespace balcony::camera {
@@ -302,9 +303,12 @@ private:
 /// Piecewise affine: in each triangle, (u, v) are the texture coordinates.
 class MeshSurface final : public ObjectGenerator {
 public:
-    MeshSurface(const std::vector<Triangle>& triangles, bool smooth)
+    /// The triangles are the usable ones of the mesh.
+    MeshSurface(const std::vector<Triangle>& triangles, bool smooth,
+                std::shared_ptr<const TexturedMesh> mesh)
         : point_(std::make_shared<const MeshPoint>(
-              std::make_shared<const Triangles>(triangles, smooth))) {}
+              std::make_shared<const Triangles>(triangles, smooth))),
+          mesh_(std::move(mesh)) {}
 
     int dimension() const override { return 2; }
 
@@ -318,8 +322,13 @@ public:
         return ObjectVector{at[3], at[4], at[5]};
     }
 
+    std::shared_ptr<const RayTarget> ray_target() const override {
+        return triangles_target(mesh_->triangles);
+    }
+
 private:
     std::shared_ptr<const MeshPoint> point_;
+    std::shared_ptr<const TexturedMesh> mesh_;
 };
 
 bool usable(const Triangle& triangle) {
@@ -343,7 +352,7 @@ Result<std::shared_ptr<const Stage>> make_mesh(const Arguments& a) {
             "no triangle of this mesh has an area both in space and in texture coordinates", {},
             "unwrap the mesh in the modelling program and export it again");
     }
-    return made<MeshSurface>(triangles, a.choice("normals") == "smooth");
+    return made<MeshSurface>(triangles, a.choice("normals") == "smooth", a.mesh("file"));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 // Object generators, PCS → OCS: points, lines and the surfaces of elementary geometry.
 
 #include "camera/families.hpp"
+#include "camera/objects/ray_targets.hpp"
 #include "camera/stage_parameters.hpp"
 
 namespace balcony::camera {
@@ -56,6 +57,9 @@ public:
         return point_of(at_, emit) + p.u * vector_of(along_u_, emit) +
                p.v * vector_of(along_v_, emit);
     }
+    std::shared_ptr<const RayTarget> ray_target() const override {
+        return plane_target(at_, along_u_, along_v_);
+    }
 
 private:
     Triple at_, along_u_, along_v_;
@@ -69,6 +73,9 @@ public:
     ObjectPoint generate(const ParameterPoint& p, Emitter& emit) const override {
         const Expr r = emit(radius_);
         return {r * cos(p.u), r * sin(p.u), p.v};
+    }
+    std::shared_ptr<const RayTarget> ray_target() const override {
+        return cylinder_target(radius_);
     }
 
 private:

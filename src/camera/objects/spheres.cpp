@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "camera/families.hpp"
+#include "camera/objects/ray_targets.hpp"
 #include "camera/stage_parameters.hpp"
 
 namespace balcony::camera {
@@ -26,6 +27,7 @@ public:
         const Expr r = emit(radius_);
         return {r * unit.x, r * unit.y, r * unit.z};
     }
+    std::shared_ptr<const RayTarget> ray_target() const final { return sphere_target(radius_); }
 
 private:
     virtual ObjectPoint unit_sphere(const ParameterPoint& p, Emitter& emit) const = 0;

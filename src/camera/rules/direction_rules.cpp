@@ -15,7 +15,9 @@ namespace {
 class AbsoluteRule final : public DirectionRule {
 public:
     bool needs_direction_object() const override { return true; }
-    ObjectVector direction(const PathPoint&, const PathPoint* toward, Emitter&) const override {
+    ObjectVector direction(const PathPoint&, const PathPoint* toward,
+                           Emitter& emit) const override {
+        emit.require(toward->has_center);
         return toward->point - toward->center;
     }
 };

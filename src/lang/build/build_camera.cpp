@@ -190,16 +190,25 @@ private:
                   fmt::format("the camera '{}' has no eye object", camera_.name.text),
                   "specify where rays start, for example eye sphere(1)");
         }
-        bool shared_map_used = false;
+        bool eye_shares_map = false;
+        bool toward_shares_map = false;
         if (eye != nullptr) {
-            parts.eye = path(*eye, shared_map_used);
+            parts.eye = path(*eye, eye_shares_map);
         }
         if (toward != nullptr) {
-            parts.toward = path(*toward, shared_map_used);
+            parts.toward = path(*toward, toward_shares_map);
             check_extent(*parts.toward, *toward);
         }
+        if (statements_.lacks(StatementKind::map)) {
+            if (eye_shares_map) {
+                complete_map(parts.eye, parts.toward ? &*parts.toward : nullptr, *eye);
+            }
+            if (toward_shares_map) {
+                complete_map(*parts.toward, &parts.eye, *toward);
+            }
+        }
         const Statement* map = statements_.find(StatementKind::map);
-        if (map != nullptr && eye != nullptr && !shared_map_used) {
+        if (map != nullptr && eye != nullptr && !eye_shares_map && !toward_shares_map) {
             reporter_.warning(tree_.at(map->keyword), "this map has no effect",
                               "every path of the camera has its own map");
         }
@@ -222,11 +231,30 @@ private:
 
     // An object that is defined by a picture brings the map and the aspect that are not given.
     void own_picture(camera::Camera::Parts& parts) {
-        const auto shown = parts.eye.generator ? parts.eye.generator->own_picture() : std::nullopt;
+        const auto picture_of = [](const camera::ObjectGeneratorPointer& object) {
+            return object ? object->own_picture() : std::nullopt;
+        };
+        auto shown = picture_of(parts.eye.generator);
+        if (!shown && parts.toward) {
+            shown = picture_of(parts.toward->generator);
+        }
         if (shown && statements_.find(StatementKind::map) == nullptr &&
             statements_.lacks(StatementKind::aspect)) {
             parts.aspect =
                 std::abs((shown->u_last - shown->u_first) / (shown->v_last - shown->v_first));
+        }
+    }
+
+    // Without a map, a path has that of its object's own picture, or else of the other object's.
+    void complete_map(camera::Path& path, const camera::Path* other, const Statement& statement) {
+        path.mapper = own_map(path.generator);
+        if (!path.mapper && other != nullptr) {
+            path.mapper = own_map(other->generator);
+        }
+        // An object with an error might have brought a map.
+        const bool all_objects = path.generator && (other == nullptr || other->generator);
+        if (!path.mapper && all_objects) {
+            require_map(statement);
         }
     }
 
@@ -242,11 +270,11 @@ private:
     }
 
     // The path's own warps follow the camera's; its own moves precede the camera's.
-    camera::Path path(const Statement& statement, bool& shared_map_used) {
+    camera::Path path(const Statement& statement, bool& shares_map) {
         camera::Path made = shared_;
         if (!statement.stages().empty()) {
             made.generator = generator(statement.stages().front());
-            shared_map(made, statement, shared_map_used);
+            shares_map = true;
             check_moves(made, statements_, 0, statement);
             return made;
         }
@@ -259,7 +287,7 @@ private:
                   "add one to its block, for example object sphere(1)");
         }
         if (own.lacks(StatementKind::map)) {
-            shared_map(made, statement, shared_map_used);
+            shares_map = true;
         } else {
             made.mapper = mapper(own);
         }
@@ -291,19 +319,8 @@ private:
         }
     }
 
-    // The camera's map, or that of the path's object if the camera has none.
-    void shared_map(camera::Path& path, const Statement& statement, bool& used) {
-        used = true;
-        if (statements_.lacks(StatementKind::map)) {
-            path.mapper = own_map(path.generator);
-        }
-        if (!path.mapper && path.generator) {
-            require_map(statement);
-        }
-    }
-
     void require_map(const Statement& path) {
-        if (statements_.lacks(StatementKind::map) && !map_missed_) {
+        if (!map_missed_) {
             map_missed_ = true;
             error(camera_.name.span,
                   fmt::format("the camera '{}' has no map for its '{}'", camera_.name.text,

@@ -7,35 +7,48 @@
 
 #include <fmt/format.h>
 
+#include "balcony/names.hpp"
 #include "lang/names/evaluate.hpp"
 
 namespace balcony::lang {
 
 namespace {
 
+// What a layer can name: a similar name, or where all of them are listed.
+std::string known_names(std::string_view name, std::vector<std::string> own_names) {
+    std::vector<std::string> known = own_names;
+    known.insert(known.end(), built_in_cameras().begin(), built_in_cameras().end());
+    if (const auto nearest = nearest_name(name, known)) {
+        return fmt::format("did you mean '{}'?", *nearest);
+    }
+    std::sort(own_names.begin(), own_names.end());
+    own_names.erase(std::unique(own_names.begin(), own_names.end()), own_names.end());
+    const std::string built_in = "'balcony list cameras' shows the built-in ones";
+    return own_names.empty() ? built_in
+                             : fmt::format("there are {}; {}", all_of(own_names), built_in);
+}
+
 std::optional<LocatedDefinition> find(const LocatedDefinition& picture, const Identifier& name,
                                       Session& session) {
     const Module& module = *picture.module;
     const std::vector<LocatedDefinition> visible = visible_definitions(module);
-    std::vector<std::string> known = built_in_cameras();
+    std::vector<std::string> own_names;
     for (const LocatedDefinition& place : visible) {
         if (place.camera->name.text == name.text) {
             return place;
         }
-        known.emplace_back(place.camera->name.text);
+        own_names.emplace_back(place.camera->name.text);
     }
     if (const Module* built_in = session.load_built_in(name.text)) {
         // After too many errors, files are not read.
         const std::vector<LocatedDefinition> own = own_definitions(*built_in);
         return own.empty() ? std::nullopt : std::optional(own.back());
     }
-    std::sort(known.begin(), known.end());
-    known.erase(std::unique(known.begin(), known.end()), known.end());
-    std::erase(known, std::string(picture.camera->name.text));
     if (!module.scope->incomplete()) {
+        std::erase(own_names, std::string(picture.camera->name.text));
         session.reporter().error(module.tree.at(name.span),
                                  fmt::format("there is no camera or picture named '{}'", name.text),
-                                 suggestion(name.text, known, "there are"));
+                                 known_names(name.text, std::move(own_names)));
     }
     return std::nullopt;
 }

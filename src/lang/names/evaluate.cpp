@@ -90,7 +90,8 @@ private:
     }
 
     [[nodiscard]] bool has_parts_of_its_own(const Expression& node) const {
-        return node.kind == ExpressionKind::element || calls_let(node, scope_);
+        return node.kind == ExpressionKind::element || calls_let(node, scope_) ||
+               calls_count(node, scope_);
     }
 
     bool all_belong_to_an_expression(const std::vector<std::size_t>& order) {
@@ -156,7 +157,8 @@ private:
         const Callee callee = find_callee(node.name.text, scope_);
         return callee.offered != nullptr ? called(node, *callee.offered)
                : callee.let != nullptr   ? suitable(node, called(node, *callee.let), is_root)
-                                         : applied(node, *callee.built_in);
+               : callee.built_in->takes_compound() ? counted(node)
+                                                   : applied(node, *callee.built_in);
     }
 
     // Only the whole may be a tuple or a list, if it may be one.
@@ -282,6 +284,22 @@ private:
             return {};
         }
         return (*compound.elements)[static_cast<std::size_t>(index.constant())].value;
+    }
+
+    // count(compound)
+    Value counted(const Expression& node) {
+        const ExpressionId at = node.arguments[0].value;
+        const Value compound = part(at, Wanted::any);
+        if (compound.failed()) {
+            return {};
+        }
+        if (!compound.elements) {
+            error(tree_[at].span, "'count' takes a list or a tuple, but this is a number",
+                  "a list is in brackets: count([(0, 0), (1, 2)]) is 2");
+            return {};
+        }
+        return {graph_.constant(static_cast<double>(compound.elements->size())), Dimension::number,
+                nullptr};
     }
 
     // A part that is an expression of its own.

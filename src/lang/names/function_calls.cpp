@@ -77,6 +77,14 @@ bool calls_let(const Expression& node, Scope& scope) {
     return node.kind == ExpressionKind::call && find_callee(node.name.text, scope).let != nullptr;
 }
 
+bool calls_count(const Expression& node, Scope& scope) {
+    if (node.kind != ExpressionKind::call) {
+        return false;
+    }
+    const Callee callee = find_callee(node.name.text, scope);
+    return callee.built_in != nullptr && callee.built_in->takes_compound();
+}
+
 bool check_call(const SyntaxTree& tree, const Expression& call, Scope& scope,
                 const Context& context) {
     const std::string_view name = call.name.text;

@@ -21,6 +21,8 @@ struct Callee {
 
 /// Whether a node calls a function that a file defines.
 [[nodiscard]] bool calls_let(const Expression& node, Scope& scope);
+/// Whether a node calls count.
+[[nodiscard]] bool calls_count(const Expression& node, Scope& scope);
 
 /// Checks that the function of a call exists and takes its arguments. Returns false after an error,
 /// which is reported.

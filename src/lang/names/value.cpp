@@ -26,9 +26,10 @@ constexpr std::array<Function, 4> added_operators = {{
     {"!=", 2, [](Operands a, Op) { return !expr::equal(a[0], a[1]); }, Op::equal},
 }};
 
-constexpr std::array<Function, 2> added_functions = {{
+constexpr std::array<Function, 3> added_functions = {{
     {"if", 3, as_operation, Op::select},
     {"spow", 2, [](Operands a, Op) { return expr::signed_power(a[0], a[1]); }, Op::power},
+    {"count", 1, nullptr, Op::constant},
 }};
 
 // The graph's operations that are infix operators, or those that are calls.

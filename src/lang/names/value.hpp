@@ -56,12 +56,15 @@ struct Element {
 struct Function {
     std::string_view name;
     std::size_t arity;
+    /// Null for count, whose argument is a tuple or a list.
     expr::Expr (*apply)(std::span<const expr::Expr> arguments, expr::Op op);
     expr::Op op;
+
+    [[nodiscard]] bool takes_compound() const { return apply == nullptr; }
 };
 
 /// The function with a name; null if there is none. The names are those of expr::operations(), with
-/// `if` for select and spow for the signed power.
+/// `if` for select, spow for the signed power, and count.
 [[nodiscard]] const Function* find_function(std::string_view name);
 /// The operator with a symbol and number of operands: those of the graph, and ^, >, >= and !=.
 [[nodiscard]] const Function* find_operator(std::string_view symbol, std::size_t arity);
