@@ -179,7 +179,8 @@ std::string summary_of(const camera::Camera& camera) {
         return dimension == 0 ? "at a point" : dimension == 1 ? "on a curve" : "on a surface";
     };
     const camera::Camera::Parts& parts = camera.parts();
-    std::string text = fmt::format("Rays start {}", place(parts.eye.generator->dimension()));
+    std::string text = fmt::format("Rays start {}{}", place(parts.eye.generator->dimension()),
+                                   parts.stereo ? ", moved aside to an eye of a pair" : "");
     if (parts.toward) {
         const int dimension = parts.toward->generator->dimension();
         text += fmt::format("; a {} contributes to their directions", dimension == 0   ? "point"
