@@ -78,7 +78,8 @@ TEST(DrawingLimits, EndlessLinesAreLeftOutAndThatIsSaid) {
 
 TEST(DrawingLimits, AUsualCameraIsDrawnWhole) {
     for (const std::string& name : laws::single_built_in_cameras()) {
-        if (name == "droste") {  // Its seams repeat without end.
+        // The seams of one repeat without end; the other has rays only outside a mirror's shadow.
+        if (name == "droste" || name == "cylindrical_anamorphosis") {
             continue;
         }
         EXPECT_TRUE(draw(test::standard(name)).diagnostics.empty()) << name;

@@ -9,7 +9,9 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <numbers>
+#include <string>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -54,12 +56,18 @@ void expect_at(const Sighting& sighting, const V2d& place) {
 }  // namespace
 
 TEST(InverseLaw, HoldsForEveryBuiltInCamera) {
+    constexpr std::size_t count = 10'000;
+    // The rim of these discs shows all that is behind it, so that the search ends with a warning.
+    // The normals of a profile cross, and there two places of the picture meet.
+    const std::map<std::string, double> lost_share{{"angular_map", 0.002},
+                                                   {"catadioptric_spherical", 0.002},
+                                                   {"mirror_ball", 0.05},
+                                                   {"rollout_profile", 0.002}};
     for (const std::string& name : laws::single_built_in_cameras()) {
-        // The rim of a mirror ball shows everything behind it; the search there ends with a
-        // warning.
-        if (name != "mirror_ball") {
-            EXPECT_EQ(lost(test::standard(name), 500, 10'000), 0U) << name;
-        }
+        const auto exception = lost_share.find(name);
+        const double allowed = exception == lost_share.end() ? 0.0 : exception->second;
+        EXPECT_LE(static_cast<double>(lost(test::standard(name), 500, count)), allowed * count)
+            << name;
     }
 }
 
