@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "balcony/images.hpp"
 #include "balcony/povray.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/interruption.hpp"
@@ -170,6 +171,10 @@ void render_pov_picture(const PovOptions& options, RenderReport& outcome) {
     const Result<bridge::PovrayProgram> program = bridge::find_povray();
     if (!program) {
         return fail(ExitCode::environment, program.diagnostics);
+    }
+    // POV-Ray writes images, whatever becomes of them.
+    if (const Diagnostics missing = images::require(); has_errors(missing)) {
+        return fail(ExitCode::environment, missing);
     }
     const Job interruption;
     ProgressDisplay display(options.quiet || options.json);
