@@ -31,13 +31,17 @@ class Checkpoint(support.CommandTest):
         process.kill()
         process.communicate()
 
+    def wait_for(self, process, name):
+        """Until the render has written a file."""
+        while not (self.folder / name).exists():
+            self.assertIsNone(process.poll(), "it ended early")
+            time.sleep(0.002)
+
     def interrupted(self, *words):
         """Kills a render that has written a checkpoint."""
         process = self.start(*words)
         checkpoint = self.folder / (words[-1] + ".checkpoint")
-        while not checkpoint.exists():
-            self.assertIsNone(process.poll(), "it ended early")
-            time.sleep(0.002)
+        self.wait_for(process, checkpoint.name)
         process.kill()
         process.communicate()
         return checkpoint
@@ -163,7 +167,7 @@ class Checkpoint(support.CommandTest):
     def test_a_folder_that_vanishes_is_told_of(self):
         (self.folder / "out").mkdir()
         process = self.start(*SLOW, *OFTEN, "-o", "out/p.png")
-        time.sleep(0.5)
+        self.wait_for(process, "out/p.png.checkpoint")
         shutil.rmtree(self.folder / "out", ignore_errors=True)
         _, err = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 3)
@@ -172,9 +176,9 @@ class Checkpoint(support.CommandTest):
         self.assertIn("No such file or directory", err.decode())
 
     def test_a_scene_that_changes_meanwhile_has_none(self):
-        process = self.start(*SLOW, "--checkpoint-every", "1s", "-o", "p.png", "-s", "6000",
-                             "--time-limit", "2s")
-        time.sleep(0.5)
+        process = self.start(*SLOW, "--checkpoint-every", "1s", "--save-every", "0.1s",
+                             "-o", "p.png", "-s", "6000", "--time-limit", "2s")
+        self.wait_for(process, "p.png")
         os.utime(self.folder / "scene.obj", (1, 1))
         _, err = process.communicate(timeout=60)
         self.assertIn("has changed since it was read, so no checkpoint is written", err.decode())
@@ -182,9 +186,7 @@ class Checkpoint(support.CommandTest):
 
     def test_pictures_on_the_way(self):
         process = self.start(*SLOW, "--save-every", "0.1s", "-o", "p.png")
-        while "p.png" not in self.files():
-            self.assertIsNone(process.poll(), "it ended early")
-            time.sleep(0.01)
+        self.wait_for(process, "p.png")
         self.assertEqual(support.png_pixels(self.folder / "p.png")[:2], (200, 150))
         process.kill()
         process.communicate()
