@@ -12,13 +12,14 @@
 
 namespace balcony::cli {
 
-namespace {
+bool has_moving_camera(const RenderOptions& options, const scene::Scene& scene) {
+    const bool of_scene = options.camera.empty() || is_of_scene(options.camera);
+    return of_scene && scene.motion && !scene.motion->cameras.empty();
+}
 
-// The picture at a time. A camera of the scene has one place, so that it is made anew.
 Result<camera::Picture> picture_at(const RenderOptions& options, const scene::Scene& scene,
                                    const camera::Picture& picture, double time) {
-    const bool of_scene = options.camera.empty() || is_of_scene(options.camera);
-    if (!of_scene || scene.cameras.empty()) {
+    if (!has_moving_camera(options, scene)) {
         return picture;
     }
     scene::Scene moved;
@@ -30,11 +31,13 @@ Result<camera::Picture> picture_at(const RenderOptions& options, const scene::Sc
                                        : load_picture(options.camera, options.set, moved);
     if (made) {
         *made = made->with_fit(picture.parts().fit);
+        const camera::Camera* const camera = picture.only_camera();
+        if (camera != nullptr && camera->parts().turn) {
+            *made = made->with_turn(*camera->parts().turn);
+        }
     }
     return made;
 }
-
-}  // namespace
 
 Diagnostics add_frames(const RenderOptions& options, const scene::Scene& scene,
                        const camera::Picture& picture,

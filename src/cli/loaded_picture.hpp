@@ -20,7 +20,7 @@ namespace balcony::cli {
 /// What remains loaded from one picture to the next.
 struct Loaded {
     lang::Workspace cameras;
-    std::shared_ptr<const scene::Scene> scene;
+    std::shared_ptr<scene::Scene> scene;
     std::optional<render::Renderer> renderer;
     scene::TimeInterval times{};                       ///< Of the renderer's rays.
     double load_seconds = 0.0;                         ///< To read the scene.
@@ -44,6 +44,22 @@ struct Loaded {
 [[nodiscard]] bool load(const std::string& name, const Request& request,
                         const std::optional<camera::Picture>& picture, Loaded& loaded,
                         RenderReport& outcome);
+
+/// The camera that the options name, or that of the scene, and the scene, both loaded and prepared.
+/// Nothing if that fails, as the report says.
+[[nodiscard]] std::optional<camera::Picture> load_all(const RenderOptions& options,
+                                                      const Request& request,
+                                                      const std::string& scene, Loaded& loaded,
+                                                      RenderReport& outcome);
+
+/// Prepares a scene that was moved for the rays of a picture at another time. False if it fails, as
+/// the report says.
+[[nodiscard]] bool move_along(const render::Settings& settings, const camera::Picture& picture,
+                              Loaded& loaded, RenderReport& outcome);
+
+/// The film that a picture needs. A picture for the display has no layers.
+[[nodiscard]] render::FilmLayout film_layout(const Request& request, const camera::Picture& picture,
+                                             bool is_displayed);
 
 /// Adds to the report of a picture how long it took to read and prepare the scene.
 void describe_preparation(RenderReport& report, const Loaded& loaded);

@@ -77,6 +77,7 @@ std::vector<std::string> words_from_the_last(int argc, char** argv) {
 ExitCode run(CLI::App& app, int argc, char** argv) {
     ExitCode code = ExitCode::done;
     cli::add_render_command(app, code);
+    cli::add_animate_command(app, code);
     cli::add_merge_command(app, code);
     cli::add_check_command(app, code);
     cli::add_explain_command(app, code);

@@ -18,6 +18,9 @@
 
 namespace balcony::cli {
 
+/// The fact of a shard that names the frame which it is a part of.
+inline constexpr std::string_view frame_fact = "the frame";
+
 /// "picture.png.shard-2-of-5"
 [[nodiscard]] std::filesystem::path shard_file(const std::filesystem::path& picture,
                                                const render::Shard& shard);

@@ -4,6 +4,7 @@
 
 import re
 import shlex
+import shutil
 import signal
 
 import support
@@ -46,11 +47,22 @@ class Documentation(support.CommandTest):
             with self.subTest(line=" ".join(words)):
                 # The last option of a kind counts, so these make the page's picture small.
                 size = ("-W", "24") if "-W" in words else ("--size", "24x16")
-                small = (*size, "--samples", "1") if words[0] == "render" else ()
+                small = (*size, "--samples", "1") if words[0] in ("render", "animate") else ()
+                if words[0] == "merge" and words[1].endswith(".mp4") and not shutil.which("ffmpeg"):
+                    continue
+                if words[0] == "animate":
+                    small += self.short_film(words)
                 if "--watch" in words:
                     self.watch(*words, *small)
                 else:
                     self.run_command(*words, *small)
+
+    @staticmethod
+    def short_film(words):
+        """The first frames, and a sequence where there is no ffmpeg."""
+        short = ("--frames", "1-4")
+        is_sequence = "#" in words[words.index("-o") + 1]
+        return short if is_sequence or shutil.which("ffmpeg") else (*short, "-o", "film.#.png")
 
     def watch(self, *words):
         with self.start(*words) as process:
@@ -86,19 +98,20 @@ class Documentation(support.CommandTest):
                 "stmap": ("pinhole", "--from", "panorama", "--size", "8", "-o", "st.exr"),
                 "warp": ("photo.png", "--from", "panorama", "--camera", "pinhole", "--size", "8",
                          "-o", "w.png"),
+                "animate": ("room.glb", "--size", "8", "--frames", "1", "-o", "f.#.png"),
                 "merge": ("m.png.shard-1-of-1",)}
         self.run_command("render", "room.glb", "--size", "8", "--shard", "1/1", "-o", "m.png")
         for command, words in runs.items():
             (row,) = re.findall(rf"^\| `{command}` \| (.*) \|$", page, re.MULTILINE)
             document = self.json_of(command, *words)
             inner = [document.get("scene", {}), *document.get("files", []),
-                     *document.get("stages", [])]
+                     *document.get("stages", []), *document.get("pictures", [])]
             for field in {"diagnostics", *document} | {name for part in inner for name in part}:
                 self.assertIn(f"`{field}`", page if field == "diagnostics" else row)
 
     def test_help(self):
         lines = []
-        for words in ((), ("render",), ("check",), ("list",), ("info",), ("draw",),
+        for words in ((), ("render",), ("animate",), ("check",), ("list",), ("info",), ("draw",),
                       ("explain",), ("export",), ("locate",), ("rays",), ("stmap",), ("warp",)):
             lines += command_lines(self.run_command(*words, "--help")[0])
         self.assertGreaterEqual(len(lines), 10)

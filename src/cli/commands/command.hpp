@@ -16,6 +16,7 @@ namespace balcony::cli {
 /// else to standard error. With --json, a subcommand prints one JSON object with a list
 /// "diagnostics".
 void add_render_command(CLI::App& app, ExitCode& code);
+void add_animate_command(CLI::App& app, ExitCode& code);
 void add_merge_command(CLI::App& app, ExitCode& code);
 void add_rays_command(CLI::App& app, ExitCode& code);
 void add_stmap_command(CLI::App& app, ExitCode& code);

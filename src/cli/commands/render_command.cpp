@@ -23,6 +23,7 @@
 #include "cli/options/camera_argument.hpp"
 #include "cli/options/common_options.hpp"
 #include "cli/options/default_camera.hpp"
+#include "cli/options/picture_options.hpp"
 #include "cli/options/picture_output.hpp"
 #include "cli/options/render_options.hpp"
 #include "cli/options/scene_argument.hpp"
@@ -142,16 +143,6 @@ RenderReport make_picture(RenderReport outcome, const RenderOptions& options,
     return outcome;
 }
 
-/// Fits cameras to the scene, which is read for it.
-bool fit(const RenderOptions& options, const Request& request, const std::string& scene,
-         Loaded& loaded, RenderReport& outcome) {
-    if (!read_scene(scene, request, loaded, outcome)) {
-        return false;
-    }
-    add(outcome, fit_cameras(options.fit, *loaded.scene, loaded.cameras));
-    return !has_errors(outcome.diagnostics);
-}
-
 RenderReport render_picture(const RenderOptions& options, Request request,
                             const SceneOutput& target, Loaded& loaded,
                             const OutdatedTest& is_outdated = {}) {
@@ -161,54 +152,26 @@ RenderReport render_picture(const RenderOptions& options, Request request,
     if (has_errors(outcome.diagnostics)) {
         return fail(std::move(outcome), ExitCode::bad_input);
     }
-    // A camera loads fast, so its mistakes are reported before a large scene is read.
-    Result<camera::Picture> picture;
-    const bool of_file = !options.camera.empty() && !is_of_scene(options.camera);
-    if (options.fit.wanted() && !fit(options, request, target.scene, loaded, outcome)) {
-        return fail(std::move(outcome), ExitCode::bad_input);
-    }
-    if (of_file) {
-        picture = load_picture(options.camera, options.set, loaded.cameras);
-        add(outcome, picture.diagnostics);
-        if (picture && options.fit.wanted()) {
-            add(outcome, check_fitted(loaded.cameras));
-        }
-    }
-    if (has_errors(outcome.diagnostics) ||
-        !load(target.scene, request, picture.value, loaded, outcome)) {
+    auto picture = load_all(options, request, target.scene, loaded, outcome);
+    if (!picture) {
         return fail(std::move(outcome), ExitCode::bad_input);
     }
     if (const Diagnostics found = target.output.check_inputs(loaded.files()); has_errors(found)) {
         return fail(std::move(outcome), ExitCode::wrong_usage, found);
     }
-    if (!of_file) {
-        picture = options.camera.empty() ? default_picture(*loaded.scene)
-                                         : load_picture(options.camera, options.set, *loaded.scene);
-        add(outcome, picture.diagnostics);
-    }
-    if (!picture) {
-        return fail(std::move(outcome), ExitCode::bad_input);
-    }
-    *picture = picture->with_fit(request.size.fit);
     if (target.stereo) {
-        picture = camera::stereo_picture(*picture, *target.stereo, request.stereo->pair);
-        add(outcome, picture.diagnostics);
-        if (!picture) {
+        auto views = camera::stereo_picture(*picture, *target.stereo, request.stereo->pair);
+        add(outcome, views.diagnostics);
+        if (!views) {
             return fail(std::move(outcome), ExitCode::bad_input);
         }
+        picture = std::move(*views);
     }
     const render::DisplayFormat* const format = target.output.display_format();
-    const auto whole = request.size.resolve(picture->aspect(), picture->parts().size);
-    const auto [width, height] = request.crop.scaled(whole.first, whole.second);
-    const render::FilmLayout layout{
-        .width = width,
-        .height = height,
-        .window = request.crop.region(whole.first, whole.second),
-        .data_layers = false,
-        .layers = format == nullptr ? request.layers : render::LayerSet{}};
+    const render::FilmLayout layout = film_layout(request, *picture, format != nullptr);
     if (layout.layers.contains(render::LayerId::motion)) {
-        add(outcome,
-            add_frames(options, *loaded.scene, *picture, {width, height}, request.settings));
+        add(outcome, add_frames(options, *loaded.scene, *picture, {layout.width, layout.height},
+                                request.settings));
     }
     if (format == nullptr && render::film_bytes(layout) > request.job.film_memory) {
         if (request.job.shard) {
@@ -424,22 +387,7 @@ void add_render_command(CLI::App& app, ExitCode& code) {
             const bool wrong = scenes->results().size() > 1 && is_misplaced(command, word);
             return std::string(wrong ? "misplaced" : "");
         });
-        command
-            .add_option("--add", options.add,
-                        "another scene file, which joins each scene: the arrows of a camera by "
-                        "balcony draw, say; may be repeated")
-            ->type_name("SCENE")
-            ->allow_extra_args(false)
-            ->take_all();
-        command
-            .add_option(
-                "-c,--camera", options.camera,
-                "camera file and the NAME of a camera or picture in it (default: the last), or a "
-                "built-in camera; scene:NAME is a camera of the scene (default: its first, or one "
-                "that shows the scene well)")
-            ->type_name("FILE[:NAME]");
-        add_set_option(command, options.set);
-        add_fit_options(command, options.fit);
+        add_scene_options(command, options);
         add_time_option(command, options.time);
         add_shutter_options(command, options.shutter);
         add_stereo_options(command, options.stereo);
@@ -452,13 +400,8 @@ void add_render_command(CLI::App& app, ExitCode& code) {
         add_picture_options(command, options);
         command.add_flag("--watch", options.watch,
                          "render again whenever a file of the camera or the scene changes");
-        command
-            .add_option("-j,--threads", options.threads, "number of threads; 0 uses all processors")
-            ->type_name("COUNT")
-            ->capture_default_str();
         add_job_options(command, options.job);
-        add_quiet_option(command, options.quiet);
-        command.add_flag("--json", options.json, "print facts and diagnostics as JSON");
+        add_run_options(command, options);
         command.footer(
             "Examples:\n"
             "  balcony render room.glb -o room.png\n"

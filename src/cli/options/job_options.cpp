@@ -76,7 +76,7 @@ std::optional<double> read_interval(std::string_view option, const std::string& 
 }
 
 // "2/5"
-std::optional<render::Shard> read_shard(std::string_view text) {
+std::optional<render::Shard> shard_of(std::string_view text) {
     const std::size_t slash = text.find('/');
     if (slash == std::string_view::npos) {
         return std::nullopt;
@@ -100,20 +100,9 @@ void add_job_options(CLI::App& command, JobWords& words) {
         .add_option("--save-every", words.save_every,
                     "save the whole picture so far at this interval, such as 30s or 10min")
         ->type_name("DURATION");
-    command
-        .add_option("--checkpoint-every", words.checkpoint_every,
-                    "interval at which OUTPUT.checkpoint is written, from which --resume "
-                    "continues after a crash; off for none")
-        ->type_name("DURATION")
-        ->capture_default_str();
+    add_safety_options(command, words);
     command.add_flag("--resume", words.resume,
                      "continue an interrupted render from its checkpoint, if there is one");
-    command
-        .add_option("--film-memory", words.film_memory,
-                    "a larger picture is rendered in bands, which are appended to its .exr file "
-                    "as they finish; auto is half of the machine's memory")
-        ->type_name("SIZE")
-        ->capture_default_str();
     command
         .add_option("--shard", words.shard,
                     "render only one of several parts, such as 2/5, to OUTPUT.shard-2-of-5; "
@@ -121,12 +110,32 @@ void add_job_options(CLI::App& command, JobWords& words) {
         ->type_name("PART/PARTS");
 }
 
-JobRequest read_job(const JobWords& words, Diagnostics& diagnostics) {
-    const auto shard = read_shard(words.shard);
-    if (!words.shard.empty() && !shard) {
-        refuse(diagnostics, "--shard", words.shard,
+void add_safety_options(CLI::App& command, JobWords& words) {
+    command
+        .add_option("--checkpoint-every", words.checkpoint_every,
+                    "interval at which OUTPUT.checkpoint is written, from which a render "
+                    "continues after a crash; off for none")
+        ->type_name("DURATION")
+        ->capture_default_str();
+    command
+        .add_option("--film-memory", words.film_memory,
+                    "a larger picture is rendered in bands, which are appended to its .exr file "
+                    "as they finish; auto is half of the machine's memory")
+        ->type_name("SIZE")
+        ->capture_default_str();
+}
+
+std::optional<render::Shard> read_shard(const std::string& text, Diagnostics& diagnostics) {
+    const auto shard = shard_of(text);
+    if (!text.empty() && !shard) {
+        refuse(diagnostics, "--shard", text,
                "write the number of the part and how many there are, such as 2/5");
     }
+    return shard;
+}
+
+JobRequest read_job(const JobWords& words, Diagnostics& diagnostics) {
+    const auto shard = read_shard(words.shard, diagnostics);
     if (shard && !words.save_every.empty()) {
         diagnostics.push_back(error("--shard and --save-every exclude each other", {},
                                     "a shard is no picture; balcony merge makes one"));
@@ -140,10 +149,15 @@ JobRequest read_job(const JobWords& words, Diagnostics& diagnostics) {
 }
 
 render::RenderFacts option_facts(const CLI::App& command) {
+    return option_facts(command, of_output);
+}
+
+render::RenderFacts option_facts(const CLI::App& command,
+                                 std::span<const std::string_view> left_out) {
     render::RenderFacts facts;
     for (const CLI::Option* option : command.get_options()) {
         const std::string name = option->get_name();
-        if (std::find(of_output.begin(), of_output.end(), name) == of_output.end()) {
+        if (std::find(left_out.begin(), left_out.end(), name) == left_out.end()) {
             const std::string value =
                 option->count() > 0 ? fmt::format("{}", fmt::join(option->reduced_results(), " "))
                                     : option->get_default_str();

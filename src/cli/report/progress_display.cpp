@@ -52,19 +52,36 @@ void ProgressDisplay::clear() {
     }
 }
 
+void ProgressDisplay::begin_frame(std::size_t frame, std::size_t index, std::size_t count) {
+    frames_ = Frames{frame, index, count};
+}
+
 void ProgressDisplay::show(const render::Progress& progress) {
     if (quiet_ || progress.tiles == 0) {
         return;
     }
-    const double done =
-        static_cast<double>(progress.tiles_done) / static_cast<double>(progress.tiles);
+    double done = static_cast<double>(progress.tiles_done) / static_cast<double>(progress.tiles);
+    double seconds = progress.seconds;
+    std::string what = fmt::format("pass {} of {}", progress.pass + 1, progress.passes);
+    if (frames_) {
+        done = (static_cast<double>(frames_->index) + done) / static_cast<double>(frames_->count);
+        seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
+        what =
+            fmt::format("frame {} ({} of {})", frames_->frame, frames_->index + 1, frames_->count);
+    }
     const std::string state =
-        fmt::format("{:3.0f} %, pass {} of {}{}", 100.0 * done, progress.pass + 1, progress.passes,
-                    time_left(done, progress.seconds));
+        fmt::format("{:3.0f} %, {}{}", 100.0 * done, what, time_left(done, seconds));
     if (terminal_) {
         show_bar(done, state);
     } else {
-        show_line(done, progress.seconds, state);
+        show_line(done, seconds, state);
+    }
+}
+
+void ProgressDisplay::show_text(const std::string& text) {
+    if (!quiet_ && terminal_) {
+        show_status(text.substr(0, terminal_width() - 1));
+        bar_shown_ = true;
     }
 }
 

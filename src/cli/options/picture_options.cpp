@@ -1,0 +1,88 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "cli/options/picture_options.hpp"
+
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
+
+#include "cli/options/camera_argument.hpp"
+#include "cli/options/common_options.hpp"
+
+namespace balcony::cli {
+
+void add_scene_options(CLI::App& command, RenderOptions& options) {
+    command
+        .add_option("--add", options.add,
+                    "another scene file, which joins each scene: the arrows of a camera by "
+                    "balcony draw, say; may be repeated")
+        ->type_name("SCENE")
+        ->allow_extra_args(false)
+        ->take_all();
+    command
+        .add_option(
+            "-c,--camera", options.camera,
+            "camera file and the NAME of a camera or picture in it (default: the last), or a "
+            "built-in camera; scene:NAME is a camera of the scene (default: its first, or one "
+            "that shows the scene well)")
+        ->type_name("FILE[:NAME]");
+    add_set_option(command, options.set);
+    add_fit_options(command, options.fit);
+}
+
+void add_picture_options(CLI::App& command, RenderOptions& options) {
+    add_size_options(command, options.size,
+                     "size in pixels (default: that of the picture, or about a million pixels with "
+                     "its aspect ratio)");
+    add_aspect_option(command, options.size);
+    add_crop_options(command, options.crop);
+    add_sampling_options(command, options.sampling);
+    add_integrator_options(command, options.integrator);
+    add_light_options(command, options.light);
+    command
+        .add_option(
+            "--exposure", options.exposure,
+            "exposure in stops (PNG); auto changes pictures that would be nearly black or white")
+        ->type_name("STOPS")
+        ->capture_default_str();
+    std::vector<std::string> views;
+    for (const std::string& name : render::view_transform_names()) {
+        views.push_back(
+            fmt::format("{} ({})", name, meaning_of(*render::find_view_transform(name))));
+    }
+    command
+        .add_option(
+            "--view-transform", options.view,
+            fmt::format("from light to display colours (PNG): {}", fmt::join(views, " or ")))
+        ->type_name("NAME")
+        ->capture_default_str();
+    command
+        .add_option(
+            "--ambient", options.ambient,
+            "light from all directions: with path an environment of this radiance, with direct "
+            "without shadows; auto follows the scene's lights with direct")
+        ->type_name("RADIANCE")
+        ->capture_default_str();
+    command
+        .add_option("--background", options.background,
+                    "transparent, black, white, a grey level, or red,green,blue (linear, from 0 to "
+                    "1), as the display shows it; auto shows the environment, if there is one")
+        ->type_name("COLOUR")
+        ->capture_default_str();
+    add_film_options(command, options.film);
+    add_texture_options(command, options.textures);
+}
+
+void add_run_options(CLI::App& command, RenderOptions& options) {
+    command.add_option("-j,--threads", options.threads, "number of threads; 0 uses all processors")
+        ->type_name("COUNT")
+        ->capture_default_str();
+    add_quiet_option(command, options.quiet);
+    command.add_flag("--json", options.json, "print facts and diagnostics as JSON");
+}
+
+}  // namespace balcony::cli
