@@ -7,11 +7,12 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include "balcony/display_file.hpp"
 #include "balcony/film.hpp"
 #include "render/film/displayed_pixel.hpp"
-#include "render/film/tile_image.hpp"
+#include "render/job/fork_and_join.hpp"
 
 namespace balcony::render {
 
@@ -51,22 +52,32 @@ template <class Sample>
 std::vector<Sample> to_samples(const Film& film, const DisplayOptions& options, bool with_alpha) {
     const auto gain = static_cast<float>(std::exp2(options.exposure));
     const bool dither = options.dither && sizeof(Sample) == 1;
-    std::vector<Sample> samples;
-    samples.reserve(film.window.size() * (with_alpha ? 4 : 3));
-    for_each_pixel(film.window, [&](std::size_t, std::size_t x, std::size_t y) {
-        const auto [shown, lit] = displayed_pixel(film, x, y, gain, options.view);
-        const bool visible = shown.a > 0.0F;
-        // Without alpha, the picture is in front of black.
-        const float scale = !visible ? 0.0F : with_alpha ? 1.0F / shown.a : 1.0F;
-        const float colors[] = {shown.r, shown.g, shown.b};
-        for (std::size_t c = 0; c < 3; ++c) {
-            samples.push_back(quantised<Sample>(srgb_from_linear(colors[c] * scale),
-                                                dither && lit ? threshold(x, y, c) : 0.5F));
+    const Region& window = film.window;
+    const std::size_t channels = with_alpha ? 4 : 3;
+    std::vector<Sample> samples(window.size() * channels);
+    const auto convert_row = [&](std::size_t row) {
+        fork_and_join::before_each();
+        Sample* sample = &samples[row * window.width * channels];
+        const std::size_t y = window.y + row;
+        for (std::size_t x = window.x; x < window.x + window.width; ++x) {
+            const auto [shown, lit] = displayed_pixel(film, x, y, gain, options.view);
+            const bool visible = shown.a > 0.0F;
+            // Without alpha, the picture is in front of black.
+            const float scale = !visible ? 0.0F : with_alpha ? 1.0F / shown.a : 1.0F;
+            const float colors[] = {shown.r, shown.g, shown.b};
+            for (std::size_t c = 0; c < 3; ++c) {
+                *sample++ = quantised<Sample>(srgb_from_linear(colors[c] * scale),
+                                              dither && lit ? threshold(x, y, c) : 0.5F);
+            }
+            if (with_alpha) {
+                *sample++ = quantised<Sample>(visible ? shown.a : 0.0F);
+            }
         }
-        if (with_alpha) {
-            samples.push_back(quantised<Sample>(visible ? shown.a : 0.0F));
-        }
-    });
+        fork_and_join::after_each();
+    };
+    fork_and_join::before_all();
+    tbb::parallel_for(std::size_t{0}, window.height, convert_row);
+    fork_and_join::after_all();
     return samples;
 }
 
