@@ -293,6 +293,20 @@ class Turntable(AnimationTest):
                 self.assertGreater(support.opaque_share(self.folder / f"t.{frame}.png"), 0.08)
 
 
+    def test_around_an_object(self):
+        (self.folder / "two.obj").write_text(
+            "o far\nv 30 0 0\nv 39 0 0\nv 36 9 0\nf 1 2 3\n"
+            "o near\nv 3 0 0\nv 9 0 0\nv 6 9 0\nv 6 0 5\nf 4 5 6\nf 4 5 7\nf 4 6 7\nf 5 6 7\n")
+        words = ("animate", "two.obj", "--frames", "1-4", "--size", "60x60", "--samples", "1",
+                 "--background", "transparent", "-o", "t.#.png")
+        self.run_command(*words, "--around", "near")
+        for frame in range(1, 5):
+            self.assertGreater(support.opaque_share(self.folder / f"t.{frame}.png"), 0.1)
+        self.run_command(*words, "--turntable", "--overwrite")
+        self.assertLess(support.opaque_share(self.folder / "t.1.png"), 0.1)
+        self.refused(*words, "--around", "nea", "--overwrite", code=1, says="nea", helps="near")
+
+
 class Shards(AnimationTest):
     def test_whole_frames(self):
         self.animate("--frames", "1-5", "-o", "w.#.png")

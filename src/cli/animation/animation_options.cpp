@@ -85,6 +85,10 @@ void add_animation_options(CLI::App& command, AnimateOptions& options) {
                      "turn the camera once round the vertical axis through the middle of the "
                      "scene, without a repeated frame at the end");
     command
+        .add_option("--around", words.around,
+                    "a turntable round an object of the scene instead of all of it")
+        ->type_name("OBJECT");
+    command
         .add_option_function<std::string>(
             "-o,--output", [&options](const std::string& file) { options.render.output = file; },
             fmt::format("a film ({}), or a sequence whose name has # for the digits of the "
@@ -131,7 +135,8 @@ AnimationRequest read_animation(const AnimateOptions& options, Diagnostics& diag
     request.start_time = read_number("--start-time", words.start_time, -longest, longest,
                                      "give a number of seconds", diagnostics);
     request.frame_time = read_frame_time(options.render.shutter, diagnostics);
-    request.turntable = words.turntable;
+    request.turntable = words.turntable || !words.around.empty();
+    request.around = words.around;
     request.keep_frames = words.keep_frames;
     request.overwrite = words.overwrite;
     request.same_noise = words.same_noise;

@@ -21,6 +21,7 @@ struct AnimationWords {
     std::string frames;
     std::string start_time = "0";
     bool turntable = false;
+    std::string around;
     std::string crf;
     bool keep_frames = false;
     bool overwrite = false;
@@ -41,6 +42,7 @@ struct AnimationRequest {
     double start_time = 0.0;             ///< Of frame 1.
     double frame_time = 1.0 / 24.0;      ///< Seconds from frame to frame.
     bool turntable = false;
+    std::string around;  ///< The object that the turntable is for; empty for the scene.
     bool keep_frames = false;
     bool overwrite = false;
     bool same_noise = false;

@@ -167,7 +167,10 @@ bool FrameLoop::go_to(std::size_t frame, RenderReport& outcome) {
     settings.time = animation_.time_of(frame);
     settings.sampling.seed =
         seed_ + (animation_.same_noise ? 0U : static_cast<std::uint32_t>(frame));
-    add_once(outcome, scene::move_to(*loaded_.scene, settings.time));
+    const Diagnostics not_moved = scene::move_to(*loaded_.scene, settings.time);
+    if (!not_moved.empty() && !std::exchange(warned_of_motion_, true)) {
+        add(outcome, not_moved);
+    }
     if (has_moving_camera(options_.render, *loaded_.scene)) {
         const Result<camera::Picture> moved =
             picture_at(options_.render, *loaded_.scene, wanted_, settings.time);

@@ -72,6 +72,7 @@ private:
     ProgressDisplay display_;
     std::set<std::string> told_;
     bool described_ = false;
+    bool warned_of_motion_ = false;
 };
 
 }  // namespace balcony::cli

@@ -163,12 +163,13 @@ void describe(RenderReport& outcome, const AnimateOptions& options, const Animat
     }
 }
 
-// The picture of a turntable. Without a camera, it shows the whole scene from all sides.
+// The picture of a turntable. Without a camera, it shows the whole scene, or object, from all
+// sides.
 std::optional<camera::Picture> turned_round(const AnimateOptions& options, const Request& request,
                                             const AnimationRequest& animation,
                                             const FrameNumbers& frames, const scene::Scene& scene,
                                             camera::Picture picture, RenderReport& outcome) {
-    const Result<render::SceneExtent> extent = render::measure_scene(scene);
+    const Result<render::SceneExtent> extent = render::measure_scene(scene, animation.around);
     add(outcome, extent.diagnostics);
     if (!extent) {
         return std::nullopt;
@@ -199,7 +200,6 @@ Diagnostics check_inputs(const FramePattern& pattern, const std::vector<fs::path
 
 RenderReport animate(const AnimateOptions& options, Request request,
                      const AnimationRequest& animation, RenderReport outcome) {
-    const Job interruption;
     request.settings.time = animation.time_of(1);
     Loaded loaded;
     loaded.environment = environment_files(options.render.light);
@@ -231,6 +231,7 @@ RenderReport animate(const AnimateOptions& options, Request request,
                     {error("a frame of this size needs more memory than --film-memory allows", {},
                            "raise --film-memory, or make the frames smaller")});
     }
+    const Job interruption;
     FrameLoop loop(options, animation, request, loaded, std::move(*picture), layout);
     outcome = loop.run(std::move(outcome), *frames, interruption.token());
     if (outcome.code != ExitCode::done && outcome.code != ExitCode::interrupted) {
