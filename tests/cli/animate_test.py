@@ -100,6 +100,14 @@ class Frames(AnimationTest):
                                          self.bytes_of("one.png"))
         self.assertNotEqual(self.bytes_of("f.003.png"), self.bytes_of("f.004.png"))
 
+    def test_stereo(self):
+        stereo = ("--stereo", "side_by_side", "--separation", "0.5")
+        self.animate("--frames", "3", "-o", "f.#.png", *stereo)
+        self.render(3, "one.png", *stereo)
+        self.assertEqual(self.bytes_of("f.3.png"), self.bytes_of("one.png"))
+        self.refused(*self.words("--frames", "1", "-o", "g.#.png", "--stereo", "files"), code=2,
+                     says="not two", helps="--stereo left")
+
     def test_layers_of_motion(self):
         self.run_command(*self.words("--frames", "2", "-o", "f.#.exr", "--layers", "motion",
                                      scene="moving.gltf"))

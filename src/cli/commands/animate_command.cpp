@@ -17,6 +17,7 @@
 #include "cli/animation/frame_loop.hpp"
 #include "cli/animation/turntable.hpp"
 #include "cli/commands/command.hpp"
+#include "cli/frame_pictures.hpp"
 #include "cli/interruption.hpp"
 #include "cli/loaded_picture.hpp"
 #include "cli/options/option_values.hpp"
@@ -163,6 +164,18 @@ void describe(RenderReport& outcome, const AnimateOptions& options, const Animat
     }
 }
 
+// What two eyes see of a picture, in one picture.
+std::optional<camera::Picture> stereo_view(const Request& request, camera::Picture picture,
+                                           RenderReport& outcome) {
+    if (!request.stereo) {
+        return picture;
+    }
+    auto views =
+        camera::stereo_picture(picture, request.stereo->formats.front(), request.stereo->pair);
+    add(outcome, views.diagnostics);
+    return std::move(views.value);
+}
+
 // The picture of a turntable. Without a camera, it shows the whole scene, or object, from all
 // sides.
 std::optional<camera::Picture> turned_round(const AnimateOptions& options, const Request& request,
@@ -218,12 +231,21 @@ RenderReport animate(const AnimateOptions& options, Request request,
         return fail(std::move(outcome), ExitCode::wrong_usage, found);
     }
     warn_of_long_numbers(*animation.pattern, *frames, outcome);
+    if (request.stereo && has_moving_camera(options.render, *loaded.scene)) {
+        return fail(std::move(outcome), ExitCode::bad_input,
+                    {error("--stereo cannot follow a camera of the scene that moves", {},
+                           "name a camera of a file with --camera")});
+    }
     if (animation.turntable) {
         picture =
             turned_round(options, request, animation, *frames, *loaded.scene, *picture, outcome);
         if (!picture) {
             return fail(std::move(outcome), ExitCode::bad_input);
         }
+    }
+    picture = stereo_view(request, *picture, outcome);
+    if (!picture) {
+        return fail(std::move(outcome), ExitCode::bad_input);
     }
     const render::FilmLayout layout = layout_of(options, animation, request, *picture, outcome);
     if (render::film_bytes(layout) > request.job.film_memory) {
@@ -264,6 +286,10 @@ ExitCode animate_command(const AnimateOptions& options) {
     RenderReport outcome;
     Request request = read_request(options.render, outcome.diagnostics);
     const AnimationRequest animation = read_animation(options, outcome.diagnostics);
+    if (request.stereo && request.stereo->has_two_files()) {
+        outcome.diagnostics.push_back(error("an animation is one film or sequence, not two", {},
+                                            "write --stereo left, and then --stereo right"));
+    }
     outcome.code = check_output(options, animation, outcome.diagnostics);
     if (outcome.code != ExitCode::done) {
         return finish(outcome, options.render);
@@ -287,6 +313,7 @@ void add_animate_command(CLI::App& app, ExitCode& code) {
             ->required();
         add_scene_options(command, options.render);
         add_shutter_options(command, options.render.shutter);
+        add_stereo_options(command, options.render.stereo);
         add_animation_options(command, options);
         add_picture_options(command, options.render);
         add_run_options(command, options.render);
