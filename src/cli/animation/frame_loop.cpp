@@ -296,6 +296,7 @@ void FrameLoop::render(const FrameUnit& unit, RenderReport& outcome, const std::
                                  "restore it and give the same command again")});
     }
     describe_first(unit, *film, *summary, outcome);
+    const Clock::time_point traced = Clock::now();
     if (Diagnostics found = write(unit, *film, facts, outcome); has_errors(found)) {
         found.front().remedy =
             "correct that and give the same command again; the frames before "
@@ -306,6 +307,7 @@ void FrameLoop::render(const FrameUnit& unit, RenderReport& outcome, const std::
     outcome.facts["pictures"].push_back({{"frame", unit.frame},
                                          {"file", file.string()},
                                          {"trace_seconds", summary->seconds},
+                                         {"write_seconds", seconds_since(traced)},
                                          {"seconds", seconds_since(begin)}});
 }
 
