@@ -21,7 +21,6 @@
 #include "cli/interruption.hpp"
 #include "cli/loaded_picture.hpp"
 #include "cli/options/option_values.hpp"
-#include "cli/options/picture_options.hpp"
 #include "cli/options/scene_argument.hpp"
 #include "cli/render_request.hpp"
 #include "cli/report/json.hpp"

@@ -23,7 +23,6 @@
 #include "cli/options/camera_argument.hpp"
 #include "cli/options/common_options.hpp"
 #include "cli/options/default_camera.hpp"
-#include "cli/options/picture_options.hpp"
 #include "cli/options/picture_output.hpp"
 #include "cli/options/render_options.hpp"
 #include "cli/options/scene_argument.hpp"

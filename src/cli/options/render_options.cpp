@@ -12,6 +12,7 @@
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
+#include "cli/options/camera_argument.hpp"
 #include "cli/options/option_values.hpp"
 
 namespace balcony::cli {
@@ -35,6 +36,25 @@ std::optional<render::Color3f> read_background(const std::string& text, Diagnost
 }
 
 }  // namespace
+
+void add_scene_options(CLI::App& command, RenderOptions& options) {
+    command
+        .add_option("--add", options.add,
+                    "another scene file, which joins each scene: the arrows of a camera by "
+                    "balcony draw, say; may be repeated")
+        ->type_name("SCENE")
+        ->allow_extra_args(false)
+        ->take_all();
+    command
+        .add_option(
+            "-c,--camera", options.camera,
+            "camera file and the NAME of a camera or picture in it (default: the last), or a "
+            "built-in camera; scene:NAME is a camera of the scene (default: its first, or one "
+            "that shows the scene well)")
+        ->type_name("FILE[:NAME]");
+    add_set_option(command, options.set);
+    add_fit_options(command, options.fit);
+}
 
 void add_picture_options(CLI::App& command, RenderOptions& options) {
     add_size_options(command, options.size,
@@ -77,6 +97,14 @@ void add_picture_options(CLI::App& command, RenderOptions& options) {
         ->capture_default_str();
     add_film_options(command, options.film);
     add_texture_options(command, options.textures);
+}
+
+void add_run_options(CLI::App& command, RenderOptions& options) {
+    command.add_option("-j,--threads", options.threads, "number of threads; 0 uses all processors")
+        ->type_name("COUNT")
+        ->capture_default_str();
+    add_quiet_option(command, options.quiet);
+    command.add_flag("--json", options.json, "print facts and diagnostics as JSON");
 }
 
 render::Settings read_settings(const RenderOptions& options, Diagnostics& diagnostics) {

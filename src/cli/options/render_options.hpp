@@ -51,8 +51,12 @@ struct RenderOptions {
     const CLI::App* command = nullptr;  ///< With the options as they were written.
 };
 
+/// Adds the options of what is rendered, and through which camera.
+void add_scene_options(CLI::App& command, RenderOptions& options);
 /// Adds the options of what a picture looks like: its size and part, its light and its colours.
 void add_picture_options(CLI::App& command, RenderOptions& options);
+/// Adds the options of how the command runs and reports.
+void add_run_options(CLI::App& command, RenderOptions& options);
 
 /// The settings that the options ask for; what cannot be read is added to
 /// `diagnostics`, each with its option.
