@@ -25,7 +25,7 @@ std::string known_names(std::string_view name, std::vector<std::string> own_name
     own_names.erase(std::unique(own_names.begin(), own_names.end()), own_names.end());
     const std::string built_in = "'balcony list cameras' shows the built-in ones";
     return own_names.empty() ? built_in
-                             : fmt::format("there are {}; {}", all_of(own_names), built_in);
+                             : fmt::format("this file has {}; {}", all_of(own_names), built_in);
 }
 
 std::optional<LocatedDefinition> find(const LocatedDefinition& picture, const Identifier& name,
