@@ -11,7 +11,8 @@ import support
 
 FENCED = re.compile(r"^```(?:sh|console)\n(.*?)^```", re.MULTILINE | re.DOTALL)
 # tests/guides runs all steps of these pages.
-GUIDES = ("blender.md", "bridges.md", "calibrated.md", "povray.md", "python.md", "raymaps.md")
+GUIDES = ("blender.md", "bridges.md", "calibrated.md", "cookbook.md", "povray.md", "python.md",
+          "raymaps.md")
 STARTS = ("balcony ", "build/release/balcony ")
 
 

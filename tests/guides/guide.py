@@ -73,7 +73,12 @@ class GuideTest(unittest.TestCase):
         cls.folder = Path(tempfile.mkdtemp(prefix="balcony-guide-"))
         cls.addClassCleanup(shutil.rmtree, cls.folder)
         cls.path = f"{BALCONY.parent}:{cls.PATH}"
+        cls.prepare()
         cls.outputs = run_page(cls.PAGE, cls.folder, cls.path, cls.EDIT)
+
+    @classmethod
+    def prepare(cls):
+        """Writes files that the page takes for granted."""
 
     def run_line(self, line):
         return run_line(line, self.folder, self.path)

@@ -1,0 +1,46 @@
+# Balcony: rendering through extended cameras.
+# SPDX-License-Identifier: Apache-2.0
+"""Runs the commands of docs/cookbook.md, in small, and looks after its pictures."""
+
+import re
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+import guide
+
+BUILD_SCENE = Path(sys.argv[3]).resolve()
+PICTURES = guide.REPOSITORY / "docs" / "pictures" / "cookbook"
+
+
+def in_small(line):
+    """A command line whose last options make it quick."""
+    size = "--size 96" if "--size" in line else "--scale 10%"
+    return f"{line} {size} --samples 2"
+
+
+class Cookbook(guide.GuideTest):
+    PAGE = "cookbook.md"
+    EDIT = staticmethod(in_small)
+
+    @classmethod
+    def prepare(cls):
+        for scene in ("vase", "room", "street"):
+            subprocess.run([BUILD_SCENE, scene, cls.folder / f"{scene}.glb"], check=True)
+
+    def test_commands_write_the_pictures_of_the_page(self):
+        shown = re.findall(r"\(pictures/cookbook/(.*?)\)", guide.page_text(self.PAGE))
+        self.assertEqual(len(shown), len(self.outputs))
+        for name, line in zip(shown, self.outputs, strict=True):
+            self.assertTrue(line.endswith(f"-o {name}"), line)
+            self.assertTrue((self.folder / name).exists(), name)
+            self.assertLess((PICTURES / name).stat().st_size, 100_000, name)
+
+    def test_cameras_are_fitted(self):
+        for line, said in self.outputs.items():
+            self.assertIn("fitted: ", said, line)
+
+
+if __name__ == "__main__":
+    guide.main()
