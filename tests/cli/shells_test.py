@@ -32,7 +32,7 @@ class Completion(support.CommandTest):
         (self.folder / "my_rooms").mkdir()
         (self.folder / "my_rooms" / "hall.ply").write_text("")
         self.assertEqual(self.words("render", ""), ["my_rooms/", "room.glb", "scene.obj"])
-        self.assertEqual(self.words("render", "my_rooms/"), ["mylar/hall.ply"])
+        self.assertEqual(self.words("render", "my_rooms/"), ["my_rooms/hall.ply"])
         self.assertEqual(self.words("fmt", "my"), ["my.cam", "my_rooms/"])
         self.assertEqual(self.words("check", "my.cam", "--scene", "ro"), ["room.glb"])
 
