@@ -57,10 +57,11 @@ void expect_at(const Sighting& sighting, const V2d& place) {
 
 TEST(InverseLaw, HoldsForEveryBuiltInCamera) {
     constexpr std::size_t count = 10'000;
-    // The rim of these discs shows all that is behind it, so that the search ends with a warning.
+    // At the rim of these discs, the angle changes without bound, or all that is behind it is seen.
     // The normals of a profile cross, and there two places of the picture meet.
     const std::map<std::string, double> lost_share{{"angular_map", 0.002},
                                                    {"catadioptric_spherical", 0.002},
+                                                   {"fisheye_thoby", 0.002},
                                                    {"mirror_ball", 0.05},
                                                    {"rollout_profile", 0.002}};
     for (const std::string& name : laws::single_built_in_cameras()) {
