@@ -13,4 +13,5 @@ set(BALCONY_LIBRARY_DEPENDENCIES
     "SLEEF 3.5"           # SLEEF::sleef
     "nlohmann_json 3.11"  # nlohmann_json::nlohmann_json
     "yaml-cpp 0.7"        # yaml-cpp
+    "PROJ 9.1"            # PROJ::proj
 )

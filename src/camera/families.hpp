@@ -45,6 +45,7 @@ Result<std::shared_ptr<const Stage>> as_stage(Result<std::shared_ptr<const Port>
 [[nodiscard]] std::vector<StageEntry> curve_primitives();
 [[nodiscard]] std::vector<StageEntry> surface_primitives();
 [[nodiscard]] std::vector<StageEntry> spheres();
+[[nodiscard]] std::vector<StageEntry> map_projections();
 [[nodiscard]] std::vector<StageEntry> conics();
 [[nodiscard]] std::vector<StageEntry> superconics();
 [[nodiscard]] std::vector<StageEntry> spherical_product();
@@ -88,6 +89,7 @@ inline constexpr auto families = {
     curve_primitives,
     surface_primitives,
     spheres,
+    map_projections,
     conics,
     superconics,
     spherical_product,

@@ -36,7 +36,7 @@ class Table:
         self.layer_of_header = {}
         for line in text.splitlines():
             line = line.split("#")[0].strip()
-            confined = re.fullmatch(r"(\S+/)\s+only in\s+(\S+)", line)
+            confined = re.fullmatch(r"(\S+/|\S+\.h)\s+only in\s+(\S+)", line)
             header = re.fullmatch(r"(\w+)\.hpp\s+of\s+(\w+)", line)
             row = re.fullmatch(r"(\w+):\s*(.*)", line)
             if confined:
