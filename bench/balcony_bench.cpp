@@ -118,6 +118,7 @@ int main(int argc, char** argv) {
         Section{"rays", print_rays},
         Section{"frames", bench::print_frames},
         Section{"stages", bench::print_stages},
+        Section{"maps", bench::print_maps},
         Section{"compile", bench::print_compilation},
         Section{"inverse", bench::print_inverse},
         Section{"scenes", bench::print_scenes},

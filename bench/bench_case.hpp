@@ -37,6 +37,9 @@ inline constexpr std::size_t ray_roots = 7;
 /// Prints what each stage costs a ray, and cameras whose speed has a goal.
 void print_stages();
 
+/// Prints what the cameras of map projections cost a ray.
+void print_maps();
+
 /// Prints how long standard cameras take from text to program.
 void print_compilation();
 

@@ -43,11 +43,14 @@ double nanoseconds_a_ray(const program::Program& program) {
     return 1e9 * stopwatch.seconds() / static_cast<double>(width * height);
 }
 
-void print_camera(std::string_view name, const std::string& text) {
-    const program::Program program = compile(make_camera(text), width, height);
+void print_program(std::string_view name, const program::Program& program) {
     const double nanoseconds = nanoseconds_a_ray(program);
     fmt::print("{:<52}{:>6}{:>10.1f}{:>10.1f}\n", name,
                program.instruction_count(program::Rate::pixel), nanoseconds, 1e3 / nanoseconds);
+}
+
+void print_camera(std::string_view name, const std::string& text) {
+    print_program(name, compile(make_camera(text), width, height));
 }
 
 // A NURBS patch of 16 x 16 points with weights, u and v not separable.
@@ -109,6 +112,16 @@ void print_stages() {
         const std::string example(row.example);
         if (!example.empty() && ("\n" + example).find("\npicture ") == std::string::npos) {
             print_camera(fmt::format("{} {}", camera::name_of(row.kind), row.name), example);
+        }
+    }
+}
+
+void print_maps() {
+    fmt::print("{:<52}{:>6}{:>10}{:>10}\n", "map projections, one core (reach: 3 M rays/s)", "pixel",
+               "ns a ray", "M rays/s");
+    for (const std::string& name : lang::built_in_cameras()) {
+        if (lang::family_of(name) == "maps") {
+            print_program(name, compile(*lang::make_camera(name, ""), width, height));
         }
     }
 }

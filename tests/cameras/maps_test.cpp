@@ -391,22 +391,13 @@ TEST(MapCameras, LookAlongXWithEastOnTheLeft) {
     EXPECT_GT(rays.at(0.5, 0.25).direction.z, 0.5);
 }
 
-TEST(MapProjections, SeenFromOutsideLookInwardsWithEastOnTheRight) {
-    const auto stage = camera::make_stage<ObjectGenerator>(
-        "projection", {{"definition", "moll"}, {"radius", 2.0}, {"seen_from", "outside"}});
-    ASSERT_TRUE(stage);
-    const camera::ParameterRectangle shown = *(*stage)->own_picture();
-    EXPECT_LT(shown.u_first, shown.u_last);
-    expr::Graph graph;
-    camera::Emitter emit(graph);
-    const camera::ParameterPoint at{graph.constant(1.0), graph.constant(0.3)};
-    const auto normal = (*stage)->normal(at, emit);
-    const camera::ObjectPoint point = (*stage)->generate(at, emit);
-    const std::vector<double> values =
-        expr::evaluate(std::array{point.x, normal->x, point.y, normal->y, point.z, normal->z}, {});
-    for (const std::size_t axis : {0, 2, 4}) {
-        EXPECT_NEAR(values[axis], -2.0 * values[axis + 1], 1e-15);
-    }
+TEST(MapProjections, OfAPlanetLookInwardsWithEastOnTheRight) {
+    const Rays rays("planet", {{"radius", "2"}, {"pz", "1"}});
+    const Ray middle = rays.at(0.5, 0.5);
+    expect_near(middle.origin, V3d(2.0, 0.0, 1.0), 1e-12);
+    expect_near(middle.direction, V3d(-1.0, 0.0, 0.0), 1e-12);
+    EXPECT_GT(rays.at(0.75, 0.5).origin.y, 1.8);
+    EXPECT_GT(rays.at(0.5, 0.25).origin.z, 2.0);
 }
 
 TEST(MapProjections, OfBadDefinitionsAreDiagnosed) {

@@ -29,8 +29,7 @@ public:
     }
     std::optional<ObjectVector> normal(const ParameterPoint& p, Emitter& emit) const override {
         const ObjectPoint unit = map_.inverse->direction(p, emit);
-        const ObjectVector outwards{unit.x, unit.y, unit.z};
-        return outside_ ? -outwards : outwards;
+        return ObjectVector{unit.x, unit.y, unit.z};
     }
     std::optional<ParameterRectangle> own_picture() const override {
         const maps::MapExtent& m = map_.extent;
@@ -108,9 +107,9 @@ forward function;  no ray beyond the outline of the map
                   "an object to map"),
               {.name = "seen_from",
                .type = ChoiceParameter{.choices = {"inside", "outside"}},
-               .meaning = "inside: the rays leave the sphere, and the picture is a panorama, with "
-                          "east on the left; outside: the rays enter it, and the picture is a map, "
-                          "with east on the right"},
+               .meaning = "which way the picture shows the map where there is no map statement: "
+                          "inside is a panorama, with east on the left; outside is a map, with "
+                          "east on the right, for look normal(inward)"},
               parameter_of_proj("lon_0", Unit::angle, "the longitude in the middle of the map"),
               parameter_of_proj("lat_0", Unit::angle, "the latitude of the map's origin"),
               parameter_of_proj("lat_1", Unit::angle, "the first standard parallel"),

@@ -190,6 +190,36 @@ std::string camera_text(const lang::Description& described, bool whole) {
     return text;
 }
 
+std::vector<std::string> names_of(std::string_view family) {
+    std::vector<std::string> names;
+    for (const std::string& name : lang::built_in_cameras()) {
+        if (lang::family_of(name) == family) {
+            names.push_back(name);
+        }
+    }
+    return names;
+}
+
+// A family whose lines would push the others off the screen is shown by its names.
+bool is_large(std::string_view family) {
+    constexpr std::size_t most_lines = 30;
+    return names_of(family).size() > most_lines;
+}
+
+std::string names_text(std::string_view family) {
+    constexpr std::size_t line_width = 90;
+    std::string text;
+    std::string line;
+    for (const std::string& name : names_of(family)) {
+        if (line.size() + name.size() >= line_width) {
+            text += " " + line + "\n";
+            line.clear();
+        }
+        line += " " + name;
+    }
+    return text + " " + line + "\n  What one is for: balcony list NAME\n";
+}
+
 // Under the names of their families, one per line with what it is for.
 std::string built_in_text(const std::vector<lang::Description>& cameras) {
     std::size_t longest = 0;
@@ -203,6 +233,12 @@ std::string built_in_text(const std::vector<lang::Description>& cameras) {
         if (heading != family) {
             text += fmt::format("{}{}\n", heading.empty() ? "" : "\n", family);
             heading = family;
+            if (is_large(family)) {
+                text += names_text(family);
+            }
+        }
+        if (is_large(family)) {
+            continue;
         }
         std::string use = first_sentence(described.comment);
         std::replace(use.begin(), use.end(), '\n', ' ');
