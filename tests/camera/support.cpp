@@ -143,18 +143,23 @@ struct SomeValue {
     Arguments::Value operator()(const FormulaParameter& type) const {
         return some_formula(type.shape);
     }
-    Arguments::Value operator()(const NameParameter&) const { return std::string("Vase"); }
+    // A projection, and as good as any as the name of an object.
+    Arguments::Value operator()(const NameParameter&) const { return std::string("robin"); }
     Arguments::Value operator()(const ImageParameter&) const { return some_image(); }
     Arguments::Value operator()(const MeshParameter&) const { return some_mesh(); }
     Arguments::Value operator()(const MapParameter& type) const { return some_map(type); }
     Arguments::Value operator()(const CalibrationParameter&) const { return some_calibration(); }
 };
 
-/// Calibrated cameras as direction objects, whose points have tangents. OCamCalib's
+/// Calibrated cameras and maps as direction objects, whose points have tangents. OCamCalib's
 /// first coefficient is negative.
-std::optional<Arguments::Value> value_of_calibrated(const StageEntry& row, std::string_view name) {
+std::optional<Arguments::Value> value_of_direction_object(const StageEntry& row,
+                                                          std::string_view name) {
     const std::map<std::string_view, std::vector<double>> values{
         {"width", {400.0}}, {"height", {300.0}}, {"fx", {350.0}}, {"radius", {1.0}}};
+    if (row.section == "Map projections" && name == "radius") {
+        return numbers({1.0});
+    }
     if (row.section != "Calibrated cameras") {
         return std::nullopt;
     }
@@ -173,7 +178,7 @@ Arguments arguments_for(const StageEntry& row, const Given& given) {
         const auto value = given.find(parameter.name);
         if (value != given.end()) {
             arguments.set(parameter.name, value->second);
-        } else if (const auto fitting = value_of_calibrated(row, parameter.name)) {
+        } else if (const auto fitting = value_of_direction_object(row, parameter.name)) {
             arguments.set(parameter.name, *fitting);
         } else if (!parameter.optional) {
             arguments.set(parameter.name, std::visit(SomeValue{}, parameter.type));

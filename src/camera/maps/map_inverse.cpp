@@ -160,7 +160,8 @@ InverseMapPointer oblique_transformation(const Definition& definition) {
     }
     // The new pole is north of the old one on the far meridian; o_lon_p is the longitude of the
     // near meridian in the new axes.
-    const SphereAxes axes = with_pole({pi, definition.angle("o_lat_p", 0.0)});
+    const SphereAxes axes =
+        with_pole({pi, definition.angle("o_lat_p", 0.0)}).with_first_meridian(pi);
     return in_axes(axes, in_axes(turned(-definition.angle("o_lon_p", 0.0)), std::move(inverse)));
 }
 

@@ -256,7 +256,9 @@ InverseMapPointer azimuthal(const ForwardMap& map, const SpherePoint& center) {
     const auto at = [&](double azimuth, double angle) {
         return from_center({pi - azimuth, 0.5 * pi - angle});
     };
-    for (const double angle : {0.1, 0.4, 0.7}) {
+    const double last = 0.5 * pi - reach(from_center, pi - 1.0, 0.5 * pi, -0.5 * pi);
+    for (const double fraction : {0.05, 0.13, 0.24}) {
+        const double angle = fraction * last;
         const double distance = y_of(at(0.0, angle));
         for (const double azimuth : trial_longitudes) {
             const auto p = at(azimuth, angle);
@@ -271,7 +273,6 @@ InverseMapPointer azimuthal(const ForwardMap& map, const SpherePoint& center) {
         const auto p = at(azimuth, angle);
         return p ? std::hypot(p->x, p->y) : none;
     };
-    const double last = 0.5 * pi - reach(from_center, pi - azimuth, 0.4, -0.5 * pi);
     const std::optional<Profile> profile = Profile::make(
         {.coordinate = distance, .second = [](double) { return 0.0; }, .parameters = {0.0, last}});
     // Extrapolated to the end, where forward functions lose their digits.

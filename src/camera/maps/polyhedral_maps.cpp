@@ -43,7 +43,7 @@ InverseMapPointer healpix(const Definition& definition, const ForwardMap&) {
     return by_formula([angle](const ParameterPoint& p, Emitter& emit) {
         const double c = std::cos(angle);
         const double s = std::sin(angle);
-        return healpix_direction({c * p.u + s * p.v, c * p.v - s * p.u}, emit);
+        return healpix_direction({c * p.u - s * p.v, c * p.v + s * p.u}, emit);
     });
 }
 

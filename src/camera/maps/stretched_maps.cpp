@@ -63,10 +63,26 @@ InverseMapPointer lagrange(const Definition& definition, const ForwardMap&) {
     });
 }
 
+// A heart: parallels are arcs about one centre, along which lengths are true.
+InverseMapPointer bonne(const Definition& definition, const ForwardMap&) {
+    const double standard = definition.angle("lat_1", 0.0);
+    const double side = standard < 0.0 ? -1.0 : 1.0;
+    const double center = std::cos(standard) / std::sin(standard);
+    return by_formula([=](const ParameterPoint& p, Emitter& emit) {
+        const Expr x = side * p.u;
+        const Expr y = side * (center - p.v);
+        const Expr distance = sqrt(x * x + y * y);
+        const Expr latitude = center + standard - side * distance;
+        const Expr longitude = distance * atan2(x, y) / cos(latitude);
+        emit.require(abs(latitude) <= emit(0.5 * pi) && abs(longitude) <= emit(pi));
+        return at_longitude_and_latitude_of_map(longitude, latitude);
+    });
+}
+
 }  // namespace
 
 std::vector<FormulaMapRow> stretched_maps() {
-    return {{"hammer", hammer}, {"aitoff", aitoff}, {"lagrng", lagrange}};
+    return {{"bonne", bonne}, {"hammer", hammer}, {"aitoff", aitoff}, {"lagrng", lagrange}};
 }
 
 }  // namespace balcony::camera::maps
