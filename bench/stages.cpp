@@ -117,8 +117,8 @@ void print_stages() {
 }
 
 void print_maps() {
-    fmt::print("{:<52}{:>6}{:>10}{:>10}\n", "map projections, one core (reach: 3 M rays/s)", "pixel",
-               "ns a ray", "M rays/s");
+    fmt::print("{:<52}{:>6}{:>10}{:>10}\n", "map projections, one core (reach: 3 M rays/s)",
+               "pixel", "ns a ray", "M rays/s");
     for (const std::string& name : lang::built_in_cameras()) {
         if (lang::family_of(name) == "maps") {
             print_program(name, compile(*lang::make_camera(name, ""), width, height));

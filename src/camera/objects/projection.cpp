@@ -127,9 +127,9 @@ forward function;  no ray beyond the outline of the map
          .dimension = 2,
          .section = "Map projections",
          .example = R"(
-// Everything around the viewer in the oval of the Robinson projection.
-camera robinson {
-    eye  projection("robin")
+// Everything around the viewer but zenith and nadir, with true angles: Mercator's projection.
+camera mercator {
+    eye  projection("merc")
     look normal
 }
 )"},
