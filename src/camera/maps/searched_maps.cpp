@@ -3,7 +3,6 @@
 
 // Maps whose inverse is found by Newton's method in the formulas, from a close guess.
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -20,101 +19,41 @@ struct SphereExpr {
 };
 using ForwardFormula = std::function<ParameterPoint(const SphereExpr& point)>;
 
-/// The longitude and latitude of a near point of a map, constant in cells of a rectangle around it.
-class Guess {
-public:
-    explicit Guess(const ForwardMap& map) {
-        struct Sample {
-            SpherePoint at;
-            MapPoint on_map;
-        };
-        std::vector<Sample> samples;
-        constexpr int columns = 72;
-        constexpr int rows = 36;
-        double width = 0.0;
-        double height = 0.0;
-        for (int i = 0; i <= columns; ++i) {
-            for (int j = 0; j <= rows; ++j) {
-                const SpherePoint at{pi * (2.0 * i / columns - 1.0),
-                                     pi * (static_cast<double>(j) / rows - 0.5)};
-                if (const auto p = map(at)) {
-                    samples.push_back({at, *p});
-                    width = std::max(width, std::fabs(p->x));
-                    height = std::max(height, std::fabs(p->y));
-                }
-            }
+using Guess = std::function<SphereExpr(const ParameterPoint& p, Emitter& emit)>;
+
+InverseMapPointer by_newton(ForwardFormula forward, Guess guess) {
+    return by_formula([=](const ParameterPoint& p, Emitter& emit) {
+        Graph& graph = emit.graph();
+        const Expr a = graph.fresh_variable();
+        const Expr b = graph.fresh_variable();
+        const ParameterPoint image = forward({a, b});
+        const std::array xy{image.u, image.v};
+        std::vector<Expr> formulas(xy.begin(), xy.end());
+        for (const Expr variable : {a, b}) {
+            const std::vector<Expr> slopes = expr::differentiate(xy, variable);
+            formulas.insert(formulas.end(), slopes.begin(), slopes.end());
         }
-        constexpr std::size_t cells = 32;
-        const auto middle = [](double size, std::size_t cell) {
-            return size * ((2.0 * static_cast<double>(cell) + 1.0) / cells - 1.0);
+        const auto at = [&](const SphereExpr& point) {
+            const std::array values{expr::Substitution{a, point.longitude},
+                                    expr::Substitution{b, point.latitude}};
+            return expr::substitute(graph, formulas, values);
         };
-        std::vector<double> longitudes;
-        std::vector<double> latitudes;
-        for (std::size_t row = 0; row < cells; ++row) {
-            for (std::size_t column = 0; column < cells; ++column) {
-                const MapPoint p{middle(width, column), middle(height, row)};
-                const auto nearest = std::min_element(
-                    samples.begin(), samples.end(), [&p](const Sample& a, const Sample& b) {
-                        return squared_distance(a.on_map, p) < squared_distance(b.on_map, p);
-                    });
-                longitudes.push_back(nearest->at.longitude);
-                latitudes.push_back(nearest->at.latitude);
-            }
-        }
-        const std::vector<expr::Table::Axis> axes{{-height, height, cells, 0},
-                                                  {-width, width, cells, 0}};
-        longitude_ = std::make_shared<const expr::Table>(expr::Table{axes, std::move(longitudes)});
-        latitude_ = std::make_shared<const expr::Table>(expr::Table{axes, std::move(latitudes)});
-    }
-
-    [[nodiscard]] SphereExpr operator()(const ParameterPoint& p, Emitter& emit) const {
-        const std::array at{p.v, p.u};
-        return {emit.graph().lookup(longitude_, at), emit.graph().lookup(latitude_, at)};
-    }
-
-private:
-    static double squared_distance(const MapPoint& a, const MapPoint& b) {
-        return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
-    }
-
-    std::shared_ptr<const expr::Table> longitude_, latitude_;
-};
-
-constexpr int newton_steps = 6;
-
-InverseMapPointer by_newton(const ForwardMap& map, ForwardFormula forward) {
-    return by_formula(
-        [guess = Guess(map), forward = std::move(forward)](const ParameterPoint& p, Emitter& emit) {
-            Graph& graph = emit.graph();
-            const Expr a = graph.fresh_variable();
-            const Expr b = graph.fresh_variable();
-            const ParameterPoint image = forward({a, b});
-            const std::array xy{image.u, image.v};
-            std::vector<Expr> formulas(xy.begin(), xy.end());
-            for (const Expr variable : {a, b}) {
-                const std::vector<Expr> slopes = expr::differentiate(xy, variable);
-                formulas.insert(formulas.end(), slopes.begin(), slopes.end());
-            }
-            const auto at = [&](const SphereExpr& point) {
-                const std::array values{expr::Substitution{a, point.longitude},
-                                        expr::Substitution{b, point.latitude}};
-                return expr::substitute(graph, formulas, values);
-            };
-            SphereExpr found = guess(p, emit);
-            for (int step = 0; step < newton_steps; ++step) {
-                const std::vector<Expr> f = at(found);
-                const Expr miss_x = f[0] - p.u;
-                const Expr miss_y = f[1] - p.v;
-                const Expr determinant = f[2] * f[5] - f[4] * f[3];
-                found = {found.longitude - (f[5] * miss_x - f[4] * miss_y) / determinant,
-                         found.latitude - (f[2] * miss_y - f[3] * miss_x) / determinant};
-            }
+        SphereExpr found = guess(p, emit);
+        constexpr int steps = 8;
+        for (int step = 0; step < steps; ++step) {
             const std::vector<Expr> f = at(found);
-            constexpr double doubt = 1e-10;
-            emit.require(abs(f[0] - p.u) <= emit(doubt) && abs(f[1] - p.v) <= emit(doubt));
-            emit.require(abs(found.longitude) <= emit(pi) && abs(found.latitude) <= emit(0.5 * pi));
-            return at_longitude_and_latitude_of_map(found.longitude, found.latitude);
-        });
+            const Expr miss_x = f[0] - p.u;
+            const Expr miss_y = f[1] - p.v;
+            const Expr determinant = f[2] * f[5] - f[4] * f[3];
+            found = {found.longitude - (f[5] * miss_x - f[4] * miss_y) / determinant,
+                     found.latitude - (f[2] * miss_y - f[3] * miss_x) / determinant};
+        }
+        const std::vector<Expr> f = at(found);
+        constexpr double doubt = 1e-10;
+        emit.require(abs(f[0] - p.u) <= emit(doubt) && abs(f[1] - p.v) <= emit(doubt));
+        emit.require(abs(found.longitude) <= emit(pi) && abs(found.latitude) <= emit(0.5 * pi));
+        return at_longitude_and_latitude_of_map(found.longitude, found.latitude);
+    });
 }
 
 /// sin(a)/a by the square of a.
@@ -125,7 +64,7 @@ Expr sine_quotient(Expr square) {
 }
 
 // The mean of Aitoff's map and the equirectangular one.
-InverseMapPointer winkel_tripel(const Definition& definition, const ForwardMap& map) {
+InverseMapPointer winkel_tripel(const Definition& definition, const ForwardMap&) {
     const double cosine =
         definition.has("lat_1") ? std::cos(definition.angle("lat_1", 0.0)) : 2.0 / pi;
     const auto forward = [cosine](const SphereExpr& point) {
@@ -138,21 +77,46 @@ InverseMapPointer winkel_tripel(const Definition& definition, const ForwardMap& 
         return ParameterPoint{0.5 * (2.0 * ratio * x + cosine * point.longitude),
                               0.5 * (ratio * y + point.latitude)};
     };
-    return by_newton(map, forward);
+    return by_newton(forward, [cosine](const ParameterPoint& p, Emitter&) {
+        return SphereExpr{2.0 * p.u / (cos(p.v) + cosine), p.v};
+    });
 }
 
-// The American polyconic map: each parallel is the one of the cone that touches the sphere there.
-InverseMapPointer polyconic(const Definition& definition, const ForwardMap& map) {
+/// The American polyconic map: a parallel is an arc of the radius cot(phi) about (0, phi +
+/// cot(phi)), along which lengths are true. So (x^2 + (phi - y)^2) sin(phi) + 2 (phi - y) cos(phi)
+/// = 0, which has one root between the equator and y or the pole.
+InverseMapPointer polyconic(const Definition& definition, const ForwardMap&) {
     const double origin = definition.angle("lat_0", 0.0);
-    const auto forward = [origin](const SphereExpr& point) {
-        const Expr angle = point.longitude * sin(point.latitude);
-        const Expr half = sine_quotient(0.25 * angle * angle);
-        return ParameterPoint{
-            point.longitude * cos(point.latitude) * sine_quotient(angle * angle),
-            point.latitude - origin +
-                0.5 * point.longitude * angle * cos(point.latitude) * half * half};
-    };
-    return by_newton(map, forward);
+    return by_formula([origin](const ParameterPoint& p, Emitter& emit) {
+        const Expr y = abs(p.v + origin);
+        const auto miss = [&](Expr phi) {
+            const Expr d = phi - y;
+            return (p.u * p.u + d * d) * sin(phi) + 2.0 * d * cos(phi);
+        };
+        Expr low = emit(0.0);
+        Expr high = min(y, emit(0.5 * pi));
+        constexpr int halvings = 14;
+        for (int i = 0; i < halvings; ++i) {
+            const Expr middle = 0.5 * (low + high);
+            const Expr is_low = miss(middle) < 0.0;
+            low = select(is_low, middle, low);
+            high = select(is_low, high, middle);
+        }
+        Expr phi = 0.5 * (low + high);
+        constexpr int newton_steps = 3;
+        for (int i = 0; i < newton_steps; ++i) {
+            const Expr d = phi - y;
+            const Expr slope = (p.u * p.u + d * d + 2.0) * cos(phi);
+            phi = phi - miss(phi) / slope;
+        }
+        // The angle at the centre is lambda sin(phi).
+        constexpr double tiny = 1e-20;
+        const Expr across = max(abs(p.u) * sin(phi), emit(tiny));
+        const Expr angle = atan2(across, (phi - y) * sin(phi) + cos(phi));
+        const Expr longitude = p.u * angle / across;
+        emit.require(abs(longitude) <= emit(pi) && phi <= emit(0.5 * pi));
+        return at_longitude_and_latitude_of_map(longitude, sign(p.v + origin) * phi);
+    });
 }
 
 /// Van der Grinten's first map: meridians are circles through the poles (0, 1) and (0, -1), in

@@ -73,7 +73,7 @@ InverseMapPointer bonne(const Definition& definition, const ForwardMap&) {
         const Expr y = side * (center - p.v);
         const Expr distance = sqrt(x * x + y * y);
         const Expr latitude = center + standard - side * distance;
-        const Expr longitude = distance * atan2(x, y) / cos(latitude);
+        const Expr longitude = side * distance * atan2(x, y) / cos(latitude);
         emit.require(abs(latitude) <= emit(0.5 * pi) && abs(longitude) <= emit(pi));
         return at_longitude_and_latitude_of_map(longitude, latitude);
     });
