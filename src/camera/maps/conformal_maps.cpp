@@ -129,7 +129,7 @@ InverseMapPointer conformal_region(const ForwardMap& map, const SpherePoint& cen
     return in_axes(
         axes, by_formula(
                   [series = *series](const ParameterPoint& p, Emitter& emit) {
-                      constexpr int newton_steps = 9;
+                      constexpr int newton_steps = 7;
                       const ComplexExpr w{p.u, p.v};
                       const PowerSeries slope = series.derivative();
                       const Complex first = 1.0 / series.coefficients[1];

@@ -39,7 +39,7 @@ InverseMapPointer by_newton(ForwardFormula forward, Guess guess) {
             return expr::substitute(graph, formulas, values);
         };
         SphereExpr found = guess(p, emit);
-        constexpr int steps = 8;
+        constexpr int steps = 5;
         for (int step = 0; step < steps; ++step) {
             const std::vector<Expr> f = at(found);
             const Expr miss_x = f[0] - p.u;
