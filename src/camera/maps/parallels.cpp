@@ -16,13 +16,13 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 // Rounding of PROJ's coordinates, relative to them.
-constexpr double rounding = 1e-12;
+constexpr double relative_rounding = 1e-12;
 
 double x_of(const std::optional<MapPoint>& p) { return p ? p->x : none; }
 double y_of(const std::optional<MapPoint>& p) { return p ? p->y : none; }
 
 bool nearly(double a, double b) {
-    return std::fabs(a - b) <= rounding * (1.0 + std::fabs(a) + std::fabs(b));
+    return std::fabs(a - b) <= relative_rounding * (1.0 + std::fabs(a) + std::fabs(b));
 }
 
 constexpr std::array trial_latitudes{-1.1, -0.6, -0.15, 0.2, 0.75, 1.2};
@@ -240,14 +240,14 @@ InverseMapPointer concentric_between(const ForwardMap& map, double middle_latitu
 }  // namespace
 
 InverseMapPointer concentric_parallels(const ForwardMap& map, double middle_latitude) {
-    constexpr double quarter = 0.5 * pi;
-    if (InverseMapPointer whole = concentric_between(map, middle_latitude, {-quarter, quarter})) {
+    constexpr double pole = 0.5 * pi;
+    if (InverseMapPointer whole = concentric_between(map, middle_latitude, {-pole, pole})) {
         return whole;
     }
     // Of a cone on which the sphere is seen from its centre, a hemisphere.
-    return concentric_between(map, middle_latitude,
-                              {std::max(-quarter, middle_latitude - quarter),
-                               std::min(quarter, middle_latitude + quarter)});
+    return concentric_between(
+        map, middle_latitude,
+        {std::max(-pole, middle_latitude - pole), std::min(pole, middle_latitude + pole)});
 }
 
 InverseMapPointer azimuthal(const ForwardMap& map, const SpherePoint& center) {

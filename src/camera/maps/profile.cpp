@@ -170,8 +170,8 @@ std::shared_ptr<const Profile::Tables> Profile::Tables::make(const AngleFunction
     std::vector<double> ends{functions.parameters.first};
     ends.insert(ends.end(), functions.breaks.begin(), functions.breaks.end());
     ends.push_back(functions.parameters.last);
-    const auto coordinate = [&](double angle) {
-        return by_angle ? angle : functions.coordinate(angle);
+    const auto coordinate = [&](double parameter) {
+        return by_angle ? parameter : functions.coordinate(parameter);
     };
     if (coordinate(ends.front()) > coordinate(ends.back())) {
         std::reverse(ends.begin(), ends.end());

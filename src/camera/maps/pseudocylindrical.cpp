@@ -50,7 +50,7 @@ private:
         for (int i = 0; i < steps; ++i) {
             const double middle = from + (2 * i + 1) * half;
             sum += weights[0] * sine_slope(middle);
-            for (const std::size_t k : {1, 2}) {
+            for (std::size_t k = 1; k < nodes.size(); ++k) {
                 sum += weights[k] * (sine_slope(middle - nodes[k] * half) +
                                      sine_slope(middle + nodes[k] * half));
             }

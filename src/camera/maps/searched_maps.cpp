@@ -56,13 +56,6 @@ InverseMapPointer by_newton(ForwardFormula forward, Guess guess) {
     });
 }
 
-/// sin(a)/a by the square of a.
-Expr sine_quotient(Expr square) {
-    constexpr double tiny = 1e-20;  // makes it 1 at 0
-    const Expr a = sqrt(max(square, square.graph().constant(tiny)));
-    return sin(a) / a;
-}
-
 // The mean of Aitoff's map and the equirectangular one.
 InverseMapPointer winkel_tripel(const Definition& definition, const ForwardMap&) {
     const double cosine =
