@@ -48,7 +48,7 @@ constexpr std::array proj_angles{"lon_0",  "lat_0", "lat_1", "lat_2",
                                  "lat_ts", "alpha", "tilt",  "azi"};
 constexpr std::array proj_numbers{"h", "n", "m"};
 
-Result<std::shared_ptr<const Stage>> make_projection(const Arguments& a) {
+Result<std::shared_ptr<const Stage>> make_map_projection(const Arguments& a) {
     Result<maps::Definition> definition = maps::read_definition(a.given_name("definition"));
     if (!definition) {
         return std::move(definition.diagnostics);
@@ -123,7 +123,7 @@ forward function;  no ray beyond the outline of the map
                                 "the height of the viewer of a perspective view"),
               parameter_of_proj("n", Unit::number, "of projections with this parameter"),
               parameter_of_proj("m", Unit::number, "of projections with this parameter")},
-         .make = make_projection,
+         .make = make_map_projection,
          .dimension = 2,
          .section = "Map projections",
          .example = R"(
