@@ -40,6 +40,8 @@ constexpr std::array headings{
     Heading{"Fractal objects", StageKind::object_generator, false},
     Heading{"Objects from formulas", StageKind::object_generator, false},
     Heading{"Points, curves and surfaces of elementary geometry", StageKind::object_generator},
+    Heading{"Map projections", StageKind::object_generator, false},
+    Heading{"Calibrated cameras", StageKind::object_generator, false},
     Heading{"Direction rules", StageKind::direction_rule},
     Heading{"Stereo views", StageKind::stereo_view},
     Heading{"Lenses", StageKind::lens},
