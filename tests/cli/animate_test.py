@@ -232,7 +232,7 @@ class Resuming(AnimationTest):
         words = self.words("--frames", "1-6", "-o", "f.#.png", "--samples", "400",
                            "--checkpoint-every", "0.05")
         with self.start(*words) as process:
-            while not (self.folder / "f.2.png").exists():
+            while process.poll() is None and not (self.folder / "f.2.png").exists():
                 time.sleep(0.005)
             process.send_signal(kill)
             out, err = process.communicate(timeout=60)
