@@ -203,7 +203,7 @@ TEST(OslExport, GivesTheRaysAndTheirFootprints) {
             shaders.emplace_back(example.name, *text);
         }
     }
-    EXPECT_GE(shaders.size() + 2, test::examples().size()) << "only meshes have no formula";
+    EXPECT_GE(shaders.size() + 3, test::examples().size()) << "only meshes have no formula";
     const Library library(shaders);
     ASSERT_TRUE(library.compiled());
     for (const Example& example : test::examples()) {

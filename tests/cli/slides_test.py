@@ -30,15 +30,16 @@ def unit(a):
     return tuple(x / math.sqrt(dot(a, a)) for x in a)
 
 
+AHEAD = unit(minus(AIM, PROJECTOR))
+RIGHT = unit(cross(AHEAD, (0, 0, 1)))
+UP = cross(RIGHT, AHEAD)
+
+
 def slide_position(point):
     """Where the projector's slide has a point of the backdrop, as fractions from its top left."""
-    ahead = unit(minus(AIM, PROJECTOR))
-    right = unit(cross(ahead, (0, 0, 1)))
-    up = cross(right, ahead)
     way = minus(point, PROJECTOR)
-    half = math.tan(THROW / 2)
-    x, y = dot(way, right) / dot(way, ahead) / half, dot(way, up) / dot(way, ahead) / half
-    return 0.5 + 0.5 * x, 0.5 - 0.5 * 1.5 * y
+    half = math.tan(THROW / 2) * dot(way, AHEAD)
+    return 0.5 + 0.5 * dot(way, RIGHT) / half, 0.5 - 0.5 * 1.5 * dot(way, UP) / half
 
 
 def write_checker(path):
@@ -105,7 +106,7 @@ def flat():
     turn = math.radians(20.0)
     left = (-7 * math.sin(turn), 7 * math.cos(turn), 0)
     corner = (10 + left[0], left[1], -5)
-    return quad(corner, (10 - left[0], -left[1], -5), (*corner[:2], 5)), 64
+    return quad(corner, (10 - left[0], -left[1], -5), (*corner[:2], 5)), 40
 
 
 def curved():
@@ -117,7 +118,7 @@ def curved():
 
 def folded():
     points = [(9, 5), (11, 2), (9, 0), (11, -2), (9, -5)]
-    return [t for p, q in zip(points, points[1:]) for t in quad((*p, -5), (*q, -5), (*p, 5))], 48
+    return [t for p, q in zip(points, points[1:]) for t in quad((*p, -5), (*q, -5), (*p, 5))], 24
 
 
 def mesh():
@@ -135,7 +136,7 @@ def mesh():
 
 class Slides(support.CommandTest):
     def rendered(self, scene, camera, size):
-        self.run_command("render", scene, "--camera", camera, "--size", size, "-s", "16",
+        self.run_command("render", scene, "--camera", camera, "--size", size, "-s", "9",
                          "--integrator", "direct", "--exposure", "0", "--view-transform", "standard",
                          "-o", "out.png", *(["--set", "fov=40deg"] if camera == "pinhole" else []))
         return self.folder / "out.png"
@@ -150,7 +151,7 @@ class Slides(support.CommandTest):
             self.rendered("world.gltf", "pinhole", "192x128"))
         for camera, backdrop in (("slide_flat", flat), ("slide_curved", curved),
                                  ("slide_folded", folded), ("slide_mesh", mesh)):
-            self.rendered("world.gltf", camera, "960x640").rename(self.folder / "slide.png")
+            self.rendered("world.gltf", camera, "600x400").rename(self.folder / "slide.png")
             triangles, parts = backdrop()
             lit = []
             for triangle in (small for large in triangles for small in divided(large, parts)):
