@@ -1,0 +1,106 @@
+# Balcony: rendering through extended cameras.
+# SPDX-License-Identifier: Apache-2.0
+"""Writes docs/gallery.md, and the options of its pictures, from the built-in cameras.
+
+Usage: gallery.py page BALCONY
+       gallery.py options BALCONY SCENE [NAME...]
+
+`page` prints the page. `options` prints for each camera, or each of these names, its name and what the
+render of its picture of a scene needs besides --fit, as cameras/gallery.txt has it. To be run in the
+repository.
+"""
+
+import json
+import subprocess
+import sys
+import textwrap
+from pathlib import Path
+
+INTRODUCTION = """# Gallery
+
+What the built-in cameras see in a furnished room, 7 by 5 metres, and in a street. Each stands where
+`--fit` places it:
+
+```sh
+balcony list cameras                            # all of them, with a line on what each is for
+balcony list little_planet                      # one of them, with its parameters
+```
+
+```
+balcony render room.glb --camera little_planet --fit -o planet.png
+```
+
+`scripts/gallery` makes this page and its pictures. The scenes are those of `build_scene room` and
+`build_scene street`. [coverage.md](coverage.md) says with what each camera is compared.
+"""
+
+HEADINGS = {
+    "perspective": "Perspective", "parallel": "Parallel projection", "fisheye": "Fisheye",
+    "panorama": "Panoramas", "maps": "Map projections", "dome": "Domes", "walls": "Walls",
+    "stereo": "Stereo", "unroll": "Unrolling", "strip": "Strips", "mirrors": "Mirrors",
+    "art": "Art", "paper": "The paper's own",
+}
+SCENES = ("room", "street")
+
+
+def built_in(balcony):
+    """The built-in cameras in the order of the headings."""
+    listed = json.loads(subprocess.run([balcony, "list", "cameras", "--json"], check=True,
+                                       capture_output=True, text=True).stdout)["cameras"]
+    families = list(HEADINGS)
+    return sorted(listed, key=lambda camera: (families.index(camera["family"]), camera["name"]))
+
+
+def extra_options(name, scene):
+    """The options of the rows NAME and NAME@SCENE of cameras/gallery.txt."""
+    options = []
+    for line in Path("cameras/gallery.txt").read_text(encoding="utf-8").splitlines():
+        row, _, rest = line.partition(" ")
+        if row in (name, f"{name}@{scene}"):
+            options.append(rest.strip())
+    return " ".join(options)
+
+
+def use_of(camera):
+    sentence = " ".join(camera["comment"].split())
+    return sentence[:sentence.find(". ") + 1] or sentence
+
+
+def section(camera):
+    name, file = camera["name"], Path("cameras") / camera["family"] / f"{camera['name']}.cam"
+    pictures = " ".join(f"![{name} in the {scene}](pictures/gallery/{name}-{scene}.jpg)"
+                        for scene in SCENES
+                        if Path(f"docs/pictures/gallery/{name}-{scene}.jpg").exists())
+    text = textwrap.fill(use_of(camera), width=100, break_long_words=False, break_on_hyphens=False)
+    return [f"### {name}", "", text, "", pictures, "",
+            f"<details><summary>{file.name}</summary>", "",
+            "```cam", file.read_text(encoding="utf-8").rstrip(), "```", "", "</details>", ""]
+
+
+def page(balcony):
+    lines, family = [INTRODUCTION], None
+    for camera in built_in(balcony):
+        if camera["family"] != family:
+            family = camera["family"]
+            lines += [f"## {HEADINGS[family]}", ""]
+        lines += section(camera)
+    return "\n".join(lines).rstrip() + "\n"
+
+
+def main():
+    words = sys.argv[1:]
+    if words[:1] == ["page"] and len(words) == 2:
+        sys.stdout.write(page(words[1]))
+    elif words[:1] == ["options"] and len(words) >= 3:
+        known = [camera["name"] for camera in built_in(words[1])]
+        unknown = [name for name in words[3:] if name not in known]
+        if unknown:
+            raise SystemExit(f"there is no built-in camera '{unknown[0]}'")
+        for name in words[3:] or known:
+            print(name, extra_options(name, words[2]))
+    else:
+        raise SystemExit(__doc__)
+
+
+if __name__ == "__main__":
+    main()
