@@ -99,7 +99,8 @@ TEST_P(BuiltIn, FitsAScene) {
             }
         }
     }
-    EXPECT_GE(valid, width * side / 3);
+    // The thinnest map, which is infinite, covers 0.317 of its picture.
+    EXPECT_GE(valid, 3 * width * side / 10);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, BuiltIn, testing::ValuesIn(lang::built_in_cameras()),
