@@ -79,12 +79,6 @@ struct StageValues {
     std::vector<Expr> values;
 };
 
-/// A value of an input of the graph.
-struct KnownInput {
-    std::string name;
-    double value = 0.0;
-};
-
 /// The output of stages: a graph and the conditions under which there is a ray.
 class Emitter {
 public:
@@ -137,6 +131,10 @@ public:
     [[nodiscard]] std::vector<double> trial(std::span<const Expr> expressions, double x,
                                             double y) const;
 
+    /// The size of the camera's own picture; none for a stage by itself.
+    [[nodiscard]] const std::optional<PictureSize>& picture_size() const { return picture_size_; }
+    void set_picture_size(const PictureSize& size) { picture_size_ = size; }
+
     /// Records what a stage computes.
     void record(StageValues values) { stages_.push_back(std::move(values)); }
     /// In the order in which the stages apply.
@@ -148,6 +146,7 @@ private:
     Diagnostics problems_;
     std::vector<Need> needs_;
     Trial trial_;
+    std::optional<PictureSize> picture_size_;
     std::vector<StageValues> stages_;
 };
 

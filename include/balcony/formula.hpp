@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -53,6 +54,12 @@ public:
 
 private:
     std::variant<double, Formula> value_;
+};
+
+/// A value of an input of the graph.
+struct KnownInput {
+    std::string name;
+    double value = 0.0;
 };
 
 }  // namespace balcony::camera

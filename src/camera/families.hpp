@@ -66,6 +66,7 @@ Result<std::shared_ptr<const Stage>> as_stage(Result<std::shared_ptr<const Port>
 [[nodiscard]] std::vector<StageEntry> closed_form_cameras();
 [[nodiscard]] std::vector<StageEntry> calibration_files();
 [[nodiscard]] std::vector<StageEntry> object_affine();
+[[nodiscard]] std::vector<StageEntry> camera_placements();
 [[nodiscard]] std::vector<StageEntry> parallel_surface();
 [[nodiscard]] std::vector<StageEntry> projection();
 [[nodiscard]] std::vector<StageEntry> normal_rule();
@@ -109,6 +110,7 @@ inline constexpr auto families = {
     distorted_cameras,
     closed_form_cameras,
     object_affine,
+    camera_placements,
     parallel_surface,
     projection,
     normal_rule,

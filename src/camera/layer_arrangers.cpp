@@ -151,8 +151,11 @@ PictureArrangerPointer fitting_of(const Picture& picture) {
     const Picture::Parts& parts = picture.parts();
     return parts.fit == Fit::stretch || !parts.aspect || picture.only_camera() != nullptr
                ? nullptr
-               : std::make_shared<const Fitting>(parts.fit, *parts.aspect,
-                                                 Region{{0.0, 0.0}, {1.0, 1.0}});
+               : fitting(parts.fit, *parts.aspect);
+}
+
+PictureArrangerPointer fitting(Fit fit, double aspect) {
+    return std::make_shared<const Fitting>(fit, aspect, Region{{0.0, 0.0}, {1.0, 1.0}});
 }
 
 LayerArrangers arrangers_of(const Picture::Parts& parts, std::size_t index) {

@@ -24,6 +24,9 @@ struct LayerArrangers {
 /// a single camera does, whose layer is fitted.
 [[nodiscard]] PictureArrangerPointer fitting_of(const Picture& picture);
 
+/// From a whole of any aspect to a picture of another one in its middle; not for Fit::stretch.
+[[nodiscard]] PictureArrangerPointer fitting(Fit fit, double aspect);
+
 /// The region of its own picture that a layer shows.
 [[nodiscard]] Region shown_region(const Layer& layer);
 

@@ -77,6 +77,7 @@ PathPoint Path::emit(const PicturePoint& picture, Emitter& emit,
     const Expr u = graph.fresh_variable();
     const Expr v = graph.fresh_variable();
     Emitter object_emit(graph);
+    object_emit.set_picture_size(picture.size);
     ObjectElement element{
         generator->generate({u, v}, object_emit), generator->normal({u, v}, object_emit), {u, v}};
     const bool has_own_normal = element.own_normal.has_value();

@@ -224,6 +224,26 @@ TablePointer cubic_table(std::span<const double> breaks, std::span<const double>
 
 }  // namespace
 
+PathPlace place_on(const ObjectGenerator& path, Expr parameter, Emitter& emit) {
+    Graph& graph = emit.graph();
+    const Expr free = graph.fresh_variable();
+    Emitter path_emit(graph);
+    const ObjectPoint p = path.generate({free, emit(0.0)}, path_emit);
+    std::vector<Expr> made{p.x, p.y, p.z};
+    for (const std::size_t first : {std::size_t{0}, std::size_t{3}}) {
+        const std::vector<Expr> slopes =
+            expr::differentiate(std::span(made).subspan(first, 3), free);
+        made.insert(made.end(), slopes.begin(), slopes.end());
+    }
+    made.push_back(path_emit.valid());
+    const std::array put{expr::Substitution{free, parameter}};
+    const std::vector<Expr> there = expr::substitute(graph, made, put);
+    emit.require(there[9]);
+    return {{there[0], there[1], there[2]},
+            {there[3], there[4], there[5]},
+            {there[6], there[7], there[8]}};
+}
+
 Result<PathFrame> rotation_minimising_frame(const ObjectGenerator& path, double from, double to,
                                             const Vector3& up) {
     const Result<CurveSampler> sampler =

@@ -11,6 +11,16 @@
 
 namespace balcony::camera {
 
+/// A point of a path with its derivatives by the path's parameter.
+struct PathPlace {
+    ObjectPoint point;
+    ObjectVector along;
+    ObjectVector along_by_parameter;  ///< The second derivative.
+};
+
+/// There is no ray where the path has no point.
+[[nodiscard]] PathPlace place_on(const ObjectGenerator& path, Expr parameter, Emitter& emit);
+
 /// The upward vectors of a frame that goes along a path without turning about the tangent, as
 /// tables over cells, and where a part of the way in the path's parameter, from 0 to 1, lies among
 /// these.

@@ -41,6 +41,18 @@ void Reporter::add(const Diagnostics& diagnostics) {
     }
 }
 
+void Reporter::add(Diagnostics found, const SourceSpan& named) {
+    for (Diagnostic& diagnostic : found) {
+        if (!diagnostic.span.source) {
+            diagnostic.span = named;
+        } else if (diagnostic.span.source != named.source || diagnostic.span.begin < named.begin ||
+                   diagnostic.span.end > named.end) {
+            diagnostic.notes.push_back({named, "used here"});
+        }
+        add(std::move(diagnostic));
+    }
+}
+
 void Reporter::add(const Reporter& other) {
     const std::size_t errors_before = errors_;
     add(other.diagnostics_);

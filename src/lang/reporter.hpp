@@ -15,6 +15,9 @@ public:
 
     void add(Diagnostic diagnostic);
     void add(const Diagnostics& diagnostics);
+    /// What is wrong with something that is named in a file: there, if it has no place, or with a
+    /// note there if it has a place elsewhere.
+    void add(Diagnostics found, const SourceSpan& named);
     /// All that another one has collected.
     void add(const Reporter& other);
     void error(SourceSpan span, std::string message, std::string remedy = {});

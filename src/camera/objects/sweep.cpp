@@ -19,26 +19,6 @@ struct Frame {
 
 ObjectVector unit(const ObjectVector& a) { return (1.0 / sqrt(dot(a, a))) * a; }
 
-/// A point of a path with its derivative with respect to the path's parameter.
-struct PathPlace {
-    ObjectPoint point;
-    ObjectVector along;
-};
-
-PathPlace place_on(const ObjectGenerator& path, Expr parameter, Emitter& emit) {
-    Graph& graph = emit.graph();
-    const Expr free = graph.fresh_variable();
-    Emitter path_emit(graph);
-    const ObjectPoint p = path.generate({free, emit(0.0)}, path_emit);
-    const std::array coordinates{p.x, p.y, p.z};
-    const std::vector<Expr> slopes = expr::differentiate(coordinates, free);
-    const std::array made{p.x, p.y, p.z, slopes[0], slopes[1], slopes[2], path_emit.valid()};
-    const std::array put{expr::Substitution{free, parameter}};
-    const std::vector<Expr> there = expr::substitute(graph, made, put);
-    emit.require(there[6]);
-    return {{there[0], there[1], there[2]}, {there[3], there[4], there[5]}};
-}
-
 /// The points path(u) + right x + up y + tangent z with the profile's (x, y, z) at v, scaled and
 /// rotated according to the position along the path.
 class Sweep final : public ObjectGenerator {

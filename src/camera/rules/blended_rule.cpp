@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "camera/families.hpp"
+#include "camera/rules/great_circle.hpp"
 #include "camera/stage_parameters.hpp"
 
 namespace balcony::camera {
@@ -54,26 +55,29 @@ class LinearlyBlendedRule final : public BlendedRule {
     }
 };
 
-/// On the great circle from a to b, at an angle proportional to the weight. Opposite directions
-/// have no unique great circle.
 class SphericallyBlendedRule final : public BlendedRule {
     using BlendedRule::BlendedRule;
     ObjectVector between(const ObjectVector& a, const ObjectVector& b, Expr weight,
                          Emitter& emit) const override {
-        const Expr cosine = dot(a, b);
-        const ObjectVector across = b + -(cosine * a);
-        const Expr squared_sine = dot(across, across);
-        constexpr double rounding = 1e-24;
-        emit.require(0.0 < cosine || rounding < squared_sine);
-        // If a equals b, both the sine and the angle are nearly 0.
-        constexpr double tiny = 1e-300;
-        const Expr sine = sqrt(max(squared_sine, emit(tiny)));
-        const Expr angle = weight * atan2(sine, cosine);
-        return cos(angle) * a + sin(angle) / sine * across;
+        return on_great_circle(a, b, weight, emit);
     }
 };
 
 }  // namespace
+
+ObjectVector on_great_circle(const ObjectVector& a, const ObjectVector& b, Expr weight,
+                             Emitter& emit) {
+    const Expr cosine = dot(a, b);
+    const ObjectVector across = b + -(cosine * a);
+    const Expr squared_sine = dot(across, across);
+    constexpr double rounding = 1e-24;
+    emit.require(0.0 < cosine || rounding < squared_sine);
+    // If a equals b, both the sine and the angle are nearly 0.
+    constexpr double tiny = 1e-300;
+    const Expr sine = sqrt(max(squared_sine, emit(tiny)));
+    const Expr angle = weight * atan2(sine, cosine);
+    return cos(angle) * a + sin(angle) / sine * across;
+}
 
 std::vector<StageEntry> blended_rule() {
     const auto rule = [](std::string_view name, std::string_view meaning) {

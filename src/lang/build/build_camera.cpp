@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "lang/build/build_morph.hpp"
 #include "lang/build/stages.hpp"
 #include "lang/build/statements.hpp"
 #include "lang/names/definition_scope.hpp"
@@ -20,8 +21,10 @@ namespace {
 class CameraBuilder {
 public:
     CameraBuilder(const LocatedDefinition& place, Scope& scope, Session& session)
-        : tree_(place.module->tree),
+        : place_(place),
+          tree_(place.module->tree),
           camera_(*place.camera),
+          scope_(scope),
           session_(session),
           reporter_(session.reporter()),
           stages_(*place.module, scope, session),
@@ -41,13 +44,17 @@ public:
             list<camera::ParameterTransformer>(statements_, StatementKind::warp);
         shared_.object_transformers =
             list<camera::ObjectTransformer>(statements_, StatementKind::move);
-        paths(parts);
-        own_picture(parts);
-        look(parts);
+        if (is_morph()) {
+            morph(parts);
+        } else {
+            paths(parts);
+            own_picture(parts);
+            look(parts);
+        }
         stereo(parts);
         lens(parts);
         time(parts);
-        parts.written = stages_.written();
+        parts.written.insert(stages_.written().begin(), stages_.written().end());
         // A null result without a diagnostic here has been reported at its source.
         return reporter_.error_count() == errors_before && complete(parts)
                    ? finish(std::move(parts))
@@ -102,11 +109,63 @@ private:
                    all(path.object_transformers);
         };
         const bool has_toward = !statements_.lacks(StatementKind::toward);
-        return parts.look && whole(parts.eye) && all(parts.arrangers) &&
-               has_toward == parts.toward.has_value() && (!parts.toward || whole(*parts.toward)) &&
-               statements_.lacks(StatementKind::stereo) == (parts.stereo == nullptr) &&
-               statements_.lacks(StatementKind::lens) == (parts.lens == nullptr) &&
-               statements_.lacks(StatementKind::time) == !parts.time;
+        const bool as_stated = has_toward == parts.toward.has_value() || is_morph();
+        return parts.look && whole(parts.eye) && all(parts.arrangers) && as_stated &&
+               (!parts.toward || whole(*parts.toward)) &&
+               (statements_.lacks(StatementKind::stereo) || parts.stereo) &&
+               (statements_.lacks(StatementKind::lens) || parts.lens) &&
+               (statements_.lacks(StatementKind::time) || parts.time);
+    }
+
+    // ----------------------------------------------------------------------------------- morph
+
+    // Also if the statement is broken.
+    [[nodiscard]] bool is_morph() const {
+        return std::any_of(camera_.statements.begin(), camera_.statements.end(),
+                           [](const Statement& one) { return one.kind == StatementKind::morph; });
+    }
+
+    // The camera's moves, arrangers, lens and time apply to the camera that the morph makes.
+    void morph(camera::Camera::Parts& parts) {
+        for (const StatementKind kind :
+             {StatementKind::map, StatementKind::eye, StatementKind::toward, StatementKind::warp,
+              StatementKind::look}) {
+            if (const Statement* other = statements_.find(kind)) {
+                error(other->keyword,
+                      fmt::format("a camera that morphs has no '{}' of its own", keyword(kind)),
+                      "write it in one of the cameras of the morph");
+            }
+        }
+        const Statement* statement = statements_.find(StatementKind::morph);
+        if (statement == nullptr) {
+            return;
+        }
+        MorphSettings settings;
+        if (statements_.find(StatementKind::aspect) != nullptr) {
+            settings.aspect = parts.aspect;
+        }
+        if (statements_.find(StatementKind::axes) != nullptr) {
+            settings.axes = parts.axes;
+        }
+        auto made = build_morph(place_, *statement, settings, scope_, stages_, session_);
+        if (!made) {
+            return;
+        }
+        made->name = parts.name;
+        made->inputs = parts.inputs;
+        made->arrangers.insert(made->arrangers.begin(), parts.arrangers.begin(),
+                               parts.arrangers.end());
+        add_moves(made->eye);
+        if (made->toward) {
+            add_moves(*made->toward);
+        }
+        parts = std::move(*made);
+    }
+
+    void add_moves(camera::Path& path) {
+        path.object_transformers.insert(path.object_transformers.end(),
+                                        shared_.object_transformers.begin(),
+                                        shared_.object_transformers.end());
     }
 
     // ------------------------------------------------------------------------------------- map
@@ -404,8 +463,10 @@ private:
         return made.value;
     }
 
+    const LocatedDefinition place_;
     const SyntaxTree& tree_;
     const DefinitionSyntax& camera_;
+    Scope& scope_;
     Session& session_;
     Reporter& reporter_;
     StageBuilder stages_;

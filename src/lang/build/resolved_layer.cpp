@@ -54,11 +54,11 @@ std::optional<LocatedDefinition> find(const LocatedDefinition& picture, const Id
 }
 
 bool read_parameters(const SyntaxTree& tree, const Expression& call, Scope& names, Session& session,
-                     GivenParameters& given) {
+                     std::string_view what, GivenParameters& given) {
     Reporter& reporter = session.reporter();
     if (call.kind == ExpressionKind::formula) {
         reporter.error(tree.at(call.span),
-                       "a layer needs the name of a camera or a picture, but this is a formula",
+                       fmt::format("{} needs a name, but this is a formula", what),
                        "define a camera that uses the formula, and name that camera");
         return false;
     }
@@ -66,7 +66,7 @@ bool read_parameters(const SyntaxTree& tree, const Expression& call, Scope& name
     for (const Argument& argument : call.arguments) {
         const SourceSpan span = tree.at(tree[argument.value].span);
         if (!argument.name) {
-            reporter.error(span, "parameters of a layer must be named",
+            reporter.error(span, fmt::format("parameters of {} must be named", what),
                            fmt::format("write {}(name = {})", call.name.text,
                                        tree.text(tree[argument.value].span)));
             good = false;
@@ -82,13 +82,14 @@ bool read_parameters(const SyntaxTree& tree, const Expression& call, Scope& name
 }  // namespace
 
 std::optional<ResolvedLayer> resolve_layer(const LocatedDefinition& picture, const Expression& call,
-                                           Scope& names, Session& session) {
+                                           Scope& names, Session& session, std::string_view what) {
     const std::optional<LocatedDefinition> place = find(picture, call.name, session);
     if (!place) {
         return std::nullopt;
     }
     ResolvedLayer content{*place, {}};
-    const bool good = read_parameters(picture.module->tree, call, names, session, content.given);
+    const bool good =
+        read_parameters(picture.module->tree, call, names, session, what, content.given);
     return good ? std::optional(std::move(content)) : std::nullopt;
 }
 

@@ -18,6 +18,7 @@ struct ResolvedLayer {
 /// which is reported.
 [[nodiscard]] std::optional<ResolvedLayer> resolve_layer(const LocatedDefinition& picture,
                                                          const Expression& call, Scope& names,
-                                                         Session& session);
+                                                         Session& session,
+                                                         std::string_view what = "a layer");
 
 }  // namespace balcony::lang

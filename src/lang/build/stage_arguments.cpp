@@ -169,18 +169,6 @@ std::optional<Arguments> StageBuilder::bind(const StageEntry& row, const std::ve
     return std::move(bound.arguments);
 }
 
-void StageBuilder::report(Diagnostics found, Span named) {
-    for (Diagnostic& diagnostic : found) {
-        if (!diagnostic.span.source) {
-            diagnostic.span = tree_.at(named);
-        } else if (diagnostic.span.source != tree_.source || diagnostic.span.begin < named.begin ||
-                   diagnostic.span.end > named.end) {
-            diagnostic.notes.push_back({tree_.at(named), "used here"});
-        }
-        reporter_.add(std::move(diagnostic));
-    }
-}
-
 // -------------------------------------------------------------- parameters of the arguments
 
 // plane(1, 0, 0) instead of plane((1, 0, 0)): one message instead of three.

@@ -67,13 +67,8 @@ StageBuilder::Located StageBuilder::file(ExpressionId given, Read read) {
 StageBuilder::Located StageBuilder::table(const camera::PointsParameter& type, ExpressionId given) {
     const Expression& node = tree_[given];
     Located made{Failed{}, {tree_.at(node.span)}};
-    const auto found = file(node);
-    if (!found) {
-        return made;
-    }
-    const Result<data::NumberTable>& read = session_.files().table(*found);
-    report(read.diagnostics, node.span);
-    if (!read) {
+    const data::NumberTable* read = session_.table(tree_, node.name);
+    if (read == nullptr) {
         return made;
     }
     const bool numbers = type.coordinates == std::vector<std::size_t>{1};

@@ -84,7 +84,7 @@ std::optional<camera::Formula> StageBuilder::formula_of_picture(ExpressionId id,
         return std::nullopt;
     }
     if (value.is_angle()) {
-        error(tree_[id].span, fmt::format("{} is a number of seconds, but this is an angle", what),
+        error(tree_[id].span, fmt::format("{} is a number, but this is an angle", what),
               "remove deg or rad, or divide the angle by 1rad");
         return std::nullopt;
     }

@@ -217,8 +217,7 @@ bool StageBuilder::is_number(camera::StageKind kind, const Expression& node) {
         case ExpressionKind::name: return scope_.find(node.name.text) != nullptr;
         case ExpressionKind::call:
             return session_.catalogue().find(kind, node.name.text) == nullptr &&
-                   (find_function(node.name.text) != nullptr ||
-                    scope_.find(node.name.text) != nullptr);
+                   (is_function(node.name.text) || scope_.find(node.name.text) != nullptr);
         default: return false;
     }
 }

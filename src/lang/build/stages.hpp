@@ -161,7 +161,7 @@ private:
     }
     /// Reports findings without a place at the name in the camera file; those in other files get a
     /// note with the place of use.
-    void report(Diagnostics found, Span named);
+    void report(Diagnostics found, Span named) { reporter_.add(std::move(found), tree_.at(named)); }
 
     const Module& module_;
     Session& session_;

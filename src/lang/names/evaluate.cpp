@@ -12,6 +12,7 @@
 
 #include "balcony/catalogue.hpp"
 #include "lang/names/function_calls.hpp"
+#include "lang/names/key_calls.hpp"
 
 namespace balcony::lang {
 
@@ -91,7 +92,7 @@ private:
 
     [[nodiscard]] bool has_parts_of_its_own(const Expression& node) const {
         return node.kind == ExpressionKind::element || calls_let(node, scope_) ||
-               calls_count(node, scope_);
+               calls_count(node, scope_) || calls_keys(node, scope_);
     }
 
     bool all_belong_to_an_expression(const std::vector<std::size_t>& order) {
@@ -157,6 +158,7 @@ private:
         const Callee callee = find_callee(node.name.text, scope_);
         return callee.offered != nullptr ? called(node, *callee.offered)
                : callee.let != nullptr   ? suitable(node, called(node, *callee.let), is_root)
+               : callee.keys ? suitable(node, evaluate_keys(tree_, node, scope_, context_), is_root)
                : callee.built_in->takes_compound() ? counted(node)
                                                    : applied(node, *callee.built_in);
     }
@@ -196,8 +198,7 @@ private:
                   std::string(why));
             return {};
         }
-        if (scope_.find_function(node.name.text) != nullptr ||
-            find_function(node.name.text) != nullptr) {
+        if (scope_.find_function(node.name.text) != nullptr || is_function(node.name.text)) {
             error(node.span, fmt::format("'{}' is a function", node.name.text),
                   fmt::format("add its arguments: {}( ... )", node.name.text));
             return {};
@@ -472,7 +473,7 @@ std::optional<Value> evaluate_compound(const SyntaxTree& tree, ExpressionId id, 
         node.kind == ExpressionKind::tuple || node.kind == ExpressionKind::list ||
         node.kind == ExpressionKind::element ||
         (node.kind == ExpressionKind::name && definition != nullptr && !definition->function) ||
-        calls_let(node, scope);
+        calls_let(node, scope) || calls_keys(node, scope);
     if (!may_be_compound) {
         return std::nullopt;
     }

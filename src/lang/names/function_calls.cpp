@@ -69,6 +69,7 @@ Callee find_callee(std::string_view name, Scope& scope) {
     }
     if (found.offered == nullptr && found.let == nullptr) {
         found.built_in = find_function(name);
+        found.keys = name == keys_function;
     }
     return found;
 }
@@ -85,10 +86,17 @@ bool calls_count(const Expression& node, Scope& scope) {
     return callee.built_in != nullptr && callee.built_in->takes_compound();
 }
 
+bool calls_keys(const Expression& node, Scope& scope) {
+    return node.kind == ExpressionKind::call && find_callee(node.name.text, scope).keys;
+}
+
 bool check_call(const SyntaxTree& tree, const Expression& call, Scope& scope,
                 const Context& context) {
     const std::string_view name = call.name.text;
-    const auto [offered, let, built_in] = find_callee(name, scope);
+    const auto [offered, let, built_in, keys] = find_callee(name, scope);
+    if (keys) {
+        return true;
+    }
     if (offered == nullptr && let == nullptr && built_in == nullptr) {
         report_unknown(tree, call.name, scope, context);
         return false;

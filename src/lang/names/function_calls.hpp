@@ -13,6 +13,7 @@ struct Callee {
     const camera::FormulaFunction* offered = nullptr;  ///< Of the stage around a formula.
     Definition* let = nullptr;                         ///< A function that a file defines.
     const Function* built_in = nullptr;
+    bool keys = false;  ///< The function of keyframes.
 };
 
 /// Finds the function of a name. A function of a file hides a built-in one. All members are null if
@@ -23,6 +24,9 @@ struct Callee {
 [[nodiscard]] bool calls_let(const Expression& node, Scope& scope);
 /// Whether a node calls count.
 [[nodiscard]] bool calls_count(const Expression& node, Scope& scope);
+
+/// Whether a node calls the function of keyframes.
+[[nodiscard]] bool calls_keys(const Expression& node, Scope& scope);
 
 /// Checks that the function of a call exists and takes its arguments. Returns false after an error,
 /// which is reported.

@@ -119,6 +119,14 @@ void report_duplicate(const Identifier& name, SourceSpan place, const SourceSpan
     reporter.add(std::move(diagnostic));
 }
 
+void report_given_twice(const Identifier& name, SourceSpan place, const SourceSpan& earlier,
+                        Reporter& reporter) {
+    Diagnostic diagnostic =
+        error(fmt::format("'{}' is given twice", name.text), std::move(place), "remove one");
+    diagnostic.notes.push_back({earlier, "first given here"});
+    reporter.add(std::move(diagnostic));
+}
+
 namespace {
 
 // Depth-first search over the lets, without recursion: a let is evaluated after those it uses.

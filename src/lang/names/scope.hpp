@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "balcony/catalogue.hpp"
+#include "balcony/data.hpp"
 #include "lang/names/value.hpp"
 #include "lang/reporter.hpp"
 #include "lang/syntax/syntax.hpp"
@@ -21,12 +22,25 @@ struct CallWork {
     bool exceeds_limit = false;  ///< It has been reported.
 };
 
+/// The tables that expressions name in quotation marks.
+class Tables {
+public:
+    Tables() = default;
+    Tables(const Tables&) = delete;
+    Tables& operator=(const Tables&) = delete;
+    virtual ~Tables() = default;
+    /// The table of a file that a camera file names; null after an error, which is reported.
+    [[nodiscard]] virtual const data::NumberTable* table(const SyntaxTree& tree,
+                                                         const Identifier& file) = 0;
+};
+
 /// What values are worked out with.
 struct Context {
     expr::Graph& graph;
     Reporter& reporter;
     const camera::Catalogue& catalogue;
     CallWork& calls;
+    Tables& tables;
 };
 
 class Scope;
@@ -96,6 +110,10 @@ private:
 /// Reports that a name is defined twice, with both positions.
 void report_duplicate(const Identifier& name, SourceSpan place, const SourceSpan& earlier,
                       Reporter& reporter);
+
+/// Reports an argument that has been given before.
+void report_given_twice(const Identifier& name, SourceSpan place, const SourceSpan& earlier,
+                        Reporter& reporter);
 
 /// Evaluates the lets of a scope in dependency order and defines them. Cyclic lets are
 /// reported.

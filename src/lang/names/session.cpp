@@ -66,7 +66,7 @@ const BuiltInCamera* find_built_in_camera(std::string_view name) {
 Session::Session(Files& files, std::optional<SceneMeasures> scene)
     : files_(files),
       graph_(std::make_shared<expr::Graph>()),
-      context_{*graph_, reporter_, files.catalogue(), calls_},
+      context_{*graph_, reporter_, files.catalogue(), calls_, *this},
       scene_(std::move(scene)),
       constants_(constants(*graph_)) {
     announce_scene_names(*constants_);
@@ -83,6 +83,27 @@ void Session::note_fitted(std::string_view camera, std::string_view parameter, c
 const SyntaxTree& Session::keep(SyntaxTree tree) {
     overrides_.push_back(std::make_unique<SyntaxTree>(std::move(tree)));
     return *overrides_.back();
+}
+
+std::optional<fs::path> Session::folder_of(const SyntaxTree& tree) const {
+    for (const auto& [key, module] : modules_) {
+        if (&module->tree == &tree) {
+            return module->built_in ? std::nullopt : std::optional(module->folder);
+        }
+    }
+    return fs::path();
+}
+
+const data::NumberTable* Session::table(const SyntaxTree& tree, const Identifier& file) {
+    const SourceSpan named = tree.at(file.span);
+    const Result<data::File>& found = files_.find(file.text, folder_of(tree));
+    reporter_.add(found.diagnostics, named);
+    if (!found) {
+        return nullptr;
+    }
+    const Result<data::NumberTable>& read = files_.table(*found);
+    reporter_.add(read.diagnostics, named);
+    return read ? &*read : nullptr;
 }
 
 // For a tuple or a list: a mark that is not a number, its length and its elements.

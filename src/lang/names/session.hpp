@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -42,7 +43,7 @@ struct LocatedDefinition {
     const DefinitionSyntax* camera = nullptr;
 };
 
-class Session {
+class Session final : public Tables {
 public:
     /// The files must outlive it. With a scene, cameras are fitted to it.
     explicit Session(Files& files, std::optional<SceneMeasures> scene = {});
@@ -53,6 +54,9 @@ public:
     [[nodiscard]] const Context& context() const { return context_; }
     [[nodiscard]] const camera::Catalogue& catalogue() const { return files_.catalogue(); }
     [[nodiscard]] Files& files() { return files_; }
+    /// Where the files are that a camera file or a text of the command line names; nothing for a
+    /// built-in camera.
+    [[nodiscard]] std::optional<std::filesystem::path> folder_of(const SyntaxTree& tree) const;
 
     /// The scene that cameras are fitted to.
     [[nodiscard]] const std::optional<SceneMeasures>& scene() const { return scene_; }
@@ -76,6 +80,11 @@ public:
 
     /// Further inputs of the formulas: parameters that stay open.
     [[nodiscard]] std::vector<camera::KnownInput>& inputs() { return inputs_; }
+
+    const data::NumberTable* table(const SyntaxTree& tree, const Identifier& file) override;
+
+    /// The cameras whose morphs are under construction, from the outermost.
+    [[nodiscard]] std::vector<const DefinitionSyntax*>& morphs() { return morphs_; }
 
     /// Keeps the tree of an override alive, since other values refer to its text.
     const SyntaxTree& keep(SyntaxTree tree);
@@ -109,6 +118,7 @@ private:
     std::vector<Opened> opened_;  // The current chain of imports.
     std::vector<std::unique_ptr<SyntaxTree>> overrides_;
     std::vector<camera::KnownInput> inputs_;
+    std::vector<const DefinitionSyntax*> morphs_;
     // By their syntax and their parameters' values: nodes with units, forms with lengths.
     using ParameterKey = std::vector<std::pair<std::size_t, std::variant<Dimension, Value::Form>>>;
     static void add_to_key(const Value& value, ParameterKey& key);

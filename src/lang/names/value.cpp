@@ -172,7 +172,12 @@ std::vector<std::string> function_names() {
     for (const Function& function : functions()) {
         names.emplace_back(function.name);
     }
+    names.emplace_back(keys_function);
     return names;
+}
+
+bool is_function(std::string_view name) {
+    return name == keys_function || find_function(name) != nullptr;
 }
 
 }  // namespace balcony::lang

@@ -68,6 +68,10 @@ struct Function {
 [[nodiscard]] const Function* find_function(std::string_view name);
 /// The operator with a symbol and number of operands: those of the graph, and ^, >, >= and !=.
 [[nodiscard]] const Function* find_operator(std::string_view symbol, std::size_t arity);
+/// The function of keyframes, which key_calls.hpp evaluates: keys((0, 1), (2, 5), ease = smooth).
+inline constexpr std::string_view keys_function = "keys";
+/// Whether a name is that of a function that every file knows, and all these names.
+[[nodiscard]] bool is_function(std::string_view name);
 [[nodiscard]] std::vector<std::string> function_names();
 
 /// The unit of a result, or the error of operands with incompatible units.

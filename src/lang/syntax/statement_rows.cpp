@@ -53,6 +53,15 @@ constexpr std::array rows = {
                  .phase = 5,
                  .stage_kind = StageKind::object_generator,
                  .expected = "an object, such as sphere(1)"},
+    StatementRow{.kind = StatementKind::morph,
+                 .keyword = "morph",
+                 .blocks = in_camera,
+                 .shape = Shape::morph,
+                 .phase = 3,
+                 .expected = "the name of a camera, such as pinhole",
+                 .meaning =
+                     "a camera between two others: between their parameters if they are calls "
+                     "of one camera, otherwise between their rays"},
     StatementRow{.kind = StatementKind::object,
                  .keyword = "object",
                  .blocks = in_path,

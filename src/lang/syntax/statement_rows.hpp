@@ -44,6 +44,7 @@ enum class Shape : std::uint8_t {
     layer,        ///< The name of a camera or a picture, with or without a block.
     loop,         ///< name in first .. last, or name in list, and a block.
     assignments,  ///< name = value, (name, name) = value
+    morph,        ///< Two cameras and named arguments: A .. B, amount = 1/2.
     call,         ///< The keyword itself is what is called: frame(0.01).
 };
 

@@ -63,6 +63,7 @@ enum class StatementKind : std::uint8_t {
     map,
     eye,
     toward,
+    morph,
     object,
     warp,
     move,

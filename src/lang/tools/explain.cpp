@@ -212,10 +212,15 @@ public:
         Explanation made = heading(place, scope, summary_of(camera));
         add_steps({place.module->tree, session_.catalogue()}, place.camera->statements, 0,
                   made.steps);
-        const bool has_look =
-            std::any_of(made.steps.begin(), made.steps.end(),
-                        [](const Explanation::Step& step) { return step.statement == "look"; });
-        if (!has_look) {
+        const auto has = [&](std::string_view statement) {
+            return std::any_of(
+                made.steps.begin(), made.steps.end(),
+                [statement](const Explanation::Step& step) { return step.statement == statement; });
+        };
+        if (has("morph")) {
+            made.summary = "Rays are those of a camera between two others.";
+            add_morphed(place, scope.names(), made.steps);
+        } else if (!has("look")) {
             const std::string_view rule = camera.parts().toward ? "relative" : "normal";
             const auto* row = session_.catalogue().find(StageKind::direction_rule, rule);
             made.steps.push_back({"look", std::string(rule), {meaning(*row)}, 0});
@@ -257,6 +262,34 @@ private:
                 {std::string(place.camera->parameters[i].name.text), value_text(values[i])});
         }
         return made;
+    }
+
+    // The statements of both cameras, behind that of the morph.
+    void add_morphed(const LocatedDefinition& place, Scope& names,
+                     std::vector<Explanation::Step>& steps) {
+        const auto morph =
+            std::find_if(place.camera->statements.begin(), place.camera->statements.end(),
+                         [](const Statement& one) { return one.kind == StatementKind::morph; });
+        const SyntaxTree& tree = place.module->tree;
+        const std::vector<Argument>& arguments = tree[morph->stages().front()].arguments;
+        std::vector<Explanation::Step> both;
+        for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+            const Expression& call = tree[arguments[i].value];
+            const auto found = resolve_layer(place, call, names, session_);
+            if (!found) {
+                continue;
+            }
+            both.push_back({i == 0 ? "from" : "to",
+                            one_line(tree, call.span),
+                            {fmt::format("the camera where the amount is {}", i)},
+                            1});
+            add_steps({found->place.module->tree, session_.catalogue()},
+                      found->place.camera->statements, 2, both);
+        }
+        const auto at = std::find_if(steps.begin(), steps.end(), [](const Explanation::Step& step) {
+            return step.statement == "morph";
+        });
+        steps.insert(at + 1, both.begin(), both.end());
     }
 
     // The index of a layer's camera or picture, which is explained at its first occurrence.

@@ -199,7 +199,7 @@ private:
         piece.on_new_line = !first && line_breaks_since(token.span.begin) > 0;
         piece.opens = is_any(token, {"(", "["});
         piece.closes = is_any(token, {")", "]"});
-        piece.sum = role == Role::loose && !is_any(token, {"=", ".."});
+        piece.sum = role == Role::loose && !token.is("=");
         lines_.back().pieces.push_back(piece);
         // Some statements are written as a call; others have their content after a space.
         const bool call = is_call(find_statement(token, Block::picture)) ||
