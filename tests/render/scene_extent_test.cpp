@@ -119,7 +119,7 @@ TEST(SceneExtent, KnowsObjectsByName) {
     scene::Scene scene = empty(Axes::z_up);
     add(scene, lathe(0.0, 0.0, {{1.0, 0.0}, {1.0, 1.0}}, 32), white());
     const std::uint32_t far = add(scene, lathe(9.0, 0.0, {{2.0, 0.0}, {2.0, 3.0}}, 32), white());
-    scene.objects[far].name = "far one";
+    scene.objects[far - 1].name = "far one";
     const Result<SceneExtent> extent = measure_scene(scene, "far one");
     ASSERT_TRUE(extent);
     EXPECT_NEAR(extent->bounds.min.x, 7.0, 1e-6);
