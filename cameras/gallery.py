@@ -51,14 +51,19 @@ def built_in(balcony):
     return sorted(listed, key=lambda camera: (families.index(camera["family"]), camera["name"]))
 
 
-def extra_options(name, scene):
-    """The options of the rows NAME and NAME@SCENE of cameras/gallery.txt."""
-    options = []
+def extra_options(name, family, scene):
+    """The options of the rows NAME and NAME@SCENE of cameras/gallery.txt; maps are small."""
+    options = ["--scale 14% --samples 16"] if family == "maps" else []
     for line in Path("cameras/gallery.txt").read_text(encoding="utf-8").splitlines():
         row, _, rest = line.partition(" ")
         if row in (name, f"{name}@{scene}"):
             options.append(rest.strip())
     return " ".join(options)
+
+
+def scenes_of(family):
+    """Where a picture shows a camera: of the many maps, one each is enough."""
+    return SCENES[:1] if family == "maps" else SCENES
 
 
 def use_of(camera):
@@ -68,9 +73,8 @@ def use_of(camera):
 
 def section(camera):
     name, file = camera["name"], Path("cameras") / camera["family"] / f"{camera['name']}.cam"
-    pictures = " ".join(f"![{name} in the {scene}](pictures/gallery/{name}-{scene}.jpg)"
-                        for scene in SCENES
-                        if Path(f"docs/pictures/gallery/{name}-{scene}.jpg").exists())
+    pictures = " ".join(f"![{name} in the {scene}](pictures/gallery/{name}-{scene}.webp)"
+                        for scene in scenes_of(camera["family"]))
     text = textwrap.fill(use_of(camera), width=100, break_long_words=False, break_on_hyphens=False)
     return [f"### {name}", "", text, "", pictures, "",
             f"<details><summary>{file.name}</summary>", "",
@@ -96,8 +100,10 @@ def main():
         unknown = [name for name in words[3:] if name not in known]
         if unknown:
             raise SystemExit(f"there is no built-in camera '{unknown[0]}'")
+        families = {camera["name"]: camera["family"] for camera in built_in(words[1])}
         for name in words[3:] or known:
-            print(name, extra_options(name, words[2]))
+            if words[2] in scenes_of(families[name]):
+                print(name, extra_options(name, families[name], words[2]))
     else:
         raise SystemExit(__doc__)
 

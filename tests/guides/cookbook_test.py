@@ -17,7 +17,8 @@ PICTURES = guide.REPOSITORY / "docs" / "pictures" / "cookbook"
 def in_small(line):
     """A command line whose last options make it quick."""
     size = "--size 96" if "--size" in line else "--scale 10%"
-    return f"{line} {size} --samples 2"
+    frames = " --frames 1-2" if "--frames" in line else ""
+    return f"{line} {size} --samples 2{frames}"
 
 
 class Cookbook(guide.GuideTest):
@@ -31,15 +32,17 @@ class Cookbook(guide.GuideTest):
 
     def test_commands_write_the_pictures_of_the_page(self):
         shown = re.findall(r"\(pictures/cookbook/(.*?)\)", guide.page_text(self.PAGE))
-        self.assertEqual(len(shown), len(self.outputs))
-        for name, line in zip(shown, self.outputs, strict=True):
-            self.assertTrue(line.endswith(f"-o {name}"), line)
+        written = [line.rsplit(" -o ")[-1] for line in self.outputs]
+        self.assertEqual([name for name in written if name.endswith(".jpg")], shown)
+        for name in written:
             self.assertTrue((self.folder / name).exists(), name)
+        for name in shown:
             self.assertLess((PICTURES / name).stat().st_size, 100_000, name)
 
     def test_cameras_are_fitted(self):
         for line, said in self.outputs.items():
-            self.assertIn("fitted: ", said, line)
+            if "--quiet" not in line:
+                self.assertIn("fitted: ", said, line)
 
 
 if __name__ == "__main__":
