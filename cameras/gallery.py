@@ -53,7 +53,7 @@ def built_in(balcony):
 
 def extra_options(name, family, scene):
     """The options of the rows NAME and NAME@SCENE of cameras/gallery.txt; maps are small."""
-    options = ["--scale 14% --samples 16"] if family == "maps" else []
+    options = ["--scale 14%"] if family == "maps" else []
     for line in Path("cameras/gallery.txt").read_text(encoding="utf-8").splitlines():
         row, _, rest = line.partition(" ")
         if row in (name, f"{name}@{scene}"):
