@@ -115,6 +115,16 @@ TEST(SceneExtent, StandsInNothingSolid) {
     EXPECT_NEAR(p.z, 1.6, 1e-3);
 }
 
+TEST(SceneExtent, OfAFlatSceneHasNoSideOfLengthZero) {
+    scene::Scene scene = empty(Axes::z_up);
+    add(scene, parallelogram({0.0F, 0.0F, 5.0F}, {8.0F, 0.0F, 0.0F}, {0.0F, 6.0F, 0.0F}), white());
+    const Result<SceneExtent> extent = measure_scene(scene);
+    ASSERT_TRUE(extent);
+    EXPECT_NEAR(extent->radius, 5.0, 1e-6);
+    EXPECT_NEAR(extent->bounds.size().z, 5.0 / 50.0, 1e-6);
+    EXPECT_EQ(extent->bounds.size().x, 8.0);
+}
+
 TEST(SceneExtent, KnowsObjectsByName) {
     scene::Scene scene = empty(Axes::z_up);
     add(scene, lathe(0.0, 0.0, {{1.0, 0.0}, {1.0, 1.0}}, 32), white());

@@ -45,6 +45,19 @@ void for_each_edge(const scene::Scene& scene, std::optional<std::uint32_t> objec
     }
 }
 
+// Cameras whose lengths are sides of the box need sides above 0, also of a flat scene.
+Box thickened(const Box& box, double radius) {
+    constexpr double least = 0.01;  // Half a side, as a part of the radius.
+    const V3d center = 0.5 * (box.min + box.max);
+    Box made = box;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double half = least * (radius > 0.0 ? radius : 1.0);
+        made.min[axis] = std::min(box.min[axis], center[axis] - half);
+        made.max[axis] = std::max(box.max[axis], center[axis] + half);
+    }
+    return made;
+}
+
 Box turned_box(const Box& box, Axes axes) {
     Box made;
     made.extendBy(turned(box.min, axes, Axes::z_up));
@@ -219,7 +232,6 @@ Result<SceneExtent> measure_scene(const scene::Scene& scene, const std::string& 
     }
     const V3d center = 0.5 * (box.min + box.max);
     SceneExtent extent;
-    extent.bounds = box;
     Profile profile(box);
     for_each_edge(scene, *wanted, [&](V3d a, V3d b) {
         // The surroundings of the main objects are not part of the profile.
@@ -228,6 +240,7 @@ Result<SceneExtent> measure_scene(const scene::Scene& scene, const std::string& 
             extent.radius = std::max(extent.radius, std::hypot(a.x - center.x, a.y - center.y));
         }
     });
+    extent.bounds = thickened(box, extent.radius);
     extent.profile = profile.points(1e-3 * std::max(extent.radius, 1e-9));
     extent.inside = Inside(scene, Viewer(scene, *accelerator), box).find();
     return extent;
