@@ -82,8 +82,8 @@ struct Miss {
 
 /// Where a scene or an object is and where one stands well in it, in axes with z up.
 struct SceneExtent {
-    /// Of all but its surroundings: a ground or a sky much larger than all other objects together. No
-    /// side is shorter than a fiftieth of the radius.
+    /// Of all but its surroundings: a ground or a sky much larger than all other objects together.
+    /// No side is shorter than a fiftieth of the radius.
     Imath::Box3d bounds;
     /// At eye level, 1.6 metres, above what is below, but not above the middle of a low scene; in
     /// the open, where much is seen and nothing is near.

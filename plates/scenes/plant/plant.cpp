@@ -24,7 +24,6 @@ using scene::Color3f;
 using scene::Material;
 using scene::MaterialIndex;
 
-constexpr double degrees = std::numbers::pi / 180.0;
 constexpr double soil_height = 1.62;
 constexpr int leaf_count = 46;
 
