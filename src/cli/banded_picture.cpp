@@ -164,12 +164,6 @@ private:
     Clock::time_point saved_ = Clock::now();
 };
 
-RenderReport fail(RenderReport outcome, ExitCode code, const Diagnostics& diagnostics) {
-    add(outcome, diagnostics);
-    outcome.code = code;
-    return outcome;
-}
-
 }  // namespace
 
 RenderReport make_banded_picture(RenderReport outcome, const RenderOptions& options,
@@ -178,7 +172,7 @@ RenderReport make_banded_picture(RenderReport outcome, const RenderOptions& opti
                                  const PictureOutput& output) {
     if (request.job.save_every || request.job.time_limit) {
         constexpr double giga = 1e9;
-        return fail(
+        return failed(
             std::move(outcome), ExitCode::wrong_usage,
             {error(fmt::format("the picture takes {:.1f} GB and is rendered in bands, which "
                                "--save-every and --time-limit cannot do",
@@ -190,14 +184,14 @@ RenderReport make_banded_picture(RenderReport outcome, const RenderOptions& opti
         *loaded.renderer, picture, request.settings, layout, render::band_height(layout, bytes));
     add(outcome, bands.diagnostics);
     if (!bands) {
-        return fail(std::move(outcome), ExitCode::bad_input, {});
+        return failed(std::move(outcome), ExitCode::bad_input, {});
     }
     const render::Region window =
         layout.window.value_or(render::Region{0, 0, layout.width, layout.height});
     const Job interruption;
     BandedRun run(options, request, loaded.files(), window, output, *bands);
     if (const Diagnostics found = run.begin(); has_errors(found)) {
-        return fail(std::move(outcome), ExitCode::environment, found);
+        return failed(std::move(outcome), ExitCode::environment, found);
     }
     const Result<render::Summary> summary = run.run(interruption.token());
     const std::string checkpoint = run.checkpoint().file().string();
@@ -207,11 +201,11 @@ RenderReport make_banded_picture(RenderReport outcome, const RenderOptions& opti
             found.front().remedy =
                 fmt::format("correct that and continue with --resume from '{}'", checkpoint);
         }
-        return fail(std::move(outcome), ExitCode::environment, found);
+        return failed(std::move(outcome), ExitCode::environment, found);
     }
     add(outcome, summary.diagnostics);
     if (summary->interrupted && !interruption.token().stop_requested()) {
-        return fail(
+        return failed(
             std::move(outcome), ExitCode::environment,
             {error("a texture cannot be read any more, so the render ends", {},
                    fmt::format("restore it and continue with --resume from '{}'", checkpoint))});

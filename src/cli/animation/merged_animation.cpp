@@ -30,12 +30,6 @@ namespace fs = std::filesystem;
 constexpr auto same_command =
     "give the command of the render again, without --shard: it renders what is missing";
 
-RenderReport fail(RenderReport outcome, ExitCode code, const Diagnostics& diagnostics) {
-    add(outcome, diagnostics);
-    outcome.code = code;
-    return outcome;
-}
-
 // The parts of each frame, by the number of the frame.
 std::map<std::size_t, std::vector<fs::path>> parts_of_frames(const FramePattern& pattern,
                                                              const FrameRecord& record) {
@@ -108,13 +102,13 @@ RenderReport merge_animation(const std::string& name, const std::string& output,
     const FramePattern pattern = to_film ? pattern_of_film(name) : *FramePattern::read(name);
     const auto record = read_record(pattern);
     if (!record) {
-        return fail(std::move(outcome), ExitCode::bad_input, record.diagnostics);
+        return failed(std::move(outcome), ExitCode::bad_input, record.diagnostics);
     }
     if (!record->has_value()) {
-        return fail(std::move(outcome), ExitCode::bad_input,
-                    {error(fmt::format("there are no frames of '{}': '{}' does not exist", name,
-                                       record_file(pattern).string()),
-                           {}, "render them first: balcony animate ... --shard 1/2")});
+        return failed(std::move(outcome), ExitCode::bad_input,
+                      {error(fmt::format("there are no frames of '{}': '{}' does not exist", name,
+                                         record_file(pattern).string()),
+                             {}, "render them first: balcony animate ... --shard 1/2")});
     }
     const FrameRecord& known = **record;
     std::optional<FilmRequest> film;
@@ -124,13 +118,13 @@ RenderReport merge_animation(const std::string& name, const std::string& output,
             film->crf = std::stod(known.crf);
         }
         if (!is_film(film->file) || ending_of(pattern.file(1)) != ".png") {
-            return fail(
+            return failed(
                 std::move(outcome), ExitCode::wrong_usage,
                 {error("a sequence can be merged to a film of .png frames only", {},
                        "name a film, such as --output film.mp4, or use ffmpeg for others")});
         }
         if (const Diagnostics found = check_film(*film); has_errors(found)) {
-            return fail(std::move(outcome), ExitCode::environment, found);
+            return failed(std::move(outcome), ExitCode::environment, found);
         }
     }
     FrameNumbers frames;
@@ -142,10 +136,10 @@ RenderReport merge_animation(const std::string& name, const std::string& output,
     }
     const FrameNumbers missing = merge_frames(pattern, known, frames, outcome);
     if (!missing.empty()) {
-        return fail(std::move(outcome), ExitCode::bad_input,
-                    {error(fmt::format("{} of {} frames missing: {}", missing.size(), frames.size(),
-                                       text_of(missing)),
-                           {}, same_command)});
+        return failed(std::move(outcome), ExitCode::bad_input,
+                      {error(fmt::format("{} of {} frames missing: {}", missing.size(),
+                                         frames.size(), text_of(missing)),
+                             {}, same_command)});
     }
     if (outcome.code != ExitCode::done) {
         return outcome;

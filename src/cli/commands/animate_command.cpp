@@ -32,12 +32,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-RenderReport fail(RenderReport outcome, ExitCode code, const Diagnostics& diagnostics = {}) {
-    add(outcome, diagnostics);
-    outcome.code = code;
-    return outcome;
-}
-
 // As long as the longest of the scene's animations, or five seconds of a turntable.
 Result<FrameNumbers> default_frames(const scene::Scene& scene, const AnimationRequest& request) {
     constexpr double turntable_seconds = 5.0;
@@ -217,40 +211,40 @@ RenderReport animate(const AnimateOptions& options, Request request,
     loaded.environment = environment_files(options.render.light);
     auto picture = load_all(options.render, request, options.words.scene, loaded, outcome);
     if (!picture) {
-        return fail(std::move(outcome), ExitCode::bad_input);
+        return failed(std::move(outcome), ExitCode::bad_input);
     }
     add(outcome, check_inputs(*animation.pattern, loaded.files()));
     Result<FrameNumbers> frames = animation.frames ? Result<FrameNumbers>(*animation.frames)
                                                    : default_frames(*loaded.scene, animation);
     add(outcome, frames.diagnostics);
     if (!frames || has_errors(outcome.diagnostics)) {
-        return fail(std::move(outcome), ExitCode::wrong_usage);
+        return failed(std::move(outcome), ExitCode::wrong_usage);
     }
     if (const Diagnostics found = check_shards(animation, *frames); has_errors(found)) {
-        return fail(std::move(outcome), ExitCode::wrong_usage, found);
+        return failed(std::move(outcome), ExitCode::wrong_usage, found);
     }
     warn_of_long_numbers(*animation.pattern, *frames, outcome);
     if (request.stereo && has_moving_camera(options.render, *loaded.scene)) {
-        return fail(std::move(outcome), ExitCode::bad_input,
-                    {error("--stereo cannot follow a camera of the scene that moves", {},
-                           "name a camera of a file with --camera")});
+        return failed(std::move(outcome), ExitCode::bad_input,
+                      {error("--stereo cannot follow a camera of the scene that moves", {},
+                             "name a camera of a file with --camera")});
     }
     if (animation.turntable) {
         picture =
             turned_round(options, request, animation, *frames, *loaded.scene, *picture, outcome);
         if (!picture) {
-            return fail(std::move(outcome), ExitCode::bad_input);
+            return failed(std::move(outcome), ExitCode::bad_input);
         }
     }
     picture = stereo_view(request, *picture, outcome);
     if (!picture) {
-        return fail(std::move(outcome), ExitCode::bad_input);
+        return failed(std::move(outcome), ExitCode::bad_input);
     }
     const render::FilmLayout layout = layout_of(options, animation, request, *picture, outcome);
     if (render::film_bytes(layout) > request.job.film_memory) {
-        return fail(std::move(outcome), ExitCode::bad_input,
-                    {error("a frame of this size needs more memory than --film-memory allows", {},
-                           "raise --film-memory, or make the frames smaller")});
+        return failed(std::move(outcome), ExitCode::bad_input,
+                      {error("a frame of this size needs more memory than --film-memory allows", {},
+                             "raise --film-memory, or make the frames smaller")});
     }
     const Job interruption;
     FrameLoop loop(options, animation, request, loaded, std::move(*picture), layout);
@@ -296,7 +290,7 @@ ExitCode animate_command(const AnimateOptions& options) {
     request.warnings = load_environment(options.render.light, request.settings);
     add(outcome, request.warnings);
     if (has_errors(request.warnings)) {
-        return finish(fail(std::move(outcome), ExitCode::bad_input), options.render);
+        return finish(failed(std::move(outcome), ExitCode::bad_input), options.render);
     }
     return finish(animate(options, std::move(request), animation, std::move(outcome)),
                   options.render);

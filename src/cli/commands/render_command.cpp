@@ -40,12 +40,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-RenderReport fail(RenderReport outcome, ExitCode code, const Diagnostics& diagnostics = {}) {
-    add(outcome, diagnostics);
-    outcome.code = code;
-    return outcome;
-}
-
 bool has_samples(const render::Film& film) {
     return std::any_of(film.passes.begin(), film.passes.end(),
                        [](std::uint32_t count) { return count > 0; });
@@ -65,11 +59,11 @@ RenderReport make_picture(RenderReport outcome, const RenderOptions& options,
     Result<render::Job> job = render::Job::make(*loaded.renderer, picture, request.settings, film);
     add(outcome, job.diagnostics);
     if (!job) {
-        return fail(std::move(outcome), ExitCode::bad_input);
+        return failed(std::move(outcome), ExitCode::bad_input);
     }
     PictureRun run(options, request, loaded.files(), output, film);
     if (const Diagnostics found = run.resume(); has_errors(found)) {
-        return fail(std::move(outcome), ExitCode::bad_input, found);
+        return failed(std::move(outcome), ExitCode::bad_input, found);
     }
     const Result<render::Summary> summary = run.run(
         *job,
@@ -82,16 +76,16 @@ RenderReport make_picture(RenderReport outcome, const RenderOptions& options,
         stop.get_token());
     add(outcome, summary.diagnostics);
     if (!summary) {
-        return fail(std::move(outcome), ExitCode::bad_input);
+        return failed(std::move(outcome), ExitCode::bad_input);
     }
     if (outcome.outdated && !interruption.token().stop_requested()) {
         return outcome;
     }
     if (summary->interrupted && !stop.stop_requested()) {
-        return fail(std::move(outcome), ExitCode::environment,
-                    {error("a texture cannot be read any more, so the render ends", {},
-                           fmt::format("restore it and continue with --resume from '{}'",
-                                       run.checkpoint().file().string()))});
+        return failed(std::move(outcome), ExitCode::environment,
+                      {error("a texture cannot be read any more, so the render ends", {},
+                             fmt::format("restore it and continue with --resume from '{}'",
+                                         run.checkpoint().file().string()))});
     }
     if (request.job.shard) {
         return keep_shard(std::move(outcome), request, output, run, *summary);
@@ -103,7 +97,7 @@ RenderReport make_picture(RenderReport outcome, const RenderOptions& options,
     }
     if (!has_samples(film)) {
         outcome.sentence = "interrupted before there was anything to save\n";
-        return fail(std::move(outcome), ExitCode::interrupted);
+        return failed(std::move(outcome), ExitCode::interrupted);
     }
     if (request.denoise) {
         denoise(request, film, outcome);
@@ -129,7 +123,7 @@ RenderReport make_picture(RenderReport outcome, const RenderOptions& options,
             written.front().remedy = fmt::format(
                 "correct that and continue with --resume from '{}'", checkpoint.file().string());
         }
-        return fail(std::move(outcome), ExitCode::environment, written);
+        return failed(std::move(outcome), ExitCode::environment, written);
     }
     if (!summary->interrupted && checkpoint.is_used()) {
         checkpoint.remove();
@@ -149,20 +143,20 @@ RenderReport render_picture(const RenderOptions& options, Request request,
     add(outcome, request.warnings);
     loaded.environment = environment_files(options.light);
     if (has_errors(outcome.diagnostics)) {
-        return fail(std::move(outcome), ExitCode::bad_input);
+        return failed(std::move(outcome), ExitCode::bad_input);
     }
     auto picture = load_all(options, request, target.scene, loaded, outcome);
     if (!picture) {
-        return fail(std::move(outcome), ExitCode::bad_input);
+        return failed(std::move(outcome), ExitCode::bad_input);
     }
     if (const Diagnostics found = target.output.check_inputs(loaded.files()); has_errors(found)) {
-        return fail(std::move(outcome), ExitCode::wrong_usage, found);
+        return failed(std::move(outcome), ExitCode::wrong_usage, found);
     }
     if (target.stereo) {
         auto views = camera::stereo_picture(*picture, *target.stereo, request.stereo->pair);
         add(outcome, views.diagnostics);
         if (!views) {
-            return fail(std::move(outcome), ExitCode::bad_input);
+            return failed(std::move(outcome), ExitCode::bad_input);
         }
         picture = std::move(*views);
     }
@@ -174,22 +168,22 @@ RenderReport render_picture(const RenderOptions& options, Request request,
     }
     if (format == nullptr && render::film_bytes(layout) > request.job.film_memory) {
         if (request.job.shard) {
-            return fail(std::move(outcome), ExitCode::bad_input,
-                        {error("a shard of this size needs more memory than --film-memory allows",
-                               {}, "raise --film-memory, or render parts with --crop")});
+            return failed(std::move(outcome), ExitCode::bad_input,
+                          {error("a shard of this size needs more memory than --film-memory allows",
+                                 {}, "raise --film-memory, or render parts with --crop")});
         }
         return make_banded_picture(std::move(outcome), options, request, loaded, *picture, layout,
                                    target.output);
     }
     Result<render::Film> film = make_film(layout, request);
     if (!film) {
-        return fail(std::move(outcome), ExitCode::bad_input, film.diagnostics);
+        return failed(std::move(outcome), ExitCode::bad_input, film.diagnostics);
     }
     if (format != nullptr) {
         if (const Diagnostics found =
                 render::check_size(*format, film->window.width, film->window.height);
             has_errors(found)) {
-            return fail(std::move(outcome), ExitCode::bad_input, found);
+            return failed(std::move(outcome), ExitCode::bad_input, found);
         }
     }
     return make_picture(std::move(outcome), options, request, loaded, *picture, std::move(*film),
@@ -361,7 +355,7 @@ ExitCode render_command(const RenderOptions& options) {
     }
     request.warnings = load_environment(options.light, request.settings);
     if (has_errors(request.warnings)) {
-        return finish(fail(std::move(outcome), ExitCode::bad_input, request.warnings), options);
+        return finish(failed(std::move(outcome), ExitCode::bad_input, request.warnings), options);
     }
     if (options.watch) {
         return watch(options, request, targets.front());

@@ -105,6 +105,12 @@ void add(RenderReport& report, const Diagnostics& diagnostics) {
     report.diagnostics.insert(report.diagnostics.end(), diagnostics.begin(), diagnostics.end());
 }
 
+RenderReport failed(RenderReport report, ExitCode code, const Diagnostics& diagnostics) {
+    add(report, diagnostics);
+    report.code = code;
+    return report;
+}
+
 void describe(RenderReport& report, const PictureOutput& output, const camera::Picture& picture,
               const render::Film& film, const render::Summary& summary) {
     describe_gaps(report, film, summary);

@@ -26,6 +26,10 @@ struct RenderReport {
 
 void add(RenderReport& report, const Diagnostics& diagnostics);
 
+/// The same report of a render that ends here, with the reasons.
+[[nodiscard]] RenderReport failed(RenderReport report, ExitCode code,
+                                  const Diagnostics& diagnostics = {});
+
 /// Adds the facts of a run, and warnings about what is missing in the picture.
 void describe(RenderReport& report, const PictureOutput& output, const camera::Picture& picture,
               const render::Film& film, const render::Summary& summary);
