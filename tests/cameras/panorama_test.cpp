@@ -5,6 +5,7 @@
 // picture.
 
 #include <cmath>
+#include <functional>
 #include <random>
 
 #include "support.hpp"
@@ -210,48 +211,43 @@ TEST(LittlePlanet, IsStereographicLookingDown) {
     }
 }
 
-// Debevec's light probes look along -z and have y up; u and v run from -1 to 1, right and up.
-V3d in_axes_of_light_probes(const V3d& d) { return {-d.y, d.z, -d.x}; }
+// Debevec's light probes fill a disc in which u and v run from -1 to 1, right and up. They look
+// along -z and have y up.
+void at_light_probe(const char* camera,
+                    const std::function<void(double u, double v, const V3d& direction)>& check) {
+    const Rays rays(camera);
+    Places place;
+    for (int i = 0; i < 100; ++i) {
+        const V2d at(place(), place());
+        const double u = 2.0 * at.x - 1.0;
+        const double v = 1.0 - 2.0 * at.y;
+        const Ray ray = rays.at(at.x, at.y);
+        ASSERT_EQ(ray.valid, u * u + v * v < 1.0);
+        if (ray.valid) {
+            check(u, v, {-ray.direction.y, ray.direction.z, -ray.direction.x});
+        }
+    }
+}
 
 // The reflection of parallel rays in a ball, which he photographed from the front: the normal at
 // (u, v) halves the angle between the directions to the camera and to the light. Turned to the
 // front by half.
 TEST(MirrorBall, IsTheReflectionInABall) {
-    const Rays rays("mirror_ball");
-    Places place;
-    for (int i = 0; i < 100; ++i) {
-        const V2d at(place(), place());
-        const double u = 2.0 * at.x - 1.0;
-        const double v = 1.0 - 2.0 * at.y;
-        const Ray ray = rays.at(at.x, at.y);
-        ASSERT_EQ(ray.valid, u * u + v * v < 1.0);
-        if (ray.valid) {
-            const V3d normal(u, v, std::sqrt(1.0 - u * u - v * v));
-            const V3d to_camera(0.0, 0.0, 1.0);
-            const V3d reflected = 2.0 * (normal ^ to_camera) * normal - to_camera;
-            expect_near(in_axes_of_light_probes(ray.direction),
-                        {reflected.x, reflected.y, -reflected.z}, tolerance);
-        }
-    }
+    at_light_probe("mirror_ball", [](double u, double v, const V3d& d) {
+        const V3d normal(u, v, std::sqrt(1.0 - u * u - v * v));
+        const V3d to_camera(0.0, 0.0, 1.0);
+        const V3d reflected = 2.0 * (normal ^ to_camera) * normal - to_camera;
+        expect_near(d, {reflected.x, reflected.y, -reflected.z}, tolerance);
+    });
 }
 
 // debevec.org/probes: (u, v) = r (Dx, Dy) with r = acos(Dz)/(π √(Dx² + Dy²)), where Dz is ahead.
 TEST(AngularMap, IsDebevecsFormula) {
-    const Rays rays("angular_map");
-    Places place;
-    for (int i = 0; i < 100; ++i) {
-        const V2d at(place(), place());
-        const double u = 2.0 * at.x - 1.0;
-        const double v = 1.0 - 2.0 * at.y;
-        const Ray ray = rays.at(at.x, at.y);
-        ASSERT_EQ(ray.valid, u * u + v * v < 1.0);
-        if (ray.valid) {
-            const V3d d = in_axes_of_light_probes(ray.direction);
-            const double r = std::acos(-d.z) / (pi * std::hypot(d.x, d.y));
-            EXPECT_NEAR(r * d.x, u, 1e-9);
-            EXPECT_NEAR(r * d.y, v, 1e-9);
-        }
-    }
+    at_light_probe("angular_map", [](double u, double v, const V3d& d) {
+        const double r = std::acos(-d.z) / (pi * std::hypot(d.x, d.y));
+        EXPECT_NEAR(r * d.x, u, 1e-9);
+        EXPECT_NEAR(r * d.y, v, 1e-9);
+    });
 }
 
 // Rays start on the axis and go horizontally outwards; angles and heights are to scale at the

@@ -4,33 +4,18 @@
 // Lenses: the rays of a picture point meet where the focus is, fill the aperture evenly, and blur
 // as a thin lens does; and times: what a camera does to t is differentiated with it.
 
-#include "balcony/rays.hpp"
-
-#include <gtest/gtest.h>
-
 #include <array>
 #include <cmath>
 #include <functional>
-#include <memory>
 #include <numbers>
 #include <string>
 
-#include "balcony/lang.hpp"
+#include "support.hpp"
 
-namespace balcony::rays::lens_test {
+namespace balcony::rays::test::lens_test {
 namespace {
 
 using std::numbers::pi;
-constexpr double width = 160.0;
-constexpr double height = 90.0;
-// Some dozen roundings of numbers of the size of the scene, which is 10 units.
-constexpr double rounding = 1e-12;
-
-camera::Camera camera_of(const std::string& text) {
-    auto made = lang::make_camera(std::make_shared<const SourceText>("test.cam", text), "");
-    EXPECT_TRUE(made) << to_text(made.diagnostics);
-    return *made;
-}
 
 // A camera's rays at points of the picture and of the lens.
 class LensProbe {
@@ -76,14 +61,6 @@ private:
     RayProgram lens_;
     RayProgram central_;
 };
-
-void at_pixels(const std::function<void(const V2d& point)>& check) {
-    for (double x = 3.5; x < width; x += 31.0) {
-        for (double y = 2.5; y < height; y += 17.0) {
-            check({x, y});
-        }
-    }
-}
 
 void at_lens(const std::function<void(const V2d& lens)>& check) {
     for (double x = -0.95; x < 1.0; x += 0.38) {
@@ -464,4 +441,4 @@ TEST(RayTime, KeepsTheRateOfItsPoint) {
     }
 }
 
-}  // namespace balcony::rays::lens_test
+}  // namespace balcony::rays::test::lens_test

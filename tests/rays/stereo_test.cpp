@@ -4,35 +4,19 @@
 // Stereo views: of a perspective camera they are two cameras with off-axis frusta, of a panorama
 // they are omnidirectional stereo, and of any camera both views meet at the convergence.
 
-#include "balcony/rays.hpp"
-
-#include <gtest/gtest.h>
-
 #include <array>
 #include <cmath>
-#include <functional>
-#include <memory>
 #include <numbers>
 #include <string>
 
 #include <fmt/format.h>
 
-#include "balcony/lang.hpp"
+#include "support.hpp"
 
-namespace balcony::rays::stereo_test {
+namespace balcony::rays::test::stereo_test {
 namespace {
 
 using std::numbers::pi;
-constexpr double width = 160.0;
-constexpr double height = 90.0;
-// Some dozen roundings of numbers of the size of the scene, which is 10 units.
-constexpr double rounding = 1e-12;
-
-camera::Camera camera_of(const std::string& text) {
-    auto made = lang::make_camera(std::make_shared<const SourceText>("test.cam", text), "");
-    EXPECT_TRUE(made) << to_text(made.diagnostics);
-    return *made;
-}
 
 class Probe {
 public:
@@ -55,14 +39,6 @@ private:
     }
     RayProgram rays_;
 };
-
-void at_pixels(const std::function<void(const V2d& point)>& check) {
-    for (double x = 3.5; x < width; x += 31.0) {
-        for (double y = 2.5; y < height; y += 17.0) {
-            check({x, y});
-        }
-    }
-}
 
 std::string stereo(const std::string& arguments, double side) {
     return fmt::format("stereo({}{}side = {})", arguments, arguments.empty() ? "" : ", ", side);
@@ -345,4 +321,4 @@ TEST(StereoOfAnyCamera, IsThatOfTheStatement) {
     EXPECT_EQ(twice.diagnostics.front().message, "camera 'a' is a view of a stereo pair already");
 }
 
-}  // namespace balcony::rays::stereo_test
+}  // namespace balcony::rays::test::stereo_test
