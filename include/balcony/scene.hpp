@@ -160,6 +160,9 @@ struct Material {
     TextureUse clearcoat_texture;
     float clearcoat_roughness = 0.0F;
     TextureUse clearcoat_roughness_texture;
+    /// As normal_scale and normal_texture, which do not bend the lacquer's own normal.
+    float clearcoat_normal_scale = 1.0F;
+    TextureUse clearcoat_normal_texture;
 
     Color3f sheen_color{0.0F, 0.0F, 0.0F};  ///< KHR_materials_sheen: fibres, as of velvet.
     TextureUse sheen_color_texture{.encoding = TextureEncoding::srgb};
@@ -179,6 +182,7 @@ inline constexpr std::array texture_uses{&Material::base_color_texture,
                                          &Material::transmission_texture,
                                          &Material::clearcoat_texture,
                                          &Material::clearcoat_roughness_texture,
+                                         &Material::clearcoat_normal_texture,
                                          &Material::sheen_color_texture,
                                          &Material::sheen_roughness_texture};
 

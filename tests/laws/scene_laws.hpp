@@ -129,7 +129,8 @@ inline std::string broken_law(const scene::Material& material, const scene::Scen
         }
     }
     if (!(material.ior >= 1.0F && double{material.ior} <= scene::max_refraction_index) ||
-        !(std::abs(double{material.normal_scale}) <= scene::max_quantity)) {
+        !(std::abs(double{material.normal_scale}) <= scene::max_quantity) ||
+        !(std::abs(double{material.clearcoat_normal_scale}) <= scene::max_quantity)) {
         return "a material's index of refraction or its normal map is out of range";
     }
     for (const auto texture : scene::texture_uses) {

@@ -3,6 +3,7 @@
 
 // What a BSDF gives off of the light that it receives.
 
+#include <cmath>
 #include <sstream>
 #include <string>
 
@@ -101,6 +102,52 @@ TEST(BsdfEnergy, AClearcoatAbsorbsNothing) {
             half.metallic = 0.5F;
             expect_white(half);
             expect_white(coated(wall(roughness), coat));
+        }
+    }
+}
+
+// A white material whose clearcoat is tilted towards the viewer, or away from the viewer.
+Bsdf under_tilted(const Appearance& below, float coat_roughness, float angle) {
+    return flat(
+        {"", coated(below, coat_roughness), true, {std::sin(angle), 0.0F, std::cos(angle)}});
+}
+
+TEST(BsdfEnergy, ATiltedClearcoatAddsNoLight) {
+    constexpr std::size_t samples = 16384;
+    for (const float roughness : {0.0F, 0.35F, 1.0F}) {
+        for (const float coat : {0.0F, 0.5F}) {
+            for (const Appearance& below : {metal(roughness), dielectric(roughness)}) {
+                for (const float angle : {-0.9F, -0.3F, -0.1F, 0.1F, 0.3F, 0.9F}) {
+                    const Bsdf bsdf = under_tilted(below, coat, angle);
+                    for (const float cosine : {0.01F, 0.07F, 0.25F, 0.55F, 1.0F}) {
+                        EXPECT_LT(albedo(bsdf, at_cosine(cosine), samples).y, 1.005F)
+                            << describe({"", coated(below, coat)}) << ", tilted by " << angle
+                            << ", cosine " << cosine;
+                    }
+                }
+            }
+        }
+    }
+}
+
+// Schlick's reflectance changes by at most 4.8 per radian, so that a tilt takes at most the part
+// 4.8 tilt / (1 - E) from what is below, for either direction. Above a cosine of 0.25, E is less
+// than 0.32.
+TEST(BsdfEnergy, ASmallTiltOfTheClearcoatChangesLittle) {
+    constexpr std::size_t samples = 16384;
+    constexpr float tilt = 1e-3F;
+    constexpr float change = 2.0F * 4.8F / 0.68F * tilt;
+    for (const float roughness : {0.0F, 0.35F, 1.0F}) {
+        for (const float coat : {0.0F, 0.5F}) {
+            const Appearance below = metal(roughness);
+            for (const float cosine : {0.25F, 0.55F, 1.0F}) {
+                const V3f viewer = at_cosine(cosine);
+                const float straight = albedo(flat(coated(below, coat)), viewer, samples).y;
+                for (const float angle : {-tilt, tilt}) {
+                    EXPECT_NEAR(albedo(under_tilted(below, coat, angle), viewer, samples).y,
+                                straight, change);
+                }
+            }
         }
     }
 }

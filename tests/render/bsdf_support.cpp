@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <numbers>
 
+#include "render/shading/frame.hpp"
+
 namespace balcony::render::test {
 
 namespace {
@@ -76,6 +78,7 @@ std::vector<NamedAppearance> all_kinds() {
         Appearance everything = fibrous(coated(both, 0.4F), 0.6F, {0.2F, 0.5F, 0.8F});
         everything.clearcoat = 0.6F;
         everything.transmission = 0.5F;
+        const V3f tilted = V3f(0.3F, -0.2F, 0.9F).normalized();
         Appearance solid = everything;
         solid.thin_walled = false;
         all.insert(all.end(),
@@ -89,15 +92,22 @@ std::vector<NamedAppearance> all_kinds() {
                     {"glass from inside" + suffix, glass(roughness, 1.5F, gold), false},
                     {"everything" + suffix, everything},
                     {"solid" + suffix, solid},
-                    {"solid from inside" + suffix, solid, false}});
+                    {"solid from inside" + suffix, solid, false},
+                    {"tilted" + suffix, coated(dielectric(roughness, gold), 0.3F), true, tilted},
+                    {"tilted on everything" + suffix, everything, true, tilted},
+                    {"tilted on a solid" + suffix, solid, true, tilted},
+                    {"tilted on a solid, from inside" + suffix, solid, false, tilted}});
     }
     return all;
 }
 
-Bsdf flat(const NamedAppearance& material) {
-    const V3f up(0.0F, 0.0F, 1.0F);
-    return {material.appearance, up, up, material.entering};
+Bsdf on_plane(const NamedAppearance& material, const V3f& normal) {
+    Bsdf made(material.appearance, normal, normal, material.entering);
+    made.set_coat_normal(Frame(normal).to_world(material.coat_normal));
+    return made;
 }
+
+Bsdf flat(const NamedAppearance& material) { return on_plane(material, {0.0F, 0.0F, 1.0F}); }
 
 Bsdf flat(const Appearance& appearance) { return flat(NamedAppearance{{}, appearance}); }
 
@@ -140,7 +150,9 @@ NamedAppearance Directions::material() {
     made.clearcoat_roughness = part();
     made.sheen_color = color();
     made.sheen_roughness = part();
-    return {"random", made, uniform() < 0.5F};
+    const V3f up(0.0F, 0.0F, 1.0F);
+    const V3f coat_normal = uniform() < 0.5F ? above(up, 0.5F) : up;
+    return {"random", made, uniform() < 0.5F, coat_normal};
 }
 
 Color3f albedo(const Bsdf& bsdf, const V3f& to_viewer, std::size_t samples) {

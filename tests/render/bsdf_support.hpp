@@ -18,6 +18,7 @@ struct NamedAppearance {
     std::string name;
     Appearance appearance;
     bool entering = true;
+    V3f coat_normal{0.0F, 0.0F, 1.0F};  ///< Where the normal is z.
 };
 
 [[nodiscard]] Appearance dielectric(float roughness, const Color3f& color = Color3f(1.0F));
@@ -35,7 +36,9 @@ struct NamedAppearance {
 /// sphere resolves, and mirrors.
 [[nodiscard]] std::vector<NamedAppearance> all_kinds();
 
-/// The Bsdf on the plane z = 0.
+/// The Bsdf on a plane with this normal.
+[[nodiscard]] Bsdf on_plane(const NamedAppearance& material, const V3f& normal);
+/// The same on the plane z = 0.
 [[nodiscard]] Bsdf flat(const NamedAppearance& material);
 [[nodiscard]] Bsdf flat(const Appearance& appearance);
 
@@ -50,7 +53,7 @@ public:
     V3f numbers() { return {uniform(), uniform(), uniform()}; }
     V3f on_sphere();
     V3f above(const V3f& normal, float min_cosine);
-    /// Any material whatsoever.
+    /// Any material whatsoever, also with a clearcoat that is tilted by up to 60 degrees.
     NamedAppearance material();
 
 private:

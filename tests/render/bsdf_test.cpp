@@ -9,20 +9,45 @@
 #include <gtest/gtest.h>
 
 #include "bsdf_support.hpp"
+#include "render/shading/frame.hpp"
 
 namespace balcony::render::test::bsdf_test {
 namespace {
 
+const V3f up(0.0F, 0.0F, 1.0F);
+
+// The clearcoat of a material and nothing below it.
+NamedAppearance coat_alone(const NamedAppearance& material) {
+    NamedAppearance made = material;
+    made.appearance = dielectric(1.0F, Color3f(0.0F));
+    made.appearance.specular = 0.0F;
+    made.appearance.clearcoat = material.appearance.clearcoat;
+    made.appearance.clearcoat_roughness = material.appearance.clearcoat_roughness;
+    return made;
+}
+
+// Of the clearcoat, by the cosines with its own normal, and of all that is below it.
 TEST(Bsdf, ReflectionIsReciprocal) {
     Directions random(1);
     for (const NamedAppearance& material : all_kinds()) {
+        const bool tilted = material.entering && material.coat_normal != up;
         for (int trial = 0; trial < 1000; ++trial) {
             const V3f normal = random.on_sphere();
-            const Bsdf bsdf(material.appearance, normal, normal, material.entering);
+            const Bsdf bsdf = on_plane(material, normal);
             const V3f a = random.above(normal, 0.02F);
             const V3f b = random.above(normal, 0.02F);
-            const Color3f there = bsdf.eval(a, b) / normal.dot(b);
-            const Color3f back = bsdf.eval(b, a) / normal.dot(a);
+            Color3f there = bsdf.eval(a, b) / normal.dot(b);
+            Color3f back = bsdf.eval(b, a) / normal.dot(a);
+            if (tilted) {
+                const Bsdf coat = on_plane(coat_alone(material), normal);
+                const V3f coat_normal = Frame(normal).to_world(material.coat_normal);
+                const float coat_there = coat.eval(a, b).x;
+                const float coat_back = coat.eval(b, a).x;
+                there -= Color3f(coat_there / normal.dot(b));
+                back -= Color3f(coat_back / normal.dot(a));
+                EXPECT_NEAR(coat_there * coat_normal.dot(a), coat_back * coat_normal.dot(b),
+                            1e-5F * std::max(coat_there, 1.0F));
+            }
             // The peak of the distribution is 1 / roughness^4 times as sensitive to the rounding of
             // the half vector as a float is precise: 0.3^-4 is 123. Fresnel's fifth power and two
             // divisions by cosines of 0.02 add a few roundings.
@@ -36,14 +61,14 @@ TEST(Bsdf, ReflectionIsReciprocal) {
 // Of f(viewer, light) n(viewer)^2.
 TEST(Bsdf, TransmissionIsReciprocal) {
     Directions random(9);
-    const V3f up(0.0F, 0.0F, 1.0F);
     for (int trial = 0; trial < 20000; ++trial) {
         NamedAppearance material = random.material();
         material.appearance.roughness = std::max(material.appearance.roughness, 0.3F);
         material.entering = true;
         const Bsdf bsdf = flat(material);
         material.entering = material.appearance.thin_walled;
-        const Bsdf back_side(material.appearance, -up, -up, material.entering);
+        Bsdf back_side(material.appearance, -up, -up, material.entering);
+        back_side.set_coat_normal(-material.coat_normal);
         const V3f a = random.above(up, 0.05F);
         const V3f b = -random.above(up, 0.05F);
         const float n = material.appearance.thin_walled ? 1.0F : material.appearance.ior;
@@ -57,11 +82,11 @@ TEST(Bsdf, TransmissionIsReciprocal) {
 // is made for the point.
 TEST(Bsdf, APreparedMaterialReflectsTheSame) {
     Directions random(10);
-    const V3f up(0.0F, 0.0F, 1.0F);
     for (const NamedAppearance& material : all_kinds()) {
         BsdfMaterial prepared(material.appearance, material.entering);
         prepared.energies.keep_row();
-        const Bsdf shared(prepared, up, up);
+        Bsdf shared(prepared, up, up);
+        shared.set_coat_normal(material.coat_normal);
         const Bsdf own = flat(material);
         for (int trial = 0; trial < 200; ++trial) {
             const V3f viewer = random.above(up, 0.05F);
@@ -84,14 +109,19 @@ TEST(Bsdf, NoLightLeaksBetweenTheHorizons) {
         for (int trial = 0; trial < 200; ++trial) {
             const V3f geometric = random.on_sphere();
             const V3f normal = random.above(geometric, 0.3F);
-            const Bsdf bsdf(material.appearance, normal, geometric, material.entering);
+            Bsdf bsdf(material.appearance, normal, geometric, material.entering);
+            const V3f coat_normal =
+                material.coat_normal == up ? normal : random.above(geometric, 0.3F);
+            bsdf.set_coat_normal(coat_normal);
             const V3f viewer = random.above(normal, 0.01F);
             if (const V3f light = random.above(normal, 0.0F); light.dot(geometric) < 0.0F) {
                 EXPECT_EQ(bsdf.eval(viewer, light), Color3f(0.0F)) << material.name;
-                EXPECT_EQ(bsdf.eval(viewer, -light), Color3f(0.0F)) << material.name;
+                if (coat_normal.dot(light) >= 0.0F) {
+                    EXPECT_EQ(bsdf.eval(viewer, -light), Color3f(0.0F)) << material.name;
+                }
             }
             const V3f below = -random.above(normal, 0.0F);
-            if (!bsdf.material().transmits()) {
+            if (!bsdf.material().transmits() && coat_normal.dot(below) <= 0.0F) {
                 EXPECT_EQ(bsdf.eval(viewer, below), Color3f(0.0F)) << material.name;
             }
             const auto sample = bsdf.sample(viewer, random.numbers());
@@ -103,10 +133,23 @@ TEST(Bsdf, NoLightLeaksBetweenTheHorizons) {
     }
 }
 
+TEST(Bsdf, ATiltedClearcoatReflectsAboutItsOwnNormal) {
+    const V3f tilted = V3f(0.6F, 0.0F, 0.8F);
+    const NamedAppearance coat = coat_alone({"", coated(dielectric(1.0F), 0.2F), true, tilted});
+    const V3f to_peak = mirrored(up, tilted);
+    EXPECT_GT(flat(coat).eval(up, to_peak).x, 100.0F * flat(coat.appearance).eval(up, to_peak).x);
+    // Also of light that the layers below it, bent the other way, cannot receive.
+    const V3f other_way(-0.6F, 0.0F, 0.8F);
+    EXPECT_LT(to_peak.dot(other_way), 0.0F);
+    Bsdf bent(coat.appearance, other_way, up);
+    bent.set_coat_normal(tilted);
+    EXPECT_EQ(bent.eval(up, to_peak), flat(coat).eval(up, to_peak));
+    EXPECT_EQ(bent.lit_side(), up);
+}
+
 // Through a thin wall light goes as if reflected at the wall.
 TEST(Bsdf, AThinWallTransmitsWithoutRefraction) {
     Directions random(5);
-    const V3f up(0.0F, 0.0F, 1.0F);
     const Bsdf smooth = flat(wall(0.0F, {0.5F, 0.7F, 0.9F}));
     const Bsdf rough = flat(wall(0.4F));
     for (int trial = 0; trial < 200; ++trial) {
@@ -128,7 +171,6 @@ TEST(Bsdf, AThinWallTransmitsWithoutRefraction) {
 
 TEST(Bsdf, SmoothGlassRefractsBySnellsLaw) {
     Directions random(6);
-    const V3f up(0.0F, 0.0F, 1.0F);
     constexpr float ior = 1.5F;
     for (const bool entering : {true, false}) {
         const Bsdf bsdf = flat({"", glass(0.0F, ior, {0.5F, 0.7F, 0.9F}), entering});
@@ -172,7 +214,6 @@ TEST(Bsdf, GlassHasFresnelsReflectance) {
 // A facet that refracts obeys Snell's law as well.
 TEST(Bsdf, RoughGlassRefractsAtItsFacets) {
     Directions random(8);
-    const V3f up(0.0F, 0.0F, 1.0F);
     int found = 0;
     for (int trial = 0; trial < 1000; ++trial) {
         const bool entering = trial % 2 == 0;

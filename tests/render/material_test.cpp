@@ -182,6 +182,47 @@ TEST(Materials, AMappedNormalFacesTheViewer) {
     EXPECT_NEAR(found.length(), 1.0F, 1e-3F);
 }
 
+// The light of a lacquer upon black whose lamp is where the normal `to_right` mirrors the viewer.
+float gloss(const std::function<void(scene::Material&, scene::TextureIndex)>& map) {
+    scene::Material lacquer = test::white();
+    lacquer.base_color = scene::Color3f(0.0F);
+    lacquer.specular = 0.0F;
+    lacquer.clearcoat = 1.0F;
+    lacquer.clearcoat_roughness = 0.2F;
+    scene::Scene scene = wall_with(lacquer);
+    map(scene.materials[0], test::add_texture(scene, test::encode_png(4, 4, 3, [](int, int) {
+                                                  return encoded(to_right);
+                                              })));
+    scene::Light lamp;
+    lamp.kind = scene::LightKind::directional;
+    lamp.direction = V3d(-0.96, 0.0, -0.28);
+    scene.lights.push_back(lamp);
+    const test::Rendered picture = render(scene, orthographic(test::view_down_z(0.0, 0.0, 1.0)),
+                                          test::request(side, side, "direct"));
+    return picture.film.pixel(side / 2, side / 2).g;
+}
+
+// KHR_materials_clearcoat: the normal map of the material does not bend the lacquer.
+TEST(Materials, AClearcoatHasItsOwnNormalMap) {
+    const float own = gloss([](scene::Material& material, scene::TextureIndex bent) {
+        material.clearcoat_normal_texture.index = bent;
+    });
+    const float both = gloss([](scene::Material& material, scene::TextureIndex bent) {
+        material.clearcoat_normal_texture.index = material.normal_texture.index = bent;
+    });
+    const float none = gloss([](scene::Material& material, scene::TextureIndex bent) {
+        material.normal_texture.index = bent;
+    });
+    const float flat = gloss([](scene::Material& material, scene::TextureIndex bent) {
+        material.clearcoat_normal_texture.index = bent;
+        material.clearcoat_normal_scale = 0.0F;
+    });
+    EXPECT_GT(own, 0.1F);
+    EXPECT_NEAR(both, own, 1e-5F * own);
+    EXPECT_LT(none, 0.01F * own);
+    EXPECT_LT(flat, 0.01F * own);
+}
+
 TEST(Materials, AlphaOfVerticesIsAFactorOfTheOpacity) {
     scene::Material paint = test::white();
     paint.alpha_mode = scene::AlphaMode::blend;

@@ -49,7 +49,8 @@ std::vector<Example> examples() {
              {{"clearcoatFactor", 0.5},
               {"clearcoatRoughnessFactor", 0.25},
               {"clearcoatTexture", texture},
-              {"clearcoatRoughnessTexture", texture}}},
+              {"clearcoatRoughnessTexture", texture},
+              {"clearcoatNormalTexture", {{"index", 0}, {"scale", 0.5}}}}},
             {"KHR_materials_emissive_strength", {{"emissiveStrength", 8}}},
             {"KHR_materials_ior", {{"ior", 1.25}}},
             {"KHR_materials_sheen",
@@ -80,6 +81,10 @@ TEST_F(GltfExtensions, ClearcoatIsRead) {
     EXPECT_TRUE(m.clearcoat_texture.valid());
     EXPECT_EQ(m.clearcoat_texture.channel, 0);
     EXPECT_EQ(m.clearcoat_roughness_texture.channel, 1);
+    EXPECT_TRUE(m.clearcoat_normal_texture.valid());
+    EXPECT_EQ(m.clearcoat_normal_texture.encoding, TextureEncoding::linear);
+    EXPECT_EQ(m.clearcoat_normal_scale, 0.5F);
+    EXPECT_FALSE(m.normal_texture.valid());
 }
 
 TEST_F(GltfExtensions, SheenIsRead) {
@@ -220,7 +225,8 @@ TEST_F(GltfExtensions, AMaterialSurvivesWriting) {
     EXPECT_EQ(before.sheen_color, after.sheen_color);
     for (const auto part :
          {&Material::normal_scale, &Material::ior, &Material::specular, &Material::transmission,
-          &Material::clearcoat, &Material::clearcoat_roughness, &Material::sheen_roughness}) {
+          &Material::clearcoat, &Material::clearcoat_roughness, &Material::clearcoat_normal_scale,
+          &Material::sheen_roughness}) {
         EXPECT_EQ(before.*part, after.*part);
     }
     EXPECT_EQ(before.thin_walled, after.thin_walled);

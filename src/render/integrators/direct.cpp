@@ -28,7 +28,9 @@ Bsdf bsdf_at(const Interaction& at, const V3f& geometric_normal) {
     if (is_mirror(appearance)) {
         appearance.roughness = 0.0F;
     }
-    return {appearance, at.surface.normal, geometric_normal};
+    Bsdf made(appearance, at.surface.normal, geometric_normal);
+    made.set_coat_normal(at.surface.coat_normal);
+    return made;
 }
 
 class Direct final : public RayTree {

@@ -262,8 +262,7 @@ bool PathTracer::advance(Path& path, Seen& seen) {
     const Bsdf bsdf = at.bsdf();
     const LitPoint point{at.surface.position,
                          seen_directly ? to_viewer : (path.eye - at.surface.position).normalized(),
-                         bsdf.material().transmits() ? V3f(0.0F) : at.surface.normal,
-                         path.ray.time};
+                         bsdf.lit_side(), path.ray.time};
     const Imath::V2f choices = path.sampler.next_pair();
     const Imath::V2f at_light = path.sampler.next_pair();
     const bool ends = path.bounces.all >= settings_->bounces.all && bsdf.material().is_rough() &&

@@ -21,10 +21,21 @@ Bsdf::Bsdf(const Appearance& appearance, const V3f& normal, const V3f& geometric
            bool entering)
     : material_(BsdfMaterial(appearance, entering)),
       normal_(normal),
-      geometric_normal_(geometric_normal) {}
+      geometric_normal_(geometric_normal),
+      coat_normal_(normal) {}
 
 Bsdf::Bsdf(const BsdfMaterial& material, const V3f& normal, const V3f& geometric_normal)
-    : material_(&material), normal_(normal), geometric_normal_(geometric_normal) {}
+    : material_(&material),
+      normal_(normal),
+      geometric_normal_(geometric_normal),
+      coat_normal_(normal) {}
+
+V3f Bsdf::lit_side() const {
+    if (material().transmits()) {
+        return V3f(0.0F);
+    }
+    return material().layers && material().layers->coat ? geometric_normal_ : normal_;
+}
 
 Bsdf::View Bsdf::view_from(const V3f& to_viewer) const {
     return material().layers ? View(layers_view_from(to_viewer)) : View(plain_view_from(to_viewer));

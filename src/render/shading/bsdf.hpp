@@ -55,9 +55,12 @@ struct BsdfSample {
 ///     diffuse = colour / π · (1 - E(viewer)) (1 - E(light)) / (1 - Ē).
 ///
 /// Upon this may lie sheen (sheen.hpp) and a clearcoat, which is a GGX layer of a dielectric and
-/// never a perfect mirror (cover.hpp). In place of the diffuse part light may pass through: through
-/// a thin wall straight on, spread like reflected light by the facets, or through the boundary of
-/// a solid by Snell's law, with Fresnel's reflectance (glass.hpp).
+/// never a perfect mirror (cover.hpp). A clearcoat with a normal of its own reflects the part E' of
+/// even light instead of E, each by its normal, and all that is below it is multiplied by
+/// s(viewer) s(light) with s = min(1, (1 - E') / (1 - E)). This is reciprocal, adds no light, and
+/// loses a little, the more the two normals differ. In place of the diffuse part light may pass
+/// through: through a thin wall straight on, spread like reflected light by the facets, or through
+/// the boundary of a solid by Snell's law, with Fresnel's reflectance (glass.hpp).
 ///
 /// Radiance is divided by the square of the index of refraction of the medium, outside 1, so that
 /// refraction alone does not change it. With that, reflection is reciprocal, and refraction is so
@@ -74,6 +77,12 @@ public:
 
     /// The same from a material that outlives it and that suits the viewer's side.
     Bsdf(const BsdfMaterial& material, const V3f& normal, const V3f& geometric_normal);
+
+    /// Gives the clearcoat, if there is one, a normal of its own, which the viewer is in front of.
+    void set_coat_normal(const V3f& normal) { coat_normal_ = normal; }
+
+    /// The normal of the side from which light is reflected; 0 if light comes from all sides.
+    [[nodiscard]] V3f lit_side() const;
 
     struct Value {
         /// The reflectance, or transmittance, times the cosine between normal and light: the
@@ -134,23 +143,29 @@ private:
     std::variant<const BsdfMaterial*, BsdfMaterial> material_;
     V3f normal_;
     V3f geometric_normal_;
+    V3f coat_normal_;
 
     // Materials with layers beyond the plain ones: bsdf_layers.cpp.
     struct LayersView {
         V3f direction;
         float cosine = 0.0F;
         Covered covered;
+        CoatAt coat;
         float below = 0.0F;                  // What passes covers and dielectric layer.
         float lost = 0.0F;                   // What the facets of glass block.
         std::array<float, 5> probability{};  // By lobe.
     };
     [[nodiscard]] LayersView layers_view_from(const V3f& to_viewer) const;
     [[nodiscard]] Value evaluate_layers(const LayersView& view, const V3f& to_light) const;
+    [[nodiscard]] CoatAt coat_at(const Covered& covered, const V3f& direction) const;
     [[nodiscard]] Value evaluate_above(const LayersView& view, const V3f& to_light) const;
+    [[nodiscard]] Value evaluate_coat(const LayersView& view, const CoatAt& lit,
+                                      const V3f& to_light) const;
     [[nodiscard]] Value evaluate_through_wall(const LayersView& view, const V3f& to_light) const;
     [[nodiscard]] Value evaluate_refracted(const LayersView& view, const V3f& to_light) const;
     [[nodiscard]] std::optional<BsdfSample> sample_layers(const LayersView& view,
                                                           const V3f& random) const;
+    [[nodiscard]] float passed_outside(const V3f& to_light) const;
     [[nodiscard]] Color3f mirror_weight(const LayersView& view) const;
     [[nodiscard]] std::optional<BsdfSample> sample_straight(const LayersView& view) const;
     [[nodiscard]] BsdfSample sample_lobe(const LayersView& view, std::size_t lobe,

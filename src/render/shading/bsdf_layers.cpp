@@ -31,20 +31,31 @@ V3f through(const V3f& v, const V3f& normal) { return v - 2.0F * v.dot(normal) *
 enum Lobe : std::size_t { coat_lobe, fibres_lobe, layer_lobe, diffuse_lobe, passage_lobe };
 }  // namespace
 
+CoatAt Bsdf::coat_at(const Covered& covered, const V3f& direction) const {
+    if (!(covered.coat > 0.0F)) {
+        return {};
+    }
+    const float cosine = coat_normal_.dot(direction);
+    return coat_normal_ == normal_ ? CoatAt{cosine, covered.coat_energy.scale, covered.coat}
+                                   : material().layers->tilted_coat(covered, cosine);
+}
+
 Bsdf::LayersView Bsdf::layers_view_from(const V3f& to_viewer) const {
     LayersView view;
     view.direction = to_viewer;
     view.cosine = normal_.dot(to_viewer);
     view.covered = material().covered(view.cosine);
+    view.coat = coat_at(view.covered, to_viewer);
     view.below = material().below(view.covered.layer, view.covered.passed);
+    const float shade = view.coat.shade;
     auto& weights = view.probability;
-    weights[coat_lobe] = view.covered.coat;
-    weights[fibres_lobe] = view.covered.fibres;
-    weights[layer_lobe] = largest(material().specular.albedo(view.covered.layer));
-    weights[diffuse_lobe] = largest(material().diffuse) * view.below;
+    weights[coat_lobe] = view.coat.cosine < min_cosine ? 0.0F : view.coat.reflected;
+    weights[fibres_lobe] = shade * view.covered.fibres;
+    weights[layer_lobe] = shade * largest(material().specular.albedo(view.covered.layer));
+    weights[diffuse_lobe] = shade * largest(material().diffuse) * view.below;
     if (material().layers->passage) {
         const Passage& passage = *material().layers->passage;
-        const float share = passage.share * view.covered.passed;
+        const float share = shade * passage.share * view.covered.passed;
         const Color3f reflected = passage.reflectance(view.cosine);
         weights[passage_lobe] = share * largest(passage.transmittance(reflected));
         if (passage.refracts) {
@@ -71,10 +82,10 @@ Bsdf::Value Bsdf::evaluate_layers(const LayersView& view, const V3f& to_light) c
     if (view.cosine < min_cosine) {
         return {};
     }
-    if (cosine >= min_cosine && geometric > 0.0F) {
+    if (geometric > 0.0F) {
         return evaluate_above(view, to_light);
     }
-    if (cosine > -min_cosine || geometric >= 0.0F || !material().layers->passage ||
+    if (cosine > -min_cosine || geometric >= 0.0F || !material().transmits() ||
         material().is_mirror()) {
         return {};
     }
@@ -85,29 +96,24 @@ Bsdf::Value Bsdf::evaluate_layers(const LayersView& view, const V3f& to_light) c
 Bsdf::Value Bsdf::evaluate_above(const LayersView& view, const V3f& to_light) const {
     const float cosine = normal_.dot(to_light);
     const Covered& seen = view.covered;
-    const Covered lit = material().covered(cosine);
+    const Covered lit = material().covered(std::max(cosine, 0.0F));
+    const CoatAt coat = coat_at(lit, to_light);
+    Value value = evaluate_coat(view, coat, to_light);
+    if (cosine < min_cosine) {
+        return value;
+    }
+    const float shade = view.coat.shade * coat.shade;
     const float lambert = cosine / pi_v<float>;
-    Value value{lambert * view.below * material().below(lit.layer, lit.passed) *
-                    material().per_mean_below * material().diffuse,
-                view.probability[diffuse_lobe] * lambert};
+    value.reflected += shade * lambert * view.below * material().below(lit.layer, lit.passed) *
+                       material().per_mean_below * material().diffuse;
+    value.pdf += view.probability[diffuse_lobe] * lambert;
     const HalfVector halfway(normal_, view.direction, to_light);
     const float edge = schlick(halfway.viewer);
-    const auto reflect = [&](const Ggx& facets, float probability, const Color3f& color) {
-        const Microfacets at(facets, halfway, view.cosine, cosine);
-        value.reflected += cosine * at.reflectance * color;
-        value.pdf += probability * at.pdf;
-    };
-    if (seen.coat > 0.0F) {
-        const Coat& coat = *material().layers->coat;
-        const float scale = seen.coat_energy.scale * lit.coat_energy.scale;
-        reflect(coat.facets, view.probability[coat_lobe],
-                Color3f(coat.weight * coat_reflectance(edge, scale)));
-    }
     if (seen.fibres > 0.0F) {
         const Fibres& fibres = *material().layers->fibres;
         // Of either direction that which the coat shades more: reciprocal, and never too much.
         const float scale =
-            seen.sheen.scale * lit.sheen.scale * (1.0F - std::max(seen.coat, lit.coat));
+            shade * seen.sheen.scale * lit.sheen.scale * (1.0F - std::max(seen.coat, lit.coat));
         value.reflected +=
             cosine * fibres.sheen.reflectance(view.cosine, cosine, halfway.squared_sine, scale) *
             fibres.color;
@@ -116,26 +122,42 @@ Bsdf::Value Bsdf::evaluate_above(const LayersView& view, const V3f& to_light) co
     if (material().is_mirror()) {
         return value;
     }
-    const float factor = material().layers->cover_factor(seen, lit);
+    const Microfacets facets(material().facets, halfway, view.cosine, cosine);
+    const float factor = shade * material().layers->cover_factor(seen, lit);
     const float scale = seen.layer.scale * lit.layer.scale;
-    reflect(material().facets, view.probability[layer_lobe],
-            factor * material().specular.at_facet(edge, scale));
-    if (material().layers->passage && material().layers->passage->refracts) {
+    value.reflected +=
+        cosine * facets.reflectance * factor * material().specular.at_facet(edge, scale);
+    value.pdf += view.probability[layer_lobe] * facets.pdf;
+    if (material().transmits() && material().layers->passage->refracts) {
         const Passage& glass = *material().layers->passage;
         const GlassSide side = glass.viewer_side();
         const float probability = view.probability[passage_lobe];
         const Color3f color = glass.reflectance(halfway.viewer);
         // Reciprocal, and together with the covers never too much.
-        const float share = glass.share * std::min(seen.passed, lit.passed);
-        reflect(material().facets,
-                probability * (1.0F - view.lost) * glass.reflection_probability(color),
-                share * color);
+        const float share = shade * glass.share * std::min(seen.passed, lit.passed);
+        value.reflected += cosine * facets.reflectance * share * color;
+        value.pdf +=
+            probability * (1.0F - view.lost) * glass.reflection_probability(color) * facets.pdf;
         const float lost = glass.energies.lost(side, cosine, material().energies.at(cosine).single);
         value.reflected +=
             Color3f(lambert * share * view.lost * lost * glass.energies.scattered(side));
         value.pdf += probability * view.lost * glass.energies.share(side) * lambert;
     }
     return value;
+}
+
+// The coat reflects on its own side, where the layers below it may not.
+Bsdf::Value Bsdf::evaluate_coat(const LayersView& view, const CoatAt& lit,
+                                const V3f& to_light) const {
+    if (lit.cosine < min_cosine || view.coat.cosine < min_cosine) {
+        return {};
+    }
+    const Coat& coat = *material().layers->coat;
+    const HalfVector halfway(coat_normal_, view.direction, to_light);
+    const Microfacets at(coat.facets, halfway, view.coat.cosine, lit.cosine);
+    const float color =
+        coat.weight * coat_reflectance(schlick(halfway.viewer), view.coat.scale * lit.scale);
+    return {Color3f(lit.cosine * at.reflectance * color), view.probability[coat_lobe] * at.pdf};
 }
 
 Bsdf::Value Bsdf::evaluate_through_wall(const LayersView& view, const V3f& to_light) const {
@@ -145,8 +167,9 @@ Bsdf::Value Bsdf::evaluate_through_wall(const LayersView& view, const V3f& to_li
     const Covered lit = material().covered(cosine);
     const HalfVector halfway(normal_, view.direction, reflected);
     const Microfacets at(material().facets, halfway, view.cosine, cosine);
-    const float all = view.covered.layer.scale * lit.layer.scale *
-                      material().layers->cover_factor(view.covered, lit) * wall.share;
+    const float all = view.coat.shade * coat_at(lit, -to_light).shade * view.covered.layer.scale *
+                      lit.layer.scale * material().layers->cover_factor(view.covered, lit) *
+                      wall.share;
     return {cosine * at.reflectance * all * wall.transmittance(wall.reflectance(halfway.viewer)),
             view.probability[passage_lobe] * at.pdf};
 }
@@ -158,7 +181,7 @@ Bsdf::Value Bsdf::evaluate_refracted(const LayersView& view, const V3f& to_light
     const float lambert = cosine / pi_v<float>;
     const LayerEnergy layer = material().energies.at(cosine);
     const float passed =
-        glass.outside ? view.covered.passed : material().layers->at(layer, cosine).passed;
+        glass.outside ? view.coat.shade * view.covered.passed : passed_outside(to_light);
     const float lost = glass.energies.lost(side, cosine, layer.single);
     Value value{lambert * view.lost * lost * glass.energies.scattered(side) * glass.tint,
                 view.lost * glass.energies.share(side) * lambert};
@@ -177,14 +200,22 @@ Bsdf::Value Bsdf::evaluate_refracted(const LayersView& view, const V3f& to_light
     return {glass.share * passed * value.reflected, view.probability[passage_lobe] * value.pdf};
 }
 
+// What the covers let pass of light on the outside that meets a viewer inside.
+float Bsdf::passed_outside(const V3f& to_light) const {
+    const float cosine = -normal_.dot(to_light);
+    const Covered lit = material().layers->at(material().energies.at(cosine), cosine);
+    return coat_at(lit, -to_light).shade * lit.passed;
+}
+
 Color3f Bsdf::mirror_weight(const LayersView& view) const {
+    const CoatAt lit = coat_at(view.covered, mirrored(view.direction, normal_));
     Color3f weight = material().layers->cover_factor(view.covered, view.covered) *
                      material().specular.at_facet(schlick(view.cosine), 1.0F);
-    if (material().layers->passage && material().layers->passage->refracts) {
+    if (material().transmits() && material().layers->passage->refracts) {
         const Passage& glass = *material().layers->passage;
         weight += glass.share * view.covered.passed * glass.reflectance(view.cosine);
     }
-    return weight;
+    return view.coat.shade * lit.shade * weight;
 }
 
 std::optional<BsdfSample> Bsdf::sample_straight(const LayersView& view) const {
@@ -195,17 +226,17 @@ std::optional<BsdfSample> Bsdf::sample_straight(const LayersView& view) const {
     sample.transmitted = true;
     sample.delta = true;
     sample.roughness = 0.0F;
-    float passed = view.covered.passed;
+    float passed = view.coat.shade * view.covered.passed;
     if (passage.refracts) {
         sample.to_light = refracted(view.direction, normal_, view.cosine, passage.eta).normalized();
         sample.eta = 1.0F / passage.eta;
-        const float cosine = -normal_.dot(sample.to_light);
         if (!passage.outside) {
-            passed = material().layers->at(material().energies.at(cosine), cosine).passed;
+            passed = passed_outside(sample.to_light);
         }
     } else {
         sample.to_light = -view.direction;
-        passed = material().layers->cover_factor(view.covered, view.covered);
+        passed =
+            square(view.coat.shade) * material().layers->cover_factor(view.covered, view.covered);
     }
     if (geometric_normal_.dot(sample.to_light) >= 0.0F) {
         return std::nullopt;
@@ -217,7 +248,7 @@ std::optional<BsdfSample> Bsdf::sample_straight(const LayersView& view) const {
 
 // A direction by a lobe that is not a delta lobe, without its density.
 BsdfSample Bsdf::sample_lobe(const LayersView& view, std::size_t lobe, const V3f& random) const {
-    const Frame frame(normal_);
+    const Frame frame(lobe == coat_lobe ? coat_normal_ : normal_);
     const auto sample_facet = [&](const Ggx& facets) {
         return frame.to_world(
             facets.sample_visible(frame.to_local(view.direction), random.y, random.z));
@@ -300,7 +331,9 @@ std::optional<BsdfSample> Bsdf::sample_layers(const LayersView& view, const V3f&
         return sample;
     }
     BsdfSample sample = sample_lobe(view, lobe, {rest / probability, random.y, random.z});
-    if (sample.transmitted != (normal_.dot(sample.to_light) < 0.0F)) {
+    const V3f& side = lobe == coat_lobe ? coat_normal_ : normal_;
+    if (sample.transmitted != (side.dot(sample.to_light) < 0.0F) ||
+        sample.transmitted != (geometric_normal_.dot(sample.to_light) < 0.0F)) {
         return std::nullopt;
     }
     return weighted(sample, evaluate_layers(view, sample.to_light));

@@ -134,6 +134,13 @@ Covered Layers::at(const LayerEnergy& layer, float cosine) const {
     return found;
 }
 
+CoatAt Layers::tilted_coat(const Covered& flat, float cosine) const {
+    const LayerEnergy energy = coat->energies.at(std::max(cosine, 0.0F));
+    const float reflected = coat->weight * reflectance_of_coat().albedo(energy);
+    const float shade = reflected > flat.coat ? (1.0F - reflected) / (1.0F - flat.coat) : 1.0F;
+    return {cosine, energy.scale, reflected, std::max(shade, 0.0F)};
+}
+
 float Layers::cover_factor(const Covered& viewer, const Covered& light) const {
     const auto factor = [](float weight, float scale) { return 1.0F - weight + weight * scale; };
     float product = 1.0F;

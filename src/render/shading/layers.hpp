@@ -77,6 +77,14 @@ struct Covered {
     float fibres_scale = 1.0F;  ///< and by the fibres.
 };
 
+/// The coat at a direction, by its own normal.
+struct CoatAt {
+    float cosine = 0.0F;     ///< Between that normal and the direction.
+    float scale = 1.0F;      ///< c of its facets.
+    float reflected = 0.0F;  ///< Of even light.
+    float shade = 1.0F;      ///< What the coat's tilt multiplies all layers below by.
+};
+
 /// The clearcoat's reflectance of a facet, for c(viewer) c(light).
 [[nodiscard]] float coat_reflectance(float edge, float scale);
 
@@ -90,6 +98,8 @@ struct Layers {
         return passage && passage->refracts && !passage->outside;
     }
     [[nodiscard]] Covered at(const LayerEnergy& layer, float cosine) const;
+    /// The coat with a normal of its own, where `flat` is as if it had that of the layers below.
+    [[nodiscard]] CoatAt tilted_coat(const Covered& flat, float cosine) const;
     /// What the covers multiply the layer below with.
     [[nodiscard]] float cover_factor(const Covered& viewer, const Covered& light) const;
 };

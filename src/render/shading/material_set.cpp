@@ -108,9 +108,21 @@ void look_up_textures(const Material& material, Texels& texels, Appearance& foun
 }
 
 // glTF 2.0, section 3.9.3: texels from 0 to 1 stand for components from -1 to 1.
-V3f mapped_normal(const Material& material, const Color3f& texel) {
+V3f in_tangent_space(const Color3f& texel, float scale) {
     const V3f normal = 2.0F * texel - V3f(1.0F);
-    return {material.normal_scale * normal.x, material.normal_scale * normal.y, normal.z};
+    return {scale * normal.x, scale * normal.y, normal.z};
+}
+
+void bend_normals(const Material& material, Texels& texels, const V3f& to_viewer,
+                  Surface& surface) {
+    const auto bend = [&](const TextureUse& use, float scale, V3f& normal) {
+        if (use.valid()) {
+            normal =
+                surface.mapped_normal(in_tangent_space(texels.color(use), scale), use, to_viewer);
+        }
+    };
+    bend(material.normal_texture, material.normal_scale, surface.normal);
+    bend(material.clearcoat_normal_texture, material.clearcoat_normal_scale, surface.coat_normal);
 }
 
 bool uses_textures(const Material& material) {
@@ -164,10 +176,7 @@ Appearance MaterialSet::look_up(Surface& surface, const PositionDifferentials& m
         const TriangleFootprint footprint = surface.triangle_footprint(moved);
         Texels texels(*textures_, point, footprint);
         look_up_textures(material, texels, found, alpha);
-        if (material.normal_texture.valid()) {
-            surface.map_normal(mapped_normal(material, texels.color(material.normal_texture)),
-                               material.normal_texture, to_viewer);
-        }
+        bend_normals(material, texels, to_viewer, surface);
     }
     found.opacity = opacity_of(material, alpha);
     return found;

@@ -26,7 +26,7 @@ public:
     /// Some material has a texture, so footprints matter.
     [[nodiscard]] bool has_textures() const { return has_textures_; }
 
-    /// The appearance at a surface, whose normal it bends by the normal map. `moved` is the
+    /// The appearance at a surface, whose normals it bends by the normal maps. `moved` is the
     /// footprint of the ray, whose direction is that to the viewer reversed.
     [[nodiscard]] Appearance look_up(Surface& surface, const PositionDifferentials& moved,
                                      const V3f& to_viewer) const;

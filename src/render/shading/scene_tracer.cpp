@@ -31,9 +31,11 @@ Interaction SceneTracer::interaction(const Ray& ray, const embree::Hit& hit) con
 }
 
 Bsdf Interaction::bsdf() const {
-    return uniform != nullptr
-               ? Bsdf(*uniform, surface.normal, surface.smooth_normal)
-               : Bsdf(appearance, surface.normal, surface.smooth_normal, surface.entering);
+    Bsdf made = uniform != nullptr
+                    ? Bsdf(*uniform, surface.normal, surface.smooth_normal)
+                    : Bsdf(appearance, surface.normal, surface.smooth_normal, surface.entering);
+    made.set_coat_normal(surface.coat_normal);
+    return made;
 }
 
 Color3f SceneTracer::emission(const embree::Hit& hit) const {
@@ -43,7 +45,7 @@ Color3f SceneTracer::emission(const embree::Hit& hit) const {
 
 embree::Ray SceneTracer::shadow_ray(const Surface& surface, const V3f& to_light, float distance,
                                     float time) {
-    if (to_light.dot(surface.normal) < 0.0F) {
+    if (to_light.dot(surface.smooth_normal) < 0.0F) {
         return {surface.start(to_light), to_light, nearly_all * distance, time};
     }
     const V3f start = surface.start_to_light();

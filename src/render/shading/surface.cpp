@@ -78,7 +78,7 @@ void set_normal(const std::array<Corner, 3>& corners, const V3f& to_viewer, Surf
     surface.mesh_normal = unit;
     const float side = side_of(unit, surface.geometric_normal);
     surface.smooth_normal = bent_towards(side * unit, to_viewer);
-    surface.normal = surface.smooth_normal;
+    surface.normal = surface.coat_normal = surface.smooth_normal;
     const V3f out = to_smooth_surface(corners, surface.position, side);
     if (std::isfinite(out.length2())) {
         surface.rounding_out = out;
@@ -169,8 +169,8 @@ TriangleFootprint Surface::triangle_footprint(const PositionDifferentials& moved
 
 // The tangent points to the right of the image, the bitangent to its top, where v is least. Both
 // are the derivatives of the position by the image's coordinates, perpendicular to the normal.
-void Surface::map_normal(const V3f& in_tangent_space, const scene::TextureUse& use,
-                         const V3f& to_viewer) {
+V3f Surface::mapped_normal(const V3f& in_tangent_space, const scene::TextureUse& use,
+                           const V3f& to_viewer) const {
     V3f right(tangent.x, tangent.y, tangent.z);
     float handedness = tangent.w;
     if (right == V3f(0.0F)) {
@@ -187,10 +187,9 @@ void Surface::map_normal(const V3f& in_tangent_space, const scene::TextureUse& u
             .normalized();
     // Without coordinates there is no tangent; nothing is mapped then.
     if (!std::isfinite(mapped.length2()) || !(mapped.length2() > 0.0F)) {
-        return;
+        return smooth_normal;
     }
-    const float side = mesh_normal.dot(geometric_normal) < 0.0F ? -1.0F : 1.0F;
-    normal = bent_towards(side * mapped, to_viewer);
+    return bent_towards(side_of(mesh_normal, geometric_normal) * mapped, to_viewer);
 }
 
 SurfaceFinder::SurfaceFinder(const scene::Scene& scene, const scene::Movement& movement)
@@ -278,7 +277,7 @@ Surface SurfaceFinder::find(const embree::Hit& hit, const V3f& direction, float 
     const V3f outside = placement.side * surface.edge_1.cross(surface.edge_2).normalized();
     surface.entering = outside.dot(direction) <= 0.0F;
     surface.geometric_normal = surface.entering ? outside : -outside;
-    surface.normal = surface.smooth_normal = surface.geometric_normal;
+    surface.normal = surface.coat_normal = surface.smooth_normal = surface.geometric_normal;
     surface.mesh_normal = outside;
     surface.rounding_out = V3f(0.0F);
     if (!m.normals.empty()) {

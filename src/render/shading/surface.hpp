@@ -77,6 +77,7 @@ struct Surface {
     V3f smooth_normal;     ///< Unit, interpolated from the corners, on the same side and seen from
                            ///< the ray.
     V3f normal;            ///< The same, bent by the normal map: for shading.
+    V3f coat_normal;       ///< The same, bent by the clearcoat's normal map.
     V3f mesh_normal;       ///< Unit, interpolated from the corners, as the mesh has it.
     V3f edge_1, edge_2;    ///< Of the triangle, from its first vertex.
     V4f tangent{0.0F};     ///< Of the mesh, in the world; 0 if it has none.
@@ -98,10 +99,10 @@ struct Surface {
     [[nodiscard]] PositionDifferentials transfer(const Ray& ray) const;
     /// The footprint on the triangle.
     [[nodiscard]] TriangleFootprint triangle_footprint(const PositionDifferentials& moved) const;
-    /// Sets the normal for shading from a normal in the tangent space of a use of a texture, whose
-    /// z is the mesh's normal: (0, 0, 1) changes nothing. `to_viewer` is the reversed ray.
-    void map_normal(const V3f& in_tangent_space, const scene::TextureUse& use,
-                    const V3f& to_viewer);
+    /// The smooth normal, bent to a normal in the tangent space of a use of a texture, whose z is
+    /// the mesh's normal: (0, 0, 1) changes nothing. `to_viewer` is the reversed ray.
+    [[nodiscard]] V3f mapped_normal(const V3f& in_tangent_space, const scene::TextureUse& use,
+                                    const V3f& to_viewer) const;
 };
 
 /// A mesh that is placed in the world and does not move.

@@ -21,9 +21,9 @@ void read_clearcoat(const Json& json, GltfMaterialReader& reader) {
     reader.read_texture(json, "clearcoatTexture", Channel::red, m.clearcoat_texture);
     reader.read_texture(json, "clearcoatRoughnessTexture", Channel::green,
                         m.clearcoat_roughness_texture);
-    if (!member(json, "clearcoatNormalTexture").is_null()) {
-        reader.warn("the normal map of its clearcoat is not supported");
-    }
+    m.clearcoat_normal_scale =
+        signed_quantity_in(member(json, "clearcoatNormalTexture"), "scale", 1.0F);
+    reader.read_texture(json, "clearcoatNormalTexture", m.clearcoat_normal_texture);
 }
 
 void read_emissive_strength(const Json& json, GltfMaterialReader& reader) {

@@ -111,7 +111,8 @@ GltfMaterial GltfMaterials::make(const Json& json) {
     GltfMaterial made;
     made.has_textures = !reader.coordinate_sets.empty();
     made.coordinate_sets = made.has_textures ? reader.coordinate_sets : std::vector<std::size_t>{0};
-    made.has_normal_map = reader.material.normal_texture.valid();
+    made.has_normal_map =
+        reader.material.normal_texture.valid() || reader.material.clearcoat_normal_texture.valid();
     import_.scene.materials.push_back(std::move(reader.material));
     made.index = MaterialIndex(import_.scene.materials.size() - 1);
     return made;

@@ -21,7 +21,7 @@ public:
 
     json write() {
         json written = {{"name", m_.name}, {"pbrMetallicRoughness", surface()}};
-        add_normal_map(written);
+        add_normal_map(written, "normalTexture", m_.normal_texture, m_.normal_scale);
         add_emission(written);
         if (m_.alpha_mode == AlphaMode::mask) {
             written["alphaMode"] = "MASK";
@@ -82,10 +82,10 @@ private:
         return written;
     }
 
-    void add_normal_map(json& written) {
-        add_texture(written, "normalTexture", m_.normal_texture);
-        if (m_.normal_texture.valid() && m_.normal_scale != 1.0F) {
-            written["normalTexture"]["scale"] = m_.normal_scale;
+    void add_normal_map(json& written, const char* key, const TextureUse& use, float scale) {
+        add_texture(written, key, use);
+        if (use.valid() && scale != 1.0F) {
+            written[key]["scale"] = scale;
         }
     }
 
@@ -143,6 +143,8 @@ private:
                     {"clearcoatRoughnessFactor", m_.clearcoat_roughness}};
             add_texture(coat, "clearcoatTexture", m_.clearcoat_texture);
             add_texture(coat, "clearcoatRoughnessTexture", m_.clearcoat_roughness_texture);
+            add_normal_map(coat, "clearcoatNormalTexture", m_.clearcoat_normal_texture,
+                           m_.clearcoat_normal_scale);
         }
         if (m_.sheen_color != Color3f(0.0F)) {
             json& sheen = extension(written, "KHR_materials_sheen");
