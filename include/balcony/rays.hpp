@@ -91,10 +91,18 @@ public:
         const double* time;  ///< Null if all rays have the time of the run.
     };
     [[nodiscard]] Arrays arrays() const {
-        return {{values_[origin_], values_[origin_ + 1], values_[origin_ + 2]},
-                {values_[direction_], values_[direction_ + 1], values_[direction_ + 2]},
-                values_[valid_],
+        return {vectors(origin_), vectors(direction_), values_[valid_],
                 has_times() ? values_[roots_.time()] : nullptr};
+    }
+
+    /// Likewise, their derivatives. Only with footprints.
+    struct FootprintArrays {
+        std::array<const double*, 3> origin_by_x, origin_by_y;
+        std::array<const double*, 3> direction_by_x, direction_by_y;
+    };
+    [[nodiscard]] FootprintArrays footprint_arrays() const {
+        return {vectors(origin_by_x_), vectors(origin_by_y_), vectors(direction_by_x_),
+                vectors(direction_by_y_)};
     }
 
 private:
@@ -125,6 +133,9 @@ private:
 
     [[nodiscard]] V3d vector(std::size_t root, std::size_t i) const {
         return {values_[root][i], values_[root + 1][i], values_[root + 2][i]};
+    }
+    [[nodiscard]] std::array<const double*, 3> vectors(std::size_t root) const {
+        return {values_[root], values_[root + 1], values_[root + 2]};
     }
     std::span<double* const> reserve(std::size_t size, const Roots& roots);
 

@@ -6,6 +6,7 @@
 #include "render/textures/texture_library.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
@@ -112,6 +113,58 @@ TEST(TextureLibrary, TheWrapModesContinueTheImage) {
                 EXPECT_NEAR(held.red({center, V2f(0.0F), V2f(0.0F)}),
                             value(index(wrap, x, 5), index(wrap, y, 3)), half_code + 1e-5F)
                     << static_cast<int>(wrap) << ' ' << x << ' ' << y;
+            }
+        }
+    }
+}
+
+// Expects that the rays of a packet together find what each finds by itself.
+void expect_same_in_lanes(const TextureLibrary& library,
+                          const std::array<TextureFootprint, texture_lanes::lane_count>& asked) {
+    const scene::TextureIndex texture(0);
+    texture_lanes::Footprints footprints;
+    for (std::size_t lane = 0; lane < asked.size(); ++lane) {
+        const TextureFootprint& one = asked[lane];
+        footprints.at_u[lane] = one.at.x;
+        footprints.at_v[lane] = one.at.y;
+        footprints.along_x_u[lane] = one.along_x.x;
+        footprints.along_x_v[lane] = one.along_x.y;
+        footprints.along_y_u[lane] = one.along_y.x;
+        footprints.along_y_v[lane] = one.along_y.y;
+    }
+    texture_lanes::Colors found{};
+    library.look_up(texture, TextureEncoding::linear, footprints, found);
+    for (std::size_t lane = 0; lane < asked.size(); ++lane) {
+        const Color4f expected = library.look_up(texture, TextureEncoding::linear, asked[lane]);
+        ASSERT_EQ(found.red[lane], expected.r) << "lane " << lane;
+        ASSERT_EQ(found.green[lane], expected.g) << "lane " << lane;
+        ASSERT_EQ(found.blue[lane], expected.b) << "lane " << lane;
+    }
+}
+
+TEST(TextureLibrary, TheRaysOfAPacketFindTheSameBits) {
+    std::mt19937 random(6);
+    const auto noise = [&](int, int) {
+        const auto channel = [&] { return static_cast<std::uint8_t>(random() % 256); };
+        return std::vector<std::uint8_t>{channel(), channel(), channel()};
+    };
+    for (const Wrap wrap : {Wrap::repeat, Wrap::clamp, Wrap::mirror}) {
+        for (const auto& [width, height] : {std::pair(37, 21), {64, 256}, {1, 1}, {1, 9}}) {
+            const scene::Scene scene = textured(encode_png(width, height, 3, noise), wrap);
+            for (const std::size_t memory : {plenty, std::size_t{0}}) {
+                const Sampled sampled(scene, memory);
+                for (int trial = 0; trial < 200; ++trial) {
+                    std::array<TextureFootprint, texture_lanes::lane_count> asked;
+                    for (TextureFootprint& one : asked) {
+                        one = random_footprint(random, trial % 4 == 0 ? 20.0F : 0.1F, -2.0F);
+                    }
+                    // A point, points on borders, and what is out of range.
+                    asked[1] = {asked[1].at, V2f(0.0F), V2f(0.0F)};
+                    asked[2].at = {-1.0F, 1.0F};
+                    asked[3].at.x = 2.0F * MipPyramid::max_coordinate;
+                    asked[4].along_y.y = std::nanf("");
+                    expect_same_in_lanes(sampled.library(), asked);
+                }
             }
         }
     }
@@ -342,6 +395,7 @@ TEST(TextureLibrary, ValuesThatAreNotFiniteAreZeroWithAWarning) {
         EXPECT_EQ(texel(1).r, 0.0F);
         EXPECT_EQ(texel(2).r, 65504.0F);
         EXPECT_EQ(texel(3).r, 0.25F);
+        expect_same_in_lanes(library, {TextureFootprint{V2f(0.2F, 0.1F), V2f(0.1F), V2f(0.2F)}});
         warnings = library.warnings();
         ASSERT_EQ(warnings.size(), 1U);
         EXPECT_NE(warnings[0].message.find("not finite"), std::string::npos);

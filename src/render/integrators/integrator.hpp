@@ -14,6 +14,7 @@
 #include "render/embree/accelerator.hpp"
 #include "render/film/tile_image.hpp"
 #include "render/sampling/sampler.hpp"
+#include "render/shading/packet_lanes.hpp"
 #include "render/shading/scene_tracer.hpp"
 
 namespace balcony::render {
@@ -34,11 +35,11 @@ struct CameraRay {
     std::uint32_t packet = 0;  ///< Rays of a packet are neighbours in the picture, and in a batch.
 };
 
-/// The differentials of camera rays, which are computed on request.
+/// The differentials of a packet of camera rays, which are computed on request.
 class DifferentialSource {
 public:
     virtual ~DifferentialSource() = default;
-    [[nodiscard]] virtual RayDifferentials differentials(std::size_t ray) const = 0;
+    [[nodiscard]] virtual const packet_lanes::Differentials& differentials() = 0;
 };
 
 /// A faster way to the radiance alone, for integrators without random numbers.
@@ -48,8 +49,8 @@ public:
 
     virtual ~LightTracer() = default;
     /// The radiance of a packet of camera rays with their first hits: that of Integrator::trace(),
-    /// up to rounding errors; 0 where there is no ray. The differentials are those of its lanes.
-    virtual void trace_light(const embree::Packet& packet, const DifferentialSource& differentials,
+    /// up to rounding errors; 0 where there is no ray.
+    virtual void trace_light(const embree::Packet& packet, DifferentialSource& differentials,
                              Lanes& radiance) = 0;
 };
 

@@ -10,12 +10,14 @@
 
 #include "render/integrators/ray_tree.hpp"
 #include "render/shading/packet_lanes.hpp"
+#include "render/shading/surface_lanes.hpp"
 
 namespace balcony::render {
 
 namespace {
 
 using embree::Packet;
+using surface_lanes::Group;
 
 class Preview final : public RayTree, private LightTracer {
 public:
@@ -32,83 +34,73 @@ private:
     // An instance as the integrator shows it.
     struct Look {
         bool is_plain = false;  // At rest, and with a plain material; otherwise the rest is unused.
-        Color4f base_color{0.0F};
-        Color4f emission{0.0F};  // With the opacity.
+        Color3f base_color{0.0F};
+        Color3f emission{0.0F};
         const scene::TextureUse* texture = nullptr;
         PlacedMesh mesh{};
     };
 
     static Look look_of(const TracedScene& traced, std::uint32_t instance) {
         const std::optional<PlacedMesh> mesh = traced.surfaces.mesh_at_rest(instance);
-        const auto material = mesh ? traced.materials.plain(*mesh->mesh) : std::nullopt;
+        const bool fits = mesh && mesh->mesh->triangles.size() <= surface_lanes::max_mesh_size &&
+                          mesh->mesh->positions.size() <= surface_lanes::max_mesh_size;
+        const auto material = fits ? traced.materials.plain(*mesh->mesh) : std::nullopt;
         if (!material) {
             return {};
         }
-        const Color3f& base = material->constant->base_color;
-        return {true,
-                {base.x, base.y, base.z, 0.0F},
-                opaque(material->constant->emission),
-                material->texture,
-                *mesh};
+        return {true, material->constant->base_color, material->constant->emission,
+                material->texture, *mesh};
     }
 
-    void trace_light(const Packet& packet, const DifferentialSource& differentials,
+    void trace_light(const Packet& packet, DifferentialSource& differentials,
                      Lanes& radiance) override {
-        std::array<const Look*, Packet::size> looks{};
-        for (std::size_t lane = 0; lane < Packet::size; ++lane) {
-            if (packet.valid[lane] != 0 && packet.any(lane)) {
-                looks[lane] = &looks_[packet.instance(lane)];
-                if (looks[lane]->is_plain) {
-                    set_normals(packet, lane, looks[lane]->mesh);
-                }
+        surface_lanes::find_groups(packet, groups_);
+        for (const Group& group : groups_.all()) {
+            if (const Look& look = looks_[group.instance]; look.is_plain) {
+                surface_lanes::set_normals(packet, group.lanes, look.mesh, normals_);
             }
         }
         packet_lanes::set_cosines(packet, normals_, cosines_);
-        for (std::size_t lane = 0; lane < Packet::size; ++lane) {
-            const Look* const look = looks[lane];
-            if (look == nullptr) {
-                radiance[lane] = Color4f(0.0F);
-            } else if (!look->is_plain) {
-                radiance[lane] = light(packet, lane, differentials);
-            } else if (look->texture == nullptr) {
-                radiance[lane] = look->emission + cosines_[lane] * look->base_color;
-            } else {
-                radiance[lane] = look->emission + cosines_[lane] * look->base_color *
-                                                      texel(packet, lane, *look, differentials);
+        for (const Group& group : groups_.all()) {
+            if (const Look& look = looks_[group.instance]; look.is_plain) {
+                surface_lanes::set_radiances(group.lanes, look.emission, look.base_color, cosines_,
+                                             texture(packet, group, look, differentials),
+                                             radiances_);
+            }
+        }
+        surface_lanes::write(radiances_, groups_, radiance);
+        for (const Group& group : groups_.all()) {
+            if (!looks_[group.instance].is_plain) {
+                set_others(packet, group, differentials, radiance);
             }
         }
     }
 
-    void set_normals(const Packet& packet, std::size_t lane, const PlacedMesh& mesh) {
-        const V3f smooth =
-            mesh.smooth_normal(packet.triangle[lane], packet.u[lane], packet.v[lane]);
-        const V3f flat = packet.is_placed(lane) ? packet.normal(lane) * mesh.normal_from_mesh
-                                                : packet.normal(lane);
-        normals_.smooth_x[lane] = smooth.x;
-        normals_.smooth_y[lane] = smooth.y;
-        normals_.smooth_z[lane] = smooth.z;
-        normals_.flat_x[lane] = flat.x;
-        normals_.flat_y[lane] = flat.y;
-        normals_.flat_z[lane] = flat.z;
+    // The colours of the texture of a group; null if it has none.
+    [[nodiscard]] const texture_lanes::Colors* texture(const Packet& packet, const Group& group,
+                                                       const Look& look,
+                                                       DifferentialSource& differentials) {
+        if (look.texture == nullptr) {
+            return nullptr;
+        }
+        surface_lanes::set_footprints(packet, group.lanes, look.mesh, normals_,
+                                      differentials.differentials(), *look.texture, footprints_);
+        textures_->look_up(look.texture->index, look.texture->encoding, footprints_, texels_);
+        return &texels_;
     }
 
-    [[nodiscard]] Color4f texel(const Packet& packet, std::size_t lane, const Look& look,
-                                const DifferentialSource& differentials) const {
-        const std::uint32_t triangle = packet.triangle[lane];
-        const V3f normal(normals_.flat_x[lane], normals_.flat_y[lane], normals_.flat_z[lane]);
-        const TriangleFootprint footprint =
-            look.mesh.footprint(triangle, normal, packet.direction(lane), packet.farthest[lane],
-                                differentials.differentials(lane));
-        const MeshPoint point{look.mesh.mesh, triangle, packet.u[lane], packet.v[lane]};
-        return textures_->look_up(look.texture->index, look.texture->encoding,
-                                  point.texture_footprint(*look.texture, footprint));
+    void set_others(const Packet& packet, const Group& group, DifferentialSource& differentials,
+                    Lanes& radiance) {
+        for (std::size_t lane = 0; lane < Packet::size; ++lane) {
+            if (group.has(lane)) {
+                radiance[lane] = light({packet.origin(lane), packet.direction(lane),
+                                        differentials.differentials().of(lane), packet.time[lane]},
+                                       packet.hit(lane));
+            }
+        }
     }
 
-    [[nodiscard]] Color4f light(const Packet& packet, std::size_t lane,
-                                const DifferentialSource& differentials) {
-        const Ray ray{packet.origin(lane), packet.direction(lane),
-                      differentials.differentials(lane), packet.time[lane]};
-        const embree::Hit hit = packet.hit(lane);
+    [[nodiscard]] Color4f light(const Ray& ray, const embree::Hit& hit) {
         const Interaction at = tracer().interaction(ray, hit);
         return at.appearance.opacity >= 1.0F
                    ? opaque(radiance(at.appearance, at.surface.normal, ray.direction))
@@ -134,8 +126,12 @@ private:
     const TextureLibrary* textures_;
     std::vector<Look> looks_;  // By instance.
     // Of the packet at work.
+    surface_lanes::Groups groups_;
     packet_lanes::Normals normals_{};
     alignas(64) Packet::Floats cosines_{};
+    texture_lanes::Footprints footprints_{};
+    texture_lanes::Colors texels_{};
+    surface_lanes::Radiances radiances_{};
 };
 
 }  // namespace

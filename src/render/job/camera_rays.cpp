@@ -16,35 +16,64 @@ bool traceable(const rays::RayBatch& rays, std::size_t i) {
     return rays.valid(i) && embree::in_range(rays.origin(i)) && std::abs(d.length2() - 1.0) < 1e-6;
 }
 
-void set_packet(const rays::RayBatch& rays, std::size_t width, std::size_t left, std::size_t top,
+namespace {
+
+constexpr std::size_t side = embree::Packet::side;
+
+bool is_whole(const rays::RayBatch& rays, const Square& square) {
+    return square.width - square.left >= side && rays.size() / square.width - square.top >= side;
+}
+
+// Calls visit(i, lane) for each ray of the square.
+template <class Visit>
+void for_each_ray(const rays::RayBatch& rays, const Square& square, const Visit& visit) {
+    const std::size_t columns = std::min(square.width - square.left, side);
+    const std::size_t rows = std::min(rays.size() / square.width - square.top, side);
+    for (std::size_t row = 0; row < rows; ++row) {
+        for (std::size_t column = 0; column < columns; ++column) {
+            visit((square.top + row) * square.width + square.left + column, row * side + column);
+        }
+    }
+}
+
+}  // namespace
+
+void set_packet(const rays::RayBatch& rays, const Square& square,
                 const scene::TimeInterval& interval, float time, embree::Packet& packet) {
-    constexpr std::size_t side = embree::Packet::side;
-    const std::size_t columns = std::min(width - left, side);
-    const std::size_t rows = std::min(rays.size() / width - top, side);
-    if (columns == side && rows == side) {
-        packet_lanes::set_rays(rays.arrays(), top * width + left, width, packet);
+    if (is_whole(rays, square)) {
+        packet_lanes::set_rays(rays.arrays(), square.top * square.width + square.left, square.width,
+                               packet);
         packet.time.fill(time);
         packet.farthest.fill(std::numeric_limits<float>::infinity());
     } else {
         packet.valid.fill(0);
-        for (std::size_t row = 0; row < rows; ++row) {
-            for (std::size_t column = 0; column < columns; ++column) {
-                const std::size_t i = (top + row) * width + left + column;
-                if (traceable(rays, i)) {
-                    packet.set(row * side + column, {.origin = V3f(rays.origin(i)),
-                                                     .direction = V3f(rays.direction(i)),
-                                                     .time = time});
-                }
+        for_each_ray(rays, square, [&](std::size_t i, std::size_t lane) {
+            if (traceable(rays, i)) {
+                packet.set(lane, {.origin = V3f(rays.origin(i)),
+                                  .direction = V3f(rays.direction(i)),
+                                  .time = time});
             }
-        }
+        });
     }
     if (rays.has_times()) {
-        for (std::size_t row = 0; row < rows; ++row) {
-            for (std::size_t column = 0; column < columns; ++column) {
-                packet.time[row * side + column] = static_cast<float>(
-                    interval.part_at(rays.time((top + row) * width + left + column)));
-            }
-        }
+        for_each_ray(rays, square, [&](std::size_t i, std::size_t lane) {
+            packet.time[lane] = static_cast<float>(interval.part_at(rays.time(i)));
+        });
+    }
+}
+
+void set_differentials(const rays::RayBatch& rays, const Square& square, double part,
+                       packet_lanes::Differentials& differentials) {
+    if (!rays.has_footprints()) {
+        differentials = {};
+    } else if (is_whole(rays, square)) {
+        packet_lanes::set_differentials(rays.footprint_arrays(),
+                                        square.top * square.width + square.left, square.width, part,
+                                        differentials);
+    } else {
+        for_each_ray(rays, square, [&](std::size_t i, std::size_t lane) {
+            differentials.set(lane, render::differentials(rays, i, part));
+        });
     }
 }
 

@@ -10,7 +10,7 @@
 
 #include "balcony/motion.hpp"
 #include "balcony/rays.hpp"
-#include "render/shading/surface.hpp"
+#include "render/shading/packet_lanes.hpp"
 
 namespace balcony::render {
 
@@ -28,10 +28,21 @@ using Imath::V3d;
 [[nodiscard]] RayDifferentials differentials(const rays::RayBatch& rays, std::size_t i,
                                              double part);
 
-/// Sets the rays of a packet to those of a square of a tile, whose upper left corner is point
-/// (left, top); `valid` as traceable(). `time` is that of all rays, unless they have their own
-/// times, which are from 0 to 1 over the interval.
-void set_packet(const rays::RayBatch& rays, std::size_t width, std::size_t left, std::size_t top,
+/// The points of a packet: a square of a tile of a width, from the point (left, top) on, or the
+/// part of it within the tile.
+struct Square {
+    std::size_t width = 0;
+    std::size_t left = 0;
+    std::size_t top = 0;
+};
+
+/// Sets the rays of a packet; `valid` as traceable(). `time` is that of all rays, unless they have
+/// their own times, which are from 0 to 1 over the interval.
+void set_packet(const rays::RayBatch& rays, const Square& square,
                 const scene::TimeInterval& interval, float time, embree::Packet& packet);
+
+/// Sets the differentials of its rays, as above; 0 without footprints.
+void set_differentials(const rays::RayBatch& rays, const Square& square, double part,
+                       packet_lanes::Differentials& differentials);
 
 }  // namespace balcony::render

@@ -19,23 +19,27 @@ RayDifferentials differentials_of(const rays::RayBatch& rays, std::size_t i, dou
     return rays.has_footprints() ? differentials(rays, i, scale) : RayDifferentials{};
 }
 
-// Those of the lanes of a packet, whose rays are a square of a tile.
+// Those of a packet, whose rays are a square of a tile.
 class SquareDifferentials final : public DifferentialSource {
 public:
-    SquareDifferentials(const rays::RayBatch& rays, double scale, std::size_t first,
-                        std::size_t stride)
-        : rays_(rays), scale_(scale), first_(first), stride_(stride) {}
+    SquareDifferentials(const rays::RayBatch& rays, double scale, const Square& square,
+                        packet_lanes::Differentials& differentials)
+        : rays_(rays), scale_(scale), square_(square), differentials_(differentials) {}
 
-    [[nodiscard]] RayDifferentials differentials(std::size_t lane) const override {
-        constexpr std::size_t side = embree::Packet::side;
-        return differentials_of(rays_, first_ + lane / side * stride_ + lane % side, scale_);
+    [[nodiscard]] const packet_lanes::Differentials& differentials() override {
+        if (!set_) {
+            set_differentials(rays_, square_, scale_, differentials_);
+            set_ = true;
+        }
+        return differentials_;
     }
 
 private:
     const rays::RayBatch& rays_;
     double scale_;
-    std::size_t first_;
-    std::size_t stride_;
+    Square square_;
+    packet_lanes::Differentials& differentials_;
+    bool set_ = false;
 };
 
 }  // namespace
@@ -93,13 +97,12 @@ void TileTracer::trace_light(const Region& region, TileRays& rays, std::span<Col
     rays.valid.resize(region.size());
     for (std::size_t top = 0; top < region.height; top += side) {
         for (std::size_t left = 0; left < region.width; left += side) {
-            set_packet(rays.all, region.width, left, top, traced_->interval, rays.time, packet_);
+            const Square square{region.width, left, top};
+            set_packet(rays.all, square, traced_->interval, rays.time, packet_);
             const auto asked = packet_.valid;
             traced_->accelerator.intersect(packet_);
-            light_tracer_->trace_light(packet_,
-                                       SquareDifferentials(rays.all, footprint_scale_,
-                                                           top * region.width + left, region.width),
-                                       lanes_);
+            SquareDifferentials differentials(rays.all, footprint_scale_, square, differentials_);
+            light_tracer_->trace_light(packet_, differentials, lanes_);
             for (Color4f& color : lanes_) {
                 if (!is_finite(color)) {
                     ++repaired_;

@@ -65,6 +65,7 @@ private:
     std::vector<CameraRay> requested_;
     std::vector<Seen> seen_;
     embree::Packet packet_;
+    packet_lanes::Differentials differentials_;
     LightTracer::Lanes lanes_;
     std::uint64_t repaired_ = 0;
 };

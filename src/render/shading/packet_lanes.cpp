@@ -55,6 +55,50 @@ void set_rays(const rays::RayBatch::Arrays& rays, std::size_t first, std::size_t
     }
 }
 
+void set_differentials(const rays::RayBatch::FootprintArrays& footprints, std::size_t first,
+                       std::size_t stride, double part, Differentials& differentials) {
+    using Arrays = std::array<const double*, 3>;
+    constexpr std::size_t side = Packet::side;
+    const lanes::CappedTag<double, side> tag;
+    const lanes::Rebind<float, decltype(tag)> floats;
+    const auto scale = lanes::Set(tag, part);
+    const auto limit = lanes::Set(tag, embree::max_coordinate);
+    const auto set = [&](std::size_t i, std::size_t lane, const Arrays& origin_by,
+                         const Arrays& direction_by, Differentials::Vectors& origin,
+                         Differentials::Vectors& direction) {
+        const auto scaled = [&](const double* values) {
+            return lanes::Mul(scale, lanes::LoadU(tag, values + i));
+        };
+        auto in_range = lanes::Le(lanes::Abs(scaled(origin_by[0])), limit);
+        const auto check = [&](const double* values) {
+            in_range = lanes::And(in_range, lanes::Le(lanes::Abs(scaled(values)), limit));
+        };
+        check(origin_by[1]);
+        check(origin_by[2]);
+        for (const double* values : direction_by) {
+            check(values);
+        }
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto store = [&](const double* from, Packet::Floats& to) {
+                const auto value = lanes::IfThenElseZero(in_range, scaled(from));
+                lanes::Store(lanes::DemoteTo(floats, value), floats, to.data() + lane);
+            };
+            store(origin_by[axis], origin[axis]);
+            store(direction_by[axis], direction[axis]);
+        }
+    };
+    for (std::size_t row = 0; row < side; ++row) {
+        for (std::size_t column = 0; column < side; column += lanes::Lanes(tag)) {
+            const std::size_t i = first + row * stride + column;
+            const std::size_t lane = row * side + column;
+            set(i, lane, footprints.origin_by_x, footprints.direction_by_x, differentials.origin_x,
+                differentials.direction_x);
+            set(i, lane, footprints.origin_by_y, footprints.direction_by_y, differentials.origin_y,
+                differentials.direction_y);
+        }
+    }
+}
+
 // The normal for shading is on the side of the geometric normal that faces the viewer, and just
 // above the horizon if it faces away from the viewer.
 void set_cosines(const Packet& packet, const Normals& normals, Packet::Floats& cosines) {
@@ -121,11 +165,29 @@ HWY_AFTER_NAMESPACE();
 namespace balcony::render::packet_lanes {
 
 HWY_EXPORT(set_rays);
+HWY_EXPORT(set_differentials);
 HWY_EXPORT(set_cosines);
+
+void Differentials::set(std::size_t lane, const RayDifferentials& from) {
+    const auto store = [lane](const V3f& vector, Vectors& to) {
+        for (int axis = 0; axis < 3; ++axis) {
+            to[static_cast<std::size_t>(axis)][lane] = vector[axis];
+        }
+    };
+    store(from.origin_x, origin_x);
+    store(from.origin_y, origin_y);
+    store(from.direction_x, direction_x);
+    store(from.direction_y, direction_y);
+}
 
 void set_rays(const rays::RayBatch::Arrays& rays, std::size_t first, std::size_t stride,
               embree::Packet& packet) {
     HWY_DYNAMIC_DISPATCH(set_rays)(rays, first, stride, packet);
+}
+
+void set_differentials(const rays::RayBatch::FootprintArrays& footprints, std::size_t first,
+                       std::size_t stride, double part, Differentials& differentials) {
+    HWY_DYNAMIC_DISPATCH(set_differentials)(footprints, first, stride, part, differentials);
 }
 
 void set_cosines(const embree::Packet& packet, const Normals& normals,

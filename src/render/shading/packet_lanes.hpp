@@ -5,10 +5,12 @@
 // What is computed for all rays of a packet together, in the widest registers of the machine. The
 // results are the same on all machines, bit for bit.
 
+#include <array>
 #include <cstddef>
 
 #include "balcony/rays.hpp"
 #include "render/embree/accelerator.hpp"
+#include "render/shading/surface.hpp"
 
 namespace balcony::render::packet_lanes {
 
@@ -16,6 +18,27 @@ namespace balcony::render::packet_lanes {
 /// begins at ray `first` and whose rows are `stride` apart; `valid` as traceable().
 void set_rays(const rays::RayBatch::Arrays& rays, std::size_t first, std::size_t stride,
               embree::Packet& packet);
+
+/// The differentials of the rays of a packet, by axis.
+struct alignas(64) Differentials {
+    using Vectors = std::array<embree::Packet::Floats, 3>;
+
+    Vectors origin_x{}, origin_y{};
+    Vectors direction_x{}, direction_y{};
+
+    [[nodiscard]] RayDifferentials of(std::size_t lane) const {
+        const auto vector = [lane](const Vectors& v) {
+            return V3f(v[0][lane], v[1][lane], v[2][lane]);
+        };
+        return {vector(origin_x), vector(origin_y), vector(direction_x), vector(direction_y)};
+    }
+    void set(std::size_t lane, const RayDifferentials& differentials);
+};
+
+/// Sets the differentials of a packet whose rays were set by set_rays(): those of
+/// render::differentials().
+void set_differentials(const rays::RayBatch::FootprintArrays& footprints, std::size_t first,
+                       std::size_t stride, double part, Differentials& differentials);
 
 /// Normals in the world, of any length and on any side. A smooth normal of 0 means that the surface
 /// is flat.

@@ -120,12 +120,10 @@ TextureFootprint MeshPoint::texture_footprint(const scene::TextureUse& use,
     const std::array<V2f, 2> edges = texture_edges(use);
     const auto in_texture = [&](const V2f& along) {
         const V2f slope = along.x * edges[0] + along.y * edges[1];
-        // A footprint that covers many repetitions is clamped, for numerical safety, without
-        // visible effect.
-        constexpr float widest = 64.0F;
         const float width = std::max(std::abs(slope.x), std::abs(slope.y));
-        return !is_finite(slope) ? V2f(0.0F, 0.0F)
-                                 : slope * (width > widest ? widest / width : 1.0F);
+        return !is_finite(slope)
+                   ? V2f(0.0F, 0.0F)
+                   : slope * (width > widest_footprint ? widest_footprint / width : 1.0F);
     };
     return {use.place(first) + u * edges[0] + v * edges[1], in_texture(footprint.along_x),
             in_texture(footprint.along_y)};
@@ -314,26 +312,6 @@ std::optional<PlacedMesh> SurfaceFinder::mesh_at_rest(std::uint32_t instance) co
         placement.mesh,
         {m[0][0], m[0][1], m[0][2], m[1][0], m[1][1], m[1][2], m[2][0], m[2][1], m[2][2]},
         placement.normal_from_mesh};
-}
-
-TriangleFootprint PlacedMesh::footprint(std::uint32_t triangle, const V3f& normal,
-                                        const V3f& direction, float distance,
-                                        const RayDifferentials& differentials) const {
-    const auto& corners = mesh->triangles[triangle];
-    const V3f& first = mesh->positions[corners[0]];
-    const V3f edge_1 = (mesh->positions[corners[1]] - first) * world_from_mesh;
-    const V3f edge_2 = (mesh->positions[corners[2]] - first) * world_from_mesh;
-    const V3f across = edge_1.cross(edge_2);
-    const V3f to_u = edge_2.cross(across) / across.length2();
-    const V3f to_v = across.cross(edge_1) / across.length2();
-    const V3f by_depth = normal / normal.dot(direction);
-    const auto on_triangle = [&](const V3f& origin, const V3f& turned) {
-        const V3f moved = origin + distance * turned;
-        const V3f along = moved - moved.dot(by_depth) * direction;
-        return V2f(along.dot(to_u), along.dot(to_v));
-    };
-    return {on_triangle(differentials.origin_x, differentials.direction_x),
-            on_triangle(differentials.origin_y, differentials.direction_y)};
 }
 
 }  // namespace balcony::render

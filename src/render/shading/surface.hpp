@@ -56,6 +56,10 @@ struct MeshPoint {
     std::uint32_t triangle = 0;
     float u = 0.0F, v = 0.0F;  ///< The shares of its second and third vertex.
 
+    /// A footprint that covers more repetitions of an image is reduced to so many, for numerical
+    /// safety, without visible effect.
+    static constexpr float widest_footprint = 64.0F;
+
     /// The vectors in the image, from the first vertex to the others; 0 without coordinates.
     [[nodiscard]] std::array<V2f, 2> texture_edges(const scene::TextureUse& use) const;
     /// The footprint in the image of a use of a texture; a point if the triangle's is one.
@@ -110,22 +114,6 @@ struct PlacedMesh {
     const scene::Mesh* mesh = nullptr;
     Imath::M33f world_from_mesh;   ///< For vectors.
     Imath::M33f normal_from_mesh;  ///< For normals: its inverse, transposed.
-
-    /// In the world, interpolated from the corners, of any length; 0 if the mesh has no normals.
-    [[nodiscard]] V3f smooth_normal(std::uint32_t triangle, float u, float v) const {
-        if (mesh->normals.empty()) {
-            return V3f(0.0F);
-        }
-        const auto& corners = mesh->triangles[triangle];
-        return ((1.0F - u - v) * mesh->normals[corners[0]] + u * mesh->normals[corners[1]] +
-                v * mesh->normals[corners[2]]) *
-               normal_from_mesh;
-    }
-    /// The footprint of a ray on a triangle that it hits at a distance, where the triangle has a
-    /// normal of any length: as Surface::transfer() and Surface::triangle_footprint().
-    [[nodiscard]] TriangleFootprint footprint(std::uint32_t triangle, const V3f& normal,
-                                              const V3f& direction, float distance,
-                                              const RayDifferentials& differentials) const;
 };
 
 /// Computes surfaces from hits.

@@ -17,6 +17,8 @@ public:
     [[nodiscard]] static const ByteScale& of(TextureEncoding encoding);
 
     [[nodiscard]] float decode(std::uint8_t code) const { return values_[code]; }
+    /// By code.
+    [[nodiscard]] const float* values() const { return values_.data(); }
 
     /// The nearest code, as seen in the encoding, of a value from 0 to 1.
     [[nodiscard]] std::uint8_t encode(float value) const {

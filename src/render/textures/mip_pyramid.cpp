@@ -121,7 +121,7 @@ struct Ellipse {
         const V2f direction =
             difference >= 0.0F ? V2f(root + difference, mixed) : V2f(mixed, root - difference);
         // A circle has no longer axis; next to one, the eigenvector may underflow.
-        const float scale = length / direction.length();
+        const float scale = length / std::sqrt(direction.length2());
         axis = std::isfinite(scale) ? direction * scale : V2f(length, 0.0F);
     }
 
@@ -129,6 +129,12 @@ struct Ellipse {
     float width = 0.0F;
     V2f axis;  // The longer diameter as a vector.
 };
+
+// Beyond this, a float cannot distinguish the texels of an image.
+bool in_range(const V2f& v) {
+    constexpr float farthest = MipPyramid::max_coordinate;
+    return std::abs(v.x) < farthest && std::abs(v.y) < farthest;
+}
 
 int floor_of(float value) {
     const int truncated = static_cast<int>(value);
@@ -173,7 +179,24 @@ MipPyramid::MipPyramid(const TextureReader& image, scene::Wrap wrap_u, scene::Wr
       color_(&ByteScale::of(image.encoding())),
       alpha_(&ByteScale::of(TextureEncoding::linear)),
       has_bytes_(image.has_bytes()),
-      texels_(std::move(texels)) {}
+      texels_(std::move(texels)) {
+    set_byte_levels();
+}
+
+void MipPyramid::set_byte_levels() {
+    constexpr auto largest = static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max());
+    if (!has_bytes_ || levels_.back().first >= largest) {
+        return;
+    }
+    texture_lanes::ByteLevels& made = byte_levels_.emplace();
+    made.width = levels_.front().width;
+    made.height = levels_.front().height;
+    made.last = static_cast<std::int32_t>(levels_.size() - 1);
+    std::transform(levels_.begin(), levels_.end(), made.first.begin(),
+                   [](const Level& level) { return static_cast<std::int32_t>(level.first); });
+    made.wrap_u = wrap_u_;
+    made.wrap_v = wrap_v_;
+}
 
 std::vector<MipPyramid::Level> MipPyramid::levels_of(const TextureReader& image) {
     std::vector<Level> levels{
@@ -248,6 +271,31 @@ std::optional<Diagnostic> MipPyramid::fill(TextureReader& image, const Codec& co
 }
 
 Color4f MipPyramid::mean(const TextureFootprint& footprint) const {
+    if (!in_range(footprint.at)) {
+        return {1.0F, 1.0F, 1.0F, 1.0F};
+    }
+    return mean_within(in_range(footprint.along_x) && in_range(footprint.along_y)
+                           ? footprint
+                           : TextureFootprint{footprint.at, V2f(0.0F), V2f(0.0F)});
+}
+
+void MipPyramid::set_means(const texture_lanes::Footprints& footprints,
+                           texture_lanes::Colors& colors) const {
+    if (byte_levels_) {
+        texture_lanes::set_means(*byte_levels_, texels_, *color_, footprints, colors);
+        return;
+    }
+    for (std::size_t lane = 0; lane < texture_lanes::lane_count; ++lane) {
+        const Color4f color = mean({{footprints.at_u[lane], footprints.at_v[lane]},
+                                    {footprints.along_x_u[lane], footprints.along_x_v[lane]},
+                                    {footprints.along_y_u[lane], footprints.along_y_v[lane]}});
+        colors.red[lane] = color.r;
+        colors.green[lane] = color.g;
+        colors.blue[lane] = color.b;
+    }
+}
+
+Color4f MipPyramid::mean_within(const TextureFootprint& footprint) const {
     return has_bytes_ ? mean(footprint, ByteCodec{*color_, *alpha_}) : mean(footprint, HalfCodec{});
 }
 
@@ -278,7 +326,8 @@ Color4f MipPyramid::mean(const TextureFootprint& footprint, const Codec& codec) 
     const Level& image = levels_.front();
     const V2f size(static_cast<float>(image.width), static_cast<float>(image.height));
     const Ellipse ellipse(footprint.along_x * size, footprint.along_y * size);
-    const float aspect = std::min(ellipse.length / std::max(ellipse.width, 1.0F), 16.0F);
+    const float aspect =
+        std::min(ellipse.length / std::max(ellipse.width, 1.0F), static_cast<float>(max_probes));
     const int probes = std::max(static_cast<int>(aspect + 0.7F), 1);
     const float spacing = 1.0F / static_cast<float>(probes);
     const float width = std::max({ellipse.width, ellipse.length * spacing, 1.0F});

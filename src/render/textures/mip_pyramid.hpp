@@ -6,6 +6,7 @@
 // Parametrics" (1983).
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <Imath/ImathColor.h>
@@ -15,6 +16,7 @@
 #include "render/textures/byte_scale.hpp"
 #include "render/textures/spill_file.hpp"
 #include "render/textures/texture_footprint.hpp"
+#include "render/textures/texture_lanes.hpp"
 #include "render/textures/texture_reader.hpp"
 
 namespace balcony::render {
@@ -33,9 +35,12 @@ public:
 
     /// The mean over a footprint: red, green, blue, alpha. Texels are interpolated linearly, and
     /// so are neighbouring levels. An elongated footprint is the mean of up to max_probes places
-    /// along its longer axis; one that is longer still is widened. All numbers must be within
-    /// max_coordinate.
+    /// along its longer axis; one that is longer still is widened. White where the point is
+    /// max_coordinate or farther from 0; without a filter where the footprint is.
     [[nodiscard]] Imath::Color4f mean(const TextureFootprint& footprint) const;
+    /// The same for the rays of a packet, bit for bit.
+    void set_means(const texture_lanes::Footprints& footprints,
+                   texture_lanes::Colors& colors) const;
 
     static constexpr int max_probes = 16;
     static constexpr float max_coordinate = 1e6F;
@@ -51,6 +56,8 @@ private:
                TexelBlock texels);
 
     [[nodiscard]] static std::vector<Level> levels_of(const TextureReader& image);
+    void set_byte_levels();
+    [[nodiscard]] Imath::Color4f mean_within(const TextureFootprint& footprint) const;
     template <class Codec>
     [[nodiscard]] std::optional<Diagnostic> fill(TextureReader& image, const Codec& codec);
     template <class Codec>
@@ -63,6 +70,8 @@ private:
     const ByteScale* alpha_;
     bool has_bytes_;     // ByteTexel rather than HalfTexel.
     TexelBlock texels_;  // Of all levels.
+    // Nothing if texels have halves, or their indices do not fit.
+    std::optional<texture_lanes::ByteLevels> byte_levels_;
 };
 
 }  // namespace balcony::render

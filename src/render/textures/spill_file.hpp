@@ -32,6 +32,8 @@ public:
     ~TexelBlock();
 
     [[nodiscard]] std::byte* data() const { return data_; }
+    /// On the heap, where use() has nothing to do.
+    [[nodiscard]] bool in_memory() const { return chunks_ == nullptr; }
 
     /// To be called before bytes near an offset are read, so that they count as used.
     void use(std::size_t offset) const {

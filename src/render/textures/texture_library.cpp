@@ -4,7 +4,6 @@
 #include "render/textures/texture_library.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -74,12 +73,6 @@ Diagnostic not_finite(const scene::Texture& texture) {
                                "0",
                                texture.name),
                    {}, "export the image again");
-}
-
-// Beyond this, a float cannot distinguish the texels of an image.
-bool in_range(const Imath::V2f& v) {
-    constexpr float farthest = MipPyramid::max_coordinate;
-    return std::abs(v.x) < farthest && std::abs(v.y) < farthest;
 }
 
 std::optional<Diagnostic> problem_of(const HeldTexture& held) {
@@ -160,18 +153,31 @@ void TextureLibrary::read(std::span<const scene::Material* const> materials) con
     decode(used);
 }
 
+const MipPyramid* TextureLibrary::pyramid(scene::TextureIndex texture,
+                                          TextureEncoding encoding) const {
+    if (!texture.valid()) {
+        return nullptr;
+    }
+    const Entry& entry = entries_[texture.value()][static_cast<std::size_t>(encoding)];
+    return entry.held ? entry.held->pyramid() : nullptr;
+}
+
 Imath::Color4f TextureLibrary::look_up(scene::TextureIndex texture, TextureEncoding encoding,
                                        const TextureFootprint& footprint) const {
-    const Imath::Color4f white(1.0F, 1.0F, 1.0F, 1.0F);
-    if (!texture.valid() || !in_range(footprint.at)) {
-        return white;
+    const MipPyramid* const found = pyramid(texture, encoding);
+    return found != nullptr ? found->mean(footprint) : Imath::Color4f(1.0F, 1.0F, 1.0F, 1.0F);
+}
+
+void TextureLibrary::look_up(scene::TextureIndex texture, TextureEncoding encoding,
+                             const texture_lanes::Footprints& footprints,
+                             texture_lanes::Colors& colors) const {
+    if (const MipPyramid* const found = pyramid(texture, encoding)) {
+        found->set_means(footprints, colors);
+    } else {
+        colors.red.fill(1.0F);
+        colors.green.fill(1.0F);
+        colors.blue.fill(1.0F);
     }
-    const bool filtered = in_range(footprint.along_x) && in_range(footprint.along_y);
-    const TextureFootprint usable =
-        filtered ? footprint : TextureFootprint{footprint.at, Imath::V2f(0.0F), Imath::V2f(0.0F)};
-    const Entry& entry = entries_[texture.value()][static_cast<std::size_t>(encoding)];
-    const MipPyramid* const pyramid = entry.held ? entry.held->pyramid() : nullptr;
-    return pyramid != nullptr ? pyramid->mean(usable) : white;
 }
 
 Diagnostics TextureLibrary::warnings() const {

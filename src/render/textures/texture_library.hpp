@@ -19,6 +19,7 @@
 #include "render/textures/held_texture.hpp"
 #include "render/textures/spill_file.hpp"
 #include "render/textures/texture_footprint.hpp"
+#include "render/textures/texture_lanes.hpp"
 
 namespace balcony::render {
 
@@ -45,6 +46,9 @@ public:
     /// range.
     [[nodiscard]] Imath::Color4f look_up(scene::TextureIndex texture, TextureEncoding encoding,
                                          const TextureFootprint& footprint) const;
+    /// The same colours for the rays of a packet together, bit for bit.
+    void look_up(scene::TextureIndex texture, TextureEncoding encoding,
+                 const texture_lanes::Footprints& footprints, texture_lanes::Colors& colors) const;
 
     /// Warnings about textures that were read since: each is returned once.
     [[nodiscard]] Diagnostics warnings() const;
@@ -59,6 +63,10 @@ private:
         std::unique_ptr<const HeldTexture> held;
         mutable std::atomic<bool> reported = false;
     };
+
+    /// Null if there is no texture, or it cannot be read.
+    [[nodiscard]] const MipPyramid* pyramid(scene::TextureIndex texture,
+                                            TextureEncoding encoding) const;
 
     std::unique_ptr<SpillFile> file_;
     // Two entries per texture, one for each encoding; null if it is not used or cannot be opened.

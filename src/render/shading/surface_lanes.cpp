@@ -1,0 +1,401 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Highway compiles the first part of this file once for each instruction set.
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/shading/surface_lanes.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include <bit>
+
+#include "render/shading/surface_lanes.hpp"
+
+HWY_BEFORE_NAMESPACE();
+
+namespace balcony::render::surface_lanes::HWY_NAMESPACE {
+
+namespace lanes = hwy::HWY_NAMESPACE;
+
+using embree::Packet;
+
+using Tag = lanes::CappedTag<float, Packet::size>;
+using IntegerTag = lanes::RebindToSigned<Tag>;
+using UnsignedTag = lanes::RebindToUnsigned<Tag>;
+using Vector = lanes::Vec<Tag>;
+using Integers = lanes::Vec<IntegerTag>;
+using Mask = lanes::Mask<Tag>;
+constexpr Tag tag;
+constexpr IntegerTag integers;
+constexpr UnsignedTag numbers;
+
+HWY_INLINE Vector number(float value) { return lanes::Set(tag, value); }
+HWY_INLINE Vector sum(Vector a, Vector b) { return lanes::Add(a, b); }
+HWY_INLINE Vector difference(Vector a, Vector b) { return lanes::Sub(a, b); }
+HWY_INLINE Vector product(Vector a, Vector b) { return lanes::Mul(a, b); }
+
+struct Vector3 {
+    Vector x, y, z;
+};
+
+HWY_INLINE Vector3 difference(const Vector3& a, const Vector3& b) {
+    return {difference(a.x, b.x), difference(a.y, b.y), difference(a.z, b.z)};
+}
+HWY_INLINE Vector3 sum(const Vector3& a, const Vector3& b) {
+    return {sum(a.x, b.x), sum(a.y, b.y), sum(a.z, b.z)};
+}
+HWY_INLINE Vector3 product(Vector a, const Vector3& b) {
+    return {product(a, b.x), product(a, b.y), product(a, b.z)};
+}
+HWY_INLINE Vector dot(const Vector3& a, const Vector3& b) {
+    return sum(sum(product(a.x, b.x), product(a.y, b.y)), product(a.z, b.z));
+}
+HWY_INLINE Vector3 cross(const Vector3& a, const Vector3& b) {
+    return {difference(product(a.y, b.z), product(a.z, b.y)),
+            difference(product(a.z, b.x), product(a.x, b.z)),
+            difference(product(a.x, b.y), product(a.y, b.x))};
+}
+HWY_INLINE Vector3 placed(const Vector3& v, const Imath::M33f& m) {
+    const auto component = [&](int j) {
+        return sum(sum(product(v.x, number(m[0][j])), product(v.y, number(m[1][j]))),
+                   product(v.z, number(m[2][j])));
+    };
+    return {component(0), component(1), component(2)};
+}
+
+HWY_INLINE Vector load(const Packet::Floats& values, std::size_t lane) {
+    return lanes::Load(tag, values.data() + lane);
+}
+HWY_INLINE Vector3 load(const Packet::Floats& x, const Packet::Floats& y, const Packet::Floats& z,
+                        std::size_t lane) {
+    return {load(x, lane), load(y, lane), load(z, lane)};
+}
+HWY_INLINE Vector3 load(const packet_lanes::Differentials::Vectors& v, std::size_t lane) {
+    return load(v[0], v[1], v[2], lane);
+}
+HWY_INLINE void store(Mask where, Vector value, Packet::Floats& values, std::size_t lane) {
+    lanes::Store(lanes::IfThenElse(where, value, load(values, lane)), tag, values.data() + lane);
+}
+
+// The lanes from `lane` on.
+HWY_INLINE Mask mask_of(LaneBits bits, std::size_t lane) {
+    const std::uint32_t rest = bits >> lane;
+    const std::uint8_t bytes[8]{static_cast<std::uint8_t>(rest),
+                                static_cast<std::uint8_t>(rest >> 8U)};
+    return lanes::LoadMaskBits(tag, bytes);
+}
+
+template <class AnyMask, class AnyTag>
+HWY_INLINE LaneBits bits_of(AnyTag any, AnyMask mask, std::size_t lane) {
+    std::uint8_t bytes[8]{};
+    lanes::StoreMaskBits(any, mask, bytes);
+    return (std::uint32_t{bytes[0]} | std::uint32_t{bytes[1]} << 8U) << lane;
+}
+
+void find_groups(const Packet& packet, Groups& groups) {
+    alignas(64) Packet::Numbers instances;
+    LaneBits rest = 0;
+    for (std::size_t lane = 0; lane < Packet::size; lane += lanes::Lanes(tag)) {
+        const auto nothing = lanes::Set(numbers, embree::Hit::nothing);
+        const auto geometry = lanes::Load(numbers, packet.geometry.data() + lane);
+        const auto placement = lanes::Load(numbers, packet.placement.data() + lane);
+        const auto valid =
+            lanes::BitCast(numbers, lanes::Load(integers, packet.valid.data() + lane));
+        const auto missed =
+            lanes::Or(lanes::Eq(valid, lanes::Zero(numbers)), lanes::Eq(geometry, nothing));
+        lanes::Store(lanes::IfThenElse(lanes::Eq(placement, nothing), geometry, placement), numbers,
+                     instances.data() + lane);
+        rest |= bits_of(numbers, lanes::Not(missed), lane);
+    }
+    groups.clear();
+    while (rest != 0) {
+        const std::uint32_t instance = instances[static_cast<std::size_t>(std::countr_zero(rest))];
+        LaneBits same = 0;
+        for (std::size_t lane = 0; lane < Packet::size; lane += lanes::Lanes(tag)) {
+            same |= bits_of(numbers,
+                            lanes::Eq(lanes::Load(numbers, instances.data() + lane),
+                                      lanes::Set(numbers, instance)),
+                            lane);
+        }
+        groups.add({instance, same & rest});
+        rest &= ~same;
+    }
+}
+
+// The values of a vertex array, for a corner of the triangle that each lane hits. Most packets hit
+// one triangle, whose values need not be gathered.
+struct OneTriangle {
+    const std::array<std::uint32_t, 3>& corners;
+
+    template <std::size_t dimensions>
+    HWY_INLINE Vector operator()(const float* values, std::size_t corner,
+                                 std::size_t component) const {
+        return number(values[corners[corner] * dimensions + component]);
+    }
+};
+
+struct Triangles {
+    Triangles(const scene::Mesh& mesh, Integers triangle) {
+        const auto* const all =
+            reinterpret_cast<const std::int32_t*>(mesh.triangles.front().data());
+        const Integers first = lanes::Mul(triangle, lanes::Set(integers, 3));
+        for (int k = 0; k < 3; ++k) {
+            corners[k] =
+                lanes::GatherIndex(integers, all, lanes::Add(first, lanes::Set(integers, k)));
+        }
+    }
+
+    template <std::size_t dimensions>
+    HWY_INLINE Vector operator()(const float* values, std::size_t corner,
+                                 std::size_t component) const {
+        const Integers index = lanes::Mul(
+            corners[corner], lanes::Set(integers, static_cast<std::int32_t>(dimensions)));
+        return lanes::GatherIndex(tag, values + component, index);
+    }
+
+    Integers corners[3];
+};
+
+// Calls visit(triangles, mask, lane) for the lanes of a group, as many as a register has at a time.
+template <class Visit>
+HWY_INLINE void for_each_register(const Packet& packet, LaneBits bits, const scene::Mesh& mesh,
+                                  const Visit& visit) {
+    for (std::size_t lane = 0; lane < Packet::size; lane += lanes::Lanes(tag)) {
+        const Mask mask = mask_of(bits, lane);
+        if (lanes::AllFalse(tag, mask)) {
+            continue;
+        }
+        const std::uint32_t first =
+            packet.triangle[lane + static_cast<std::size_t>(std::countr_zero(bits >> lane))];
+        const Integers same = lanes::Set(integers, static_cast<std::int32_t>(first));
+        const Integers triangle = lanes::IfThenElse(
+            lanes::RebindMask(integers, mask),
+            lanes::BitCast(integers, lanes::Load(numbers, packet.triangle.data() + lane)), same);
+        if (lanes::AllTrue(integers, lanes::Eq(triangle, same))) {
+            visit(OneTriangle{mesh.triangles[first]}, mask, lane);
+        } else {
+            visit(Triangles(mesh, triangle), mask, lane);
+        }
+    }
+}
+
+template <class Corners>
+HWY_INLINE Vector3 corner_of(const Corners& corners, const std::vector<V3f>& values,
+                             std::size_t corner) {
+    const float* const from = &values.front().x;
+    return {corners.template operator()<3>(from, corner, 0),
+            corners.template operator()<3>(from, corner, 1),
+            corners.template operator()<3>(from, corner, 2)};
+}
+
+struct Vector2 {
+    Vector u, v;
+};
+
+template <class Corners>
+HWY_INLINE Vector2 corner_of(const Corners& corners, const std::vector<V2f>& values,
+                             std::size_t corner) {
+    const float* const from = &values.front().x;
+    return {corners.template operator()<2>(from, corner, 0),
+            corners.template operator()<2>(from, corner, 1)};
+}
+
+void set_normals(const Packet& packet, LaneBits bits, const PlacedMesh& mesh,
+                 packet_lanes::Normals& normals) {
+    const std::vector<V3f>& smooth = mesh.mesh->normals;
+    const bool is_placed = packet.is_placed(static_cast<std::size_t>(std::countr_zero(bits)));
+    for_each_register(
+        packet, bits, *mesh.mesh, [&](const auto& corners, Mask mask, std::size_t lane) {
+            const Vector3 triangle = load(packet.normal_x, packet.normal_y, packet.normal_z, lane);
+            const Vector3 flat = is_placed ? placed(triangle, mesh.normal_from_mesh) : triangle;
+            store(mask, flat.x, normals.flat_x, lane);
+            store(mask, flat.y, normals.flat_y, lane);
+            store(mask, flat.z, normals.flat_z, lane);
+            const Vector zero = lanes::Zero(tag);
+            Vector3 interpolated{zero, zero, zero};
+            if (!smooth.empty()) {
+                const Vector u = load(packet.u, lane);
+                const Vector v = load(packet.v, lane);
+                const Vector first = difference(difference(number(1.0F), u), v);
+                interpolated = placed(sum(sum(product(first, corner_of(corners, smooth, 0)),
+                                              product(u, corner_of(corners, smooth, 1))),
+                                          product(v, corner_of(corners, smooth, 2))),
+                                      mesh.normal_from_mesh);
+            }
+            store(mask, interpolated.x, normals.smooth_x, lane);
+            store(mask, interpolated.y, normals.smooth_y, lane);
+            store(mask, interpolated.z, normals.smooth_z, lane);
+        });
+}
+
+HWY_INLINE Vector2 in_image(const scene::TextureUse& use, const Vector2& uv) {
+    return {sum(product(uv.u, number(use.u_axis.x)), product(uv.v, number(use.v_axis.x))),
+            sum(product(uv.u, number(use.u_axis.y)), product(uv.v, number(use.v_axis.y)))};
+}
+
+// The change in the image, of a limited size.
+HWY_INLINE Vector2 slope_of(const Vector2& along, const Vector2& edge_1, const Vector2& edge_2) {
+    const Vector u = sum(product(along.u, edge_1.u), product(along.v, edge_2.u));
+    const Vector v = sum(product(along.u, edge_1.v), product(along.v, edge_2.v));
+    const Vector widest = number(MeshPoint::widest_footprint);
+    const Vector width = lanes::Max(lanes::Abs(u), lanes::Abs(v));
+    const Vector scale =
+        lanes::IfThenElse(lanes::Gt(width, widest), lanes::Div(widest, width), number(1.0F));
+    const auto finite = lanes::And(lanes::IsFinite(u), lanes::IsFinite(v));
+    return {lanes::IfThenElseZero(finite, product(u, scale)),
+            lanes::IfThenElseZero(finite, product(v, scale))};
+}
+
+void set_footprints(const Packet& packet, LaneBits bits, const PlacedMesh& mesh,
+                    const packet_lanes::Normals& normals,
+                    const packet_lanes::Differentials& differentials, const scene::TextureUse& use,
+                    texture_lanes::Footprints& footprints) {
+    footprints = {};
+    const std::vector<V3f>& positions = mesh.mesh->positions;
+    const std::vector<V2f>& coordinates = mesh.mesh->texture_coordinates[use.coordinates];
+    for_each_register(
+        packet, bits, *mesh.mesh, [&](const auto& corners, Mask mask, std::size_t lane) {
+            const auto set = [&](const Vector2& value, Packet::Floats& u, Packet::Floats& v) {
+                store(mask, value.u, u, lane);
+                store(mask, value.v, v, lane);
+            };
+            const Vector2 offset{number(use.offset.x), number(use.offset.y)};
+            if (coordinates.empty()) {
+                set(offset, footprints.at_u, footprints.at_v);
+                return;
+            }
+            const auto in_world = [&](std::size_t corner) {
+                return placed(difference(corner_of(corners, positions, corner),
+                                         corner_of(corners, positions, 0)),
+                              mesh.world_from_mesh);
+            };
+            const Vector3 edge_1 = in_world(1);
+            const Vector3 edge_2 = in_world(2);
+            const Vector3 across = cross(edge_1, edge_2);
+            const Vector square = dot(across, across);
+            const Vector3 to_u = cross(edge_2, across);
+            const Vector3 to_v = cross(across, edge_1);
+            const Vector3 normal = load(normals.flat_x, normals.flat_y, normals.flat_z, lane);
+            const Vector3 direction =
+                load(packet.direction_x, packet.direction_y, packet.direction_z, lane);
+            const Vector cosine = dot(normal, direction);
+            const Vector distance = load(packet.farthest, lane);
+            const auto on_triangle = [&](const Vector3& origin, const Vector3& turned) {
+                const Vector3 moved = sum(origin, product(distance, turned));
+                const Vector3 along =
+                    difference(moved, product(lanes::Div(dot(moved, normal), cosine), direction));
+                return Vector2{lanes::Div(dot(along, to_u), square),
+                               lanes::Div(dot(along, to_v), square)};
+            };
+            const Vector2 first = corner_of(corners, coordinates, 0);
+            const auto edge = [&](std::size_t corner) {
+                const Vector2 to = corner_of(corners, coordinates, corner);
+                return in_image(use, {difference(to.u, first.u), difference(to.v, first.v)});
+            };
+            const Vector2 image_1 = edge(1);
+            const Vector2 image_2 = edge(2);
+            const Vector2 start = in_image(use, first);
+            const Vector u = load(packet.u, lane);
+            const Vector v = load(packet.v, lane);
+            const auto at = [&](Vector begin, Vector origin, Vector along_1, Vector along_2) {
+                return sum(sum(sum(origin, begin), product(u, along_1)), product(v, along_2));
+            };
+            set({at(start.u, offset.u, image_1.u, image_2.u),
+                 at(start.v, offset.v, image_1.v, image_2.v)},
+                footprints.at_u, footprints.at_v);
+            set(slope_of(on_triangle(load(differentials.origin_x, lane),
+                                     load(differentials.direction_x, lane)),
+                         image_1, image_2),
+                footprints.along_x_u, footprints.along_x_v);
+            set(slope_of(on_triangle(load(differentials.origin_y, lane),
+                                     load(differentials.direction_y, lane)),
+                         image_1, image_2),
+                footprints.along_y_u, footprints.along_y_v);
+        });
+}
+
+void set_radiances(LaneBits bits, const Imath::Color3f& emission, const Imath::Color3f& base_color,
+                   const Packet::Floats& cosines, const texture_lanes::Colors* texture,
+                   Radiances& radiances) {
+    for (std::size_t lane = 0; lane < Packet::size; lane += lanes::Lanes(tag)) {
+        const Mask mask = mask_of(bits, lane);
+        const Vector cosine = load(cosines, lane);
+        const auto set = [&](float emitted, float base, const texture_lanes::Floats* texels,
+                             Packet::Floats& to) {
+            const Vector lit = product(cosine, number(base));
+            const Vector shown = texels != nullptr ? product(lit, load(*texels, lane)) : lit;
+            store(mask, sum(number(emitted), shown), to, lane);
+        };
+        set(emission.x, base_color.x, texture != nullptr ? &texture->red : nullptr, radiances.red);
+        set(emission.y, base_color.y, texture != nullptr ? &texture->green : nullptr,
+            radiances.green);
+        set(emission.z, base_color.z, texture != nullptr ? &texture->blue : nullptr,
+            radiances.blue);
+        store(mask, number(1.0F), radiances.alpha, lane);
+    }
+}
+
+void write(const Radiances& radiances, const Groups& groups,
+           std::array<Imath::Color4f, Packet::size>& colors) {
+    LaneBits bits = 0;
+    for (const Group& group : groups.all()) {
+        bits |= group.lanes;
+    }
+    for (std::size_t lane = 0; lane < Packet::size; lane += lanes::Lanes(tag)) {
+        const Mask mask = mask_of(bits, lane);
+        const auto shown = [&](const Packet::Floats& values) {
+            return lanes::IfThenElseZero(mask, load(values, lane));
+        };
+        lanes::StoreInterleaved4(shown(radiances.red), shown(radiances.green),
+                                 shown(radiances.blue), shown(radiances.alpha), tag,
+                                 &colors[lane].r);
+    }
+}
+
+}  // namespace balcony::render::surface_lanes::HWY_NAMESPACE
+
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace balcony::render::surface_lanes {
+
+HWY_EXPORT(find_groups);
+HWY_EXPORT(set_normals);
+HWY_EXPORT(set_footprints);
+HWY_EXPORT(set_radiances);
+HWY_EXPORT(write);
+
+void find_groups(const embree::Packet& packet, Groups& groups) {
+    HWY_DYNAMIC_DISPATCH(find_groups)(packet, groups);
+}
+
+void set_normals(const embree::Packet& packet, LaneBits lanes, const PlacedMesh& mesh,
+                 packet_lanes::Normals& normals) {
+    HWY_DYNAMIC_DISPATCH(set_normals)(packet, lanes, mesh, normals);
+}
+
+void set_footprints(const embree::Packet& packet, LaneBits lanes, const PlacedMesh& mesh,
+                    const packet_lanes::Normals& normals,
+                    const packet_lanes::Differentials& differentials, const scene::TextureUse& use,
+                    texture_lanes::Footprints& footprints) {
+    HWY_DYNAMIC_DISPATCH(set_footprints)
+    (packet, lanes, mesh, normals, differentials, use, footprints);
+}
+
+void set_radiances(LaneBits lanes, const Imath::Color3f& emission, const Imath::Color3f& base_color,
+                   const embree::Packet::Floats& cosines, const texture_lanes::Colors* texture,
+                   Radiances& radiances) {
+    HWY_DYNAMIC_DISPATCH(set_radiances)
+    (lanes, emission, base_color, cosines, texture, radiances);
+}
+
+void write(const Radiances& radiances, const Groups& groups,
+           std::array<Imath::Color4f, embree::Packet::size>& colors) {
+    HWY_DYNAMIC_DISPATCH(write)(radiances, groups, colors);
+}
+
+}  // namespace balcony::render::surface_lanes
+
+#endif
