@@ -7,6 +7,8 @@
 #include <fstream>
 #include <vector>
 
+#include "balcony/input_file.hpp"
+
 namespace balcony {
 
 void ContentHash::add(std::span<const std::byte> block) {
@@ -34,6 +36,9 @@ void ContentHash::add(std::span<const std::byte> block) {
 }
 
 std::optional<std::uint64_t> content_hash(const std::filesystem::path& file) {
+    if (not_a_file(file, "")) {
+        return std::nullopt;
+    }
     std::ifstream stream(file, std::ios::binary);
     std::vector<std::byte> block(std::size_t{1} << 20);
     ContentHash hash;

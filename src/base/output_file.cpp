@@ -103,6 +103,14 @@ Diagnostics OutputFile::check(const fs::path& file) {
         return {error(fmt::format("the folder '{}' cannot be written to", folder.string()), {},
                       "choose a folder with write permission")};
     }
+    // What else may be wrong, such as a name that is too long, shows when a file is made.
+    const fs::path made = make_beside(real);
+    if (made.empty()) {
+        Diagnostic found = cannot_write(real, errno);
+        found.remedy = "choose another name or folder";
+        return {found};
+    }
+    fs::remove(made, failed);
     return {};
 }
 
@@ -123,7 +131,9 @@ OutputFile::~OutputFile() {
 }
 
 Diagnostics OutputFile::commit() {
-    errno = 0;
+    if (stream_) {
+        errno = 0;  // Otherwise, it is why a write failed.
+    }
     stream_.close();
     if (!stream_) {
         reason_ = errno != 0 ? errno : reason_;
@@ -143,6 +153,7 @@ Diagnostic OutputFile::failure() const {
 
 Diagnostics write_whole(const fs::path& file, std::string_view bytes) {
     OutputFile output(file);
+    errno = 0;
     output.stream().write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     return output.commit();
 }

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "balcony/input_file.hpp"
 #include "data/built_in_files.hpp"
 
 namespace balcony::data {
@@ -77,18 +78,9 @@ Result<File> find_file(std::string_view name, const std::optional<fs::path>& fol
     std::error_code failure;
     if (folder) {
         fs::path path = (*folder / name).lexically_normal();
-        const fs::file_status status = fs::status(path, failure);
-        if (fs::is_directory(status)) {
-            return error(fmt::format("'{}' is a folder, not a file", path.string()), {},
-                         "name a file in it");
-        }
-        // Reading a pipe or a device could block forever.
-        if (fs::exists(status) && !fs::is_regular_file(status)) {
-            return error(fmt::format("'{}' is not a regular file", path.string()), {},
-                         "save its output to a file");
-        }
-        if (fs::exists(status)) {
-            return File::on_disk(path);
+        if (fs::exists(fs::symlink_status(path, failure))) {
+            const auto fault = not_a_file(path, fmt::format("'{}'", path.string()));
+            return fault ? Result<File>(*fault) : Result<File>(File::on_disk(path));
         }
     }
     if (const BuiltInFile* built_in = find_built_in_file(name)) {

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "balcony/input_file.hpp"
 #include "scene/import.hpp"
 
 namespace balcony::scene {
@@ -21,8 +22,15 @@ void Import::warn(std::string message, std::string remedy) {
     }
 }
 
-std::string Import::advice_on(const fs::path& missing) const {
-    return adds_warnings() ? similar_file(missing) : "";
+bool Import::has_texture(const fs::path& texture, const std::string& user) {
+    const std::optional<Diagnostic> fault = not_a_file(texture, in_quotes(texture.string()));
+    if (fault) {
+        // Searching the folder takes time.
+        const auto near = adds_warnings() ? near_name(texture) : std::nullopt;
+        warn(fmt::format("{}: its texture is skipped: {}", user, fault->message),
+             near.value_or(fault->remedy));
+    }
+    return !fault;
 }
 
 std::vector<std::uint8_t> Import::bytes() const {
@@ -51,34 +59,31 @@ std::string counted(std::size_t count, std::string_view noun) {
     return fmt::format("{} {}{}", count, noun, count == 1 ? "" : sibilant ? "es" : "s");
 }
 
-std::string similar_file(const fs::path& file) {
+std::optional<std::string> near_name(const fs::path& missing) {
     std::error_code code;
-    const fs::path directory = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    if (fs::exists(fs::symlink_status(missing, code))) {
+        return std::nullopt;
+    }
+    const fs::path directory = missing.has_parent_path() ? missing.parent_path() : fs::path(".");
     std::vector<std::string> names;
     for (fs::directory_iterator entry(directory, code), end; !code && entry != end;
          entry.increment(code)) {
         names.push_back(entry->path().filename().string());
     }
     std::sort(names.begin(), names.end());
-    const auto near = nearest_name(file.filename().string(), names);
-    return near ? fmt::format("did you mean {}?", in_quotes((file.parent_path() / *near).string()))
-                : "check its name and its folder";
+    const auto near = nearest_name(missing.filename().string(), names);
+    return near ? std::optional(fmt::format("did you mean {}?",
+                                            in_quotes((missing.parent_path() / *near).string())))
+                : std::nullopt;
 }
 
 std::vector<std::uint8_t> read_bytes(const fs::path& file) {
     const std::string name = in_quotes(file.string());
+    if (std::optional<Diagnostic> fault = not_a_file(file, name)) {
+        fault->remedy = near_name(file).value_or(fault->remedy);
+        throw ReadError{*fault};
+    }
     std::error_code code;
-    const fs::file_status status = fs::status(file, code);
-    if (!fs::exists(status)) {
-        throw ReadError{error(fmt::format("there is no file {}", name), {}, similar_file(file))};
-    }
-    if (fs::is_directory(status)) {
-        throw ReadError{error(fmt::format("{} is a directory", name), {}, "name a file in it")};
-    }
-    if (!fs::is_regular_file(status)) {
-        throw ReadError{
-            error(fmt::format("{} is not a regular file", name), {}, "save its output to a file")};
-    }
     const std::uintmax_t size = fs::file_size(file, code);
     std::ifstream stream(file, std::ios::binary);
     if (code || !stream) {
@@ -94,7 +99,7 @@ std::vector<std::uint8_t> read_bytes(const fs::path& file) {
 }
 
 fs::path Import::beside(const fs::path& other, std::string_view written) {
-    if (written.find("://") != std::string_view::npos) {
+    if (written.starts_with("file:") || written.find("://") != std::string_view::npos) {
         throw PartError{fmt::format("{} is an address, which is not opened", in_quotes(written)),
                         "download it into the folder of the scene, and name the file"};
     }

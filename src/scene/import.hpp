@@ -37,8 +37,9 @@ struct Import {
 
     /// Adds a warning, or only counts it if there are too many.
     void warn(std::string message, std::string remedy = {});
-    /// similar_file() while warnings are added, because it searches a directory.
-    [[nodiscard]] std::string advice_on(const std::filesystem::path& missing) const;
+    /// Whether a texture is a file; otherwise warns that its user, such as "material 'm'", has
+    /// none.
+    [[nodiscard]] bool has_texture(const std::filesystem::path& texture, const std::string& user);
     [[nodiscard]] bool adds_warnings() const { return diagnostics.size() < max_warnings; }
     /// The bytes of the file. Throws ReadError if it cannot be read.
     [[nodiscard]] std::vector<std::uint8_t> bytes() const;
@@ -67,7 +68,6 @@ void read_stl(Import& import);
 /// All bytes of a regular file. Throws ReadError if there is none, or if it cannot be read.
 [[nodiscard]] std::vector<std::uint8_t> read_bytes(const std::filesystem::path& file);
 
-/// "did you mean 'x.glb'?" if the directory of a missing file has a similar name, otherwise general
-/// advice.
-[[nodiscard]] std::string similar_file(const std::filesystem::path& file);
+/// "did you mean 'x.glb'?" if the folder of a missing file has a similar name.
+[[nodiscard]] std::optional<std::string> near_name(const std::filesystem::path& missing);
 }  // namespace balcony::scene

@@ -8,8 +8,8 @@
 #include <new>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "balcony/input_file.hpp"
 #include "scene/import.hpp"
 
 namespace balcony::scene {
@@ -47,17 +47,11 @@ const Format& format_of(const fs::path& file) {
               advice_on_format(extension))};
 }
 
-void refuse_missing_or_directory(const fs::path& file) {
-    std::error_code code;
-    const fs::file_status status = fs::status(file, code);
-    if (!fs::exists(status)) {
-        throw ReadError{error(fmt::format("there is no file {}", in_quotes(file.string())), {},
-                              similar_file(file))};
-    }
-    if (fs::is_directory(status)) {
-        throw ReadError{
-            error(fmt::format("{} is a directory, not a scene file", in_quotes(file.string())), {},
-                  fmt::format("name a file in it: {}", fmt::join(file_extensions(), ", ")))};
+// Before the format is looked at, which a missing file or a folder has not.
+void refuse_what_is_no_file(const fs::path& file) {
+    if (std::optional<Diagnostic> fault = not_a_file(file, in_quotes(file.string()))) {
+        fault->remedy = near_name(file).value_or(fault->remedy);
+        throw ReadError{*fault};
     }
 }
 
@@ -72,7 +66,7 @@ bool lights_itself(const Scene& scene) {
 void read(Import& import) {
     const fs::path& file = import.file;
     if (!import.given) {
-        refuse_missing_or_directory(file);
+        refuse_what_is_no_file(file);
     }
     import.scene.files.push_back(file);
     format_of(file).read(import);

@@ -120,7 +120,7 @@ class Info(support.CommandTest):
 
     def test_mistakes(self):
         self.refused("info", "none.obj", code=1, says="'none.obj'")
-        self.refused("info", ".", code=1, says="'.' is a directory")
+        self.refused("info", ".", code=1, says="'.' is a folder")
         self.refused("info", "", code=1, says="''")
 
 

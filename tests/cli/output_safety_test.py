@@ -28,6 +28,7 @@ class Output(support.CommandTest):
         refuses("no/picture.png", 3, "no folder")
         refuses("scene.obj/picture.png", 3, "no folder")
         refuses("/proc/picture.png", 3, "'/proc/picture.png'")
+        refuses(250 * "x" + ".png", 3, "cannot be written: File name too long", "another name")
         self.assertEqual(self.files(), before)
 
     def test_default_is_the_scene_s_name_here(self):
@@ -90,7 +91,7 @@ class FullDisk(support.CommandTest):
             old.write_bytes(b"old")
             _, err = self.run_command("render", "scene.obj", "--size", "700x400", "-s", "2", "-o",
                                       str(old), code=3)
-            self.assertIn(f"'{old}' cannot be written", err)
+            self.assertIn(f"'{old}' cannot be written: No space left on device", err)
             self.assertEqual(old.read_bytes(), b"old")
             self.assertEqual(sorted(os.listdir(self.disk)), ["filling", name])
             old.unlink()

@@ -104,6 +104,11 @@ class Rays(support.CommandTest):
         self.assertEqual(by_name, self.stream("two.cam:both", "--layer", "2", *size))
         self.assertTrue(by_name.startswith(b"0 0 0 0 0 0\n"), "it is clipped in the corner")
 
+    def test_a_map_that_no_disk_holds(self):
+        self.refused("rays", "my.cam:above", "--size", "1000000x1000000", "-o", "r.npy", code=1,
+                     says="a map of 1000000 x 1000000 rays is too large")
+        self.assertNotIn("r.npy", self.files())
+
     def test_the_reader_leaves(self):
         with self.start(*MANY) as process:
             process.stdout.readline()

@@ -106,7 +106,7 @@ TEST_F(Data, AMissingFileIsAnError) {
     EXPECT_TRUE(
         first_message(find_file(".", folder_).diagnostics).ends_with("' is a folder, not a file"));
     EXPECT_EQ(first_message(find_file("/dev/zero", folder_).diagnostics),
-              "'/dev/zero' is not a regular file");
+              "'/dev/zero' is a pipe or a device, not a file");
 }
 
 // ------------------------------------------------------------------------------------- tables

@@ -203,7 +203,8 @@ TEST_F(Images, NoOtherFormatIsOpened) {
         EXPECT_EQ(reason(name, bytes), unknown) << name;
         EXPECT_EQ(reason(ImageFile::open(write(name, bytes))), unknown) << name;
     }
-    EXPECT_EQ(reason(ImageFile::open(directory)), "there is no such file");
+    EXPECT_EQ(reason(ImageFile::open(directory)),
+              "'" + directory.string() + "' is a folder, not a file");
 }
 
 TEST_F(Images, TooLargeAHeaderIsRefused) {

@@ -25,7 +25,7 @@ public:
                          {{std::string(camera::lens_input_x), program::Rate::pixel},
                           {std::string(camera::lens_input_y), program::Rate::pixel}},
                          further)),
-          central_(compiled(text, {}, further)) {}
+          central_(compiled(text, {}, {})) {}
 
     [[nodiscard]] const RayProgram& program() const { return lens_; }
     [[nodiscard]] Ray central(const V2d& point, double time = 0.0) const {

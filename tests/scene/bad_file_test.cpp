@@ -34,9 +34,9 @@ TEST_F(BadFiles, MissingFileSuggestsTheNearest) {
 }
 
 TEST_F(BadFiles, DirectoryAndUnknownExtension) {
-    EXPECT_TRUE(fails(load(directory), "is a directory, not a scene file"));
+    EXPECT_TRUE(fails(load(directory), "is a folder, not a file"));
     std::filesystem::create_directory(directory / "folder.glb");
-    EXPECT_TRUE(fails(load(directory / "folder.glb"), "is a directory"));
+    EXPECT_TRUE(fails(load(directory / "folder.glb"), "is a folder"));
     const auto unknown = load(write("scene.txt", "words"));
     EXPECT_TRUE(fails(unknown, "scene.txt' is not supported"));
     EXPECT_TRUE(says(unknown, "formats .glb, .gltf, .obj, .ply, .stl"));
@@ -86,6 +86,11 @@ TEST_F(BadFiles, BrokenJsonShowsThePlace) {
     EXPECT_TRUE(says(result, "the JSON of '"));
     EXPECT_TRUE(says(result, "expected ':' here"));
     EXPECT_TRUE(fails(load(write("e.gltf", "")), "the JSON of '"));
+    for (const char* const number : {"NaN", "nan", "Infinity", "-Infinity"}) {
+        const auto scene = load(write("o.gltf", "{\"emissiveFactor\": [" + std::string(number)));
+        EXPECT_TRUE(fails(scene, "o.gltf:1:2")) << number;
+        EXPECT_TRUE(says(scene, "JSON has no number ")) << number;
+    }
     const auto infinite = load(write("n.gltf", "{\n\"emissiveStrength\": -1e999}"));
     EXPECT_TRUE(fails(infinite, "n.gltf' has the number -1e999, which is too large"));
     EXPECT_TRUE(says(infinite, "n.gltf:2:21"));

@@ -111,11 +111,28 @@ TEST_F(GltfMaterials, MissingTextureKeepsTheFactor) {
     gltf.json["textures"] = {{{"source", 0}}};
     const auto scene = load_glb(gltf);
     ASSERT_TRUE(scene) << said(scene);
-    EXPECT_TRUE(says(scene, "material 'floor': there is no texture file"));
+    EXPECT_TRUE(says(scene, "material 'floor': its texture is skipped: there is no file '"));
     EXPECT_TRUE(says(scene, "woof.png'"));
     EXPECT_TRUE(says(scene, "did you mean '"));
     EXPECT_FALSE(scene->materials[0].base_color_texture.valid());
     EXPECT_EQ(scene->materials[0].base_color, Color3f(0.5F, 0.25F, 0.0F));
+}
+
+TEST_F(GltfMaterials, WhatIsOutOfRangeIsLimitedWithAWarning) {
+    const auto load_surface = [&](double roughness, double metallic, const char* mode) {
+        return load_glb(
+            with_material({{"alphaMode", mode},
+                           {"pbrMetallicRoughness",
+                            {{"roughnessFactor", roughness}, {"metallicFactor", metallic}}}}));
+    };
+    const auto scene = load_surface(1e9, -2.0, "GLASS");
+    ASSERT_TRUE(scene) << said(scene);
+    EXPECT_TRUE(says(scene, "material 0: its 'roughnessFactor' is 1e+09 and counts as 1"));
+    EXPECT_TRUE(says(scene, "material 0: its 'metallicFactor' is -2 and counts as 0"));
+    EXPECT_TRUE(says(scene, "material 0: its 'alphaMode' is 'GLASS' and counts as 'OPAQUE'"));
+    EXPECT_EQ(scene->materials[0].roughness, 1.0F);
+    EXPECT_EQ(scene->materials[0].metallic, 0.0F);
+    EXPECT_TRUE(load_surface(1.00001, -1e-9, "OPAQUE").diagnostics.empty()) << "rounding";
 }
 
 // The use of a texture maps the coordinates of the file to the place that the extension states.

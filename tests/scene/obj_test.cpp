@@ -316,7 +316,7 @@ TEST_F(Obj, TexturesAreFoundBesideTheLibrary) {
     ASSERT_EQ(scene->textures.size(), 1U);
     EXPECT_EQ(scene->textures[0].file, directory / "maps" / "wood grain.png");
     EXPECT_EQ(scene->textures[0].wrap_u, Wrap::clamp);
-    EXPECT_TRUE(says(scene, "material 'lost': there is no texture file '"));
+    EXPECT_TRUE(says(scene, "material 'lost': its texture is skipped: there is no file '"));
     EXPECT_EQ(material_of(*scene, 1).base_color, Color3f(0.5F));
 }
 

@@ -76,6 +76,12 @@ void add_vector(std::vector<RayColumn>& columns, std::array<std::string_view, 3>
 }  // namespace
 
 Result<RayGrid> RayGrid::make(const camera::Picture& picture, const RaySettings& settings) {
+    constexpr double max_rays = 0x1p34;  // As in a picture: hundreds of gigabytes.
+    if (static_cast<double>(settings.width) * static_cast<double>(settings.height) > max_rays) {
+        return error(
+            fmt::format("a map of {} x {} rays is too large", settings.width, settings.height), {},
+            fmt::format("a map has at most {:.0f} rays", max_rays));
+    }
     auto layers = rays::compile_layers(
         picture, static_cast<double>(settings.width), static_cast<double>(settings.height),
         {.axes = settings.axes, .footprints = settings.footprints, .points = true});

@@ -14,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include "balcony/input_file.hpp"
 #include "balcony/picture_samples.hpp"
 #include "bridge/povray/camera_mesh.hpp"
 #include "bridge/povray/povray_run.hpp"
@@ -287,11 +288,15 @@ PovraySummary render_with_povray(const PovrayProgram& program, const fs::path& s
         return bad_input({error(
             fmt::format("POV-Ray's scenes cannot have axes '{}'", printable(settings.axes)))});
     }
-    std::ifstream in(scene, std::ios::binary);
     std::error_code failed;
-    if (!in || !fs::is_regular_file(scene, failed)) {
+    if (auto fault = not_a_file(scene, fmt::format("'{}'", scene.string()))) {
+        fault->remedy = "name a scene file of POV-Ray, such as scene.pov";
+        return bad_input({*std::move(fault)});
+    }
+    std::ifstream in(scene, std::ios::binary);
+    if (!in) {
         return bad_input({error(fmt::format("the scene '{}' cannot be read", scene.string()), {},
-                                "name a scene file of POV-Ray, such as scene.pov")});
+                                "check its read permission")});
     }
     std::string bytes(std::istreambuf_iterator<char>(in), {});
     Result<render::PictureSamples> samples = render::PictureSamples::make(

@@ -134,7 +134,8 @@ AnimationRequest read_animation(const AnimateOptions& options, Diagnostics& diag
     }
     request.start_time = read_number("--start-time", words.start_time, -longest, longest,
                                      "give a number of seconds", diagnostics);
-    request.frame_time = read_frame_time(options.render.shutter, diagnostics);
+    Diagnostics reported_by_render;
+    request.frame_time = read_frame_time(options.render.shutter, reported_by_render);
     request.turntable = words.turntable || !words.around.empty();
     request.around = words.around;
     request.keep_frames = words.keep_frames;

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "balcony/input_file.hpp"
 #include "balcony/output_file.hpp"
 
 namespace balcony::cli {
@@ -70,7 +71,10 @@ Result<std::optional<FrameRecord>> read_record(const FramePattern& pattern) {
     if (!fs::exists(file, failed)) {
         return std::optional<FrameRecord>();
     }
-    std::ifstream stream(file);
+    std::ifstream stream;
+    if (!not_a_file(file, "")) {
+        stream.open(file);
+    }
     const nlohmann::json json = nlohmann::json::parse(stream, nullptr, false);
     try {
         FrameRecord record;

@@ -11,6 +11,7 @@
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
+#include "balcony/input_file.hpp"
 #include "images/openimageio/image_format.hpp"
 #include "images/openimageio/library.hpp"
 
@@ -35,7 +36,7 @@ Diagnostic reported_by(OIIO::ImageInput& input) {
 
 std::optional<Diagnostic> check_size(std::size_t width, std::size_t height) {
     if (width == 0 || height == 0) {
-        return error("it has no pixels");
+        return error("it has no pixels", {}, "copy or export it again");
     }
     if (width > max_image_pixels / height) {
         return error(fmt::format("it has {} x {} pixels, more than {} million", width, height,
@@ -252,9 +253,8 @@ std::optional<std::size_t> OpenImageFile::unassociated_alpha() const {
 
 Result<std::unique_ptr<ImageFile>> OpenImageIo::open(const fs::path& file,
                                                      ImageChannels channels) const {
-    std::error_code code;
-    if (!fs::is_regular_file(file, code)) {
-        return error("there is no such file");
+    if (const auto fault = not_a_file(file, fmt::format("'{}'", file.string()))) {
+        return *fault;
     }
     auto bytes = std::make_unique<OIIO::Filesystem::IOFile>(file.string(), IOProxy::Read);
     if (!bytes->opened()) {

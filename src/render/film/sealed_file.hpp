@@ -23,6 +23,7 @@
 #include <unistd.h>
 
 #include "balcony/content_hash.hpp"
+#include "balcony/input_file.hpp"
 #include "render/film/render_facts.hpp"
 
 namespace balcony::render {
@@ -102,10 +103,14 @@ private:
 
 class SealedReader {
 public:
-    explicit SealedReader(const fs::path& file) : stream_(file, std::ios::binary) {
-        std::error_code failed;
-        const std::uintmax_t size = fs::file_size(file, failed);
-        rest_ = failed ? 0 : size;
+    // Without a file there, it is like an empty one.
+    explicit SealedReader(const fs::path& file) {
+        if (!not_a_file(file, "")) {
+            stream_.open(file, std::ios::binary);
+            std::error_code failed;
+            const std::uintmax_t size = fs::file_size(file, failed);
+            rest_ = failed ? 0 : size;
+        }
     }
 
     // The bytes that are left.

@@ -127,9 +127,10 @@ Result<Environment> Environment::load(const std::filesystem::path& file) {
         Diagnostics warnings;
         if (pixels.repaired() > 0) {
             warnings.push_back(warning(fmt::format(
-                "environment '{}' has {} pixels that are negative, infinite or not a number; "
+                "environment '{}' has values that are negative, infinite or not a number in {} {}; "
                 "they are replaced by 0, or by {} if positive",
-                file.string(), pixels.repaired(), brightest)));
+                file.string(), pixels.repaired(), pixels.repaired() == 1 ? "pixel" : "pixels",
+                brightest)));
         }
         auto map = std::make_shared<const EnvironmentMap>(width, height, std::move(texels));
         if (map->is_black()) {

@@ -4,6 +4,7 @@
 #include "scene/gltf/gltf_document.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cstring>
 #include <memory>
 
@@ -79,6 +80,36 @@ GlbChunks split_glb(Bytes bytes, const std::string& name) {
     return chunks;
 }
 
+// The word around a byte, such as Infinity.
+std::string_view word_around(Bytes bytes, std::size_t at) {
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const auto is_part = [text](std::size_t i) {
+        return i < text.size() && std::isalpha(static_cast<unsigned char>(text[i])) != 0;
+    };
+    std::size_t begin = std::min(at, text.size());
+    while (begin > 0 && is_part(begin - 1)) {
+        --begin;
+    }
+    std::size_t end = begin;
+    while (is_part(end)) {
+        ++end;
+    }
+    return text.substr(begin, end - begin);
+}
+
+// What helps against a mistake at a byte of a JSON text.
+std::string advice_on_json(Bytes bytes, std::size_t at, std::string_view reason) {
+    const std::string_view word = word_around(bytes, at);
+    for (const std::string_view name : {"NaN", "nan", "Infinity", "infinity", "Inf", "inf"}) {
+        if (word == name) {
+            return fmt::format("JSON has no number {}: write a finite one", name);
+        }
+    }
+    const std::size_t expected = reason.rfind("; expected ");
+    return expected != std::string_view::npos ? fmt::format("{} here", reason.substr(expected + 2))
+                                              : "export the file again";
+}
+
 }  // namespace
 
 std::string decode_percent(std::string_view uri) {
@@ -139,12 +170,10 @@ void GltfDocument::parse(Bytes bytes) {
         }
     } catch (const Json::parse_error& failure) {
         const std::size_t end = std::min(failure.byte, bytes.size());
-        const std::string reason = failure.what();
-        const std::size_t expected = reason.rfind("; expected ");
-        throw ReadError{
-            error(fmt::format("the JSON of {} is broken", name),
-                  SourceSpan{source_text(), end > 0 ? end - 1 : 0, end},
-                  expected != std::string::npos ? reason.substr(expected + 2) + " here" : "")};
+        const std::size_t begin = end > 0 ? end - 1 : 0;
+        throw ReadError{error(fmt::format("the JSON of {} is broken", name),
+                              SourceSpan{source_text(), begin, end},
+                              advice_on_json(bytes, begin, failure.what()))};
     } catch (const Json::out_of_range& failure) {
         // It has no position, but ends with the number: "... number overflow parsing '1e999'".
         const std::string reason = failure.what();

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -26,12 +27,12 @@ bool is_read(std::string_view extension) {
                        [&](const GltfMaterialExtension& known) { return known.name == extension; });
 }
 
-std::vector<std::string> unread_extensions(const Json& root, const char* list) {
-    std::vector<std::string> unread;
+std::set<std::string> unread_extensions(const Json& root, const char* list) {
+    std::set<std::string> unread;
     for (std::size_t i = 0; i < array_size(root, list); ++i) {
         const Json& extension = member(root, list)[i];
         if (extension.is_string() && !is_read(extension.get<std::string>())) {
-            unread.push_back(in_quotes(extension.get<std::string>()));
+            unread.insert(in_quotes(extension.get<std::string>()));
         }
     }
     return unread;
@@ -186,7 +187,10 @@ void GltfReader::warn_of_what_is_not_read() {
     };
     dropped(dropped_points_, "points");
     dropped(dropped_lines_, "lines");
-    const std::vector<std::string> unread = unread_extensions(root_, "extensionsUsed");
+    std::set<std::string> unread;
+    for (const char* const list : {"extensionsUsed", "extensionsRequired"}) {
+        unread.merge(unread_extensions(root_, list));
+    }
     if (!unread.empty()) {
         import_.warn(fmt::format("the file uses extensions that are not supported: {}",
                                  fmt::join(unread, ", ")));

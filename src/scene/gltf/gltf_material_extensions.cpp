@@ -16,8 +16,8 @@ namespace {
 
 void read_clearcoat(const Json& json, GltfMaterialReader& reader) {
     Material& m = reader.material;
-    m.clearcoat = unit_interval_in(json, "clearcoatFactor", 0.0F);
-    m.clearcoat_roughness = unit_interval_in(json, "clearcoatRoughnessFactor", 0.0F);
+    m.clearcoat = reader.unit_interval(json, "clearcoatFactor", 0.0F);
+    m.clearcoat_roughness = reader.unit_interval(json, "clearcoatRoughnessFactor", 0.0F);
     reader.read_texture(json, "clearcoatTexture", Channel::red, m.clearcoat_texture);
     reader.read_texture(json, "clearcoatRoughnessTexture", Channel::green,
                         m.clearcoat_roughness_texture);
@@ -44,14 +44,14 @@ void read_ior(const Json& json, GltfMaterialReader& reader) {
 void read_sheen(const Json& json, GltfMaterialReader& reader) {
     Material& m = reader.material;
     m.sheen_color = color_in(json, "sheenColorFactor", Color3f(0.0F));
-    m.sheen_roughness = unit_interval_in(json, "sheenRoughnessFactor", 0.0F);
+    m.sheen_roughness = reader.unit_interval(json, "sheenRoughnessFactor", 0.0F);
     reader.read_texture(json, "sheenColorTexture", m.sheen_color_texture);
     reader.read_texture(json, "sheenRoughnessTexture", Channel::alpha, m.sheen_roughness_texture);
 }
 
 void read_specular(const Json& json, GltfMaterialReader& reader) {
     Material& m = reader.material;
-    m.specular = unit_interval_in(json, "specularFactor", 1.0F);
+    m.specular = reader.unit_interval(json, "specularFactor", 1.0F);
     m.specular_color = color_in(json, "specularColorFactor", Color3f(1.0F));
     reader.read_texture(json, "specularTexture", Channel::alpha, m.specular_texture);
     reader.read_texture(json, "specularColorTexture", m.specular_color_texture);
@@ -59,7 +59,7 @@ void read_specular(const Json& json, GltfMaterialReader& reader) {
 
 void read_transmission(const Json& json, GltfMaterialReader& reader) {
     Material& m = reader.material;
-    m.transmission = unit_interval_in(json, "transmissionFactor", 0.0F);
+    m.transmission = reader.unit_interval(json, "transmissionFactor", 0.0F);
     reader.read_texture(json, "transmissionTexture", Channel::red, m.transmission_texture);
 }
 

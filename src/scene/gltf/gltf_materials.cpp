@@ -4,6 +4,7 @@
 #include "scene/gltf/gltf_materials.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,17 +13,24 @@ namespace balcony::scene {
 
 namespace {
 
-AlphaMode alpha_mode_of(const std::string& mode) {
-    if (mode == "MASK") {
-        return AlphaMode::mask;
-    }
-    return mode == "BLEND" ? AlphaMode::blend : AlphaMode::opaque;
+std::optional<AlphaMode> alpha_mode_of(std::string_view mode) {
+    return mode == "OPAQUE"  ? std::optional(AlphaMode::opaque)
+           : mode == "MASK"  ? std::optional(AlphaMode::mask)
+           : mode == "BLEND" ? std::optional(AlphaMode::blend)
+                             : std::nullopt;
 }
 
 }  // namespace
 
-float unit_interval_in(const Json& value, std::string_view key, float fallback) {
-    return static_cast<float>(std::clamp(number_in(value, key, double{fallback}), 0.0, 1.0));
+float GltfMaterialReader::unit_interval(const Json& owner, std::string_view key, float fallback) {
+    constexpr double rounding = 1e-4;  // Some exporters write 1.00001.
+    const double number = number_in(owner, key, double{fallback});
+    const double limited = std::clamp(number, 0.0, 1.0);
+    if (std::abs(number - limited) > rounding) {
+        warn(fmt::format("its '{}' is {:g} and counts as {:g}", key, number, limited),
+             "give it a value from 0 to 1");
+    }
+    return static_cast<float>(limited);
 }
 
 void GltfMaterialReader::read(const Json& json) {
@@ -43,12 +51,21 @@ void GltfMaterialReader::read(const Json& json) {
 
 void GltfMaterialReader::read_factors(const Json& json) {
     material.name = text_in(json, "name");
+    if (!material.name.empty()) {
+        user_ = fmt::format("material {}", in_quotes(material.name));
+    }
     const Json& surface = member(json, "pbrMetallicRoughness");
     const auto base = numbers_in(surface, "baseColorFactor", {1.0, 1.0, 1.0, 1.0});
     material.base_color = to_color({base[0], base[1], base[2]}, "baseColorFactor");
-    material.metallic = unit_interval_in(surface, "metallicFactor", 1.0F);
-    material.roughness = unit_interval_in(surface, "roughnessFactor", 1.0F);
-    material.alpha_mode = alpha_mode_of(text_in(json, "alphaMode", "OPAQUE"));
+    material.metallic = unit_interval(surface, "metallicFactor", 1.0F);
+    material.roughness = unit_interval(surface, "roughnessFactor", 1.0F);
+    const std::string mode = text_in(json, "alphaMode", "OPAQUE");
+    const std::optional<AlphaMode> known_mode = alpha_mode_of(mode);
+    material.alpha_mode = known_mode.value_or(AlphaMode::opaque);
+    if (!known_mode) {
+        warn(fmt::format("its 'alphaMode' is {} and counts as 'OPAQUE'", in_quotes(mode)),
+             "the modes are OPAQUE, MASK and BLEND");
+    }
     if (material.alpha_mode != AlphaMode::opaque) {
         material.alpha = static_cast<float>(std::clamp(base[3], 0.0, 1.0));
     }
@@ -81,8 +98,7 @@ void GltfMaterialReader::read_extensions(const Json& json) {
 }
 
 void GltfMaterialReader::warn(std::string_view reason, std::string remedy) {
-    import_.warn(fmt::format("material {}: {}", in_quotes(material.name), reason),
-                 std::move(remedy));
+    import_.warn(fmt::format("{}: {}", user_, reason), std::move(remedy));
 }
 
 GltfMaterials::GltfMaterials(const GltfDocument& document, Import& import)
@@ -95,18 +111,20 @@ const GltfMaterial& GltfMaterials::material(std::optional<std::size_t> gltf_mate
     }
     GltfMaterial made;
     const Json nothing = Json::object();
+    const std::string user =
+        gltf_material ? fmt::format("material {}", *gltf_material) : "the default material";
     try {
-        made = make(gltf_material ? element(root_, "materials", *gltf_material) : nothing);
+        made = make(gltf_material ? element(root_, "materials", *gltf_material) : nothing, user);
     } catch (const PartError& fault) {
-        import_.warn(fmt::format("material {} is replaced by glTF's default material: {}",
-                                 *gltf_material, fault.reason));
-        made = make(nothing);
+        import_.warn(
+            fmt::format("{} is replaced by glTF's default material: {}", user, fault.reason));
+        made = make(nothing, user);
     }
     return materials_.emplace(gltf_material, made).first->second;
 }
 
-GltfMaterial GltfMaterials::make(const Json& json) {
-    GltfMaterialReader reader(textures_, import_);
+GltfMaterial GltfMaterials::make(const Json& json, const std::string& user) {
+    GltfMaterialReader reader(textures_, import_, user);
     reader.read(json);
     GltfMaterial made;
     made.has_textures = !reader.coordinate_sets.empty();

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "scene/budget.hpp"
@@ -26,8 +27,8 @@ public:
     GltfTextures(const GltfDocument& document, Import& import);
 
     /// Textures with the same image and sampler are one. Invalid, after a warning, if its file is
-    /// missing. Throws PartError if it cannot be used.
-    TextureIndex texture(std::size_t gltf_texture, const std::string& material_name);
+    /// missing. Throws PartError if it cannot be used. `user` is for messages: "material 'm'".
+    TextureIndex texture(std::size_t gltf_texture, const std::string& user);
 
 private:
     void read_image(const Json& image, Texture& texture);
@@ -57,8 +58,9 @@ struct GltfMaterial {
 /// Reads one material.
 class GltfMaterialReader {
 public:
-    GltfMaterialReader(GltfTextures& textures, Import& import)
-        : textures_(textures), import_(import) {}
+    /// `user` is what messages call the material if it has no name.
+    GltfMaterialReader(GltfTextures& textures, Import& import, std::string user)
+        : textures_(textures), import_(import), user_(std::move(user)) {}
 
     /// Throws PartError if the core of the material is invalid; an extension or a texture that is
     /// invalid is skipped with a warning.
@@ -71,6 +73,8 @@ public:
     void read_texture(const Json& owner, std::string_view key, std::uint8_t channel,
                       TextureUse& use);
 
+    /// A number from 0 to 1. One that is beyond is limited, with a warning.
+    [[nodiscard]] float unit_interval(const Json& owner, std::string_view key, float fallback);
     /// Warns of a property of the material.
     void warn(std::string_view reason, std::string remedy = {});
 
@@ -84,6 +88,7 @@ private:
 
     GltfTextures& textures_;
     Import& import_;
+    std::string user_;  // Such as "material 'm'".
 };
 
 /// An extension of materials that is read.
@@ -95,9 +100,6 @@ struct GltfMaterialExtension {
 
 [[nodiscard]] std::span<const GltfMaterialExtension> gltf_material_extensions();
 
-/// A number that is clamped to 0 .. 1.
-[[nodiscard]] float unit_interval_in(const Json& value, std::string_view key, float fallback);
-
 /// The materials of a file, each made when a mesh first uses it.
 class GltfMaterials {
 public:
@@ -107,7 +109,7 @@ public:
     const GltfMaterial& material(std::optional<std::size_t> gltf_material);
 
 private:
-    [[nodiscard]] GltfMaterial make(const Json& json);
+    [[nodiscard]] GltfMaterial make(const Json& json, const std::string& user);
 
     const Json& root_;
     Import& import_;

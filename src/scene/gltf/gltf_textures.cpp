@@ -55,7 +55,7 @@ GltfTextures::GltfTextures(const GltfDocument& document, Import& import)
       image_bytes_(2 * document.size(),
                    "the file's images have more bytes than a file of its size may have") {}
 
-TextureIndex GltfTextures::texture(std::size_t gltf_texture, const std::string& material_name) {
+TextureIndex GltfTextures::texture(std::size_t gltf_texture, const std::string& user) {
     const Json& root = document_.root();
     const Json& json = element(root, "textures", gltf_texture);
     const auto source = image_of(json);
@@ -73,15 +73,13 @@ TextureIndex GltfTextures::texture(std::size_t gltf_texture, const std::string& 
         return known->second;
     }
     const Json& image = element(root, "images", *source);
-    texture.name = text_in(image, "name", fmt::format("image {}", *source));
     read_image(image, texture);
-    std::error_code code;
-    if (texture.bytes.empty() && !std::filesystem::is_regular_file(texture.file, code)) {
-        import_.warn(fmt::format("material {}: there is no texture file {}",
-                                 in_quotes(material_name), in_quotes(texture.file.string())),
-                     import_.advice_on(texture.file));
+    if (texture.bytes.empty() && !import_.has_texture(texture.file, user)) {
         return {};
     }
+    texture.name = text_in(image, "name",
+                           texture.bytes.empty() ? texture.file.filename().string()
+                                                 : fmt::format("image {}", *source));
     import_.scene.textures.push_back(std::move(texture));
     known->second = TextureIndex(import_.scene.textures.size() - 1);
     return known->second;
@@ -121,7 +119,7 @@ void GltfMaterialReader::read_texture(const Json& owner, std::string_view key, T
         if (!number) {
             throw PartError{"it has no 'index'"};
         }
-        read.index = textures_.texture(*number, material.name);
+        read.index = textures_.texture(*number, user_);
         if (read.valid()) {
             read.coordinates =
                 number_of_set(count_in(transform, "texCoord", count_in(json, "texCoord", 0)));

@@ -164,11 +164,7 @@ TextureIndex ObjMaterials::add_texture(const Source& source, const MtlMapArgumen
     if (!is_new && known->second.valid()) {
         return known->second;
     }
-    std::error_code code;
-    if (!std::filesystem::is_regular_file(file, code)) {
-        import_.warn(fmt::format("material {}: there is no texture file {}",
-                                 in_quotes(source.material.name), in_quotes(file.string())),
-                     import_.advice_on(file));
+    if (!import_.has_texture(file, fmt::format("material {}", in_quotes(source.material.name)))) {
         return {};
     }
     std::vector<Texture>& textures = import_.scene.textures;

@@ -1,0 +1,19 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+#include "balcony/base.hpp"
+
+namespace balcony {
+
+/// Why a path cannot be read as a file: nothing is there, a link leads nowhere, or it is a folder,
+/// a pipe or a device. Opening a pipe waits for a writer, perhaps forever, and a device may have no
+/// end. Nothing if it is a regular file. `name` is what messages call it, in quotes.
+[[nodiscard]] std::optional<Diagnostic> not_a_file(const std::filesystem::path& file,
+                                                   std::string_view name);
+
+}  // namespace balcony
