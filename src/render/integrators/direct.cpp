@@ -21,10 +21,10 @@ constexpr float min_weight = 1.0F / 512.0F;
 bool is_mirror(const Appearance& appearance) { return appearance.roughness < mirror_roughness; }
 
 Bsdf bsdf_at(const Interaction& at, const V3f& geometric_normal) {
-    if (at.uniform != nullptr && !at.uniform->transmits() && !is_mirror(at.appearance)) {
+    if (at.uniform != nullptr && !at.uniform->transmits() && !is_mirror(at.appearance())) {
         return {*at.uniform, at.surface.normal, geometric_normal};
     }
-    Appearance appearance = at.appearance;
+    Appearance appearance = at.appearance();
     if (is_mirror(appearance)) {
         appearance.roughness = 0.0F;
     }
@@ -39,13 +39,14 @@ public:
 
 private:
     [[nodiscard]] Shaded shade(const Ray& ray, const Interaction& at) const override {
-        if (at.appearance.unlit) {
-            return {at.appearance.base_color, Color3f(0.0F), Color3f(0.0F)};
+        if (at.appearance().unlit) {
+            return {at.appearance().base_color, Color3f(0.0F), Color3f(0.0F)};
         }
         // A facet of a coarse mesh that faces away from a light is lit if the smooth surface is:
         // the shadow ray decides.
         const Bsdf bsdf = bsdf_at(at, at.surface.normal);
-        return {at.appearance.emission, *settings().ambient * bsdf.material().ambient_reflectance(),
+        return {at.appearance().emission,
+                *settings().ambient * bsdf.material().ambient_reflectance(),
                 reflected_light(ray, at.surface, bsdf)};
     }
 
@@ -73,7 +74,7 @@ private:
 
     [[nodiscard]] std::optional<Branch> reflect(const Branch& arriving, const Color3f& weight,
                                                 const Interaction& at) const override {
-        if (!is_mirror(at.appearance) || at.appearance.unlit ||
+        if (!is_mirror(at.appearance()) || at.appearance().unlit ||
             arriving.reflections >= settings().mirror_depth) {
             return std::nullopt;
         }

@@ -12,10 +12,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "render/integrators/integrator.hpp"
 #include "render/integrators/ray_order.hpp"
+#include "render/sampling/sample_block.hpp"
 #include "render/shading/bsdf.hpp"
 #include "render/shading/footprint.hpp"
 
@@ -103,21 +105,26 @@ public:
 private:
     void start(std::span<const CameraRay> rays, std::span<Seen> seen);
     void trace_next();
+    void sort_by_instance();
     void advance_all(std::span<Seen> seen);
+    void draw_numbers(std::size_t first);
     void add_shadowed_light(std::span<Seen> seen);
 
-    [[nodiscard]] bool advance(Path& path, Seen& seen);
+    [[nodiscard]] bool advance(Path& path, SampleReader numbers, Seen& seen);
     void add_distant_light(const Path& path, Seen& seen) const;
     void add_emission(const Path& path, const Interaction& at, Seen& seen) const;
     void light(const Path& path, const Scattering& at, const V3f& random, bool alone);
-    [[nodiscard]] bool scatter(Path& path, const Scattering& at, float choice) const;
+    [[nodiscard]] bool scatter(Path& path, const Scattering& at, float choice,
+                               SampleReader& numbers) const;
     [[nodiscard]] RayDifferentials differentials_after(const Path& path, const Interaction& at,
                                                        const BsdfSample& sample) const;
     void count_bounce(Path& path, BsdfLobe lobe) const;
-    [[nodiscard]] static bool survives(Path& path);
+    [[nodiscard]] static bool survives(Path& path, SampleReader& numbers);
     [[nodiscard]] float lamp_weight(float pdf_of_lamp, float pdf_of_surface) const;
     [[nodiscard]] float scattered_weight(float pdf_of_surface, float pdf_of_lamp) const;
     void add(Seen& seen, const Color3f& light, std::size_t bounces) const;
+
+    static constexpr std::uint32_t bucket_count = 256;
 
     SceneTracer tracer_;
     const Settings* settings_;
@@ -127,6 +134,7 @@ private:
     std::vector<Path> paths_;
     std::vector<std::uint32_t> active_;  // Indices of the paths that go on.
     std::vector<ShadowedLight> shadowed_;
+    SampleBlock numbers_;
     std::vector<RayOrder::Key> keys_;
     std::vector<std::uint32_t> unordered_;
     RayOrder order_;
@@ -162,6 +170,25 @@ void PathTracer::trace_next() {
         path.hit = tracer_.nearest(path.ray);
         active_.push_back(unordered_[k]);
     }
+    sort_by_instance();
+}
+
+// Neighbours then have the same material and need the same memory. Stable.
+void PathTracer::sort_by_instance() {
+    const auto bucket = [&](std::uint32_t i) { return paths_[i].hit.instance % bucket_count; };
+    std::array<std::uint32_t, bucket_count> starts{};
+    for (const std::uint32_t i : active_) {
+        ++starts[bucket(i)];
+    }
+    std::uint32_t sum = 0;
+    for (std::uint32_t& start : starts) {
+        start = std::exchange(sum, sum + start);
+    }
+    unordered_.swap(active_);
+    active_.resize(unordered_.size());
+    for (const std::uint32_t i : unordered_) {
+        active_[starts[bucket(i)]++] = i;
+    }
 }
 
 // Removes the paths that end. Memory is requested so many paths early that it has usually arrived.
@@ -173,14 +200,28 @@ void PathTracer::advance_all(std::span<Seen> seen) {
     };
     std::size_t kept = 0;
     for (std::size_t k = 0; k < active_.size(); ++k) {
+        const std::size_t place = k % SampleBlock::size;
+        if (place == 0) {
+            draw_numbers(k);
+        }
         tracer_.request_triangle(hit_in(k + steps_to_triangle));
         tracer_.request_corners(hit_in(k + steps_to_corners));
         Path& path = paths_[active_[k]];
-        if (advance(path, seen[path.index])) {
+        if (advance(path, SampleReader(numbers_, place, path.sampler), seen[path.index])) {
             active_[kept++] = active_[k];
         }
     }
     active_.resize(kept);
+}
+
+// Of a block of active paths.
+void PathTracer::draw_numbers(std::size_t first) {
+    std::array<const Sampler*, SampleBlock::size> samplers{};
+    const std::size_t count = std::min(SampleBlock::size, active_.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+        samplers[i] = &paths_[active_[first + i]].sampler;
+    }
+    numbers_.fill(std::span(samplers).first(count));
 }
 
 void PathTracer::add_shadowed_light(std::span<Seen> seen) {
@@ -226,7 +267,7 @@ void PathTracer::add(Seen& seen, const Color3f& light, std::size_t bounces) cons
 
 // Adds what the path meets at the end of its ray, and finds the next ray. False where the path
 // ends.
-bool PathTracer::advance(Path& path, Seen& seen) {
+bool PathTracer::advance(Path& path, SampleReader numbers, Seen& seen) {
     if (!path.hit.any()) {
         add_distant_light(path, seen);
         return false;
@@ -238,13 +279,13 @@ bool PathTracer::advance(Path& path, Seen& seen) {
             Color3f(std::exp(-path.absorption.x * length), std::exp(-path.absorption.y * length),
                     std::exp(-path.absorption.z * length));
     }
-    const Appearance& appearance = at.appearance;
+    const Appearance& appearance = at.appearance();
     const bool seen_directly = path.bounces.all == 0;
     if (seen_directly && !seen.visible.any && appearance.opacity > 0.0F) {
         seen.visible = tracer_.visible(at);
     }
     if (appearance.opacity < 1.0F && path.crossings < max_crossings &&
-        path.sampler.next() >= appearance.opacity) {
+        numbers.next() >= appearance.opacity) {
         path.ray.origin = at.surface.start(path.ray.direction);
         path.ray.differentials.origin_x = at.moved.along_x;
         path.ray.differentials.origin_y = at.moved.along_y;
@@ -263,13 +304,13 @@ bool PathTracer::advance(Path& path, Seen& seen) {
     const LitPoint point{at.surface.position,
                          seen_directly ? to_viewer : (path.eye - at.surface.position).normalized(),
                          bsdf.lit_side(), path.ray.time};
-    const Imath::V2f choices = path.sampler.next_pair();
-    const Imath::V2f at_light = path.sampler.next_pair();
+    const Imath::V2f choices = numbers.next_pair();
+    const Imath::V2f at_light = numbers.next_pair();
     const bool ends = path.bounces.all >= settings_->bounces.all && bsdf.material().is_rough() &&
                       settings_->lamp_sampling != LampSampling::surfaces;
     const Scattering here{at, point, bsdf, bsdf.view_from(to_viewer)};
     light(path, here, {choices.x, at_light.x, at_light.y}, ends);
-    return !ends && scatter(path, here, choices.y);
+    return !ends && scatter(path, here, choices.y, numbers);
 }
 
 void PathTracer::add_distant_light(const Path& path, Seen& seen) const {
@@ -294,13 +335,14 @@ void PathTracer::add_distant_light(const Path& path, Seen& seen) const {
 }
 
 void PathTracer::add_emission(const Path& path, const Interaction& at, Seen& seen) const {
-    const Color3f emitted = at.appearance.unlit ? at.appearance.base_color : at.appearance.emission;
+    const Appearance& appearance = at.appearance();
+    const Color3f& emitted = appearance.unlit ? appearance.base_color : appearance.emission;
     if (is_black(emitted)) {
         return;
     }
     const float distance = (at.surface.position - path.from.position).length();
     const float weight =
-        path.pdf > 0.0F && !at.appearance.unlit
+        path.pdf > 0.0F && !appearance.unlit
             ? scattered_weight(path.pdf, tracer_.lights().pdf_of_emitter(
                                              path.from, path.ray.direction, distance, path.hit))
             : 1.0F;
@@ -361,8 +403,9 @@ void PathTracer::light(const Path& path, const Scattering& at, const V3f& random
 }
 
 // Chooses the next ray, by a number that selects the lobe. False where the path ends.
-bool PathTracer::scatter(Path& path, const Scattering& at, float choice) const {
-    const Imath::V2f at_lobe = path.sampler.next_pair();
+bool PathTracer::scatter(Path& path, const Scattering& at, float choice,
+                         SampleReader& numbers) const {
+    const Imath::V2f at_lobe = numbers.next_pair();
     const std::optional<BsdfSample> sample =
         at.bsdf.sample(at.view, {choice, at_lobe.x, at_lobe.y});
     if (!sample) {
@@ -370,7 +413,7 @@ bool PathTracer::scatter(Path& path, const Scattering& at, float choice) const {
     }
     path.throughput *= sample->weight;
     count_bounce(path, sample->lobe);
-    if (!survives(path)) {
+    if (!survives(path, numbers)) {
         return false;
     }
     if (textured_) {
@@ -382,8 +425,8 @@ bool PathTracer::scatter(Path& path, const Scattering& at, float choice) const {
     path.ray.origin =
         sample->transmitted ? surface.start(sample->to_light) : surface.start_to_light();
     path.ray.direction = sample->to_light;
-    if (sample->transmitted && !at.surface.appearance.thin_walled) {
-        path.absorption = surface.entering ? at.surface.appearance.absorption : black;
+    if (sample->transmitted && !at.surface.appearance().thin_walled) {
+        path.absorption = surface.entering ? at.surface.appearance().absorption : black;
     }
     return true;
 }
@@ -416,12 +459,12 @@ void PathTracer::count_bounce(Path& path, BsdfLobe lobe) const {
 // Russian roulette: a path that carries little light ends, or carries more. By the root of the
 // light and not by the light itself: the time that is saved by ending more paths is worth less than
 // the noise that it adds.
-bool PathTracer::survives(Path& path) {
+bool PathTracer::survives(Path& path, SampleReader& numbers) {
     const float probability = std::sqrt(largest(path.throughput));
     if (!(probability < 1.0F)) {
         return true;
     }
-    if (!(path.sampler.next() < probability)) {
+    if (!(numbers.next() < probability)) {
         return false;
     }
     path.throughput /= probability;

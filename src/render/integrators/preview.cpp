@@ -102,8 +102,8 @@ private:
 
     [[nodiscard]] Color4f light(const Ray& ray, const embree::Hit& hit) {
         const Interaction at = tracer().interaction(ray, hit);
-        return at.appearance.opacity >= 1.0F
-                   ? opaque(radiance(at.appearance, at.surface.normal, ray.direction))
+        return at.appearance().opacity >= 1.0F
+                   ? opaque(radiance(at.appearance(), at.surface.normal, ray.direction))
                    : trace(ray, hit).radiance;
     }
 
@@ -116,11 +116,11 @@ private:
     static Color4f opaque(const Color3f& color) { return {color.x, color.y, color.z, 1.0F}; }
 
     [[nodiscard]] Shaded shade(const Ray& ray, const Interaction& at) const override {
-        if (at.appearance.unlit) {
-            return {at.appearance.base_color, Color3f(0.0F), Color3f(0.0F)};
+        if (at.appearance().unlit) {
+            return {at.appearance().base_color, Color3f(0.0F), Color3f(0.0F)};
         }
         const float cosine = std::abs(at.surface.normal.dot(ray.direction));
-        return {at.appearance.emission, Color3f(0.0F), cosine * at.appearance.base_color};
+        return {at.appearance().emission, Color3f(0.0F), cosine * at.appearance().base_color};
     }
 
     const TextureLibrary* textures_;

@@ -44,7 +44,7 @@ void RayTree::follow(const Branch& branch, const embree::Hit& hit, Seen& seen) {
         return;
     }
     const Interaction at = tracer_.interaction(branch.ray, hit);
-    const float opacity = branch.crossings < max_crossings ? at.appearance.opacity : 1.0F;
+    const float opacity = branch.crossings < max_crossings ? at.appearance().opacity : 1.0F;
     if (opacity < 1.0F) {
         Branch beyond = branch;
         beyond.weight *= 1.0F - opacity;

@@ -19,17 +19,17 @@ namespace balcony::render {
     return x;
 }
 
-[[nodiscard]] constexpr std::uint64_t reversed(std::uint64_t x) {
-    x = ((x & 0x5555555555555555U) << 1) | ((x >> 1) & 0x5555555555555555U);
-    x = ((x & 0x3333333333333333U) << 2) | ((x >> 2) & 0x3333333333333333U);
-    x = ((x & 0x0f0f0f0f0f0f0f0fU) << 4) | ((x >> 4) & 0x0f0f0f0f0f0f0f0fU);
-    x = ((x & 0x00ff00ff00ff00ffU) << 8) | ((x >> 8) & 0x00ff00ff00ff00ffU);
-    x = ((x & 0x0000ffff0000ffffU) << 16) | ((x >> 16) & 0x0000ffff0000ffffU);
-    return (x << 32) | (x >> 32);
+[[nodiscard]] constexpr std::uint32_t reversed(std::uint32_t x) {
+    x = ((x & 0x55555555U) << 1) | ((x >> 1) & 0x55555555U);
+    x = ((x & 0x33333333U) << 2) | ((x >> 2) & 0x33333333U);
+    x = ((x & 0x0f0f0f0fU) << 4) | ((x >> 4) & 0x0f0f0f0fU);
+    x = ((x & 0x00ff00ffU) << 8) | ((x >> 8) & 0x00ff00ffU);
+    return x << 16 | x >> 16;
 }
 
-[[nodiscard]] constexpr std::uint32_t reversed(std::uint32_t x) {
-    return static_cast<std::uint32_t>(reversed(std::uint64_t{x}) >> 32);
+/// The number from [0, 1) with these digits, the first in the highest bit: the 24 bits of a float.
+[[nodiscard]] constexpr float unit_float(std::uint32_t bits) {
+    return static_cast<float>(static_cast<std::int32_t>(bits >> 8)) * 0x1p-24F;
 }
 
 /// Owen's nested uniform scrambling: a hash of the lower bits flips each bit (Laine and Karras,

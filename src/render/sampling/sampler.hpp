@@ -55,6 +55,23 @@ private:
     std::array<Pair, 128> first_pairs_;
 };
 
+/// The coefficients of f up to z^31: q^16 = z^32 + z^16 + 1. Those above matter only in powers of
+/// z + 1.
+[[nodiscard]] inline std::uint32_t low_part(const PassNumbers::Pair& pair, std::uint32_t pixel) {
+    return pair.pass ^ pair.pass << 16 ^ from_powers_of_q(scrambled(pixel, pair.pixel_seed));
+}
+
+/// The numbers of a pair of dimensions, from [0, 1), at a pixel: its place on Morton's curve,
+/// reversed.
+[[nodiscard]] inline float first_number(const PassNumbers::Pair& pair, std::uint32_t pixel) {
+    return unit_float(reversed(scrambled(low_part(pair, pixel), pair.x_seed)));
+}
+[[nodiscard]] inline float second_number(const PassNumbers::Pair& pair, std::uint32_t pixel) {
+    const std::uint32_t high = pair.pass ^ pair.pass >> 16;
+    const std::uint32_t digits = in_powers_of_z_plus_1(low_part(pair, pixel) ^ high);
+    return unit_float(reversed(scrambled(digits, pair.y_seed)));
+}
+
 /// The numbers of one sample of one pixel, by dimension. They depend only on the seed, pixel, pass
 /// and dimension.
 ///
@@ -71,32 +88,15 @@ public:
               morton(static_cast<std::uint32_t>(pixel_x), static_cast<std::uint32_t>(pixel_y)))) {}
 
     /// The next dimension, or the next two, which are stratified together; from [0, 1).
-    [[nodiscard]] float next() {
-        const PassNumbers::Pair pair = pass_->pair(next_++);
-        return unit_float(reversed(scrambled(low_part(pair), pair.x_seed)));
-    }
+    [[nodiscard]] float next() { return first_number(pass_->pair(next_++), pixel_); }
     [[nodiscard]] Imath::V2f next_pair() {
         const PassNumbers::Pair pair = pass_->pair(next_++);
-        const std::uint32_t low = low_part(pair);
-        const std::uint32_t high = pair.pass ^ pair.pass >> 16;
-        const std::uint32_t x = scrambled(low, pair.x_seed);
-        const std::uint32_t y = scrambled(in_powers_of_z_plus_1(low ^ high), pair.y_seed);
-        const std::uint64_t both = reversed(std::uint64_t{x} << 32 | y);
-        return {unit_float(static_cast<std::uint32_t>(both)),
-                unit_float(static_cast<std::uint32_t>(both >> 32))};
+        return {first_number(pair, pixel_), second_number(pair, pixel_)};
     }
 
 private:
-    // The coefficients of f up to z^31: q^16 = z^32 + z^16 + 1. Those above matter only in powers
-    // of z + 1.
-    [[nodiscard]] std::uint32_t low_part(const PassNumbers::Pair& pair) const {
-        return pair.pass ^ pair.pass << 16 ^ from_powers_of_q(scrambled(pixel_, pair.pixel_seed));
-    }
-
-    // The 24 bits of a float below 1.
-    [[nodiscard]] static float unit_float(std::uint32_t bits) {
-        return static_cast<float>(static_cast<std::int32_t>(bits >> 8)) * 0x1p-24F;
-    }
+    friend class SampleBlock;
+    friend class SampleReader;
 
     const PassNumbers* pass_;
     std::uint32_t pixel_;

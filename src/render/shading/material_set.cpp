@@ -164,9 +164,6 @@ Appearance MaterialSet::look_up(Surface& surface, const PositionDifferentials& m
                                 const V3f& to_viewer) const {
     const MeshPoint& point = surface.in_mesh;
     const Prepared& prepared = prepared_[point.mesh->material.value()];
-    if (!prepared.has_textures && point.mesh->colors.empty()) {
-        return prepared.constant;
-    }
     Appearance found = prepared.constant;
     const Material& material = *surface.material;
     const Color4f tint = point.color();

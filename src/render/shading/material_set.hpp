@@ -26,6 +26,12 @@ public:
     /// Some material has a texture, so footprints matter.
     [[nodiscard]] bool has_textures() const { return has_textures_; }
 
+    /// The appearance of a mesh if it is the same everywhere; otherwise null.
+    [[nodiscard]] const Appearance* constant(const scene::Mesh& mesh) const {
+        const Prepared& prepared = prepared_[mesh.material.value()];
+        return !prepared.has_textures && mesh.colors.empty() ? &prepared.constant : nullptr;
+    }
+
     /// The appearance at a surface, whose normals it bends by the normal maps. `moved` is the
     /// footprint of the ray, whose direction is that to the viewer reversed.
     [[nodiscard]] Appearance look_up(Surface& surface, const PositionDifferentials& moved,

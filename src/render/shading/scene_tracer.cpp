@@ -12,7 +12,7 @@ VisibleSurface SceneTracer::visible(const Interaction& at) const {
     return {true,
             at.surface.position,
             at.surface.normal,
-            at.appearance.base_color,
+            at.appearance().base_color,
             at.surface.object + 1,
             static_cast<std::uint32_t>(material) + 1,
             {at.surface.instance, at.surface.in_mesh.triangle, at.surface.in_mesh.u,
@@ -20,20 +20,25 @@ VisibleSurface SceneTracer::visible(const Interaction& at) const {
 }
 
 Interaction SceneTracer::interaction(const Ray& ray, const embree::Hit& hit) const {
-    Interaction found{traced_->surfaces.find(hit, ray.direction, ray.time), {}, {}};
-    if (traced_->materials.has_textures()) {
+    const MaterialSet& materials = traced_->materials;
+    Interaction found{traced_->surfaces.find(hit, ray.direction, ray.time), {}};
+    if (materials.has_textures()) {
         found.moved = found.surface.transfer(ray);
     }
-    found.appearance = traced_->materials.look_up(found.surface, found.moved, -ray.direction);
-    found.uniform =
-        traced_->materials.uniform_bsdf(*found.surface.in_mesh.mesh, found.surface.entering);
+    const scene::Mesh& mesh = *found.surface.in_mesh.mesh;
+    found.constant = materials.constant(mesh);
+    if (found.constant != nullptr) {
+        found.uniform = materials.uniform_bsdf(mesh, found.surface.entering);
+    } else {
+        found.varying = materials.look_up(found.surface, found.moved, -ray.direction);
+    }
     return found;
 }
 
 Bsdf Interaction::bsdf() const {
     Bsdf made = uniform != nullptr
                     ? Bsdf(*uniform, surface.normal, surface.smooth_normal)
-                    : Bsdf(appearance, surface.normal, surface.smooth_normal, surface.entering);
+                    : Bsdf(appearance(), surface.normal, surface.smooth_normal, surface.entering);
     made.set_coat_normal(surface.coat_normal);
     return made;
 }

@@ -5,6 +5,7 @@
 // A scene prepared for tracing, and its queries for integrators.
 
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "balcony/motion.hpp"
@@ -33,10 +34,14 @@ struct TracedScene {
 /// The first surface on a ray.
 struct Interaction {
     Surface surface;
-    PositionDifferentials moved;  ///< The ray's footprint; 0 in scenes without textures.
-    Appearance appearance;
-    const BsdfMaterial* uniform = nullptr;  ///< Of the appearance, if it is the same everywhere.
+    PositionDifferentials moved;            ///< The ray's footprint; 0 in scenes without textures.
+    const Appearance* constant = nullptr;   ///< If the mesh looks the same everywhere.
+    const BsdfMaterial* uniform = nullptr;  ///< Of the constant appearance.
+    std::optional<Appearance> varying{};    ///< Otherwise.
 
+    [[nodiscard]] const Appearance& appearance() const {
+        return constant != nullptr ? *constant : *varying;
+    }
     [[nodiscard]] Bsdf bsdf() const;
 };
 
