@@ -13,6 +13,8 @@
 
 #include <gtest/gtest.h>
 
+#include "render/sampling/circle.hpp"
+#include "render/sampling/sample_block.hpp"
 #include "render/sampling/sampler.hpp"
 #include "statistics.hpp"
 
@@ -75,6 +77,48 @@ TEST(Sampler, HasAnyNumberOfDimensions) {
     }
     // Two of 2000 numbers of 24 bits are equal with a probability of 0.12.
     EXPECT_GE(all.size(), 2 * pairs - 2);
+}
+
+// Those of a block and those beyond it, from samplers that have given different numbers of pairs.
+TEST(Sampler, GivesTheSameNumbersInBlocks) {
+    const PassNumbers pass(11, seed);
+    for (const std::size_t count : {std::size_t{1}, std::size_t{5}, SampleBlock::size}) {
+        std::vector<Sampler> samplers;
+        std::vector<const Sampler*> pointers;
+        samplers.reserve(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            samplers.emplace_back(3 * i, 40 - i, pass);
+            for (std::size_t skipped = 0; skipped < 9 * i; ++skipped) {
+                (void)samplers.back().next();
+            }
+            pointers.push_back(&samplers.back());
+        }
+        SampleBlock block;
+        block.fill(pointers);
+        for (std::size_t i = 0; i < count; ++i) {
+            Sampler alone = samplers[i];
+            SampleReader reader(block, i, samplers[i]);
+            EXPECT_EQ(reader.next(), alone.next()) << i;
+            for (std::size_t pair = 0; pair < SampleBlock::depth; ++pair) {
+                EXPECT_EQ(reader.next_pair(), alone.next_pair()) << i << ", " << pair;
+            }
+            EXPECT_EQ(samplers[i].next(), alone.next()) << i;
+        }
+    }
+}
+
+// At 2^16 parts of a turn, of which each is a float, and at the largest float below 1.
+TEST(Sampler, DirectionsAreEvenOnTheCircle) {
+    const auto expect_on_circle = [](float part) {
+        const Imath::V2f at = on_circle(part);
+        const double angle = 2.0 * std::numbers::pi * double{part};
+        EXPECT_NEAR(at.x, std::cos(angle), 2e-7) << part;
+        EXPECT_NEAR(at.y, std::sin(angle), 2e-7) << part;
+    };
+    for (int i = 0; i < 1 << 16; ++i) {
+        expect_on_circle(static_cast<float>(i) * 0x1p-16F);
+    }
+    expect_on_circle(0x1.fffffep-1F);
 }
 
 // Over seeds, each dimension and each pair of dimensions is spread evenly.

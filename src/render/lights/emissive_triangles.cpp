@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "render/film/luminance.hpp"
 #include "render/probe/closed_surface.hpp"
@@ -37,18 +38,37 @@ EmissiveTriangles::EmissiveTriangles(const scene::Scene& scene, const scene::Mov
     for (const scene::Instance& instance : scene.instances) {
         count_ += triangles(instance);
     }
+    std::size_t first_triangle = 0;
     run_length_ = std::max<std::size_t>(1, (count_ + max_runs - 1) / max_runs);
     placements_.reserve(scene.instances.size());
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const std::size_t count = triangles(scene.instances[i]);
-        placements_.push_back(
-            {Imath::M44f(scene.instances[i].world_from_mesh), count > 0 ? runs_.size() : none});
+        const scene::Mesh& mesh = scene.meshes[scene.instances[i].mesh.value()];
+        placements_.push_back({Imath::M44f(scene.instances[i].world_from_mesh),
+                               &scene.materials[mesh.material.value()],
+                               count > 0 ? runs_.size() : none, first_triangle});
+        first_triangle += count;
         for (std::size_t first = 0; first < count; first += run_length_) {
             runs_.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(first),
                              static_cast<std::uint32_t>(std::min(run_length_, count - first))});
         }
     }
+    keep_triangles();
     find_closed_objects();
+}
+
+void EmissiveTriangles::keep_triangles() {
+    if (!moving_.empty() || !shapes_.empty() || count_ > max_runs) {
+        return;
+    }
+    std::vector<WorldTriangle> all;
+    all.reserve(count_);
+    for (const EmissiveRun& run : runs_) {
+        for (std::uint32_t i = 0; i < run.count; ++i) {
+            all.push_back(placed_triangle(run.instance, run.first + i, 0.0F));
+        }
+    }
+    at_rest_ = std::move(all);
 }
 
 std::optional<std::size_t> EmissiveTriangles::run_with(const embree::Hit& hit) const {
@@ -148,8 +168,8 @@ LightBounds EmissiveTriangles::bounds(const EmissiveRun& run,
     return bounds_of(all);
 }
 
-WorldTriangle EmissiveTriangles::triangle(std::uint32_t instance, std::uint32_t triangle,
-                                          float time) const {
+WorldTriangle EmissiveTriangles::placed_triangle(std::uint32_t instance, std::uint32_t triangle,
+                                                 float time) const {
     const scene::MeshIndex index = scene_->instances[instance].mesh;
     const scene::Mesh& mesh = scene_->meshes[index.value()];
     const auto& corners = mesh.triangles[triangle];
@@ -164,10 +184,4 @@ WorldTriangle EmissiveTriangles::triangle(std::uint32_t instance, std::uint32_t 
     const V3f p0 = corner(0);
     return {p0, corner(1) - p0, corner(2) - p0};
 }
-
-const scene::Material& EmissiveTriangles::material(std::uint32_t instance) const {
-    const scene::Mesh& mesh = scene_->meshes[scene_->instances[instance].mesh.value()];
-    return scene_->materials[mesh.material.value()];
-}
-
 }  // namespace balcony::render

@@ -66,23 +66,33 @@ public:
         return front == 0.0F || front * triangle.across().dot(direction) < 0.0F;
     }
 
-    /// Where a triangle is at a time.
+    /// Where a triangle that emits is at a time.
     [[nodiscard]] WorldTriangle triangle(std::uint32_t instance, std::uint32_t triangle,
-                                         float time) const;
+                                         float time) const {
+        return at_rest_.empty() ? placed_triangle(instance, triangle, time)
+                                : at_rest_[placements_[instance].first_triangle + triangle];
+    }
 
-    [[nodiscard]] const scene::Material& material(std::uint32_t instance) const;
+    [[nodiscard]] const scene::Material& material(std::uint32_t instance) const {
+        return *placements_[instance].material;
+    }
 
 private:
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
     struct Placement {
         Imath::M44f world_from_mesh;
-        std::size_t first_run = none;  // None if the instance does not emit.
+        const scene::Material* material = nullptr;
+        std::size_t first_run = none;    // None if the instance does not emit.
+        std::size_t first_triangle = 0;  // Of those that emit, in the order of runs.
         // 1 if WorldTriangle::across() points out of a closed object, -1 if into it, otherwise 0.
         float front = 0.0F;
     };
 
+    void keep_triangles();
     void find_closed_objects();
+    [[nodiscard]] WorldTriangle placed_triangle(std::uint32_t instance, std::uint32_t triangle,
+                                                float time) const;
     [[nodiscard]] float emitted(const EmissiveRun& run, std::uint32_t triangle,
                                 const class TextureLibrary* textures) const;
 
@@ -93,6 +103,7 @@ private:
     MovingPlacements moving_;
     MovingMeshes shapes_;
     std::vector<EmissiveRun> runs_;
+    std::vector<WorldTriangle> at_rest_;  // Empty if something moves, or if they are too many.
 };
 
 /// Whether a material emits light.

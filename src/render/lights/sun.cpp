@@ -54,9 +54,9 @@ bool Sun::covers(const V3f& direction) const {
 V3f Sun::sample(const V2f& random) const {
     const float versine = random.x * versine_;
     const float across = std::sqrt(versine * (2.0F - versine));
-    const float angle = 2.0F * std::numbers::pi_v<float> * random.y;
+    const V2f around = on_circle(random.y);
     return Frame(to_light_)
-        .to_world({across * std::cos(angle), across * std::sin(angle), 1.0F - versine})
+        .to_world({across * around.x, across * around.y, 1.0F - versine})
         .normalized();
 }
 

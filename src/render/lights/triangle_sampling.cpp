@@ -54,13 +54,14 @@ public:
 
     // Arvo, "Stratified Sampling of Spherical Triangles" (1995), with his names.
     [[nodiscard]] V3d sample(const V2f& random) const {
-        const V3d across = a_.cross(b_).normalized();
-        const V3d beyond = a_.cross(c_).normalized();
-        const double cos_alpha = across.dot(beyond);
-        const double sin_alpha = across.cross(beyond).length();
-        const double part = double{random.x} * solid_angle_ - std::atan2(sin_alpha, cos_alpha);
-        const double s = std::sin(part);
-        const double t = std::cos(part);
+        const V3d across = a_.cross(b_);
+        const V3d beyond = a_.cross(c_);
+        const double lengths = std::sqrt(across.length2() * beyond.length2());
+        const double cos_alpha = across.dot(beyond) / lengths;
+        const double sin_alpha = volume_ / lengths;  // across × beyond is a volume times a.
+        const double part = double{random.x} * solid_angle_;
+        const double s = std::sin(part) * cos_alpha - std::cos(part) * sin_alpha;
+        const double t = std::cos(part) * cos_alpha + std::sin(part) * sin_alpha;
         const double u = t - cos_alpha;
         const double v = s + sin_alpha * a_.dot(b_);
         const double below = (v * s + u * t) * sin_alpha;
@@ -74,13 +75,15 @@ public:
 private:
     // The solid angle after van Oosterom and Strackee (1983).
     SphericalTriangle(const V3d& a, const V3d& b, const V3d& c)
-        : a_(a.normalized()), b_(b.normalized()), c_(c.normalized()) {
-        solid_angle_ = 2.0 * std::atan2(std::abs(a_.dot(b_.cross(c_))),
-                                        1.0 + a_.dot(b_) + b_.dot(c_) + c_.dot(a_));
-    }
+        : a_(a.normalized()),
+          b_(b.normalized()),
+          c_(c.normalized()),
+          volume_(std::abs(a_.dot(b_.cross(c_)))),
+          solid_angle_(2.0 * std::atan2(volume_, 1.0 + a_.dot(b_) + b_.dot(c_) + c_.dot(a_))) {}
 
     V3d a_, b_, c_;
-    double solid_angle_ = 0.0;
+    double volume_;  // Of the parallelepiped that they span.
+    double solid_angle_;
 };
 
 // Where a direction meets the triangle: Möller and Trumbore, "Fast, Minimum Storage Ray-Triangle

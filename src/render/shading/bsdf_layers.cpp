@@ -20,8 +20,8 @@ using std::numbers::pi_v;
 // Evenly on the unit hemisphere about z.
 V3f sample_hemisphere(float u, float v) {
     const float radius = std::sqrt(std::max(1.0F - u * u, 0.0F));
-    const float angle = 2.0F * pi_v<float> * v;
-    return {radius * std::cos(angle), radius * std::sin(angle), u};
+    const Imath::V2f around = on_circle(v);
+    return {radius * around.x, radius * around.y, u};
 }
 
 // The direction on the other side of a wall, or of a facet's horizon.

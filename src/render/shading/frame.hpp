@@ -3,9 +3,10 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 
 #include <Imath/ImathVec.h>
+
+#include "render/sampling/circle.hpp"
 
 namespace balcony::render {
 
@@ -33,8 +34,8 @@ struct Frame {
 /// On the unit hemisphere about z, with density cosine over pi.
 [[nodiscard]] inline Imath::V3f sample_cosine(float u, float v) {
     const float radius = std::sqrt(u);
-    const float angle = 2.0F * std::numbers::pi_v<float> * v;
-    return {radius * std::cos(angle), radius * std::sin(angle), std::sqrt(1.0F - u)};
+    const Imath::V2f around = on_circle(v);
+    return {radius * around.x, radius * around.y, std::sqrt(1.0F - u)};
 }
 
 }  // namespace balcony::render

@@ -168,8 +168,11 @@ float LightSet::pdf_of_emitter(const LitPoint& point, const V3f& to_light, float
                                const embree::Hit& emitter) const {
     const EmissiveTriangles& triangles = finite_->triangles;
     const std::optional<std::size_t> run = triangles.run_with(emitter);
+    if (!run) {
+        return 0.0F;
+    }
     const WorldTriangle shape = triangles.triangle(emitter.instance, emitter.triangle, point.time);
-    if (!run || !triangles.shines(emitter.instance, shape, to_light)) {
+    if (!triangles.shines(emitter.instance, shape, to_light)) {
         return 0.0F;
     }
     const float probability =

@@ -10,6 +10,8 @@
 
 #include <Imath/ImathVec.h>
 
+#include "render/sampling/circle.hpp"
+
 namespace balcony::render {
 
 using Imath::V3f;
@@ -97,10 +99,10 @@ public:
     [[nodiscard]] V3f sample_visible(const V3f& to_viewer, float u, float v) const {
         const V3f stretched =
             V3f(alpha_ * to_viewer.x, alpha_ * to_viewer.y, to_viewer.z).normalized();
-        const float angle = 2.0F * std::numbers::pi_v<float> * u;
+        const Imath::V2f around = on_circle(u);
         const float z = (1.0F - v) * (1.0F + stretched.z) - stretched.z;
         const float radius = std::sqrt(std::clamp(1.0F - z * z, 0.0F, 1.0F));
-        const V3f facet = V3f(radius * std::cos(angle), radius * std::sin(angle), z) + stretched;
+        const V3f facet = V3f(radius * around.x, radius * around.y, z) + stretched;
         return V3f(alpha_ * facet.x, alpha_ * facet.y, std::max(facet.z, 0.0F)).normalized();
     }
 
