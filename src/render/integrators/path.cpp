@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -108,9 +109,10 @@ private:
     void sort_by_instance();
     void advance_all(std::span<Seen> seen);
     void draw_numbers(std::size_t first);
+    void find_surfaces(std::size_t first);
     void add_shadowed_light(std::span<Seen> seen);
 
-    [[nodiscard]] bool advance(Path& path, SampleReader numbers, Seen& seen);
+    [[nodiscard]] bool advance(Path& path, std::size_t place, Seen& seen);
     void add_distant_light(const Path& path, Seen& seen) const;
     void add_emission(const Path& path, const Interaction& at, Seen& seen) const;
     void light(const Path& path, const Scattering& at, const V3f& random, bool alone);
@@ -135,6 +137,7 @@ private:
     std::vector<std::uint32_t> active_;  // Indices of the paths that go on.
     std::vector<ShadowedLight> shadowed_;
     SampleBlock numbers_;
+    std::array<std::optional<Interaction>, SampleBlock::size> surfaces_;
     std::vector<RayOrder::Key> keys_;
     std::vector<std::uint32_t> unordered_;
     RayOrder order_;
@@ -191,23 +194,18 @@ void PathTracer::sort_by_instance() {
     }
 }
 
-// Removes the paths that end. Memory is requested so many paths early that it has usually arrived.
+// Removes the paths that end. Block by block: the numbers of all paths of a block, then their
+// surfaces, then the rest, since the processor computes the same of several paths at once.
 void PathTracer::advance_all(std::span<Seen> seen) {
-    constexpr std::size_t steps_to_corners = 4;
-    constexpr std::size_t steps_to_triangle = 8;
-    const auto hit_in = [&](std::size_t place) -> const embree::Hit& {
-        return paths_[active_[std::min(place, active_.size() - 1)]].hit;
-    };
     std::size_t kept = 0;
     for (std::size_t k = 0; k < active_.size(); ++k) {
         const std::size_t place = k % SampleBlock::size;
         if (place == 0) {
             draw_numbers(k);
+            find_surfaces(k);
         }
-        tracer_.request_triangle(hit_in(k + steps_to_triangle));
-        tracer_.request_corners(hit_in(k + steps_to_corners));
         Path& path = paths_[active_[k]];
-        if (advance(path, SampleReader(numbers_, place, path.sampler), seen[path.index])) {
+        if (advance(path, place, seen[path.index])) {
             active_[kept++] = active_[k];
         }
     }
@@ -222,6 +220,24 @@ void PathTracer::draw_numbers(std::size_t first) {
         samplers[i] = &paths_[active_[first + i]].sampler;
     }
     numbers_.fill(std::span(samplers).first(count));
+}
+
+// Memory is requested so many paths early that it has usually arrived.
+void PathTracer::find_surfaces(std::size_t first) {
+    constexpr std::size_t steps_to_corners = 4;
+    constexpr std::size_t steps_to_triangle = 8;
+    const auto hit_in = [&](std::size_t place) -> const embree::Hit& {
+        return paths_[active_[std::min(place, active_.size() - 1)]].hit;
+    };
+    const std::size_t count = std::min(SampleBlock::size, active_.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+        tracer_.request_triangle(hit_in(first + i + steps_to_triangle));
+        tracer_.request_corners(hit_in(first + i + steps_to_corners));
+        const Path& path = paths_[active_[first + i]];
+        if (path.hit.any()) {
+            surfaces_[i].emplace(tracer_.scene(), path.ray, path.hit);
+        }
+    }
 }
 
 void PathTracer::add_shadowed_light(std::span<Seen> seen) {
@@ -267,14 +283,15 @@ void PathTracer::add(Seen& seen, const Color3f& light, std::size_t bounces) cons
 
 // Adds what the path meets at the end of its ray, and finds the next ray. False where the path
 // ends.
-bool PathTracer::advance(Path& path, SampleReader numbers, Seen& seen) {
+bool PathTracer::advance(Path& path, std::size_t place, Seen& seen) {
     if (!path.hit.any()) {
         add_distant_light(path, seen);
         return false;
     }
-    const Interaction at = tracer_.interaction(path.ray, path.hit);
-    const float length = (at.surface.position - path.ray.origin).length();
+    const Interaction& at = *surfaces_[place];
+    SampleReader numbers(numbers_, place, path.sampler);
     if (!is_black(path.absorption)) {
+        const float length = (at.surface.position - path.ray.origin).length();
         path.throughput *=
             Color3f(std::exp(-path.absorption.x * length), std::exp(-path.absorption.y * length),
                     std::exp(-path.absorption.z * length));
@@ -302,7 +319,9 @@ bool PathTracer::advance(Path& path, SampleReader numbers, Seen& seen) {
     const V3f to_viewer = -path.ray.direction;
     const Bsdf bsdf = at.bsdf();
     const LitPoint point{at.surface.position,
-                         seen_directly ? to_viewer : (path.eye - at.surface.position).normalized(),
+                         tracer_.lights().are_at_eye() && !seen_directly
+                             ? (path.eye - at.surface.position).normalized()
+                             : to_viewer,
                          bsdf.lit_side(), path.ray.time};
     const Imath::V2f choices = numbers.next_pair();
     const Imath::V2f at_light = numbers.next_pair();

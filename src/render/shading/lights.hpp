@@ -60,6 +60,8 @@ public:
 
     /// The same with a light at the viewer of each path, without falloff.
     [[nodiscard]] LightSet lit_from_eye() const;
+    /// Otherwise LitPoint::to_viewer does not matter to sample().
+    [[nodiscard]] bool are_at_eye() const { return lit_from_eye_; }
 
     [[nodiscard]] std::size_t emissive_triangles() const;
 

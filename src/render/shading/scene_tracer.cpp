@@ -19,20 +19,19 @@ VisibleSurface SceneTracer::visible(const Interaction& at) const {
              at.surface.in_mesh.v}};
 }
 
-Interaction SceneTracer::interaction(const Ray& ray, const embree::Hit& hit) const {
-    const MaterialSet& materials = traced_->materials;
-    Interaction found{traced_->surfaces.find(hit, ray.direction, ray.time), {}};
+Interaction::Interaction(const TracedScene& traced, const Ray& ray, const embree::Hit& hit)
+    : surface(traced.surfaces.find(hit, ray.direction, ray.time)) {
+    const MaterialSet& materials = traced.materials;
     if (materials.has_textures()) {
-        found.moved = found.surface.transfer(ray);
+        moved = surface.transfer(ray);
     }
-    const scene::Mesh& mesh = *found.surface.in_mesh.mesh;
-    found.constant = materials.constant(mesh);
-    if (found.constant != nullptr) {
-        found.uniform = materials.uniform_bsdf(mesh, found.surface.entering);
+    const scene::Mesh& mesh = *surface.in_mesh.mesh;
+    constant = materials.constant(mesh);
+    if (constant != nullptr) {
+        uniform = materials.uniform_bsdf(mesh, surface.entering);
     } else {
-        found.varying = materials.look_up(found.surface, found.moved, -ray.direction);
+        varying = materials.look_up(surface, moved, -ray.direction);
     }
-    return found;
 }
 
 Bsdf Interaction::bsdf() const {

@@ -33,6 +33,9 @@ struct TracedScene {
 
 /// The first surface on a ray.
 struct Interaction {
+    /// At a hit of the ray.
+    Interaction(const TracedScene& traced, const Ray& ray, const embree::Hit& hit);
+
     Surface surface;
     PositionDifferentials moved;            ///< The ray's footprint; 0 in scenes without textures.
     const Appearance* constant = nullptr;   ///< If the mesh looks the same everywhere.
@@ -50,6 +53,7 @@ class SceneTracer final : private embree::OpacitySource {
 public:
     explicit SceneTracer(const TracedScene& traced) : traced_(&traced) {}
 
+    [[nodiscard]] const TracedScene& scene() const { return *traced_; }
     [[nodiscard]] const LightSet& lights() const { return traced_->lights; }
 
     [[nodiscard]] embree::Hit nearest(const Ray& ray) const {
@@ -73,7 +77,9 @@ public:
     }
 
     /// The surface at a hit of the ray.
-    [[nodiscard]] Interaction interaction(const Ray& ray, const embree::Hit& hit) const;
+    [[nodiscard]] Interaction interaction(const Ray& ray, const embree::Hit& hit) const {
+        return {*traced_, ray, hit};
+    }
 
     /// What the material emits at a point of a triangle, unfiltered, by its opacity.
     [[nodiscard]] Color3f emission(const embree::Hit& hit) const;

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -24,8 +25,9 @@ struct TablePosition {
 [[nodiscard]] inline TablePosition table_position(float position, std::size_t count) {
     const float last = static_cast<float>(count - 1);
     const float inside = position > 0.0F ? std::min(position, last) : 0.0F;
-    const auto node = static_cast<std::size_t>(std::min(inside, last - 1.0F));
-    return {node, inside - static_cast<float>(node)};
+    // Processors convert signed numbers in one step.
+    const auto node = static_cast<std::int32_t>(std::min(inside, last - 1.0F));
+    return {static_cast<std::size_t>(node), inside - static_cast<float>(node)};
 }
 
 [[nodiscard]] inline float mix(float a, float b, float fraction) { return a + fraction * (b - a); }
