@@ -47,7 +47,7 @@ public:
 private:
     static std::size_t cell(float at) {
         constexpr auto last = static_cast<float>(spread_bits.size() - 1);
-        return at > 0.0F ? static_cast<std::size_t>(std::min(at, last)) : 0;  // NaN is 0.
+        return static_cast<std::uint32_t>(at > 0.0F ? std::min(at, last) : 0.0F);  // NaN is 0.
     }
 
     Imath::V3f origin_;

@@ -54,36 +54,42 @@ public:
 
     // Arvo, "Stratified Sampling of Spherical Triangles" (1995), with his names.
     [[nodiscard]] V3d sample(const V2f& random) const {
+        const double length = a_.length();
+        const V3d a = a_ / length;
+        const V3d b = b_.normalized();
         const V3d across = a_.cross(b_);
         const V3d beyond = a_.cross(c_);
         const double lengths = std::sqrt(across.length2() * beyond.length2());
         const double cos_alpha = across.dot(beyond) / lengths;
-        const double sin_alpha = volume_ / lengths;  // across × beyond is a volume times a.
+        // The cross product of the two is the volume times a_.
+        const double sin_alpha = volume_ * length / lengths;
         const double part = double{random.x} * solid_angle_;
         const double s = std::sin(part) * cos_alpha - std::cos(part) * sin_alpha;
         const double t = std::cos(part) * cos_alpha + std::sin(part) * sin_alpha;
         const double u = t - cos_alpha;
-        const double v = s + sin_alpha * a_.dot(b_);
+        const double v = s + sin_alpha * a.dot(b);
         const double below = (v * s + u * t) * sin_alpha;
         const double q = below != 0.0 ? ((v * t - u * s) * cos_alpha - v) / below : 1.0;
         const double cos_b = std::clamp(q, -1.0, 1.0);
-        const V3d c = cos_b * a_ + std::sqrt(1.0 - cos_b * cos_b) * perpendicular(c_, a_);
-        const double z = 1.0 - double{random.y} * (1.0 - c.dot(b_));
-        return z * b_ + std::sqrt(std::max(0.0, 1.0 - z * z)) * perpendicular(c, b_);
+        const V3d c = cos_b * a + std::sqrt(1.0 - cos_b * cos_b) * perpendicular(c_, a);
+        const double z = 1.0 - double{random.y} * (1.0 - c.dot(b));
+        return z * b + std::sqrt(std::max(0.0, 1.0 - z * z)) * perpendicular(c, b);
     }
 
 private:
     // The solid angle after van Oosterom and Strackee (1983).
     SphericalTriangle(const V3d& a, const V3d& b, const V3d& c)
-        : a_(a.normalized()),
-          b_(b.normalized()),
-          c_(c.normalized()),
-          volume_(std::abs(a_.dot(b_.cross(c_)))),
-          solid_angle_(2.0 * std::atan2(volume_, 1.0 + a_.dot(b_) + b_.dot(c_) + c_.dot(a_))) {}
+        : a_(a), b_(b), c_(c), volume_(std::abs(a.dot(b.cross(c)))) {
+        const double p = a.length();
+        const double q = b.length();
+        const double r = c.length();
+        solid_angle_ =
+            2.0 * std::atan2(volume_, p * q * r + a.dot(b) * r + b.dot(c) * p + c.dot(a) * q);
+    }
 
-    V3d a_, b_, c_;
+    V3d a_, b_, c_;  // Of any length.
     double volume_;  // Of the parallelepiped that they span.
-    double solid_angle_;
+    double solid_angle_ = 0.0;
 };
 
 // Where a direction meets the triangle: Möller and Trumbore, "Fast, Minimum Storage Ray-Triangle
