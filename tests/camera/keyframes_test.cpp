@@ -111,15 +111,21 @@ TEST_P(EachEase, IsTheSameAsFormulaAndAsTables) {
 }
 
 TEST_P(EachEase, RepeatsAndMirrors) {
+    const bool is_cubic = GetParam().ease == Ease::spline || GetParam().ease == Ease::catmull_rom;
     for (const std::size_t count : counts) {
         Keys keys(count);
         const double length = keys.times.back() - keys.times.front();
+        const Curve once(keys.times, keys.values, GetParam().ease, BeyondKeys::constant);
         const Curve repeated(keys.times, keys.values, GetParam().ease, BeyondKeys::repeat);
         const Curve mirrored(keys.times, keys.values, GetParam().ease, BeyondKeys::mirror);
         for (double s = 0.013; s < 1.0; s += 0.1) {
             const double t = keys.times.front() + s * length;
             const double back = keys.times.back() + (1.0 - s) * length;
             // The time differs by rounding, and the curve has slopes below 1000.
+            EXPECT_NEAR(mirrored(t), once(t), 1e-10);
+            if (!is_cubic) {  // A cubic that repeats is not at rest at its ends.
+                EXPECT_NEAR(repeated(t), once(t), 1e-10);
+            }
             EXPECT_NEAR(repeated(t), repeated(t + 3.0 * length), 1e-10);
             EXPECT_NEAR(repeated(t), repeated(t - 2.0 * length), 1e-10);
             EXPECT_NEAR(mirrored(t), mirrored(back), 1e-10);

@@ -115,7 +115,7 @@ TEST(Environment, SaysWhyAFileCannotBeUsed) {
     const Result<Environment> missing = Environment::load("nowhere/meadow.hdr");
     ASSERT_FALSE(missing);
     EXPECT_NE(missing.diagnostics[0].message.find("meadow.hdr"), std::string::npos);
-    EXPECT_NE(missing.diagnostics[0].message.find("no such file"), std::string::npos);
+    EXPECT_NE(missing.diagnostics[0].message.find("there is no file"), std::string::npos);
 
     const PictureFile black("black.exr", 2, 1, std::vector<float>(6, 0.0F));
     const Result<Environment> dark = Environment::load(black.path());

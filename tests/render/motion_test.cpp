@@ -407,10 +407,12 @@ constexpr double speed = 3.0;     // Of the bar, to the right.
 constexpr double bar_width = 0.25;
 constexpr std::size_t even_samples = 64;
 
-/// A bar that is in the middle of the picture at time 0.
-Film of_moving_bar(const camera::Camera& camera) {
+/// A bar that is in the middle of the picture at time 0, and has radiance 1.
+Film of_moving_bar(const camera::Camera& camera, std::string_view integrator) {
     scene::Scene scene;
-    add(scene, bar(0.0F, static_cast<float>(0.5 * bar_width)), white());
+    scene::Material shown = white();
+    shown.unlit = true;
+    add(scene, bar(0.0F, static_cast<float>(0.5 * bar_width)), shown);
     set_in_motion(scene, {{0, 0, 0}, {speed, 0, 0}});
     auto motion = std::make_shared<scene::Motion>(*scene.motion);
     motion->tracks[0].times = {-1.0, 1.0};
@@ -421,7 +423,8 @@ Film of_moving_bar(const camera::Camera& camera) {
         Renderer::make(std::make_shared<scene::Scene>(std::move(scene)),
                        RendererSettings{.interval = scene::TimeInterval{-readout, readout}});
     EXPECT_TRUE(renderer) << to_text(renderer.diagnostics);
-    const Request wanted = request(square, square, "preview", even_samples);
+    Request wanted = request(square, square, std::string(integrator), even_samples);
+    wanted.light.visible = false;
     Result<Film> film = make_film(wanted.layout);
     EXPECT_TRUE(render::render(*renderer, camera, wanted, *film));
     return std::move(*film);
@@ -447,12 +450,18 @@ RowOfLight light_of_row(const Film& film, std::size_t y) {
 // moments of an exposure: it errs by 2 parts in their number.
 constexpr double sampled = (3.0 + 3.0 * 3.0 / 8.0 + 1.0) * 2.0 / even_samples;
 
+class EachIntegrator : public testing::TestWithParam<const char*> {};
+
 }  // namespace
 
+INSTANTIATE_TEST_SUITE_P(Motion, EachIntegrator, testing::Values("path", "direct", "preview"),
+                         [](const auto& name) { return std::string(name.param); });
+
 // Each row is seen a row time after the one above: the bar leans by its speed times the row time.
-TEST(Motion, RollingShutterSlantsTheBar) {
+TEST_P(EachIntegrator, RollingShutterSlantsTheBar) {
     const Film film = of_moving_bar(
-        timed(straight(1.0), [](expr::Expr, expr::Expr y) { return readout * (y - 0.5); }));
+        timed(straight(1.0), [](expr::Expr, expr::Expr y) { return readout * (y - 0.5); }),
+        GetParam());
     constexpr double pixels_per_unit = square / 2.0;
     constexpr double row_time = readout / square;
     for (std::size_t y = 2; y + 2 < square; ++y) {
@@ -467,9 +476,10 @@ TEST(Motion, RollingShutterSlantsTheBar) {
 
 // All columns show the same line, each a column time after the one to its left: the bar is as wide
 // as it takes columns to pass the line.
-TEST(Motion, SlitScanShowsHowLongTheBarTakes) {
+TEST_P(EachIntegrator, SlitScanShowsHowLongTheBarTakes) {
     const Film film = of_moving_bar(
-        timed(straight(0.0), [](expr::Expr x, expr::Expr) { return readout * (x - 0.5); }));
+        timed(straight(0.0), [](expr::Expr x, expr::Expr) { return readout * (x - 0.5); }),
+        GetParam());
     constexpr double column_time = readout / square;
     for (std::size_t y = 2; y + 2 < square; ++y) {
         const RowOfLight row = light_of_row(film, y);
