@@ -3,6 +3,12 @@
 
 #include "camera/ray_expressions.hpp"
 
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
 #include <fmt/format.h>
 
 #include <Imath/ImathVec.h>
@@ -80,12 +86,64 @@ std::vector<StageValues> substitute(Graph& target, std::span<const StageValues> 
     return made;
 }
 
+namespace {
+
+using Values = std::span<const Expr>;
+
+struct Slopes {
+    std::vector<Expr> by_x;
+    std::vector<Expr> by_y;
+};
+
+Slopes slopes_of(Values values, Graph& graph) {
+    return {expr::differentiate(values, graph.picture_x()),
+            expr::differentiate(values, graph.picture_y())};
+}
+
+// By the chain rule, if the values depend on the picture through two values alone that each change
+// along x and y, as the parameters behind a warp do: their derivatives by these are then shared by
+// the derivatives by x and by y. Otherwise nothing.
+std::optional<Slopes> slopes_through(const std::array<Expr, 2>& parameters, Values values,
+                                     Graph& graph) {
+    const auto is_pixel = [](const Expr& e) { return e.rate() == expr::Rate::pixel; };
+    if (!std::all_of(parameters.begin(), parameters.end(), is_pixel)) {
+        return std::nullopt;
+    }
+    const Expr u = graph.fresh_variable();
+    const Expr v = graph.fresh_variable();
+    const std::vector<Expr> of_uv = expr::substitute(
+        graph, values,
+        std::array{expr::Substitution{parameters[0], u}, expr::Substitution{parameters[1], v}});
+    const expr::Dependence on_picture =
+        expr::Dependence::on(expr::inputs::x) | expr::Dependence::on(expr::inputs::y);
+    if (std::any_of(of_uv.begin(), of_uv.end(),
+                    [&](const Expr& e) { return e.dependence().intersects(on_picture); })) {
+        return std::nullopt;
+    }
+    const auto by = [&](const Expr& variable) {
+        return expr::substitute(
+            graph, expr::differentiate(of_uv, variable),
+            std::array{expr::Substitution{u, parameters[0]}, expr::Substitution{v, parameters[1]}});
+    };
+    const std::vector<Expr> by_u = by(u);
+    const std::vector<Expr> by_v = by(v);
+    const Slopes inner = slopes_of(parameters, graph);
+    Slopes made;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        made.by_x.push_back(by_u[i] * inner.by_x[0] + by_v[i] * inner.by_x[1]);
+        made.by_y.push_back(by_u[i] * inner.by_y[0] + by_v[i] * inner.by_y[1]);
+    }
+    return made;
+}
+
+}  // namespace
+
 RayFootprint footprint(const RayExpressions& ray) {
     Graph& graph = ray.origin.x.graph();
     const std::array values{ray.origin.x,    ray.origin.y,    ray.origin.z,
                             ray.direction.x, ray.direction.y, ray.direction.z};
-    const std::vector<Expr> by_x = expr::differentiate(values, graph.picture_x());
-    const std::vector<Expr> by_y = expr::differentiate(values, graph.picture_y());
+    const auto shared = slopes_through({ray.parameters.u, ray.parameters.v}, values, graph);
+    const auto [by_x, by_y] = shared ? *shared : slopes_of(values, graph);
     return {{by_x[0], by_x[1], by_x[2]},
             {by_y[0], by_y[1], by_y[2]},
             {by_x[3], by_x[4], by_x[5]},

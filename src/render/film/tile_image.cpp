@@ -77,6 +77,19 @@ void add_means(MeanLayers& means, std::size_t at, std::uint32_t count,
     average(means.position, position);
 }
 
+// Adds all samples of a region that are in the film's window.
+void add_rows(const Film& film, const Region& region, const std::vector<Color4f>& samples,
+              std::vector<Color4d>& sums) {
+    for_each_row_within(region, film.window,
+                        [&](std::size_t i, std::size_t x, std::size_t y, std::size_t width) {
+                            const float* from = &samples[i].r;
+                            double* to = &sums[film.index(x, y)].r;
+                            for (std::size_t k = 0; k < 4 * width; ++k) {
+                                to[k] += static_cast<double>(from[k]);
+                            }
+                        });
+}
+
 }  // namespace
 
 void add_pass(Film& film, std::size_t tile, const TileImage& image) {
@@ -98,10 +111,14 @@ void add_pass(Film& film, std::size_t tile, const TileImage& image) {
         });
     }
     const auto add = [&](std::vector<Color4d>& sums, const std::vector<Color4f>& samples) {
-        if (!samples.empty()) {
-            for_each_sample(
-                [&](std::size_t i, std::size_t at) { sums[at] += Color4d(samples[i]); });
+        if (samples.empty()) {
+            return;
         }
+        if (image.active.empty()) {
+            add_rows(film, image.region, samples, sums);
+            return;
+        }
+        for_each_sample([&](std::size_t i, std::size_t at) { sums[at] += Color4d(samples[i]); });
     };
     add(film.sum, image.light);
     add(film.display, image.display);

@@ -85,20 +85,29 @@ struct TileImage {
     std::vector<std::uint8_t> active{};  ///< Whether a pixel has a sample; empty if all have.
 };
 
-/// Calls visit(i, x, y) for each pixel (x, y) of a region that is in a window, too; i is its number
-/// in the region, row by row.
+/// Calls visit(i, x, y, width) for each row of a region, as far as it is in a window, too: its
+/// first pixel (x, y), whose number in the region, row by row, is i, and its number of pixels.
 template <class Visit>
-void for_each_pixel_within(const Region& region, const Region& window, const Visit& visit) {
+void for_each_row_within(const Region& region, const Region& window, const Visit& visit) {
     const std::size_t left = std::max(region.x, window.x);
     const std::size_t right = std::min(region.x + region.width, window.x + window.width);
     const std::size_t top = std::max(region.y, window.y);
     const std::size_t bottom = std::min(region.y + region.height, window.y + window.height);
-    for (std::size_t y = top; y < bottom; ++y) {
-        const std::size_t row = (y - region.y) * region.width;
-        for (std::size_t x = left; x < right; ++x) {
-            visit(row + x - region.x, x, y);
-        }
+    for (std::size_t y = top; y < bottom && left < right; ++y) {
+        visit((y - region.y) * region.width + left - region.x, left, y, right - left);
     }
+}
+
+/// Calls visit(i, x, y) for each pixel (x, y) of a region that is in a window, too; i is its number
+/// in the region, row by row.
+template <class Visit>
+void for_each_pixel_within(const Region& region, const Region& window, const Visit& visit) {
+    for_each_row_within(region, window,
+                        [&](std::size_t first, std::size_t left, std::size_t y, std::size_t width) {
+                            for (std::size_t k = 0; k < width; ++k) {
+                                visit(first + k, left + k, y);
+                            }
+                        });
 }
 
 /// The same for all pixels of a region.

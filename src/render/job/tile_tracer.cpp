@@ -4,6 +4,7 @@
 #include "render/job/tile_tracer.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace balcony::render {
@@ -13,6 +14,18 @@ namespace {
 // A number minus itself is 0, or NaN if it is not finite.
 bool is_finite(const Color4f& c) {
     return (c.r - c.r) + (c.g - c.g) + (c.b - c.b) + (c.a - c.a) == 0.0F;
+}
+
+// The same for a packet: the loop is vectorised.
+bool all_finite(const LightTracer::Lanes& colors) {
+    constexpr std::uint32_t exponent = 0x7f800000U;
+    std::uint32_t not_finite = 0;
+    for (const Color4f& color : colors) {
+        for (const float value : {color.r, color.g, color.b, color.a}) {
+            not_finite |= (std::bit_cast<std::uint32_t>(value) & exponent) == exponent ? 1U : 0U;
+        }
+    }
+    return not_finite == 0;
 }
 
 RayDifferentials differentials_of(const rays::RayBatch& rays, std::size_t i, double scale) {
@@ -92,6 +105,15 @@ void TileTracer::trace(const TilePoints& points, const TileRays& rays, const Mas
     }
 }
 
+void TileTracer::repair(LightTracer::Lanes& colors) {
+    for (Color4f& color : colors) {
+        if (!is_finite(color)) {
+            ++repaired_;
+            color = Color4f(0.0F);
+        }
+    }
+}
+
 void TileTracer::trace_light(const Region& region, TileRays& rays, std::span<Color4f> radiance) {
     constexpr std::size_t side = embree::Packet::side;
     rays.valid.resize(region.size());
@@ -103,11 +125,8 @@ void TileTracer::trace_light(const Region& region, TileRays& rays, std::span<Col
             traced_->accelerator.intersect(packet_);
             SquareDifferentials differentials(rays.all, footprint_scale_, square, differentials_);
             light_tracer_->trace_light(packet_, differentials, lanes_);
-            for (Color4f& color : lanes_) {
-                if (!is_finite(color)) {
-                    ++repaired_;
-                    color = Color4f(0.0F);
-                }
+            if (!all_finite(lanes_)) {
+                repair(lanes_);
             }
             const std::size_t columns = std::min(region.width - left, side);
             for (std::size_t row = 0; row < std::min(region.height - top, side); ++row) {

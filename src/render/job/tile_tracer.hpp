@@ -53,6 +53,8 @@ public:
 
 private:
     void trace(const TilePoints& points, const TileRays& rays, const Mask& wanted);
+    // Replaces what is not finite by black.
+    void repair(LightTracer::Lanes& colors);
     [[nodiscard]] Ray camera_ray(const TileRays& rays, std::size_t i) const;
 
     const TracedScene* traced_;

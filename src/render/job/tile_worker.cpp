@@ -29,13 +29,6 @@ Region traced_part(const Region& tile, const Region& window) {
     return {x, y, width, height};
 }
 
-TilePoints points_of(const Region& region, std::size_t pass, const Imath::V2d& offset,
-                     const Film& film, const Settings& settings) {
-    return {region, pass, PassNumbers(pass, settings.sampling.seed),
-            pass_grid(region, offset, film.width, film.height,
-                      settings.shutter.moment(settings.time, pass_moment(pass)))};
-}
-
 }  // namespace
 
 void WorkCounts::add(const WorkCounts& other) {
@@ -63,19 +56,22 @@ TileWorker::TileWorker(const JobParts& parts, Film& film)
 
 bool TileWorker::render(std::size_t tile) {
     const Stopwatch watch;
-    const std::size_t pass = film_->first_pass + film_->passes[tile];
+    const Pass& pass = this->pass(film_->first_pass + film_->passes[tile]);
     const Region region = traced_part(film_->tile(tile), film_->window);
     const bool adaptive = !film_->pixel_passes.empty();
     if (adaptive && !find_active(*film_, tile, region, settings_->sampling, active_)) {
         seconds_ += watch.seconds();
         return false;
     }
-    const Compositor::Wanted wanted{.data = pass == 0 && film_->layers.has_value(),
+    const Compositor::Wanted wanted{.data = pass.number == 0 && film_->layers.has_value(),
                                     .display = !film_->display.empty(),
                                     .mirrored = !film_->mirrored.empty(),
                                     .contributions = film_->means.any()};
-    TilePoints points = points_of(region, pass, offset(pass), *film_, *settings_);
-    points.active = adaptive ? &active_ : nullptr;
+    const TilePoints points{
+        region, pass.number, pass.numbers,
+        pass_grid(region, pass.offset, film_->width, film_->height,
+                  settings_->shutter.moment(settings_->time, pass_moment(pass.number))),
+        adaptive ? &active_ : nullptr};
     TileImage& image = compositor_.sample(points, film_->window, wanted);
     if (adaptive) {
         image.active = active_;
@@ -88,12 +84,12 @@ bool TileWorker::render(std::size_t tile) {
     return true;
 }
 
-const Imath::V2d& TileWorker::offset(std::size_t pass) {
-    if (pass != offset_pass_) {
-        offset_pass_ = pass;
-        offset_ = pass_offset(*filter_, pass);
+const TileWorker::Pass& TileWorker::pass(std::size_t number) {
+    if (!pass_ || pass_->number != number) {
+        pass_ = Pass{number, pass_offset(*filter_, number),
+                     PassNumbers(number, settings_->sampling.seed)};
     }
-    return offset_;
+    return *pass_;
 }
 
 WorkCounts TileWorker::counts() const {

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,14 +54,19 @@ public:
     [[nodiscard]] WorkCounts counts() const;
 
 private:
-    [[nodiscard]] const Imath::V2d& offset(std::size_t pass);
+    // What all tiles of a pass share.
+    struct Pass {
+        std::size_t number;
+        Imath::V2d offset;
+        PassNumbers numbers;
+    };
+    [[nodiscard]] const Pass& pass(std::size_t number);
 
     const Settings* settings_;
     const FrameMotion* motion_;
     Film* film_;
     const PixelFilter* filter_;
-    std::size_t offset_pass_ = 0;  // Kept for the next tile of the pass, with its offset.
-    Imath::V2d offset_{0.0, 0.0};
+    std::optional<Pass> pass_;  // Kept for the next tile.
     Compositor compositor_;
     MotionCounts motion_counts_;
     Mask active_;  // Of the tile at work; kept for its memory.
