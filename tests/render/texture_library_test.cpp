@@ -10,11 +10,13 @@
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <random>
 #include <thread>
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "support.hpp"
 
@@ -208,6 +210,38 @@ TEST(TextureLibrary, ThreadsMayShareAFile) {
         thread.join();
     }
     EXPECT_EQ(different, 0);
+}
+
+// The open file that has lost its name, which no test but this one has.
+int file_of_texels() {
+    for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
+        std::error_code ignored;
+        const std::string target = std::filesystem::read_symlink(entry.path(), ignored).string();
+        if (target.ends_with("(deleted)")) {
+            return std::stoi(entry.path().filename().string());
+        }
+    }
+    return -1;
+}
+
+// As on a disk that fails; a map of the file into memory would end the process by SIGBUS.
+TEST(TextureLibrary, AFileThatCannotBeReadAnyMoreIsAWarning) {
+    constexpr int side = 1500;
+    const scene::Scene scene = grey(side, side, [](int, int) { return 0.2; });
+    const Sampled filed(scene, 0);
+    const auto at = [&](float v) { return filed({{0.5F, v}, V2f(0.0F), V2f(0.0F)}); };
+    EXPECT_NEAR(at(0.1F).r, 0.2F, half_code);
+    const int file = file_of_texels();
+    ASSERT_GE(file, 0);
+    ASSERT_EQ(ftruncate(file, 0), 0);
+    (void)at(0.9F);  // The first look-up that notices.
+    EXPECT_EQ(at(0.1F), Color4f(1.0F, 1.0F, 1.0F, 1.0F));
+    EXPECT_EQ(at(0.5F), Color4f(1.0F, 1.0F, 1.0F, 1.0F));
+    const Diagnostics warnings = filed.library().warnings();
+    ASSERT_EQ(warnings.size(), 1U);
+    EXPECT_NE(warnings[0].message.find("cannot be read any more"), std::string::npos);
+    EXPECT_NE(warnings[0].remedy.find("TMPDIR"), std::string::npos);
+    EXPECT_TRUE(filed.library().warnings().empty());
 }
 
 TEST(TextureLibrary, AFolderThatCannotHoldTheFileIsAWarning) {

@@ -20,12 +20,13 @@ public:
     HeldTexture(const scene::Texture& texture, TextureEncoding encoding, SpillFile* file = nullptr)
         : texture_(&texture), encoding_(encoding), file_(file) {}
 
-    /// Null if the image cannot be read.
+    /// Null if the image cannot be read, or the file cannot be any more.
     [[nodiscard]] const MipPyramid* pyramid() const {
         if (!read_.load(std::memory_order_acquire)) {
             std::call_once(once_, [this] { read(); });
         }
-        return pyramid_ ? &*pyramid_ : nullptr;
+        const bool is_lost = file_ != nullptr && file_->has_failed();
+        return pyramid_ && !is_lost ? &*pyramid_ : nullptr;
     }
 
     [[nodiscard]] bool in_memory() const { return file_ == nullptr; }

@@ -218,18 +218,19 @@ std::size_t MipPyramid::bytes(const TextureReader& image) {
 Result<MipPyramid> MipPyramid::read(TextureReader& image, scene::Wrap wrap_u, scene::Wrap wrap_v,
                                     SpillFile* file) {
     const std::size_t size = bytes(image);
-    Result<TexelBlock> texels =
-        file != nullptr ? file->allocate(size) : Result<TexelBlock>(TexelBlock(size));
-    if (!texels) {
-        return std::move(texels.diagnostics);
-    }
-    MipPyramid made(image, wrap_u, wrap_v, std::move(*texels));
+    MipPyramid made(image, wrap_u, wrap_v, TexelBlock(size));
     const auto failure = image.has_bytes() ? made.fill(image, ByteCodec{*made.color_, *made.alpha_})
                                            : made.fill(image, HalfCodec{});
     if (failure) {
         return *failure;
     }
-    made.texels_.finish_writing();
+    if (file != nullptr) {
+        Result<TexelBlock> kept = file->keep(made.texels_);
+        if (!kept) {
+            return std::move(kept.diagnostics);
+        }
+        made.texels_ = std::move(*kept);
+    }
     return made;
 }
 
@@ -304,7 +305,6 @@ Color4f MipPyramid::mean_within(const TextureFootprint& footprint) const {
 template <class Codec>
 Color4f MipPyramid::mean(const TextureFootprint& footprint, const Codec& codec) const {
     using Texel = typename Codec::Texel;
-    const auto* const texels = reinterpret_cast<const Texel*>(texels_.data());
     const auto bilinear = [&](const Level& level, const V2f& at) {
         const Neighbours x(at.x, level.width, wrap_u_);
         const Neighbours y(at.y, level.height, wrap_v_);
@@ -312,9 +312,7 @@ Color4f MipPyramid::mean(const TextureFootprint& footprint, const Codec& codec) 
             const std::size_t begin =
                 level.first + static_cast<std::size_t>(row) * static_cast<std::size_t>(level.width);
             const auto decoded = [&](int column) {
-                const std::size_t texel = begin + static_cast<std::size_t>(column);
-                texels_.use(texel * sizeof(Texel));
-                return codec.decode(texels[texel]);
+                return codec.decode(texels_.at<Texel>(begin + static_cast<std::size_t>(column)));
             };
             const Float4 left = decoded(x.first);
             return left + x.weight * (decoded(x.second) - left);

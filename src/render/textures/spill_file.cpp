@@ -7,13 +7,12 @@
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <system_error>
-#include <utility>
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/mman.h>
 #include <unistd.h>
 
 namespace balcony::render {
@@ -22,9 +21,7 @@ namespace {
 
 constexpr std::size_t chunk_bytes = TexelBlock::chunk_bytes;
 
-std::size_t rounded_up(std::size_t bytes) {
-    return (bytes + chunk_bytes - 1) / chunk_bytes * chunk_bytes;
-}
+std::size_t chunks_of(std::size_t bytes) { return (bytes + chunk_bytes - 1) / chunk_bytes; }
 
 // Not /tmp, which is often in memory.
 std::string folder() {
@@ -62,39 +59,42 @@ Diagnostic no_space(std::size_t bytes, int code) {
         "a disk with more space");
 }
 
+// Returns 0, or the system's number of the failure.
+int write_all(int to, std::size_t offset, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = pwrite(to, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+        if (written < 0 && errno != EINTR) {
+            return errno;
+        }
+        const std::size_t count = written > 0 ? static_cast<std::size_t>(written) : 0;
+        offset += count;
+        bytes = bytes.subspan(count);
+    }
+    return 0;
+}
+
+int read_all(int from, std::size_t offset, std::span<std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t read = pread(from, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+        if (read == 0) {
+            return EIO;  // The file is shorter than what was written.
+        }
+        if (read < 0 && errno != EINTR) {
+            return errno;
+        }
+        const std::size_t count = read > 0 ? static_cast<std::size_t>(read) : 0;
+        offset += count;
+        bytes = bytes.subspan(count);
+    }
+    return 0;
+}
+
 }  // namespace
 
-TexelBlock::TexelBlock(TexelBlock&& other) noexcept
-    : heap_(std::move(other.heap_)),
-      data_(std::exchange(other.data_, nullptr)),
-      file_(other.file_),
-      chunks_(std::move(other.chunks_)),
-      mapping_(std::exchange(other.mapping_, nullptr)),
-      bytes_(other.bytes_) {}
-
-TexelBlock::~TexelBlock() {
-    if (mapping_ != nullptr) {
-        munmap(mapping_, bytes_ + chunk_bytes);
-    }
-}
-
-void TexelBlock::use_chunk(std::size_t index) const {
-    Chunk& chunk = chunks_[index];
-    if (chunk.state.load(std::memory_order_relaxed) == absent) {
-        file_->admit(chunk);
-    } else {
-        chunk.state.store(recent, std::memory_order_relaxed);
-    }
-}
-
-void TexelBlock::finish_writing() const {
-    if (mapping_ != nullptr) {
-        madvise(data_, bytes_, MADV_DONTNEED);
-    }
-}
-
 SpillFile::SpillFile(std::size_t resident)
-    : max_chunks_(std::max<std::size_t>(resident / chunk_bytes, 16)) {}
+    : max_frames_(
+          std::clamp<std::size_t>(resident / chunk_bytes, 16, (std::size_t{1} << frame_bits) - 1)),
+      frames_(std::make_unique<Frame[]>(max_frames_)) {}
 
 SpillFile::~SpillFile() {
     if (descriptor_ >= 0) {
@@ -102,10 +102,14 @@ SpillFile::~SpillFile() {
     }
 }
 
-// Space is reserved before the block is mapped: to write to a page that has none ends the process.
-Result<TexelBlock> SpillFile::allocate(std::size_t bytes) {
-    const std::size_t size = rounded_up(bytes);
-    std::size_t begin = 0;
+// Space is reserved for whole chunks, so that each can be read as one.
+Result<TexelBlock> SpillFile::keep(const TexelBlock& in_memory) {
+    const std::size_t chunks = chunks_of(in_memory.bytes_);
+    const std::size_t size = chunks * chunk_bytes;
+    TexelBlock block;
+    block.bytes_ = in_memory.bytes_;
+    block.file_ = this;
+    block.places_ = std::make_unique<Place[]>(chunks);
     {
         const std::lock_guard lock(mutex_);
         if (descriptor_ < 0) {
@@ -114,61 +118,105 @@ Result<TexelBlock> SpillFile::allocate(std::size_t bytes) {
         if (descriptor_ < 0) {
             return no_space(size, errno);
         }
-        begin = size_;
+        // Whether there is space shows before it is filled.
+        block.begin_ = size_;
         if (const int failure =
-                posix_fallocate(descriptor_, static_cast<off_t>(begin), static_cast<off_t>(size))) {
+                posix_fallocate(descriptor_, static_cast<off_t>(size_), static_cast<off_t>(size))) {
             return no_space(size, failure);
         }
         size_ += size;
     }
-    TexelBlock block;
-    block.bytes_ = size;
-    block.file_ = this;
-    // Reserves more addresses than needed, to begin at a multiple of a chunk.
-    void* const reserved = mmap(nullptr, size + chunk_bytes, PROT_NONE,
-                                MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-    if (reserved == MAP_FAILED) {
-        return no_space(size, errno);
+    const int failure =
+        write_all(descriptor_, block.begin_, std::span(in_memory.data(), in_memory.bytes_));
+    return failure == 0 ? Result<TexelBlock>(std::move(block))
+                        : Result<TexelBlock>(no_space(size, failure));
+}
+
+std::optional<Diagnostic> SpillFile::failure() const {
+    const std::lock_guard lock(mutex_);
+    if (failure_ == 0) {
+        return std::nullopt;
     }
-    block.mapping_ = static_cast<std::byte*>(reserved);
-    void* aligned = reserved;
-    std::size_t left = size + chunk_bytes;
-    std::align(chunk_bytes, size, aligned, left);
-    if (mmap(aligned, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_FIXED, descriptor_,
-             static_cast<off_t>(begin)) == MAP_FAILED) {
-        return no_space(size, errno);
-    }
-    block.data_ = static_cast<std::byte*>(aligned);
-    block.chunks_ = std::make_unique<TexelBlock::Chunk[]>(size / chunk_bytes);
-    for (std::size_t i = 0; i < size / chunk_bytes; ++i) {
-        block.chunks_[i].begin = block.data_ + i * chunk_bytes;
-    }
-    return block;
+    return warning(
+        fmt::format("textures in the temporary file in {} cannot be read any more: {}", folder(),
+                    std::generic_category().message(failure_)),
+        {},
+        "their materials have their constant factors since; let the environment variable TMPDIR "
+        "name a folder on another disk, or raise --texture-memory, and render again");
 }
 
 std::size_t SpillFile::resident_bytes() const {
     const std::lock_guard lock(mutex_);
-    return in_use_.size() * chunk_bytes;
+    return made_frames_ * chunk_bytes;
 }
 
-void SpillFile::admit(TexelBlock::Chunk& chunk) {
-    const std::lock_guard lock(mutex_);
-    if (chunk.state.load(std::memory_order_relaxed) != TexelBlock::absent) {
-        return;  // Another thread was faster.
-    }
-    while (in_use_.size() >= max_chunks_) {
-        TexelBlock::Chunk* const oldest = in_use_.front();
-        in_use_.pop_front();
-        if (oldest->state.load(std::memory_order_relaxed) == TexelBlock::recent) {
-            oldest->state.store(TexelBlock::present, std::memory_order_relaxed);
-            in_use_.push_back(oldest);
-        } else {
-            oldest->state.store(TexelBlock::absent, std::memory_order_relaxed);
-            madvise(oldest->begin, chunk_bytes, MADV_DONTNEED);
+// A frame whose chunk was not used since the hand passed it. The chunk loses its place before the
+// frame is written.
+std::optional<std::size_t> SpillFile::frame_without_use() {
+    for (std::size_t step = 0; step < 2 * max_frames_; ++step) {
+        const std::size_t index = hand_;
+        hand_ = (hand_ + 1) % max_frames_;
+        Frame& frame = frames_[index];
+        if (frame.holder != nullptr && !frame.recent.exchange(false, std::memory_order_relaxed)) {
+            frame.holder->store(0, std::memory_order_relaxed);
+            std::atomic_thread_fence(std::memory_order_release);
+            frame.holder = nullptr;
+            return index;
         }
     }
-    chunk.state.store(TexelBlock::recent, std::memory_order_relaxed);
-    in_use_.push_back(&chunk);
+    return std::nullopt;
+}
+
+std::size_t SpillFile::take_frame(std::unique_lock<std::mutex>& lock) {
+    for (;;) {
+        if (!free_.empty()) {
+            const std::size_t index = free_.back();
+            free_.pop_back();
+            return index;
+        }
+        if (made_frames_ < max_frames_) {
+            frames_[made_frames_].bytes = std::make_unique<std::byte[]>(chunk_bytes);
+            return made_frames_++;
+        }
+        if (const auto index = frame_without_use()) {
+            return *index;
+        }
+        filled_.wait(lock);  // All are being filled, or were used in two rounds of the hand.
+    }
+}
+
+// Threads read different chunks at once. If two read the same one, the first is right.
+std::uint64_t SpillFile::fetch(const TexelBlock& block, std::size_t chunk) {
+    Place& place = block.places_[chunk];
+    std::unique_lock lock(mutex_);
+    if (const std::uint64_t known = place.load(std::memory_order_acquire)) {
+        return known;
+    }
+    const std::size_t index = take_frame(lock);
+    Frame& frame = frames_[index];
+    lock.unlock();
+    read_chunk(block.begin_ + chunk * chunk_bytes, frame.bytes.get());
+    lock.lock();
+    filled_.notify_one();
+    if (const std::uint64_t known = place.load(std::memory_order_acquire)) {
+        free_.push_back(index);
+        return known;
+    }
+    const std::uint64_t found = ++reads_ << frame_bits | (index + 1);
+    frame.holder = &place;
+    frame.recent.store(true, std::memory_order_relaxed);
+    place.store(found, std::memory_order_release);
+    return found;
+}
+
+void SpillFile::read_chunk(std::size_t offset, std::byte* to) {
+    const std::span chunk(to, chunk_bytes);
+    if (const int failure = read_all(descriptor_, offset, chunk)) {
+        std::fill(chunk.begin(), chunk.end(), std::byte{0});
+        const std::lock_guard lock(mutex_);
+        failure_ = failure_ == 0 ? failure : failure_;
+        failed_.store(true, std::memory_order_relaxed);
+    }
 }
 
 }  // namespace balcony::render

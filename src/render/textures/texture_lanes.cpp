@@ -141,11 +141,11 @@ private:
     }
 
     HWY_INLINE Color decoded(Integers texel) const {
-        if (!texels_.in_memory()) {
-            request(texel);
-        }
-        const Integers codes = lanes::GatherIndex(
-            integers, reinterpret_cast<const std::int32_t*>(texels_.data()), texel);
+        const Integers codes =
+            texels_.in_memory()
+                ? lanes::GatherIndex(integers,
+                                     reinterpret_cast<const std::int32_t*>(texels_.data()), texel)
+                : in_file(texel);
         const Integers mask = number(0xff);
         const auto channel = [&](Integers code) {
             return lanes::GatherIndex(tag, scale_.values(), lanes::And(code, mask));
@@ -154,12 +154,13 @@ private:
                 channel(lanes::ShiftRight<16>(codes))};
     }
 
-    void request(Integers texel) const {
+    [[nodiscard]] Integers in_file(Integers texel) const {
         alignas(64) std::array<std::int32_t, lane_count> numbers;
         lanes::Store(texel, integers, numbers.data());
         for (std::size_t lane = 0; lane < lanes::Lanes(tag); ++lane) {
-            texels_.use(static_cast<std::size_t>(numbers[lane]) * sizeof(ByteTexel));
+            numbers[lane] = texels_.at<std::int32_t>(static_cast<std::size_t>(numbers[lane]));
         }
+        return lanes::Load(integers, numbers.data());
     }
 
     const ByteLevels& levels_;

@@ -182,6 +182,9 @@ void TextureLibrary::look_up(scene::TextureIndex texture, TextureEncoding encodi
 
 Diagnostics TextureLibrary::warnings() const {
     Diagnostics found;
+    if (file_->has_failed() && !file_reported_.exchange(true)) {
+        found.push_back(*file_->failure());
+    }
     for (const std::array<Entry, 2>& pair : entries_) {
         for (const Entry& entry : pair) {
             const std::optional<Diagnostic> problem =

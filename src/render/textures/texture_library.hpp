@@ -69,6 +69,7 @@ private:
                                             TextureEncoding encoding) const;
 
     std::unique_ptr<SpillFile> file_;
+    mutable std::atomic<bool> file_reported_ = false;  // That it failed.
     // Two entries per texture, one for each encoding; null if it is not used or cannot be opened.
     std::vector<std::array<Entry, 2>> entries_;
     std::size_t held_bytes_ = 0;
