@@ -3,6 +3,7 @@
 
 #include "render/integrators/ray_order.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -25,6 +26,20 @@ std::vector<RayOrder::Key> rays() {
                         V3f(sign(0), 0.5F * sign(3), 0.1F * sign(6))});
     }
     return made;
+}
+
+TEST(RayOrder, CountingSortIsStable) {
+    const auto bucket = [](std::uint32_t i) { return i * 7 % 32; };
+    std::vector<std::uint32_t> indices;
+    for (std::uint32_t i = 0; i < 200; ++i) {
+        indices.push_back(i * 89 % 200);
+    }
+    std::vector<std::uint32_t> expected = indices;
+    std::stable_sort(expected.begin(), expected.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return bucket(a) < bucket(b); });
+    std::vector<std::uint32_t> buffer;
+    counting_sort<32>(indices, buffer, bucket);
+    EXPECT_EQ(indices, expected);
 }
 
 TEST(RayOrder, ContainsEachRayOnce) {

@@ -13,10 +13,10 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "render/integrators/integrator.hpp"
+#include "render/integrators/prefetch.hpp"
 #include "render/integrators/ray_order.hpp"
 #include "render/sampling/sample_block.hpp"
 #include "render/shading/bsdf.hpp"
@@ -106,7 +106,6 @@ public:
 private:
     void start(std::span<const CameraRay> rays, std::span<Seen> seen);
     void trace_next();
-    void sort_by_instance();
     void advance_all(std::span<Seen> seen);
     void draw_numbers(std::size_t first);
     void find_surfaces(std::size_t first);
@@ -125,8 +124,6 @@ private:
     [[nodiscard]] float lamp_weight(float pdf_of_lamp, float pdf_of_surface) const;
     [[nodiscard]] float scattered_weight(float pdf_of_surface, float pdf_of_lamp) const;
     void add(Seen& seen, const Color3f& light, std::size_t bounces) const;
-
-    static constexpr std::uint32_t bucket_count = 256;
 
     SceneTracer tracer_;
     const Settings* settings_;
@@ -162,36 +159,26 @@ void PathTracer::start(std::span<const CameraRay> rays, std::span<Seen> seen) {
 // Each ray by itself: packets gain nothing for rays that were scattered, and the result of a ray
 // then does not depend on the others.
 void PathTracer::trace_next() {
+    constexpr std::uint32_t bucket_count = 256;
+    constexpr std::size_t steps_to_path = 3;  // Tracing takes longer than shading.
     keys_.clear();
     for (const std::uint32_t i : active_) {
         keys_.push_back({paths_[i].ray.origin, paths_[i].ray.direction});
     }
     unordered_.swap(active_);
     active_.clear();
-    for (const std::uint32_t k : order_.sort(keys_)) {
+    const std::span<const std::uint32_t> order = order_.sort(keys_);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const std::uint32_t k = order[i];
+        prefetch(paths_[unordered_[order[std::min(i + steps_to_path, order.size() - 1)]]]);
         Path& path = paths_[unordered_[k]];
         path.hit = tracer_.nearest(path.ray);
         active_.push_back(unordered_[k]);
     }
-    sort_by_instance();
-}
-
-// Neighbours then have the same material and need the same memory. Stable.
-void PathTracer::sort_by_instance() {
-    const auto bucket = [&](std::uint32_t i) { return paths_[i].hit.instance % bucket_count; };
-    std::array<std::uint32_t, bucket_count> starts{};
-    for (const std::uint32_t i : active_) {
-        ++starts[bucket(i)];
-    }
-    std::uint32_t sum = 0;
-    for (std::uint32_t& start : starts) {
-        start = std::exchange(sum, sum + start);
-    }
-    unordered_.swap(active_);
-    active_.resize(unordered_.size());
-    for (const std::uint32_t i : unordered_) {
-        active_[starts[bucket(i)]++] = i;
-    }
+    // Neighbours then have the same material and need the same memory.
+    counting_sort<bucket_count>(active_, unordered_, [&](std::uint32_t i) {
+        return paths_[i].hit.instance % bucket_count;
+    });
 }
 
 // Removes the paths that end. Block by block: the numbers of all paths of a block, then their
@@ -226,11 +213,13 @@ void PathTracer::draw_numbers(std::size_t first) {
 void PathTracer::find_surfaces(std::size_t first) {
     constexpr std::size_t steps_to_corners = 4;
     constexpr std::size_t steps_to_triangle = 8;
+    constexpr std::size_t steps_to_path = 12;
     const auto hit_in = [&](std::size_t place) -> const embree::Hit& {
         return paths_[active_[std::min(place, active_.size() - 1)]].hit;
     };
     const std::size_t count = std::min(SampleBlock::size, active_.size() - first);
     for (std::size_t i = 0; i < count; ++i) {
+        prefetch(paths_[active_[std::min(first + i + steps_to_path, active_.size() - 1)]]);
         tracer_.request_triangle(hit_in(first + i + steps_to_triangle));
         tracer_.request_corners(hit_in(first + i + steps_to_corners));
         const Path& path = paths_[active_[first + i]];
@@ -257,6 +246,7 @@ void PathTracer::add_shadowed_light(std::span<Seen> seen) {
             ++end;
         }
         if (end == begin) {
+            prefetch(seen[shadowed_[begin].index].radiance);
             receive(shadowed_[begin], tracer_.transmittance(shadowed_[begin].ray));
             ++begin;
             continue;
