@@ -107,7 +107,7 @@ class Robustness(unittest.TestCase):
 
     def test_what_cannot_be_used(self):
         for words, code, message in (
-                (("lost.pov",), 1, "the scene 'lost.pov' cannot be read"),
+                (("lost.pov",), 1, "there is no file 'lost.pov'"),
                 (("scene.pov", "--axes", "x_up"), 2, "--axes cannot be 'x_up'"),
                 (("scene.pov", "--samples", "0"), 2, "--samples cannot be '0'"),
                 (("scene.pov", "-o", "c.cam"), 2, "'c.cam' is an input"),
