@@ -37,14 +37,9 @@ constexpr float some_roughnesses[] = {0.0F, 0.04F, 0.13F, 0.35F, 0.62F, 1.0F};
 void expect_white(const Appearance& appearance, bool entering = true) {
     constexpr std::size_t samples = 16384;
     constexpr float tolerance = 5e-3F;
-    // Two places that the nodes of the tables do not resolve: half a degree above the horizon under
-    // a cover, where one percent is missing, and the edge of total reflection inside a solid, where
-    // 0.7 % are.
-    const bool is_covered = appearance.clearcoat > 0.0F || brightest(appearance.sheen_color) > 0.0F;
     for (const float cosine : cosines) {
-        const float within = is_covered && cosine < 0.01F ? 1e-2F : entering ? tolerance : 7e-3F;
         EXPECT_NEAR(albedo(flat({"", appearance, entering}), at_cosine(cosine), samples).y, 1.0F,
-                    within)
+                    tolerance)
             << describe({"", appearance, entering}) << ", cosine " << cosine;
     }
 }
@@ -84,7 +79,7 @@ TEST(BsdfEnergy, AWhiteWallLosesNoLight) {
 }
 
 TEST(BsdfEnergy, WhiteGlassLosesNoLight) {
-    for (const float roughness : {0.0F, 0.3F, 0.62F, 1.0F}) {
+    for (const float roughness : {0.0F, 0.2F, 0.3F, 0.62F, 1.0F}) {
         for (const float ior : {1.1F, 1.5F, 3.0F}) {
             expect_white(glass(roughness, ior), true);
             expect_white(glass(roughness, ior), false);

@@ -31,7 +31,7 @@ private:
     };
     using Row = std::array<Entry, cosine_count>;
 
-    static constexpr std::size_t width_count = 16;
+    static constexpr std::size_t width_count = 24;
     std::vector<std::array<Row, width_count>> rows_;
 };
 

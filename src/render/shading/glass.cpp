@@ -34,6 +34,13 @@ float ior_of(std::size_t number) {
 // Less than this is not worth a ratio.
 constexpr float negligible = 1e-4F;
 
+// The table holds the lost light over this, which changes less from node to node. Outside, it is
+// what the same facets lose as mirrors. Inside it is not: at the horizon mirrors lose nothing, but
+// facets that reflect totally do.
+float table_scale(GlassSide side, float single) {
+    return side == glass_outside ? 1.0F - single : 1.0F;
+}
+
 }  // namespace
 
 GlassEnergies::Row GlassEnergies::make_row(float alpha, float ior) {
@@ -47,9 +54,9 @@ GlassEnergies::Row GlassEnergies::make_row(float alpha, float ior) {
         for (std::size_t node = 0; node < cosine_count; ++node) {
             const float lost =
                 1.0F - transport.reflected(node, one) - transport.refracted(node, one);
-            const float of_mirrors = 1.0F - layer.at(table_cosines()[node]).single;
+            const float scale = table_scale(side, layer.at(table_cosines()[node]).single);
             row.mean[side] += cosine_weights()[node] * std::max(lost, 0.0F);
-            row.lost[side][node] = std::max(lost, 0.0F) / std::max(of_mirrors, negligible);
+            row.lost[side][node] = std::max(lost, 0.0F) / std::max(scale, negligible);
         }
     }
     return row;
@@ -98,7 +105,7 @@ float GlassEnergies::lost(GlassSide side, float cosine, float single) const {
     };
     const float ratio =
         mix(look_up(lower_[0].lost[side]), look_up(lower_[1].lost[side]), fraction_);
-    return std::clamp(ratio * (1.0F - single), 0.0F, 1.0F);
+    return std::clamp(ratio * table_scale(side, single), 0.0F, 1.0F);
 }
 
 }  // namespace balcony::render

@@ -44,7 +44,7 @@ public:
 
 private:
     struct Row {
-        // By side: over what the same facets lose as mirrors, which changes less.
+        // By side; outside over what the same facets lose as mirrors, which changes less.
         std::array<ByCosine, 2> lost;
         std::array<float, 2> mean;
     };
