@@ -86,10 +86,11 @@ enum class LampSampling : std::uint8_t {
     surfaces,  ///< By directions that a surface scatters light to.
 };
 
-/// What lights a scene that has no light of its own.
+/// What lights a scene that has no light of its own, or only suns.
 enum class SubstituteLight : std::uint8_t {
     sky,
-    eye,  ///< A light at the eye.
+    eye,   ///< A light at the eye.
+    none,  ///< Nothing beside the suns.
 };
 
 /// Light that is not part of the scene, for `path`.
@@ -97,8 +98,11 @@ struct LightSettings {
     /// If empty, a scene without any light gets a substitute.
     std::optional<Environment> environment{};
     /// If empty, it is a sky where the picture shows surfaces that could see it, and otherwise a
-    /// light at the eye.
+    /// light at the eye, or nothing beside suns.
     std::optional<SubstituteLight> substitute{};
+    /// A scene that is lit by nothing but directional lights gets a soft sky as well, which gives a
+    /// floor a fifth of the illuminance that faces the suns: about that of a clear day.
+    bool sky_beside_suns = false;
     /// The environment is the background of the picture, and opaque; not if Settings::background is
     /// a colour.
     bool visible = true;
@@ -226,7 +230,8 @@ struct Summary {
     /// nearest counts.
     std::uint64_t ambiguous_motion = 0;
     std::string light;  ///< What lights the scene of `path`: "2 lamps, ...".
-    std::optional<SubstituteLight> substitute{};  ///< Of `path`, if the scene has no light.
+    /// Of `path`, if the scene has no light, or only suns and LightSettings::sky_beside_suns.
+    std::optional<SubstituteLight> substitute{};
     Color3f ambient{0.0F};         ///< The ambient radiance, from the settings or chosen.
     std::size_t passes = 0;        ///< The number of passes that all tiles of the film have.
     bool interrupted = false;      ///< Stopped before all tiles had all passes.

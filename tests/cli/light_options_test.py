@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The light that render adds to a scene: environments, skies, and what it chooses by itself."""
 
+import base64
 import json
+import struct
 
 import support
 
@@ -13,9 +15,29 @@ def hdr(width, height, rgbe):
     return header.encode() + bytes(rgbe) * (width * height)
 
 
+def sunny_scene():
+    """A triangle in glTF under a sun that shines straight down."""
+    corners = struct.pack("<9f", 0, 0, 0, 0, 0, 1, 1, 0, 0)
+    data = "data:application/octet-stream;base64," + base64.b64encode(corners).decode()
+    lamps = {"lights": [{"type": "directional", "intensity": 5}]}
+    sun = {"extensions": {"KHR_lights_punctual": {"light": 0}}, "rotation": [-0.5**0.5, 0, 0, 0.5**0.5]}
+    return {
+        "asset": {"version": "2.0"},
+        "extensionsUsed": ["KHR_lights_punctual"],
+        "extensions": {"KHR_lights_punctual": lamps},
+        "buffers": [{"uri": data, "byteLength": len(corners)}],
+        "bufferViews": [{"buffer": 0, "byteLength": len(corners)}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                       "min": [0, 0, 0], "max": [1, 0, 1]}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+        "nodes": [{"mesh": 0}, sun],
+        "scenes": [{"nodes": [0, 1]}],
+    }
+
+
 class Light(support.CommandTest):
-    def facts(self, *words, code=0):
-        out, _ = self.run_command("render", "scene.obj", "--size", "16x16", "--samples", "1",
+    def facts(self, *words, code=0, scene="scene.obj"):
+        out, _ = self.run_command("render", scene, "--size", "16x16", "--samples", "1",
                                   "--integrator", "path", "-o", "p.png", "--json", *words, code=code)
         return json.loads(out)
 
@@ -46,6 +68,14 @@ class Light(support.CommandTest):
         out, _ = self.run_command("render", "scene.obj", "--size", "8x8", "--integrator", "path",
                                   "-o", "p.png")
         self.assertIn("lit by a sky without sun", out)
+
+    def test_a_scene_with_a_sun_has_a_sky_as_well(self):
+        (self.folder / "sunny.gltf").write_text(json.dumps(sunny_scene()))
+        facts = self.facts(scene="sunny.gltf")
+        self.assertEqual("1 lamp and a soft sky, as the scene has a sun and no sky", facts["light"])
+        self.assertIn("soft sky", self.run_command("info", "sunny.gltf")[0])
+        facts = self.facts("--ambient", "0", scene="sunny.gltf")
+        self.assertIn("1 lamp, a constant environment", facts["light"])
 
     def test_the_environment_is_the_background_unless_it_is_hidden(self):
         for words, share in (((), 1.0), (("--background", "auto"), 1.0)):

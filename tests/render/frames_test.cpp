@@ -129,4 +129,43 @@ TEST(Frames, SubstituteLightIsReportedAndCanBeHeld) {
     }
 }
 
+// A sun over a floor, of 10 lux, and the light of the soft sky beside it.
+TEST(Frames, ASkyBesideSunsFillsTheShadows) {
+    scene::Scene scene;
+    add(scene, parallelogram({-9.0F, -1.0F, 9.0F}, {18.0F, 0.0F, 0.0F}, {0.0F, 0.0F, -18.0F}),
+        white());
+    scene::Light sun;
+    sun.kind = scene::LightKind::directional;
+    sun.direction = V3d(0.0, -1.0, 0.0);
+    sun.intensity = scene::Color3f(10.0F);
+    scene.lights.push_back(sun);
+    const camera::Camera from_above =
+        pinhole({V3d(0.0, 3.0, 0.0), V3d(0.0, -1.0, 0.0), V3d(1.0, 0.0, 0.0), V3d(0.0, 0.0, -1.0)});
+    const auto lit = [&](const LightSettings& light) {
+        Film film = empty_film();
+        Settings settings = settings_at(0.0);
+        settings.shutter = {};
+        settings.light = light;
+        const auto renderer = Renderer::make(std::make_shared<scene::Scene>(scene));
+        const auto summary = render::render(*renderer, from_above, settings, film);
+        EXPECT_TRUE(summary);
+        float sum = 0.0F;
+        for (std::size_t x = 0; x < film.width; ++x) {
+            sum += film.pixel(x, film.height / 2).g;
+        }
+        return std::pair(sum, summary ? summary->substitute : std::nullopt);
+    };
+    const auto [alone, nothing] = lit({});
+    EXPECT_EQ(nothing, std::nullopt);
+    const auto [filled, sky] = lit({.sky_beside_suns = true});
+    EXPECT_EQ(sky, SubstituteLight::sky);
+    EXPECT_NEAR(filled / alone, 1.2F, 0.03F) << "a fifth of the sun's";
+    EXPECT_EQ(lit({.substitute = SubstituteLight::none, .sky_beside_suns = true}).first, alone);
+    // Not beside other light.
+    scene::Light lamp;
+    lamp.position = V3d(0.0, 5.0, 0.0);
+    scene.lights.push_back(lamp);
+    EXPECT_EQ(lit({.sky_beside_suns = true}).second, std::nullopt);
+}
+
 }  // namespace balcony::render::test::frames_test

@@ -1,6 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -73,7 +74,15 @@ nlohmann::json animations_json(const scene::Scene& scene) {
     return animations;
 }
 
-// What lights a scene that has no light, in the picture of its default camera.
+// Whether light may be added to that of the scene.
+bool may_need_light(const scene::Scene& scene) {
+    return scene.default_light ||
+           std::any_of(scene.lights.begin(), scene.lights.end(), [](const scene::Light& light) {
+               return light.kind == scene::LightKind::directional;
+           });
+}
+
+// What lights a scene in the picture of its default camera; empty if only the scene itself does.
 std::string default_light(const std::shared_ptr<const scene::Scene>& scene) {
     const auto picture = default_picture(*scene);
     const auto renderer = render::Renderer::make(scene);
@@ -81,9 +90,14 @@ std::string default_light(const std::shared_ptr<const scene::Scene>& scene) {
     if (!picture || !renderer || !film) {
         return "no light";
     }
-    const auto job =
-        render::Job::make(*renderer, *picture, {.samples = 1, .integrator = "path"}, *film);
-    return job ? job->light() : "no light";
+    const auto job = render::Job::make(
+        *renderer, *picture,
+        {.samples = 1, .integrator = "path", .light = {.sky_beside_suns = true}}, *film);
+    if (!job) {
+        return "no light";
+    }
+    return scene->default_light || job->light().find("sky") != std::string::npos ? job->light()
+                                                                                 : "";
 }
 
 nlohmann::json scene_json(const scene::Scene& scene, const std::string& light) {
@@ -129,8 +143,8 @@ std::string scene_text(const scene::Scene& scene, const std::string& light, bool
                      counted(scene.meshes.size(), "mesh", "meshes")));
     line("materials", fmt::format("{}, {}", scene.materials.size(),
                                   counted(scene.textures.size(), "texture", "textures")));
-    line("lights",
-         light.empty() ? std::to_string(scene.lights.size()) : fmt::format("0; lit by {}", light));
+    line("lights", light.empty() ? std::to_string(scene.lights.size())
+                                 : fmt::format("{}; lit by {}", scene.lights.size(), light));
     line("cameras", std::to_string(scene.cameras.size()));
     for (const scene::Camera& camera : scene.cameras) {
         text += fmt::format("  camera     {}\n", camera_text(camera));
@@ -153,7 +167,7 @@ ExitCode info(const InfoOptions& options) {
     std::string light;
     if (loaded) {
         scene = std::make_shared<const scene::Scene>(std::move(*loaded));
-        light = scene->default_light ? default_light(scene) : "";
+        light = may_need_light(*scene) ? default_light(scene) : "";
     }
     if (options.json) {
         nlohmann::json result{{"diagnostics", to_json(loaded.diagnostics)}};

@@ -93,7 +93,7 @@ void add_light_options(CLI::App& command, LightWords& words) {
                     "a radiance or red,green,blue, or a sky such as "
                     "sky:elevation=30,azimuth=135,turbidity=3 (degrees; azimuth clockwise from "
                     "north). Default for a scene without light: a soft sky, or in a closed room a "
-                    "light at the eye")
+                    "light at the eye; for one with suns alone: a soft sky, unless it is closed")
         ->type_name("FILE|COLOUR|sky");
     command
         .add_option("--environment-rotation", words.rotation,
@@ -118,6 +118,7 @@ void read_light(const LightWords& words, render::Settings& settings, Diagnostics
         read_degrees("--environment-rotation", words.rotation, -any, any, diagnostics);
     const float strength = read_number("--environment-strength", words.strength, 0.0F, 1e30F,
                                        "give a factor of at least 0", diagnostics);
+    settings.light.sky_beside_suns = true;
     if (words.sun_angle) {
         settings.light.sun_angle =
             read_degrees("--sun-angle", *words.sun_angle, 0.0, 180.0, diagnostics);

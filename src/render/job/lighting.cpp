@@ -5,9 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "render/film/luminance.hpp"
 #include "render/job/coarse_rays.hpp"
 #include "render/shading/frame.hpp"
 
@@ -57,6 +61,38 @@ std::string description_of(const LightSet& lights, const scene::Scene& scene) {
     return text;
 }
 
+// The light of suns on surfaces that face them, in lux; 0 if anything else lights the scene.
+float light_of_suns(const LightSet& lights, const scene::Scene& scene) {
+    float sum = 0.0F;
+    for (const scene::Light& light : scene.lights) {
+        if (light.kind != scene::LightKind::directional) {
+            return 0.0F;
+        }
+        sum += luminance(light.intensity);
+    }
+    return lights.emissive_triangles() > 0 ? 0.0F : sum;
+}
+
+// The scene's own lights, and a soft sky beside suns.
+Lighting lit_by_itself(const TracedScene& traced, std::string own, const Settings& settings,
+                       const std::function<bool()>& sees_sky) {
+    const float suns = light_of_suns(traced.lights, *traced.scene);
+    if (!settings.light.sky_beside_suns || !(suns > 0.0F)) {
+        return {traced.lights.with({}, settings.light.sun_angle), std::move(own)};
+    }
+    const bool has_sky =
+        settings.light.substitute ? *settings.light.substitute == SubstituteLight::sky : sees_sky();
+    if (!has_sky) {
+        return {traced.lights.with({}, settings.light.sun_angle), std::move(own),
+                SubstituteLight::none};
+    }
+    // Of the dome, a white floor has radiance 1, and so an illuminance of pi.
+    constexpr float of_suns = 0.2F / std::numbers::pi_v<float>;
+    return {
+        traced.lights.with(Environment::dome().scaled(of_suns * suns), settings.light.sun_angle),
+        own + " and a soft sky, as the scene has a sun and no sky", SubstituteLight::sky};
+}
+
 }  // namespace
 
 Lighting lighting_of(const TracedScene& traced, PictureRays& rays, const Film& film,
@@ -70,13 +106,14 @@ Lighting lighting_of(const TracedScene& traced, PictureRays& rays, const Film& f
         return {traced.lights.with(environment, settings.light.sun_angle),
                 fmt::format("{}{}{}", own, own.empty() ? "" : ", ", environment->description())};
     }
+    const auto shows_sky = [&] { return sees_sky(traced, rays, film, settings.time); };
     if (!own.empty() || !traced.scene->default_light) {
-        return {traced.lights.with({}, settings.light.sun_angle), own.empty() ? "no light" : own};
+        return lit_by_itself(traced, own.empty() ? "no light" : std::move(own), settings,
+                             shows_sky);
     }
     const SubstituteLight substitute = settings.light.substitute ? *settings.light.substitute
-                                       : sees_sky(traced, rays, film, settings.time)
-                                           ? SubstituteLight::sky
-                                           : SubstituteLight::eye;
+                                       : shows_sky()             ? SubstituteLight::sky
+                                                                 : SubstituteLight::eye;
     if (substitute == SubstituteLight::sky) {
         const Environment sky = Environment::dome();
         return {traced.lights.with(sky), sky.description(), substitute};

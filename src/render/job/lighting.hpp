@@ -20,7 +20,7 @@ struct Lighting {
 
 /// The lights of the scene with the environment of the settings, or the light that replaces them
 /// where there are none: a sky if one can be seen from the surfaces that the picture shows, and
-/// otherwise a light at the eye.
+/// otherwise a light at the eye. Beside suns alone, such a sky too if the settings say so.
 [[nodiscard]] Lighting lighting_of(const TracedScene& traced, PictureRays& rays, const Film& film,
                                    const Settings& settings);
 
