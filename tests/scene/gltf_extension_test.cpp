@@ -45,12 +45,14 @@ struct Example {
 
 std::vector<Example> examples() {
     const Json texture = {{"index", 0}};
+    Json moved = {{"index", 0}, {"scale", 0.5}};
+    moved["extensions"]["KHR_texture_transform"]["offset"] = {0.25, 0};
     return {{"KHR_materials_clearcoat",
              {{"clearcoatFactor", 0.5},
               {"clearcoatRoughnessFactor", 0.25},
               {"clearcoatTexture", texture},
               {"clearcoatRoughnessTexture", texture},
-              {"clearcoatNormalTexture", {{"index", 0}, {"scale", 0.5}}}}},
+              {"clearcoatNormalTexture", moved}}},
             {"KHR_materials_emissive_strength", {{"emissiveStrength", 8}}},
             {"KHR_materials_ior", {{"ior", 1.25}}},
             {"KHR_materials_sheen",
@@ -83,6 +85,7 @@ TEST_F(GltfExtensions, ClearcoatIsRead) {
     EXPECT_EQ(m.clearcoat_roughness_texture.channel, 1);
     EXPECT_TRUE(m.clearcoat_normal_texture.valid());
     EXPECT_EQ(m.clearcoat_normal_texture.encoding, TextureEncoding::linear);
+    EXPECT_EQ(m.clearcoat_normal_texture.place({0.0F, 0.0F}).x, 0.25F);
     EXPECT_EQ(m.clearcoat_normal_scale, 0.5F);
     EXPECT_FALSE(m.normal_texture.valid());
 }
