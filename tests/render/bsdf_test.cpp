@@ -84,7 +84,7 @@ TEST(Bsdf, APreparedMaterialReflectsTheSame) {
     Directions random(10);
     for (const NamedAppearance& material : all_kinds()) {
         BsdfMaterial prepared(material.appearance, material.entering);
-        prepared.energies.keep_row();
+        const auto row = prepared.energies.keep_row();
         Bsdf shared(prepared, up, up);
         shared.set_coat_normal(material.coat_normal);
         const Bsdf own = flat(material);

@@ -16,6 +16,9 @@ using Imath::Color3f;
     return std::max({color.x, color.y, color.z});
 }
 
+/// No channel is above 0.
+[[nodiscard]] inline bool is_black(const Color3f& color) { return !(largest(color) > 0.0F); }
+
 /// A material with its textures evaluated. Each default means that the material has no such part.
 struct Appearance {
     Color3f base_color;

@@ -113,6 +113,10 @@ public:
     [[nodiscard]] std::optional<BsdfSample> sample(const View& view, const V3f& random) const;
     [[nodiscard]] std::optional<BsdfSample> sample(const V3f& to_viewer, const V3f& random) const;
 
+    /// A sample with weight and density; nothing if it carries no light.
+    [[nodiscard]] static std::optional<BsdfSample> weighted(const BsdfSample& sample,
+                                                            const Value& value);
+
     /// Only the mirror lobe, with its whole weight; nothing if there is none. A direction that
     /// would point into the surface is reflected by the geometric normal instead.
     [[nodiscard]] std::optional<BsdfSample> sample_mirror(const V3f& to_viewer) const;
@@ -136,10 +140,6 @@ private:
     [[nodiscard]] std::optional<BsdfSample> sample_plain(const PlainView& view,
                                                          const V3f& random) const;
     [[nodiscard]] BsdfSample mirror_sample(const V3f& to_viewer, const Color3f& weight) const;
-    /// The sample with weight and density; nothing if it carries no light.
-    [[nodiscard]] static std::optional<BsdfSample> weighted(const BsdfSample& sample,
-                                                            const Value& value);
-
     std::variant<const BsdfMaterial*, BsdfMaterial> material_;
     V3f normal_;
     V3f geometric_normal_;

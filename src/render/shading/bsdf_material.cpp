@@ -26,12 +26,12 @@ float width(float roughness) {
 }  // namespace
 
 BsdfMaterial::BsdfMaterial(const Appearance& appearance, bool entering)
-    : diffuse((1.0F - appearance.metallic) * (1.0F - appearance.transmission) *
-              appearance.base_color),
-      metal(appearance.metallic * appearance.base_color),
-      roughness(width(appearance.roughness) > 0.0F ? appearance.roughness : 0.0F),
-      facets(width(appearance.roughness)),
-      energies(width(appearance.roughness)) {
+    : PlainMaterial{.diffuse = (1.0F - appearance.metallic) * (1.0F - appearance.transmission) *
+                               appearance.base_color,
+                    .roughness = width(appearance.roughness) > 0.0F ? appearance.roughness : 0.0F,
+                    .facets = Ggx(width(appearance.roughness)),
+                    .energies = LayerEnergies(width(appearance.roughness))},
+      metal(appearance.metallic * appearance.base_color) {
     const float metallic = appearance.metallic;
     if (metallic > 0.0F) {
         const Color3f& color = appearance.base_color;
@@ -75,7 +75,7 @@ void BsdfMaterial::add_covers(const Appearance& appearance) {
     }
 }
 
-float BsdfMaterial::below(const LayerEnergy& energy, float reaching) const {
+float PlainMaterial::below(const LayerEnergy& energy, float reaching) const {
     return std::max(reaching - dielectric.albedo(energy), 0.0F);
 }
 

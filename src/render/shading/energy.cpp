@@ -8,8 +8,6 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include "render/shading/microfacets.hpp"
-
 namespace balcony::render {
 
 namespace {
@@ -62,33 +60,18 @@ LayerEnergies::LayerEnergies(float alpha) {
     fraction_ = at.fraction;
 }
 
-void LayerEnergies::keep_row() {
+std::shared_ptr<const void> LayerEnergies::keep_row() {
     if (lower_ == nullptr) {
-        return;
+        return nullptr;
     }
-    Row row{};
+    const auto row = std::make_shared<Row>();
     for (std::size_t i = 0; i < cosine_count; ++i) {
-        row.by_cosine[i] = between(lower_[0].by_cosine[i], lower_[1].by_cosine[i], fraction_);
+        row->by_cosine[i] = between(lower_[0].by_cosine[i], lower_[1].by_cosine[i], fraction_);
     }
-    row.mean = between(lower_[0].mean, lower_[1].mean, fraction_);
-    own_ = std::make_shared<const Row>(row);
-    lower_ = own_.get();
+    row->mean = between(lower_[0].mean, lower_[1].mean, fraction_);
+    lower_ = row.get();
     fraction_ = 0.0F;
-}
-
-LayerEnergy LayerEnergies::at(float cosine) const {
-    if (lower_ == nullptr) {
-        const float edge = schlick(cosine);
-        return {1.0F, 1.0F, edge, 1.0F, edge};
-    }
-    const TablePosition at = position_of_cosine(cosine);
-    const Entry* const lower = &lower_[0].by_cosine[at.node];
-    Entry entry = between(lower[0], lower[1], at.fraction);
-    if (fraction_ > 0.0F) {
-        const Entry* const upper = &lower_[1].by_cosine[at.node];
-        entry = between(entry, between(upper[0], upper[1], at.fraction), fraction_);
-    }
-    return {entry.scale, entry.single, entry.single_edge, 1.0F, entry.all_edge};
+    return row;
 }
 
 LayerEnergy LayerEnergies::mean() const {

@@ -20,6 +20,7 @@
 #include <memory>
 #include <vector>
 
+#include "render/shading/microfacets.hpp"
 #include "render/shading/transport.hpp"
 
 namespace balcony::render {
@@ -67,6 +68,11 @@ struct LayerReflectance {
     }
 };
 
+/// LayerEnergy in a table, where `all` is 1.
+struct EnergyEntry {
+    float scale, single, single_edge, all_edge;
+};
+
 /// Between two entries of a table.
 template <typename Entry>
 [[nodiscard]] Entry between(const Entry& a, const Entry& b, float t) {
@@ -74,24 +80,40 @@ template <typename Entry>
             mix(a.single_edge, b.single_edge, t), mix(a.all_edge, b.all_edge, t)};
 }
 
-/// LayerEnergy of one layer by cosine. Small: made for each point of a surface. The tables behind
-/// it are made once, when the first of these is.
+/// LayerEnergy of one layer by cosine. Small: made for each point of a surface, and copied. The
+/// tables behind it are made once, when the first of these is.
 class LayerEnergies {
 public:
     /// `alpha` from min_alpha to 1; below, a perfect mirror.
     explicit LayerEnergies(float alpha);
 
-    /// Makes at() quicker, for a layer of many points, at the price of memory.
-    void keep_row();
+    /// Makes at() quicker, for a layer of many points, at the price of memory: of what is returned,
+    /// which must outlive this and its copies. Nothing for a mirror.
+    [[nodiscard]] std::shared_ptr<const void> keep_row();
 
-    [[nodiscard]] LayerEnergy at(float cosine) const;
+    [[nodiscard]] LayerEnergy at(float cosine) const {
+        if (lower_ == nullptr) {
+            const float edge = schlick(cosine);
+            return {1.0F, 1.0F, edge, 1.0F, edge};
+        }
+        const TablePosition at = position_of_cosine(cosine);
+        const Entry* const lower = &lower_[0].by_cosine[at.node];
+        Entry entry = between(lower[0], lower[1], at.fraction);
+        if (fraction_ > 0.0F) {
+            const Entry* const upper = &lower_[1].by_cosine[at.node];
+            entry = between(entry, between(upper[0], upper[1], at.fraction), fraction_);
+        }
+        return {entry.scale, entry.single, entry.single_edge, 1.0F, entry.all_edge};
+    }
+    /// The entries by cosine, between which at() interpolates, after keep_row(); otherwise null.
+    [[nodiscard]] const EnergyEntry* row() const {
+        return lower_ != nullptr && fraction_ == 0.0F ? lower_->by_cosine.data() : nullptr;
+    }
     /// The mean, weighted by the cosine; without meaning for `scale`.
     [[nodiscard]] LayerEnergy mean() const;
 
 private:
-    struct Entry {
-        float scale, single, single_edge, all_edge;
-    };
+    using Entry = EnergyEntry;
     struct Row {
         std::array<Entry, cosine_count> by_cosine;
         Entry mean;
@@ -102,7 +124,6 @@ private:
 
     const Row* lower_ = nullptr;  // The next one is the upper; none for a mirror.
     float fraction_ = 0.0F;       // From the lower to the upper.
-    std::shared_ptr<const Row> own_;
 };
 
 }  // namespace balcony::render

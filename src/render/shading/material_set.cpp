@@ -143,7 +143,7 @@ MaterialSet::MaterialSet(const scene::Scene& scene, const TextureLibrary& textur
             auto& sides = prepared_.back().bsdf;
             sides = {BsdfMaterial(constant, false), BsdfMaterial(constant, true)};
             for (BsdfMaterial& side : *sides) {
-                side.energies.keep_row();
+                rows_.push_back(side.energies.keep_row());
             }
         }
         has_textures_ = has_textures_ || prepared_.back().has_textures;

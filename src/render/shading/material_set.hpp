@@ -5,6 +5,7 @@
 // The appearance of surfaces by their materials.
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -68,7 +69,8 @@ private:
 
     const scene::Scene* scene_;
     const TextureLibrary* textures_;
-    std::vector<Prepared> prepared_;  // By material.
+    std::vector<Prepared> prepared_;                 // By material.
+    std::vector<std::shared_ptr<const void>> rows_;  // Which the energies of the materials read.
     bool has_textures_ = false;
 };
 

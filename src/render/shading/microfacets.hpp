@@ -71,6 +71,8 @@ class Ggx {
 public:
     explicit Ggx(float alpha) : alpha_(alpha), a2_(square(alpha)) {}
 
+    [[nodiscard]] float alpha() const { return alpha_; }
+
     /// The density of facets by solid angle. The squared sine is an argument of its own because a
     /// float's cosine near 1 tells little about it.
     [[nodiscard]] float density(float cosine, float squared_sine) const {
