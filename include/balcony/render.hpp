@@ -141,6 +141,10 @@ struct Settings {
     std::size_t mirror_depth = 8;  ///< The maximum number of reflections of `direct`.
     BounceLimits bounces{};        ///< Of `path`.
     LampSampling lamp_sampling = LampSampling::both;  ///< Of `path`.
+    /// Of `path`: groups of eight neighbouring pixels share the light that their paths find, with
+    /// less noise in the same time and the same mean. Otherwise each pixel is independent of the
+    /// others.
+    bool reuse_paths = true;
     /// The largest contribution of indirect light to a sample of `path`, in each channel; 0 is no
     /// limit. A limit removes bright specks, and with them some of the light.
     float clamp_indirect = 0.0F;

@@ -88,6 +88,9 @@ void add_integrator_options(CLI::App& command, IntegratorWords& words) {
                     "limit")
         ->type_name("RADIANCE")
         ->capture_default_str();
+    command.add_flag("--no-path-reuse", words.no_path_reuse,
+                     "neighbouring pixels do not share the light that their paths find (path): "
+                     "more noise, but each pixel is independent of the others");
 }
 
 void read_integrator(const IntegratorWords& words, render::Settings& settings,
@@ -104,6 +107,7 @@ void read_integrator(const IntegratorWords& words, render::Settings& settings,
     settings.clamp_indirect =
         read_number("--clamp", words.clamp, 0.0F, std::numeric_limits<float>::max(),
                     "give a number of at least 0", diagnostics);
+    settings.reuse_paths = !words.no_path_reuse;
 }
 
 }  // namespace balcony::cli

@@ -11,11 +11,12 @@
 
 namespace balcony::cli {
 
-/// The words of --integrator, --bounces and --clamp.
+/// The words of --integrator, --bounces, --clamp and --no-path-reuse.
 struct IntegratorWords {
     std::string integrator = render::Settings{}.integrator;
     std::string bounces = "auto";
     std::string clamp = "0";
+    bool no_path_reuse = false;
 };
 
 void add_integrator_options(CLI::App& command, IntegratorWords& words);

@@ -33,6 +33,7 @@ struct CameraRay {
     embree::Hit first;
     Sampler sampler;
     std::uint32_t packet = 0;  ///< Rays of a packet are neighbours in the picture, and in a batch.
+    std::uint32_t group = 0;   ///< The paths of a group may share what they find.
 };
 
 /// The differentials of a packet of camera rays, which are computed on request.
@@ -60,8 +61,8 @@ class Integrator {
 public:
     virtual ~Integrator() = default;
 
-    /// The radiance of each ray, usually those of a tile and a pass. Equal rays with equal samplers
-    /// give the same result, with any other packets.
+    /// The radiance of each ray, usually those of a tile and a pass. It depends on no other rays than
+    /// those of its group. At most PixelGroups::size rays have the same group.
     virtual void trace(std::span<const CameraRay> rays, std::span<Seen> seen) = 0;
 
     /// Null if there is no faster way.

@@ -1,13 +1,11 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// Path tracing (Kajiya 1986) with next-event estimation and multiple importance sampling by the
-// power heuristic (Veach 1997).
+// Path tracing (Kajiya 1986) with next-event estimation and multiple importance sampling.
 //
 // The paths of a tile advance together, bounce by bounce: Áfra et al., "Local Shading Coherence
 // Extraction for SIMD-Efficient Path Tracing on CPUs" (HPG 2016). The rays of a bounce are traced
-// in an order in which neighbours are similar. The shadow rays of the first bounce, which start
-// near each other, are traced in packets.
+// in an order in which neighbours are similar.
 
 #include <algorithm>
 #include <array>
@@ -16,15 +14,22 @@
 #include <vector>
 
 #include "render/integrators/integrator.hpp"
+#include "render/integrators/lamp_weights.hpp"
+#include "render/integrators/path_state.hpp"
 #include "render/integrators/prefetch.hpp"
 #include "render/integrators/ray_order.hpp"
+#include "render/integrators/shadow_rays.hpp"
+#include "render/integrators/shared_tails.hpp"
 #include "render/sampling/sample_block.hpp"
-#include "render/shading/bsdf.hpp"
+#include "render/shading/bsdf_block.hpp"
 #include "render/shading/footprint.hpp"
 
 namespace balcony::render {
 
 namespace {
+
+using plain_lanes::bit;
+using plain_lanes::for_each_lane;
 
 constexpr Color3f black(0.0F, 0.0F, 0.0F);
 
@@ -32,66 +37,15 @@ constexpr Color3f black(0.0F, 0.0F, 0.0F);
 // it meets the triangle, also at a grazing angle.
 constexpr float before_emitter = 1.0F - 1e-4F;
 
-bool is_black(const Color3f& color) { return !(largest(color) > 0.0F); }
-
-// The weight of a sample with one density, for a direction that a second method of sampling finds
-// with another density.
-float power_heuristic(float own, float other) {
-    const float ratio = other / own;
-    return 1.0F / (1.0F + ratio * ratio);
-}
-
-// How often the light of a path has been scattered by now.
-struct Bounces {
-    std::uint8_t all = 0;
-    std::uint8_t diffuse = 0;
-    std::uint8_t glossy = 0;
-    std::uint8_t transmission = 0;
-};
-
-// A path in progress, from the camera.
-struct Path {
-    Ray ray;          // The one to trace next.
-    embree::Hit hit;  // Where it ends.
-    Color3f throughput{1.0F};
-    V3f eye;                              // The origin of the camera ray.
-    LitPoint from{V3f(0.0F), V3f(0.0F)};  // Where the light was scattered last.
-    // The density with which the ray's direction was chosen there. 0 if no other method of
-    // sampling finds it: the camera ray, or a mirror reflection.
-    float pdf = 0.0F;
-    Color3f absorption{0.0F};  // Of what the ray passes, per scene unit.
-    Sampler sampler;
-    std::uint32_t index = 0;   // Of its result.
-    std::uint32_t packet = 0;  // Of its camera ray.
-    Bounces bounces{};
-    std::uint8_t crossings = 0;
-    bool is_last = false;  // The ray only collects the light that is emitted where it ends.
-};
-
-// Light that reaches the camera if nothing is in its way.
-struct ShadowedLight {
-    embree::Ray ray;
-    Color3f light;
-    std::uint32_t index = 0;  // Of the path's result.
-    std::uint32_t packet = 0;
-    bool direct = false;
-};
-
-// A point where the light of a path is scattered.
-struct Scattering {
-    const Interaction& surface;
-    const LitPoint& point;
-    const Bsdf& bsdf;
-    Bsdf::View view;
-};
-
 class PathTracer final : public Integrator {
 public:
     PathTracer(const TracedScene& traced, const Settings& settings)
         : tracer_(traced),
           settings_(&settings),
+          weights_{settings.lamp_sampling},
           footprint_scale_(1.0F / std::sqrt(static_cast<float>(settings.samples))),
-          textured_(traced.materials.has_textures()) {}
+          textured_(traced.materials.has_textures()),
+          shares_(SharedTails::can_share(traced, settings)) {}
 
     void trace(std::span<const CameraRay> rays, std::span<Seen> seen) override {
         start(rays, seen);
@@ -101,9 +55,16 @@ public:
             add_shadowed_light(seen);
             trace_next();
         }
+        if (shares_) {
+            tails_.add_light(tracer_, settings_->clamp_indirect, seen);
+        }
     }
 
 private:
+    static constexpr std::size_t block_size = SampleBlock::size;
+    static_assert(block_size == BsdfBlock::size);
+    using LaneBits = BsdfBlock::LaneBits;
+
     void start(std::span<const CameraRay> rays, std::span<Seen> seen);
     void trace_next();
     void advance_all(std::span<Seen> seen);
@@ -111,33 +72,45 @@ private:
     void find_surfaces(std::size_t first);
     void add_shadowed_light(std::span<Seen> seen);
 
-    [[nodiscard]] bool advance(Path& path, std::size_t place, Seen& seen);
-    void add_distant_light(const Path& path, Seen& seen) const;
-    void add_emission(const Path& path, const Interaction& at, Seen& seen) const;
-    void light(const Path& path, const Scattering& at, const V3f& random, bool alone);
-    [[nodiscard]] bool scatter(Path& path, const Scattering& at, float choice,
-                               SampleReader& numbers) const;
+    // What becomes of a path where its ray ends.
+    enum class Encounter : std::uint8_t { ends, passes, scatters };
+    [[nodiscard]] Encounter meet(Path& path, std::size_t place, Seen& seen);
+    void add_distant_light(const Path& path, Seen& seen);
+    void add_emission(const Path& path, const Interaction& at, Seen& seen);
+    [[nodiscard]] LaneBits scatter_all(std::size_t first, LaneBits scattering);
+    [[nodiscard]] bool choose_light(std::size_t place);
+    void add_lamp(const Path& path, std::size_t place, bool alone);
+    [[nodiscard]] bool scatter(Path& path, std::size_t place);
     [[nodiscard]] RayDifferentials differentials_after(const Path& path, const Interaction& at,
                                                        const BsdfSample& sample) const;
-    void count_bounce(Path& path, BsdfLobe lobe) const;
-    [[nodiscard]] static bool survives(Path& path, SampleReader& numbers);
-    [[nodiscard]] float lamp_weight(float pdf_of_lamp, float pdf_of_surface) const;
-    [[nodiscard]] float scattered_weight(float pdf_of_surface, float pdf_of_lamp) const;
+    void end_head(Path& path, std::size_t place);
+    void begin_tail(Path& path, std::size_t place);
+    void go_on_from_tail(Path& path, const BsdfSample& sample);
+    void receive(const Path& path, Seen& seen, const Color3f& light);
     void add(Seen& seen, const Color3f& light, std::size_t bounces) const;
 
     SceneTracer tracer_;
     const Settings* settings_;
+    LampWeights weights_;
     float footprint_scale_;
     bool textured_;
+    bool shares_;
     // Of one batch; kept for their memory.
     std::vector<Path> paths_;
     std::vector<std::uint32_t> active_;  // Indices of the paths that go on.
-    std::vector<ShadowedLight> shadowed_;
-    SampleBlock numbers_;
-    std::array<std::optional<Interaction>, SampleBlock::size> surfaces_;
+    ShadowRays shadowed_;
     std::vector<RayOrder::Key> keys_;
     std::vector<std::uint32_t> unordered_;
     RayOrder order_;
+    SharedTails tails_;
+    // Of one block of paths.
+    SampleBlock numbers_;
+    std::array<std::optional<SampleReader>, block_size> readers_;
+    std::array<std::optional<Interaction>, block_size> surfaces_;
+    std::array<LitPoint, block_size> points_;
+    std::array<float, block_size> choices_{};  // They select lobes.
+    std::array<std::optional<LightSample>, block_size> lamps_;
+    BsdfBlock bsdfs_;
 };
 
 void PathTracer::start(std::span<const CameraRay> rays, std::span<Seen> seen) {
@@ -152,7 +125,11 @@ void PathTracer::start(std::span<const CameraRay> rays, std::span<Seen> seen) {
                           .eye = one.ray.origin,
                           .sampler = one.sampler,
                           .index = index,
-                          .packet = one.packet});
+                          .packet = one.packet,
+                          .part = shares_ ? Part::head : Part::whole});
+    }
+    if (shares_) {
+        tails_.begin(rays);
     }
 }
 
@@ -182,21 +159,62 @@ void PathTracer::trace_next() {
 }
 
 // Removes the paths that end. Block by block: the numbers of all paths of a block, then their
-// surfaces, then the rest, since the processor computes the same of several paths at once.
+// surfaces, then what these reflect, since the processor computes the same of several paths at
+// once.
 void PathTracer::advance_all(std::span<Seen> seen) {
     std::size_t kept = 0;
-    for (std::size_t k = 0; k < active_.size(); ++k) {
-        const std::size_t place = k % SampleBlock::size;
-        if (place == 0) {
-            draw_numbers(k);
-            find_surfaces(k);
+    for (std::size_t first = 0; first < active_.size(); first += block_size) {
+        draw_numbers(first);
+        find_surfaces(first);
+        bsdfs_.clear();
+        LaneBits scattering = 0;
+        LaneBits going_on = 0;
+        const std::size_t count = std::min(block_size, active_.size() - first);
+        for (std::size_t place = 0; place < count; ++place) {
+            Path& path = paths_[active_[first + place]];
+            switch (meet(path, place, seen[path.index])) {
+                case Encounter::ends: break;
+                case Encounter::passes: going_on |= bit(place); break;
+                case Encounter::scatters: scattering |= bit(place); break;
+            }
         }
-        Path& path = paths_[active_[k]];
-        if (advance(path, place, seen[path.index])) {
-            active_[kept++] = active_[k];
-        }
+        going_on |= scatter_all(first, scattering);
+        for_each_lane(going_on,
+                      [&](std::size_t place) { active_[kept++] = active_[first + place]; });
     }
     active_.resize(kept);
+}
+
+// Lights the paths of a block that are scattered, and finds their next rays. Returns those that go
+// on.
+PathTracer::LaneBits PathTracer::scatter_all(std::size_t first, LaneBits scattering) {
+    const auto path_at = [&](std::size_t place) -> Path& { return paths_[active_[first + place]]; };
+    bsdfs_.set_views();
+    LaneBits lit = 0;
+    LaneBits alone = 0;  // No other method than sampling lamps finds their light.
+    for_each_lane(scattering, [&](std::size_t place) {
+        const Path& path = path_at(place);
+        const bool ends = path.bounces.all >= settings_->bounces.all &&
+                          bsdfs_.material(place).is_rough() &&
+                          settings_->lamp_sampling != LampSampling::surfaces;
+        alone |= ends ? bit(place) : 0;
+        lit |= choose_light(place) ? bit(place) : 0;
+    });
+    bsdfs_.evaluate(lit);
+    for_each_lane(lit, [&](std::size_t place) {
+        add_lamp(path_at(place), place, (alone & bit(place)) != 0);
+    });
+    const LaneBits going_on = scattering & ~alone;
+    for_each_lane(going_on, [&](std::size_t place) {
+        const Imath::V2f at_lobe = readers_[place]->next_pair();
+        bsdfs_.set_numbers(place, {choices_[place], at_lobe.x, at_lobe.y});
+    });
+    bsdfs_.sample(going_on);
+    LaneBits scattered = 0;
+    for_each_lane(going_on, [&](std::size_t place) {
+        scattered |= scatter(path_at(place), place) ? bit(place) : 0;
+    });
+    return scattered;
 }
 
 // Of a block of active paths.
@@ -207,6 +225,9 @@ void PathTracer::draw_numbers(std::size_t first) {
         samplers[i] = &paths_[active_[first + i]].sampler;
     }
     numbers_.fill(std::span(samplers).first(count));
+    for (std::size_t i = 0; i < count; ++i) {
+        readers_[i].emplace(numbers_, i, paths_[active_[first + i]].sampler);
+    }
 }
 
 // Memory is requested so many paths early that it has usually arrived.
@@ -230,32 +251,14 @@ void PathTracer::find_surfaces(std::size_t first) {
 }
 
 void PathTracer::add_shadowed_light(std::span<Seen> seen) {
-    const auto receive = [&](const ShadowedLight& one, float transmittance) {
-        if (transmittance > 0.0F) {
-            add(seen[one.index], transmittance * one.light, one.direct ? 1 : 2);
+    shadowed_.trace(tracer_, [&](const ShadowedLight& one, float transmittance) {
+        const Color3f light = transmittance * one.light;
+        switch (one.part) {
+            case Part::tail: tails_.tail(one.index).lamp.radiance += light; break;
+            case Part::onward: tails_.tail(one.index).onward.radiance += light; break;
+            default: add(seen[one.index], light, one.direct ? 1 : 2);
         }
-    };
-    constexpr std::size_t packet_size = embree::Accelerator::packet_size;
-    std::array<embree::Ray, packet_size> rays;
-    std::array<float, packet_size> transmittances{};
-    for (std::size_t begin = 0; begin < shadowed_.size();) {
-        std::size_t end = begin;
-        while (end < shadowed_.size() && shadowed_[end].direct &&
-               shadowed_[end].packet == shadowed_[begin].packet && end - begin < packet_size) {
-            rays[end - begin] = shadowed_[end].ray;
-            ++end;
-        }
-        if (end == begin) {
-            prefetch(seen[shadowed_[begin].index].radiance);
-            receive(shadowed_[begin], tracer_.transmittance(shadowed_[begin].ray));
-            ++begin;
-            continue;
-        }
-        tracer_.transmittance(std::span(rays).first(end - begin), transmittances);
-        for (std::size_t lane = 0; begin < end; ++begin, ++lane) {
-            receive(shadowed_[begin], transmittances[lane]);
-        }
-    }
+    });
 }
 
 void PathTracer::add(Seen& seen, const Color3f& light, std::size_t bounces) const {
@@ -271,15 +274,13 @@ void PathTracer::add(Seen& seen, const Color3f& light, std::size_t bounces) cons
     }
 }
 
-// Adds what the path meets at the end of its ray, and finds the next ray. False where the path
-// ends.
-bool PathTracer::advance(Path& path, std::size_t place, Seen& seen) {
+// Adds what the path meets at the end of its ray.
+PathTracer::Encounter PathTracer::meet(Path& path, std::size_t place, Seen& seen) {
     if (!path.hit.any()) {
         add_distant_light(path, seen);
-        return false;
+        return Encounter::ends;
     }
     const Interaction& at = *surfaces_[place];
-    SampleReader numbers(numbers_, place, path.sampler);
     if (!is_black(path.absorption)) {
         const float length = (at.surface.position - path.ray.origin).length();
         path.throughput *=
@@ -292,37 +293,34 @@ bool PathTracer::advance(Path& path, std::size_t place, Seen& seen) {
         seen.visible = tracer_.visible(at);
     }
     if (appearance.opacity < 1.0F && path.crossings < max_crossings &&
-        numbers.next() >= appearance.opacity) {
+        readers_[place]->next() >= appearance.opacity) {
         path.ray.origin = at.surface.start(path.ray.direction);
         path.ray.differentials.origin_x = at.moved.along_x;
         path.ray.differentials.origin_y = at.moved.along_y;
         ++path.crossings;
-        return true;
+        return Encounter::passes;
     }
     if (seen_directly) {
         seen.radiance.a = 1.0F;
     }
     add_emission(path, at, seen);
     if (path.is_last || appearance.unlit) {
-        return false;
+        return Encounter::ends;
     }
     const V3f to_viewer = -path.ray.direction;
-    const Bsdf bsdf = at.bsdf();
-    const LitPoint point{at.surface.position,
-                         tracer_.lights().are_at_eye() && !seen_directly
-                             ? (path.eye - at.surface.position).normalized()
-                             : to_viewer,
-                         bsdf.lit_side(), path.ray.time};
-    const Imath::V2f choices = numbers.next_pair();
-    const Imath::V2f at_light = numbers.next_pair();
-    const bool ends = path.bounces.all >= settings_->bounces.all && bsdf.material().is_rough() &&
-                      settings_->lamp_sampling != LampSampling::surfaces;
-    const Scattering here{at, point, bsdf, bsdf.view_from(to_viewer)};
-    light(path, here, {choices.x, at_light.x, at_light.y}, ends);
-    return !ends && scatter(path, here, choices.y, numbers);
+    bsdfs_.add(place, at, to_viewer);
+    points_[place] = {at.surface.position,
+                      tracer_.lights().are_at_eye() && !seen_directly
+                          ? (path.eye - at.surface.position).normalized()
+                          : to_viewer,
+                      bsdfs_.lit_side(place), path.ray.time};
+    if (path.part == Part::between) {
+        begin_tail(path, place);
+    }
+    return Encounter::scatters;
 }
 
-void PathTracer::add_distant_light(const Path& path, Seen& seen) const {
+void PathTracer::add_distant_light(const Path& path, Seen& seen) {
     const LightSet& lights = tracer_.lights();
     if (!lights.has_distant()) {
         return;
@@ -335,109 +333,164 @@ void PathTracer::add_distant_light(const Path& path, Seen& seen) const {
     const Color3f arriving = lights.radiance_from(path.ray.direction);
     const float weight =
         path.pdf > 0.0F
-            ? scattered_weight(path.pdf, lights.pdf_of_distant(path.from, path.ray.direction))
+            ? weights_.of_scattered(path.pdf, lights.pdf_of_distant(path.from, path.ray.direction))
             : 1.0F;
-    add(seen, weight * path.throughput * arriving, path.bounces.all);
+    receive(path, seen, weight * path.throughput * arriving);
     if (seen_directly) {
         seen.radiance.a = 1.0F;
     }
 }
 
-void PathTracer::add_emission(const Path& path, const Interaction& at, Seen& seen) const {
+void PathTracer::add_emission(const Path& path, const Interaction& at, Seen& seen) {
     const Appearance& appearance = at.appearance();
     const Color3f& emitted = appearance.unlit ? appearance.base_color : appearance.emission;
     if (is_black(emitted)) {
         return;
     }
     const float distance = (at.surface.position - path.from.position).length();
-    const float weight =
-        path.pdf > 0.0F && !appearance.unlit
-            ? scattered_weight(path.pdf, tracer_.lights().pdf_of_emitter(
-                                             path.from, path.ray.direction, distance, path.hit))
-            : 1.0F;
-    add(seen, weight * path.throughput * emitted, path.bounces.all);
+    const float weight = path.pdf > 0.0F && !appearance.unlit
+                             ? weights_.of_scattered(
+                                   path.pdf, tracer_.lights().pdf_of_emitter(
+                                                 path.from, path.ray.direction, distance, path.hit))
+                             : 1.0F;
+    receive(path, seen, weight * path.throughput * emitted);
 }
 
-// The weight of a direction to a lamp.
-float PathTracer::lamp_weight(float pdf_of_lamp, float pdf_of_surface) const {
-    switch (settings_->lamp_sampling) {
-        case LampSampling::both: return power_heuristic(pdf_of_lamp, pdf_of_surface);
-        case LampSampling::lamps: return 1.0F;
-        case LampSampling::surfaces: return 0.0F;
-    }
-    return 0.0F;
-}
-
-// The weight of a direction that a surface has scattered light to, and in which a lamp was found.
-float PathTracer::scattered_weight(float pdf_of_surface, float pdf_of_lamp) const {
-    switch (settings_->lamp_sampling) {
-        case LampSampling::both: return power_heuristic(pdf_of_surface, pdf_of_lamp);
-        case LampSampling::lamps: return pdf_of_lamp > 0.0F ? 0.0F : 1.0F;
-        case LampSampling::surfaces: return 1.0F;
-    }
-    return 0.0F;
-}
-
-// Chooses a light and adds what arrives from it, if nothing is in its way. `alone` says that no
-// other method samples light at this surface.
-void PathTracer::light(const Path& path, const Scattering& at, const V3f& random, bool alone) {
-    const std::optional<LightSample> sample = tracer_.lights().sample(at.point, random);
+// Chooses a light. False if none arrives.
+bool PathTracer::choose_light(std::size_t place) {
+    const Imath::V2f choices = readers_[place]->next_pair();
+    const Imath::V2f at_light = readers_[place]->next_pair();
+    choices_[place] = choices.y;
+    std::optional<LightSample>& sample = lamps_[place];
+    sample = tracer_.lights().sample(points_[place], {choices.x, at_light.x, at_light.y});
     if (!sample || !(sample->pdf > 0.0F)) {
-        return;
+        return false;
     }
-    const Bsdf::Value value = at.bsdf.evaluate(at.view, sample->to_light);
+    bsdfs_.set_light(place, sample->to_light);
+    return true;
+}
+
+// Adds what arrives from the chosen light, if nothing is in its way. `alone` says that no other
+// method samples light at this surface.
+void PathTracer::add_lamp(const Path& path, std::size_t place, bool alone) {
+    const Bsdf::Value value = bsdfs_.value(place);
     if (is_black(value.reflected)) {
         return;
     }
+    const std::optional<LightSample>& sample = lamps_[place];
     Color3f arriving = sample->radiance;
     if (sample->emitter.any()) {
         arriving *= tracer_.emission(sample->emitter);
     }
-    const float weight = sample->delta || alone ? 1.0F : lamp_weight(sample->pdf, value.pdf);
-    const Color3f unshadowed = weight / sample->pdf * path.throughput * value.reflected * arriving;
+    const float weight = sample->delta || alone ? 1.0F : weights_.of_lamp(sample->pdf, value.pdf);
+    Color3f unshadowed = weight / sample->pdf * path.throughput * arriving;
+    if (path.part == Part::tail) {
+        tails_.tail(path.index).lamp = {sample->to_light, black, value.reflected};
+    } else {
+        unshadowed *= value.reflected;
+    }
     if (is_black(unshadowed)) {
         return;
     }
     const bool is_direct = path.bounces.all == 0;
-    const Surface& surface = at.surface.surface;
+    const Surface& surface = surfaces_[place]->surface;
     float distance = sample->distance;
     if (distance <= 0.0F) {
         distance = (path.eye - surface.position).length();
     } else if (!sample->delta) {
         distance *= before_emitter;
     }
-    shadowed_.push_back(
-        {SceneTracer::shadow_ray(surface, sample->to_light, distance, path.ray.time), unshadowed,
-         path.index, path.packet, is_direct});
+    shadowed_.add({SceneTracer::shadow_ray(surface, sample->to_light, distance, path.ray.time),
+                   unshadowed, path.index, path.packet, is_direct, path.part});
 }
 
-// Chooses the next ray, by a number that selects the lobe. False where the path ends.
-bool PathTracer::scatter(Path& path, const Scattering& at, float choice,
-                         SampleReader& numbers) const {
-    const Imath::V2f at_lobe = numbers.next_pair();
-    const std::optional<BsdfSample> sample =
-        at.bsdf.sample(at.view, {choice, at_lobe.x, at_lobe.y});
+// Finds the next ray. False where the path ends.
+bool PathTracer::scatter(Path& path, std::size_t place) {
+    if (path.part == Part::head && SharedTails::can_end_head(bsdfs_.material(place))) {
+        end_head(path, place);
+    }
+    const std::optional<BsdfSample> sample = bsdfs_.sampled(place);
     if (!sample) {
         return false;
     }
-    path.throughput *= sample->weight;
-    count_bounce(path, sample->lobe);
-    if (!survives(path, numbers)) {
+    if (sample->delta && path.part == Part::between) {
+        path.part = Part::whole;
+    }
+    if (path.part == Part::tail) {
+        go_on_from_tail(path, *sample);
+    } else {
+        path.throughput *= sample->weight;
+    }
+    count_bounce(path, sample->lobe, settings_->bounces);
+    if (!survives(path, *readers_[place])) {
         return false;
     }
+    const Interaction& at = *surfaces_[place];
     if (textured_) {
-        path.ray.differentials = differentials_after(path, at.surface, *sample);
+        path.ray.differentials = differentials_after(path, at, *sample);
     }
-    const Surface& surface = at.surface.surface;
-    path.from = at.point;
+    path.from = points_[place];
     path.pdf = sample->delta ? 0.0F : sample->pdf;
     path.ray.origin =
-        sample->transmitted ? surface.start(sample->to_light) : surface.start_to_light();
+        sample->transmitted ? at.surface.start(sample->to_light) : at.surface.start_to_light();
     path.ray.direction = sample->to_light;
-    if (sample->transmitted && !at.surface.appearance().thin_walled) {
-        path.absorption = surface.entering ? at.surface.appearance().absorption : black;
+    if (sample->transmitted && !at.appearance().thin_walled) {
+        path.absorption = at.surface.entering ? at.appearance().absorption : black;
     }
     return true;
+}
+
+// A head receives the light of tails whether its own ray finds one or not. No tail is shared where
+// light is absorbed on its way, or where a limit is reached.
+void PathTracer::end_head(Path& path, std::size_t place) {
+    const Bounces& bounces = path.bounces;
+    const BounceLimits& limits = settings_->bounces;
+    path.part = Part::whole;
+    if (!is_black(path.absorption) || bounces.all >= limits.all ||
+        bounces.diffuse >= limits.diffuse || bounces.glossy >= limits.glossy) {
+        return;
+    }
+    const Surface& surface = surfaces_[place]->surface;
+    tails_.set_head(path.index,
+                    {.surface = {bsdfs_.material(place), surface.normal, surface.smooth_normal},
+                     .to_viewer = -path.ray.direction,
+                     .start = surface.start_to_light(),
+                     .throughput = path.throughput,
+                     .time = path.ray.time,
+                     .bounces = bounces});
+    path.part = Part::between;
+}
+
+void PathTracer::begin_tail(Path& path, std::size_t place) {
+    const Surface& surface = surfaces_[place]->surface;
+    path.part = Part::whole;
+    if (SharedTails::can_begin_tail(bsdfs_.material(place), surface, -path.ray.direction)) {
+        tails_.set_tail(path.index, bsdfs_.material(place), surface, path.throughput);
+        path.before_tail = std::exchange(path.throughput, Color3f(1.0F));
+        path.part = Part::tail;
+    }
+}
+
+// A mirror reflection is the path's own.
+void PathTracer::go_on_from_tail(Path& path, const BsdfSample& sample) {
+    if (sample.delta) {
+        path.throughput = std::exchange(path.before_tail, Color3f(1.0F)) * sample.weight;
+        path.part = Part::whole;
+        return;
+    }
+    const Color3f reflected = sample.pdf * sample.weight;
+    tails_.tail(path.index).onward = {sample.to_light, black, reflected};
+    path.before_tail *= reflected;
+    path.throughput = Color3f(1.0F / sample.pdf);
+    path.part = Part::onward;
+}
+
+void PathTracer::receive(const Path& path, Seen& seen, const Color3f& light) {
+    if (path.part == Part::onward) {
+        tails_.tail(path.index).onward.radiance += light;
+    } else {
+        add(seen, light, path.bounces.all);
+    }
 }
 
 RayDifferentials PathTracer::differentials_after(const Path& path, const Interaction& at,
@@ -448,36 +501,6 @@ RayDifferentials PathTracer::differentials_after(const Path& path, const Interac
     return sample.transmitted
                ? after_refraction(path.ray, at.moved, sample.facet_normal, sample.eta)
                : after_mirror(path.ray, at.moved, sample.facet_normal);
-}
-
-// After the largest number of bounces a ray still collects the light of lamps that it meets, for
-// which sampling the lamps has left a part.
-void PathTracer::count_bounce(Path& path, BsdfLobe lobe) const {
-    const BounceLimits& limits = settings_->bounces;
-    const auto count = [&path](std::uint8_t& bounces, std::size_t limit) {
-        path.is_last = path.is_last || ++bounces > limit;
-    };
-    count(path.bounces.all, limits.all);
-    switch (lobe) {
-        case BsdfLobe::diffuse: count(path.bounces.diffuse, limits.diffuse); break;
-        case BsdfLobe::glossy: count(path.bounces.glossy, limits.glossy); break;
-        case BsdfLobe::transmission: count(path.bounces.transmission, limits.transmission); break;
-    }
-}
-
-// Russian roulette: a path that carries little light ends, or carries more. By the root of the
-// light and not by the light itself: the time that is saved by ending more paths is worth less than
-// the noise that it adds.
-bool PathTracer::survives(Path& path, SampleReader& numbers) {
-    const float probability = std::sqrt(largest(path.throughput));
-    if (!(probability < 1.0F)) {
-        return true;
-    }
-    if (!(numbers.next() < probability)) {
-        return false;
-    }
-    path.throughput /= probability;
-    return true;
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <bit>
 #include <cmath>
 
+#include "render/sampling/pixel_groups.hpp"
+
 namespace balcony::render {
 
 namespace {
@@ -77,6 +79,7 @@ void TileTracer::trace(const TilePoints& points, const TileRays& rays, const Mas
     requested_.clear();
     constexpr std::size_t side = embree::Accelerator::packet_side;
     std::uint32_t packet = 0;
+    const PixelGroups groups(region, points.pass);
     for (std::size_t top = 0; top < region.height; top += side) {
         for (std::size_t left = 0; left < region.width; left += side, ++packet) {
             for (std::size_t y = top; y < std::min(top + side, region.height); ++y) {
@@ -88,7 +91,8 @@ void TileTracer::trace(const TilePoints& points, const TileRays& rays, const Mas
                             (void)sampler.next_pair();
                         }
                         indices_.push_back(i);
-                        requested_.push_back({camera_ray(rays, i), hits_[i], sampler, packet});
+                        requested_.push_back({camera_ray(rays, i), hits_[i], sampler, packet,
+                                              groups.of(region.x + x, region.y + y)});
                     }
                 }
             }

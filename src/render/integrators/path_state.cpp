@@ -1,0 +1,37 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "render/integrators/path_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace balcony::render {
+
+void count_bounce(Path& path, BsdfLobe lobe, const BounceLimits& limits) {
+    const auto count = [&path](std::uint8_t& bounces, std::size_t limit) {
+        path.is_last = path.is_last || ++bounces > limit;
+    };
+    count(path.bounces.all, limits.all);
+    switch (lobe) {
+        case BsdfLobe::diffuse: count(path.bounces.diffuse, limits.diffuse); break;
+        case BsdfLobe::glossy: count(path.bounces.glossy, limits.glossy); break;
+        case BsdfLobe::transmission: count(path.bounces.transmission, limits.transmission); break;
+    }
+}
+
+float survival(const Color3f& throughput) { return std::min(1.0F, std::sqrt(largest(throughput))); }
+
+bool survives(Path& path, SampleReader& numbers) {
+    const float probability = survival(path.before_tail * path.throughput);
+    if (!(probability < 1.0F)) {
+        return true;
+    }
+    if (!(numbers.next() < probability)) {
+        return false;
+    }
+    path.throughput /= probability;
+    return true;
+}
+
+}  // namespace balcony::render

@@ -1,0 +1,71 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The data of the paths that a path tracer works at.
+
+#include <cstdint>
+
+#include "balcony/render.hpp"
+#include "render/embree/accelerator.hpp"
+#include "render/sampling/sample_block.hpp"
+#include "render/shading/bsdf.hpp"
+#include "render/shading/lights.hpp"
+#include "render/shading/surface.hpp"
+
+namespace balcony::render {
+
+/// How often the light of a path has been scattered by now.
+struct Bounces {
+    std::uint8_t all = 0;
+    std::uint8_t diffuse = 0;
+    std::uint8_t glossy = 0;
+    std::uint8_t transmission = 0;
+
+    bool operator==(const Bounces&) const = default;
+};
+
+/// Where a path has come to: shared_tails.hpp explains heads and tails.
+enum class Part : std::uint8_t {
+    head,     ///< On its way to the surface where its head ends.
+    between,  ///< On its way from there to the surface where its tail begins.
+    tail,     ///< At that surface.
+    onward,   ///< Behind it.
+    whole,    ///< Nowhere in particular: it shares no tail.
+};
+
+/// A path in progress, from the camera.
+struct Path {
+    Ray ray;          ///< The one to trace next.
+    embree::Hit hit;  ///< Where it ends.
+    Color3f throughput{1.0F};
+    V3f eye;                              ///< The origin of the camera ray.
+    LitPoint from{V3f(0.0F), V3f(0.0F)};  ///< Where the light was scattered last.
+    /// The density with which the ray's direction was chosen there. 0 if no other method of
+    /// sampling finds it: the camera ray, or a mirror reflection.
+    float pdf = 0.0F;
+    Color3f absorption{0.0F};  ///< Of what the ray passes, per scene unit.
+    Sampler sampler;
+    std::uint32_t index = 0;   ///< Of its result.
+    std::uint32_t packet = 0;  ///< Of its camera ray.
+    Bounces bounces{};
+    std::uint8_t crossings = 0;
+    bool is_last = false;  ///< The ray only collects the light that is emitted where it ends.
+    Part part = Part::whole;
+    /// From the tail on, the throughput up to there, and `throughput` counts from there.
+    Color3f before_tail{1.0F};
+};
+
+/// Counts a scattering. After the largest number of bounces a ray still collects the light of lamps
+/// that it meets, for which sampling the lamps has left a part.
+void count_bounce(Path& path, BsdfLobe lobe, const BounceLimits& limits);
+
+/// The probability with which Russian roulette lets a path with this throughput go on. The root of
+/// the light and not the light itself: the time that is saved by ending more paths is worth less
+/// than the noise that it adds.
+[[nodiscard]] float survival(const Color3f& throughput);
+
+/// Russian roulette: a path that carries little light ends, or carries more.
+[[nodiscard]] bool survives(Path& path, SampleReader& numbers);
+
+}  // namespace balcony::render
