@@ -262,6 +262,8 @@ public:
 
     /// What lights the picture, as Summary::light.
     [[nodiscard]] const std::string& light() const;
+    /// What lights it in place of the scene's own lights or beside suns, as Summary::substitute.
+    [[nodiscard]] std::optional<SubstituteLight> substitute() const;
 
     /// Runs until each tile of the film has all passes of the settings. A tile that is behind the
     /// others catches up first. When a stop is requested, tiles in progress are completed and the

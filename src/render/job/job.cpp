@@ -367,6 +367,8 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
 
 const std::string& Job::light() const { return state_->parts.light; }
 
+std::optional<SubstituteLight> Job::substitute() const { return state_->parts.substitute; }
+
 Result<Summary> Job::run(const ProgressCallback& progress, std::stop_token stop) {
     const std::vector<std::uint32_t> passes(
         state_->film->tile_count(), static_cast<std::uint32_t>(state_->parts.settings.samples));
