@@ -88,11 +88,11 @@ constexpr std::string_view unknown_light = "unknown";
 // What lights a scene in the picture of its default camera; empty if only the scene itself does,
 // and unknown if there is no such picture.
 std::string default_light(const std::shared_ptr<const scene::Scene>& scene) {
-    const auto picture = default_picture(*scene);
-    const auto renderer = render::Renderer::make(scene);
+    const auto renderer = render::Renderer::make(scene, {.textures_on_demand = true});
+    const auto picture = renderer ? default_picture(*scene, *renderer) : Result<camera::Picture>();
     auto film = render::make_film({.width = 64, .height = 36});
     const auto job =
-        picture && renderer && film
+        picture && film
             ? render::Job::make(
                   *renderer, *picture,
                   {.samples = 1, .integrator = "path", .light = {.sky_beside_suns = true}}, *film)

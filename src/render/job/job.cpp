@@ -323,7 +323,9 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
         }
         Settings complete = settings;
         PictureRays picture_rays(*compiled, traced.interval, *focus);
-        read_visible_textures(traced, picture_rays, film, settings.time);
+        if (!renderer.state_->textures_on_demand) {
+            read_visible_textures(traced, picture_rays, film, settings.time);
+        }
         std::string light;
         std::optional<SubstituteLight> substitute;
         if (traces_environment(settings.integrator)) {
