@@ -71,8 +71,9 @@ void print_inverse() {
     fmt::print("{:<20}{:>12}{:>10}{:>14}\n", "camera", "points", "patches", "to make, ms");
     for (const std::string& name : lang::built_in_cameras()) {
         const auto camera = lang::make_camera(name, "");
-        if (!camera) {
-            throw std::runtime_error(to_text(camera.diagnostics));
+        // Not pictures of several cameras, and not maps, at whose outline points can be missed.
+        if (!camera || lang::family_of(name) == "maps") {
+            continue;
         }
         const double width = std::round(picture_side * camera->parts().aspect);
         const std::vector<V3d> points = points_seen(*camera, width, picture_side);
