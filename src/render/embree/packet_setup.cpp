@@ -37,7 +37,8 @@ void prepare(Packet& packet, float reach) {
         traceable = lanes::And(
             traceable, lanes::RebindMask(tag, lanes::Ne(lanes::Load(integers, &packet.valid[lane]),
                                                         lanes::Zero(integers))));
-        for (const Packet::Floats* origin : {&packet.origin_x, &packet.origin_y, &packet.origin_z}) {
+        for (const Packet::Floats* origin :
+             {&packet.origin_x, &packet.origin_y, &packet.origin_z}) {
             traceable =
                 lanes::And(traceable, lanes::Le(lanes::Abs(load(*origin)), farthest_origin));
         }

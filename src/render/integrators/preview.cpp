@@ -41,8 +41,12 @@ private:
         if (!material) {
             return {};
         }
-        return {true, material->constant->base_color, material->constant->emission,
-                material->texture, *mesh};
+        return {true,
+                !mesh->mesh->normals.empty(),
+                material->constant->base_color,
+                material->constant->emission,
+                material->texture,
+                *mesh};
     }
 
     void trace_light(std::span<const Packet> packets, DifferentialSource& differentials,

@@ -4,7 +4,6 @@
 #include "render/job/tile_tracer.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <optional>
 
@@ -45,21 +44,23 @@ private:
     std::optional<std::size_t> packet_;  // Whose differentials they are.
 };
 
+// The part of two regions that they share.
+Region both(const Region& a, const Region& b) {
+    const std::size_t x = std::max(a.x, b.x);
+    const std::size_t y = std::max(a.y, b.y);
+    const std::size_t right = std::min(a.x + a.width, b.x + b.width);
+    const std::size_t bottom = std::min(a.y + a.height, b.y + b.height);
+    return {x, y, std::max(right, x) - x, std::max(bottom, y) - y};
+}
+
 // The lanes of a square at a place whose points are in a region.
 surface_lanes::LaneBits lanes_within(const Region& region, std::size_t x, std::size_t y) {
     constexpr std::size_t side = embree::Packet::side;
-    if (region.contains(x, y) && region.contains(x + side - 1, y + side - 1)) {
-        return (1U << embree::Packet::size) - 1U;
-    }
     surface_lanes::LaneBits bits = 0;
     for (std::size_t lane = 0; lane < embree::Packet::size; ++lane) {
         bits |= region.contains(x + lane % side, y + lane / side) ? 1U << lane : 0U;
     }
     return bits;
-}
-
-std::uint64_t count(surface_lanes::LaneBits bits) {
-    return static_cast<std::uint64_t>(std::popcount(bits));
 }
 
 }  // namespace
@@ -115,7 +116,8 @@ void TileTracer::trace(const TilePoints& points, const TileRays& rays, const Mas
 RayCounts TileTracer::trace_light(const Region& region, const Region& counted, const TileRays& rays,
                                   std::span<Color4f> radiance) {
     constexpr std::size_t side = embree::Packet::side;
-    RayCounts counts;
+    const Region within = both(region, counted);
+    RayCounts counts{.camera_rays = within.size()};
     for (std::size_t top = 0; top < region.height; top += side) {
         for (std::size_t left = 0; left < region.width; left += packets_at_once * side) {
             const std::size_t number =
@@ -127,34 +129,40 @@ RayCounts TileTracer::trace_light(const Region& region, const Region& counted, c
             SquareDifferentials differentials(rays.all, footprint_scale_, first, differentials_);
             light_tracer_->trace_light(packets, differentials, std::span(radiances_).first(number));
             for (std::size_t k = 0; k < number; ++k) {
-                counts.add(write_square(region, counted, left + k * side, top, k, radiance));
+                const auto found = write_square(region, within, left + k * side, top, k, radiance);
+                counts.invalid_rays += found.missing;
+                counts.hits += found.shown;
             }
         }
     }
     return counts;
 }
 
-RayCounts TileTracer::write_square(const Region& region, const Region& counted, std::size_t left,
-                                   std::size_t top, std::size_t packet,
-                                   std::span<Color4f> radiance) {
+surface_lanes::LaneCounts TileTracer::write_square(const Region& region, const Region& counted,
+                                                   std::size_t left, std::size_t top,
+                                                   std::size_t packet,
+                                                   std::span<Color4f> radiance) {
     constexpr std::size_t side = embree::Packet::side;
+    const std::size_t x = region.x + left;
+    const std::size_t y = region.y + top;
+    const bool is_whole = counted.contains(x, y) && counted.contains(x + side - 1, y + side - 1);
+    const auto lanes = is_whole ? surface_lanes::all_lanes : lanes_within(counted, x, y);
+    const auto write = [&](std::size_t stride, Color4f* to) {
+        return surface_lanes::write(packets_[packet], radiances_[packet], lanes, stride, to,
+                                    repaired_);
+    };
+    Color4f* const to = &radiance[top * region.width + left];
     const std::size_t columns = std::min(region.width - left, side);
     const std::size_t rows = std::min(region.height - top, side);
-    Color4f* const to = &radiance[top * region.width + left];
-    surface_lanes::Written written;
     if (columns == side && rows == side) {
-        written = surface_lanes::write(packets_[packet], radiances_[packet], region.width, to);
-    } else {
-        std::array<Color4f, embree::Packet::size> colors;
-        written = surface_lanes::write(packets_[packet], radiances_[packet], side, colors.data());
-        for (std::size_t row = 0; row < rows; ++row) {
-            std::copy_n(&colors[row * side], columns, to + row * region.width);
-        }
+        return write(region.width, to);
     }
-    repaired_ += count(written.broken);
-    const auto lanes = lanes_within(region, region.x + left, region.y + top) &
-                       lanes_within(counted, region.x + left, region.y + top);
-    return {count(lanes), count(lanes & written.missing), count(lanes & written.shown)};
+    std::array<Color4f, embree::Packet::size> colors;
+    const auto found = write(side, colors.data());
+    for (std::size_t row = 0; row < rows; ++row) {
+        std::copy_n(&colors[row * side], columns, to + row * region.width);
+    }
+    return found;
 }
 
 }  // namespace balcony::render

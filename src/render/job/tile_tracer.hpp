@@ -68,9 +68,10 @@ public:
 
 private:
     void trace(const TilePoints& points, const TileRays& rays, const Mask& wanted);
-    // Those of one square.
-    RayCounts write_square(const Region& region, const Region& counted, std::size_t left,
-                           std::size_t top, std::size_t packet, std::span<Color4f> radiance);
+    // Writes a packet, which has a square of the region.
+    surface_lanes::LaneCounts write_square(const Region& region, const Region& counted,
+                                           std::size_t left, std::size_t top, std::size_t packet,
+                                           std::span<Color4f> radiance);
     [[nodiscard]] Ray camera_ray(const TileRays& rays, std::size_t i) const;
 
     const TracedScene* traced_;

@@ -392,10 +392,10 @@ HWY_INLINE void light_group(const Packet& packet, LaneBits bits, const Look& loo
         const Vector3 direction =
             load(packet.direction_x, packet.direction_y, packet.direction_z, lane);
         const Vector cosine =
-            look.mesh.mesh->normals.empty()
-                ? flat_cosine(normal, direction)
-                : smooth_cosine(normal, smooth_normal(packet, bits, look.mesh, mask, lane),
-                                direction);
+            look.is_smooth
+                ? smooth_cosine(normal, smooth_normal(packet, bits, look.mesh, mask, lane),
+                                direction)
+                : flat_cosine(normal, direction);
         if (look.texture != nullptr) {
             store(mask, cosine, lit.cosines, lane);
             store(mask, normal.x, lit.normals.x, lane);
@@ -445,10 +445,10 @@ void set_radiances(LaneBits bits, const Look& look, const Packet::Floats& cosine
     }
 }
 
-Written write(const Packet& packet, const Radiances& radiances, std::size_t stride,
-              Imath::Color4f* to) {
+LaneCounts write(const Packet& packet, const Radiances& radiances, LaneBits counted,
+                 std::size_t stride, Imath::Color4f* to, std::uint64_t& broken) {
     alignas(64) std::array<Imath::Color4f, Packet::size> colors;
-    Written written;
+    LaneCounts counts;
     for (std::size_t lane = 0; lane < Packet::size; lane += lanes::Lanes(tag)) {
         const Vector red = load(radiances.red, lane);
         const Vector green = load(radiances.green, lane);
@@ -459,12 +459,14 @@ Written write(const Packet& packet, const Radiances& radiances, std::size_t stri
         const auto shown = [&](Vector value) { return lanes::IfThenElseZero(finite, value); };
         lanes::StoreInterleaved4(shown(red), shown(green), shown(blue), shown(alpha), tag,
                                  &colors[lane].r);
-        written.broken |= bits_of(tag, lanes::Not(finite), lane);
-        written.shown |= bits_of(tag, lanes::Gt(shown(alpha), lanes::Zero(tag)), lane);
-        written.missing |= bits_of(
-            integers,
-            lanes::Eq(lanes::Load(integers, packet.valid.data() + lane), lanes::Zero(integers)),
-            lane);
+        broken += lanes::CountTrue(tag, lanes::Not(finite));
+        const Mask counts_here = mask_of(counted, lane);
+        const Mask visible = lanes::Gt(shown(alpha), lanes::Zero(tag));
+        counts.shown += lanes::CountTrue(tag, lanes::And(counts_here, visible));
+        const Mask exists = lanes::RebindMask(
+            tag,
+            lanes::Ne(lanes::Load(integers, packet.valid.data() + lane), lanes::Zero(integers)));
+        counts.missing += lanes::CountTrue(tag, lanes::AndNot(exists, counts_here));
     }
     const lanes::CappedTag<float, 4 * Packet::side> row_tag;
     for (std::size_t row = 0; row < Packet::side; ++row) {
@@ -473,7 +475,7 @@ Written write(const Packet& packet, const Radiances& radiances, std::size_t stri
                           &to[row * stride].r + k);
         }
     }
-    return written;
+    return counts;
 }
 
 }  // namespace balcony::render::surface_lanes::HWY_NAMESPACE
@@ -511,9 +513,9 @@ void set_radiances(LaneBits lanes, const Look& look, const embree::Packet::Float
     HWY_DYNAMIC_DISPATCH(set_radiances)(lanes, look, cosines, texture, radiances);
 }
 
-Written write(const embree::Packet& packet, const Radiances& radiances, std::size_t stride,
-              Imath::Color4f* to) {
-    return HWY_DYNAMIC_DISPATCH(write)(packet, radiances, stride, to);
+LaneCounts write(const embree::Packet& packet, const Radiances& radiances, LaneBits counted,
+                 std::size_t stride, Imath::Color4f* to, std::uint64_t& broken) {
+    return HWY_DYNAMIC_DISPATCH(write)(packet, radiances, counted, stride, to, broken);
 }
 
 }  // namespace balcony::render::surface_lanes

@@ -22,6 +22,7 @@ namespace balcony::render::surface_lanes {
 
 /// Lane i of a packet is bit i.
 using LaneBits = std::uint32_t;
+inline constexpr LaneBits all_lanes = (LaneBits{1} << embree::Packet::size) - 1;
 
 /// The rays of a packet that hit the same instance.
 struct Group {
@@ -62,7 +63,8 @@ void set_footprints(const embree::Packet& packet, LaneBits lanes, const PlacedMe
 
 /// How an instance looks that is lit from the origins of rays.
 struct Look {
-    bool is_plain = false;  ///< At rest, and with a plain material; otherwise the rest is unused.
+    bool is_plain = false;   ///< At rest, and with a plain material; otherwise the rest is unused.
+    bool is_smooth = false;  ///< The mesh has normals.
     Imath::Color3f base_color{0.0F};
     Imath::Color3f emission{0.0F};
     const scene::TextureUse* texture = nullptr;  ///< Of the base colour.
@@ -100,16 +102,15 @@ void light(const embree::Packet& packet, std::span<const Look> looks, Lit& lit,
 void set_radiances(LaneBits lanes, const Look& look, const embree::Packet::Floats& cosines,
                    const texture_lanes::Colors& texture, Radiances& radiances);
 
-/// What write() found, by lane.
-struct Written {
-    LaneBits missing = 0;  ///< There is no ray.
-    LaneBits shown = 0;    ///< Something is seen: alpha is above 0.
-    LaneBits broken = 0;   ///< The radiance was not finite.
+/// The numbers of some lanes of a packet.
+struct LaneCounts {
+    std::size_t missing = 0;  ///< There is no ray.
+    std::size_t shown = 0;    ///< Something is seen: alpha is above 0.
 };
 
 /// Writes the radiances of a packet as a square of colours whose rows are `stride` apart; black
-/// where one is not finite.
-Written write(const embree::Packet& packet, const Radiances& radiances, std::size_t stride,
-              Imath::Color4f* to);
+/// where one is not finite, which is counted in `broken`. Other counts are of these lanes.
+LaneCounts write(const embree::Packet& packet, const Radiances& radiances, LaneBits counted,
+                 std::size_t stride, Imath::Color4f* to, std::uint64_t& broken);
 
 }  // namespace balcony::render::surface_lanes
