@@ -84,7 +84,7 @@ private:
     std::vector<CameraRay> requested_;
     std::vector<Seen> seen_;
     // Packets side by side.
-    static constexpr std::size_t packets_at_once = 2;
+    static constexpr std::size_t packets_at_once = 4;
     std::array<embree::Packet, packets_at_once> packets_;
     std::array<surface_lanes::Radiances, packets_at_once> radiances_;
     packet_lanes::Differentials differentials_;
