@@ -51,9 +51,9 @@ std::vector<std::byte> bytes_of(const T& value) {
 
 TEST(SampleSums, TheFirstSamplesAreThoseAddedToZero) {
     constexpr float infinite = std::numeric_limits<float>::infinity();
-    const std::array<Color4f, 5> samples{
-        Color4f(-0.0F, 0.0F, 1.0F, 0.1F), Color4f(1e-42F, -3e38F, infinite, -infinite),
-        Color4f(0.3F), Color4f(-7.25F), Color4f(-0.0F)};
+    const std::array<Color4f, 5> samples{Color4f(-0.0F, 0.0F, 1.0F, 0.1F),
+                                         Color4f(1e-42F, -3e38F, infinite, -infinite),
+                                         Color4f(0.3F), Color4f(-7.25F), Color4f(-0.0F)};
     on_each_target([&] {
         for (std::size_t count = 0; count <= samples.size(); ++count) {
             std::vector<Color4d> first(count + 1, Color4d(5.0));
@@ -98,8 +98,7 @@ TEST(PacketLanes, RaysAreThoseOfEachPoint) {
                     const Packet& packet = packets[x / Packet::side];
                     const std::size_t lane = row * Packet::side + x % Packet::side;
                     const std::size_t i = (top + row) * width + x;
-                    const bool expected =
-                        x < width && top + row < height && traceable(batch, i);
+                    const bool expected = x < width && top + row < height && traceable(batch, i);
                     ASSERT_EQ(packet.valid[lane], expected ? -1 : 0) << x << ", " << top + row;
                     if (expected) {
                         ++found;
@@ -151,7 +150,9 @@ TEST(PacketSetup, WhatCannotBeTracedHasANegativeLength) {
 // A mesh of random triangles, with normals or without; one vertex has none.
 scene::Mesh random_mesh(std::mt19937& random, bool with_normals) {
     std::normal_distribution<float> component;
-    const auto vector = [&] { return V3f(component(random), component(random), component(random)); };
+    const auto vector = [&] {
+        return V3f(component(random), component(random), component(random));
+    };
     scene::Mesh mesh;
     for (std::uint32_t i = 0; i < 12; ++i) {
         mesh.positions.push_back(vector());
@@ -182,9 +183,11 @@ TEST(SurfaceLanes, LightIsTheSameOnAllMachines) {
         Packet packet;
         const auto one = static_cast<std::uint32_t>(random() % 10);
         for (std::size_t lane = 0; lane < Packet::size; ++lane) {
-            packet.set(lane, {.origin = V3f(0.0F),
-                              .direction = V3f(component(random), component(random),
-                                               component(random)).normalized()});
+            packet.set(
+                lane,
+                {.origin = V3f(0.0F),
+                 .direction =
+                     V3f(component(random), component(random), component(random)).normalized()});
             packet.valid[lane] = random() % 8 != 0 ? -1 : 0;
             const auto instance = static_cast<std::uint32_t>(random() % 4);
             packet.geometry[lane] = instance < 3 ? instance : embree::Hit::nothing;
