@@ -445,39 +445,6 @@ void set_radiances(LaneBits bits, const Look& look, const Packet::Floats& cosine
     }
 }
 
-LaneCounts write(const Packet& packet, const Radiances& radiances, LaneBits counted,
-                 std::size_t stride, Imath::Color4f* to, std::uint64_t& broken) {
-    alignas(64) std::array<Imath::Color4f, Packet::size> colors;
-    LaneCounts counts;
-    for (std::size_t lane = 0; lane < Packet::size; lane += lanes::Lanes(tag)) {
-        const Vector red = load(radiances.red, lane);
-        const Vector green = load(radiances.green, lane);
-        const Vector blue = load(radiances.blue, lane);
-        const Vector alpha = load(radiances.alpha, lane);
-        const Mask finite = lanes::And(lanes::And(lanes::IsFinite(red), lanes::IsFinite(green)),
-                                       lanes::And(lanes::IsFinite(blue), lanes::IsFinite(alpha)));
-        const auto shown = [&](Vector value) { return lanes::IfThenElseZero(finite, value); };
-        lanes::StoreInterleaved4(shown(red), shown(green), shown(blue), shown(alpha), tag,
-                                 &colors[lane].r);
-        broken += lanes::CountTrue(tag, lanes::Not(finite));
-        const Mask counts_here = mask_of(counted, lane);
-        const Mask visible = lanes::Gt(shown(alpha), lanes::Zero(tag));
-        counts.shown += lanes::CountTrue(tag, lanes::And(counts_here, visible));
-        const Mask exists = lanes::RebindMask(
-            tag,
-            lanes::Ne(lanes::Load(integers, packet.valid.data() + lane), lanes::Zero(integers)));
-        counts.missing += lanes::CountTrue(tag, lanes::AndNot(exists, counts_here));
-    }
-    const lanes::CappedTag<float, 4 * Packet::side> row_tag;
-    for (std::size_t row = 0; row < Packet::side; ++row) {
-        for (std::size_t k = 0; k < 4 * Packet::side; k += lanes::Lanes(row_tag)) {
-            lanes::StoreU(lanes::Load(row_tag, &colors[row * Packet::side].r + k), row_tag,
-                          &to[row * stride].r + k);
-        }
-    }
-    return counts;
-}
-
 }  // namespace balcony::render::surface_lanes::HWY_NAMESPACE
 
 HWY_AFTER_NAMESPACE();
@@ -490,7 +457,6 @@ HWY_EXPORT(find_groups);
 HWY_EXPORT(set_footprints);
 HWY_EXPORT(light);
 HWY_EXPORT(set_radiances);
-HWY_EXPORT(write);
 
 void find_groups(const embree::Packet& packet, Groups& groups) {
     HWY_DYNAMIC_DISPATCH(find_groups)(packet, groups);
@@ -511,11 +477,6 @@ void light(const embree::Packet& packet, std::span<const Look> looks, Lit& lit,
 void set_radiances(LaneBits lanes, const Look& look, const embree::Packet::Floats& cosines,
                    const texture_lanes::Colors& texture, Radiances& radiances) {
     HWY_DYNAMIC_DISPATCH(set_radiances)(lanes, look, cosines, texture, radiances);
-}
-
-LaneCounts write(const embree::Packet& packet, const Radiances& radiances, LaneBits counted,
-                 std::size_t stride, Imath::Color4f* to, std::uint64_t& broken) {
-    return HWY_DYNAMIC_DISPATCH(write)(packet, radiances, counted, stride, to, broken);
 }
 
 }  // namespace balcony::render::surface_lanes

@@ -15,14 +15,11 @@
 #include "balcony/scene.hpp"
 #include "render/embree/accelerator.hpp"
 #include "render/shading/packet_lanes.hpp"
+#include "render/shading/radiance_lanes.hpp"
 #include "render/shading/surface.hpp"
 #include "render/textures/texture_lanes.hpp"
 
 namespace balcony::render::surface_lanes {
-
-/// Lane i of a packet is bit i.
-using LaneBits = std::uint32_t;
-inline constexpr LaneBits all_lanes = (LaneBits{1} << embree::Packet::size) - 1;
 
 /// The rays of a packet that hit the same instance.
 struct Group {
@@ -71,17 +68,6 @@ struct Look {
     PlacedMesh mesh{};
 };
 
-struct alignas(64) Radiances {
-    embree::Packet::Floats red, green, blue, alpha;
-
-    void set(std::size_t lane, const Imath::Color4f& color) {
-        red[lane] = color.r;
-        green[lane] = color.g;
-        blue[lane] = color.b;
-        alpha[lane] = color.a;
-    }
-};
-
 /// A packet lit from the origins of its rays.
 struct alignas(64) Lit {
     /// Of groups with a texture. The cosines are those between the rays and the normal for
@@ -101,16 +87,5 @@ void light(const embree::Packet& packet, std::span<const Look> looks, Lit& lit,
 /// cosines, the base colour.
 void set_radiances(LaneBits lanes, const Look& look, const embree::Packet::Floats& cosines,
                    const texture_lanes::Colors& texture, Radiances& radiances);
-
-/// The numbers of some lanes of a packet.
-struct LaneCounts {
-    std::size_t missing = 0;  ///< There is no ray.
-    std::size_t shown = 0;    ///< Something is seen: alpha is above 0.
-};
-
-/// Writes the radiances of a packet as a square of colours whose rows are `stride` apart; black
-/// where one is not finite, which is counted in `broken`. Other counts are of these lanes.
-LaneCounts write(const embree::Packet& packet, const Radiances& radiances, LaneBits counted,
-                 std::size_t stride, Imath::Color4f* to, std::uint64_t& broken);
 
 }  // namespace balcony::render::surface_lanes
