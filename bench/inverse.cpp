@@ -9,7 +9,6 @@
 #include <cmath>
 #include <limits>
 #include <random>
-#include <stdexcept>
 
 #include <fmt/core.h>
 
@@ -66,32 +65,37 @@ double seconds(Function function) {
 }  // namespace
 
 void print_inverse() {
-    fmt::print("\nthousand points a second found in a picture {} pixels high, one core\n\n",
-               picture_side);
-    fmt::print("{:<20}{:>12}{:>10}{:>14}\n", "camera", "points", "patches", "to make, ms");
+    fmt::print(
+        "\nthousand points a second found in a picture {} pixels high, one core\n"
+        "(missed: how many of {} points are not found)\n\n",
+        picture_side, point_count);
+    fmt::print("{:<24}{:>12}{:>10}{:>14}{:>10}\n", "camera", "points", "patches", "to make, ms",
+               "missed");
     for (const std::string& name : lang::built_in_cameras()) {
         const auto camera = lang::make_camera(name, "");
-        if (!camera) {
-            throw std::runtime_error(to_text(camera.diagnostics));
+        // Not pictures of several cameras, and not more than a hundred maps.
+        if (!camera || lang::family_of(name) == "maps") {
+            continue;
         }
         const double width = std::round(picture_side * camera->parts().aspect);
         const std::vector<V3d> points = points_seen(*camera, width, picture_side);
         double making = std::numeric_limits<double>::infinity();
         double finding = making;
         std::size_t patches = 0;
+        std::size_t missed = 0;
         for (int pass = 0; pass < inverse_passes; ++pass) {
             Result<Locator> locator;
             making = std::min(
                 making, seconds([&] { locator = Locator::make(*camera, width, picture_side); }));
-            finding = std::min(finding, seconds([&] {
-                                   if (locator->locate(points).size() < points.size()) {
-                                       throw std::runtime_error("a point is not found: " + name);
-                                   }
-                               }));
+            std::size_t found = 0;
+            const double time = seconds([&] { found = locator->locate(points).size(); });
+            finding = std::min(finding, time);
+            missed = point_count - std::min(found, point_count);
             patches = locator->patch_count();
         }
-        fmt::print("{:<20}{:>12.0f}{:>10}{:>14.1f}\n", name,
-                   1e-3 * static_cast<double>(point_count) / finding, patches, 1e3 * making);
+        fmt::print("{:<24}{:>12.0f}{:>10}{:>14.1f}{:>10}\n", name,
+                   1e-3 * static_cast<double>(point_count) / finding, patches, 1e3 * making,
+                   missed);
     }
 }
 

@@ -41,6 +41,7 @@ struct Request {
     /// The axes of the rays; by default each camera's own.
     std::optional<Axes> axes{};
     bool footprints = false;  ///< Include the derivatives with respect to picture x and y.
+    bool parameters = true;   ///< Include (u, v) of the eye object.
     bool tiles = true;        ///< Allow running over tiles.
     bool points = false;      ///< Allow running over lists of points.
     /// Inputs of the rays besides picture x and y and time, such as a parameter that a live view
@@ -55,7 +56,7 @@ struct Ray {
     V3d origin{0.0};
     V3d direction{0.0};  ///< Unit length where valid.
     bool valid = false;
-    V2d parameters{0.0};         ///< (u, v) of the eye object.
+    V2d parameters{0.0};         ///< (u, v) of the eye object; 0 if not requested.
     std::optional<double> time;  ///< When it meets the scene, if the camera says so.
     /// The exact derivatives with respect to picture x and y, per pixel; 0 if not requested.
     V3d origin_by_x{0.0}, origin_by_y{0.0};
@@ -67,6 +68,7 @@ class RayBatch {
 public:
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] bool has_footprints() const { return roots_.footprints; }
+    [[nodiscard]] bool has_parameters() const { return roots_.parameters; }
     /// Whether each ray has a time of its own. Otherwise all have that of the run.
     [[nodiscard]] bool has_times() const { return roots_.times; }
 
@@ -74,7 +76,8 @@ public:
     [[nodiscard]] V3d origin(std::size_t i) const { return vector(origin_, i); }
     [[nodiscard]] V3d direction(std::size_t i) const { return vector(direction_, i); }
     [[nodiscard]] V2d parameters(std::size_t i) const {
-        return {values_[parameters_][i], values_[parameters_ + 1][i]};
+        const std::size_t u = roots_.parameter_u();
+        return {values_[u][i], values_[u + 1][i]};
     }
     [[nodiscard]] double time(std::size_t i) const { return values_[roots_.time()][i]; }
     [[nodiscard]] V3d origin_by_x(std::size_t i) const { return vector(origin_by_x_, i); }
@@ -108,27 +111,28 @@ public:
 private:
     friend class RayProgram;
 
-    // The roots of a RayProgram in their order. Those from origin_by_x_ on are its footprints, and
-    // the last one is the time.
+    // The roots of a RayProgram in their order, as far as there are any: the ray, its footprints
+    // from origin_by_x_ on, its time, and its parameters.
     static constexpr std::size_t origin_ = 0;
     static constexpr std::size_t direction_ = 3;
     static constexpr std::size_t valid_ = 6;
-    static constexpr std::size_t parameters_ = 7;
-    static constexpr std::size_t origin_by_x_ = 9;
-    static constexpr std::size_t origin_by_y_ = 12;
-    static constexpr std::size_t direction_by_x_ = 15;
-    static constexpr std::size_t direction_by_y_ = 18;
-    static constexpr std::size_t end_of_footprints_ = 21;
+    static constexpr std::size_t origin_by_x_ = 7;
+    static constexpr std::size_t origin_by_y_ = 10;
+    static constexpr std::size_t direction_by_x_ = 13;
+    static constexpr std::size_t direction_by_y_ = 16;
+    static constexpr std::size_t end_of_footprints_ = 19;
 
     /// Which of the roots there are.
     struct Roots {
         bool footprints = false;
         bool times = false;
+        bool parameters = false;
 
         [[nodiscard]] std::size_t time() const {
             return footprints ? end_of_footprints_ : origin_by_x_;
         }
-        [[nodiscard]] std::size_t count() const { return time() + (times ? 1 : 0); }
+        [[nodiscard]] std::size_t parameter_u() const { return time() + (times ? 1 : 0); }
+        [[nodiscard]] std::size_t count() const { return parameter_u() + (parameters ? 2 : 0); }
     };
 
     [[nodiscard]] V3d vector(std::size_t root, std::size_t i) const {
@@ -154,6 +158,7 @@ public:
                                                  Axes axes_of_ray, const Request& request);
 
     [[nodiscard]] bool has_footprints() const { return roots_.footprints; }
+    [[nodiscard]] bool has_parameters() const { return roots_.parameters; }
     /// Whether each ray has a time of its own.
     [[nodiscard]] bool has_times() const { return roots_.times; }
     /// Whether the rays depend on the inputs of a lens.

@@ -160,6 +160,9 @@ struct RendererSettings {
     /// If all textures fit, they are held in memory; otherwise, the smaller ones are, and the
     /// others are in a temporary file, whose parts in use are in memory.
     std::size_t texture_memory = default_texture_memory;
+    /// Decodes each texture when a ray first needs it, for jobs of few rays; otherwise all textures
+    /// that fit, and all that a picture shows, before the first ray, on all threads.
+    bool textures_on_demand = false;
     /// When rays meet the scene, such as the exposure of a shutter; otherwise as it stands.
     std::optional<scene::TimeInterval> interval{};
 };
@@ -173,7 +176,7 @@ public:
         std::size_t texture_bytes = 0;  ///< Of the textures that are held in memory.
     };
 
-    /// Builds the acceleration structure and decodes the textures. A texture that cannot be read is
+    /// Builds the acceleration structure and opens the textures. A texture that cannot be read is
     /// a warning, and its material uses the constant factor. An object beyond the range that
     /// floats can trace is skipped with a warning. A scene with invalid indices is an error.
     ///
@@ -187,6 +190,9 @@ public:
     /// textures and all that does not move. If anything moves, this renderer and its jobs must not
     /// be used any more.
     [[nodiscard]] Result<Renderer> moved(const scene::TimeInterval& interval) const;
+
+    /// render::default_camera() of the scene, without a structure of its own.
+    [[nodiscard]] Result<scene::Camera> default_camera() const;
 
     [[nodiscard]] const Preparation& preparation() const;
 
@@ -266,6 +272,8 @@ public:
 
     /// What lights the picture, as Summary::light.
     [[nodiscard]] const std::string& light() const;
+    /// What lights it in place of the scene's own lights or beside suns, as Summary::substitute.
+    [[nodiscard]] std::optional<SubstituteLight> substitute() const;
 
     /// Runs until each tile of the film has all passes of the settings. A tile that is behind the
     /// others catches up first. When a stop is requested, tiles in progress are completed and the

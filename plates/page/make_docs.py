@@ -8,6 +8,7 @@ PROPERTIES.json is what measure_plates prints. To be run in the repository.
 """
 
 import json
+import re
 import sys
 import textwrap
 from pathlib import Path
@@ -40,11 +41,16 @@ def measured_text(rows):
                      + (f" ({bounds})" if (bounds := bounds_text(row)) else "") for row in rows)
 
 
+def from_docs(text):
+    """A text of a plate's folder with the links to other plates as they are from docs/."""
+    return re.sub(r"\]\(\.\./(?=\d\d-)", "](../plates/", text)
+
+
 def section(plate, rows):
     camera = plate.values.get("camera", "camera.cam").split(":")[0]
     link = (plate.source / camera).resolve().relative_to(Path.cwd())
     lines = [f"## {plate.title}", "", f"![]({Path('pictures')}/plate-{plate.name[:2]}.png)", "",
-             wrapped(f"{plate.paragraph} ([camera](../{link.as_posix()}))"), ""]
+             wrapped(f"{from_docs(plate.paragraph)} ([camera](../{link.as_posix()}))"), ""]
     if rows:
         lines += [wrapped(f"*Measured:* {measured_text(rows)}."), ""]
     povray = Path(f"docs/pictures/plate-{plate.name[:2]}-povray.png")

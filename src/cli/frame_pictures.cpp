@@ -27,7 +27,7 @@ Result<camera::Picture> picture_at(const RenderOptions& options, const scene::Sc
     moved.axes = scene.axes;
     moved.cameras = scene::cameras_at(scene, time);
     Result<camera::Picture> made = options.camera.empty()
-                                       ? default_picture(moved)
+                                       ? picture_of(moved.cameras.front(), moved.axes)
                                        : load_picture(options.camera, options.set, moved);
     if (made) {
         *made = made->with_fit(picture.parts().fit);

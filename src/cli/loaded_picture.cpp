@@ -124,7 +124,7 @@ std::optional<camera::Picture> load_all(const RenderOptions& options, const Requ
         return std::nullopt;
     }
     if (!of_file) {
-        picture = options.camera.empty() ? default_picture(*loaded.scene)
+        picture = options.camera.empty() ? default_picture(*loaded.scene, *loaded.renderer)
                                          : load_picture(options.camera, options.set, *loaded.scene);
         add(outcome, picture.diagnostics);
     }

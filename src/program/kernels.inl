@@ -157,28 +157,46 @@ void select(const Instruction& in, const double* registers, double* to, std::siz
     }
 }
 
-// Horner's rule along an axis and those behind it, on coefficients gathered from each lane's cell.
-template <class Index>
-inline Vector horner_last(const TableView::Axis& axis, const double* c, Index start, Vector s) {
-    Vector value = lanes::GatherIndex(tag, c + axis.degree, start);
+// The coefficients of each lane's cell. They are read one by one, which takes less time than the
+// gathering instructions of many processors.
+struct Cells {
+    HWY_ALIGN std::int64_t start[lanes::MaxLanes(tag)];
+
+    inline explicit Cells(Vector index) {
+        lanes::Store(lanes::ConvertTo(lanes::RebindToSigned<Tag>(), index),
+                     lanes::RebindToSigned<Tag>(), start);
+    }
+    inline Vector operator()(const double* coefficients) const {
+        HWY_ALIGN double values[lanes::MaxLanes(tag)];
+        for (std::size_t lane = 0; lane < lanes::Lanes(tag); ++lane) {
+            values[lane] = coefficients[start[lane]];
+        }
+        return lanes::Load(tag, values);
+    }
+};
+
+// Horner's rule along an axis and those behind it.
+inline Vector horner_last(const TableView::Axis& axis, const double* c, const Cells& cells,
+                          Vector s) {
+    Vector value = cells(c + axis.degree);
     for (std::size_t power = axis.degree; power-- > 0;) {
-        value = lanes::Add(lanes::Mul(value, s), lanes::GatherIndex(tag, c + power, start));
+        value = lanes::Add(lanes::Mul(value, s), cells(c + power));
     }
     return value;
 }
 
-template <int from, int count, class Index>
-inline Vector horner(const TableView& table, const double* c, Index start, const Vector* s) {
+template <int from, int count>
+inline Vector horner(const TableView& table, const double* c, const Cells& cells, const Vector* s) {
     const TableView::Axis& axis = table.axes[from];
     if constexpr (from + 1 == count) {
-        return horner_last(axis, c, start, s[from]);
+        return horner_last(axis, c, cells, s[from]);
     } else {
         Vector value =
-            horner<from + 1, count>(table, c + axis.degree * axis.power_stride, start, s);
+            horner<from + 1, count>(table, c + axis.degree * axis.power_stride, cells, s);
         for (std::size_t power = axis.degree; power-- > 0;) {
             value =
                 lanes::Add(lanes::Mul(value, s[from]),
-                           horner<from + 1, count>(table, c + power * axis.power_stride, start, s));
+                           horner<from + 1, count>(table, c + power * axis.power_stride, cells, s));
         }
         return value;
     }
@@ -187,7 +205,6 @@ inline Vector horner(const TableView& table, const double* c, Index start, const
 // The steps of expr::Table: no cell outside the table is read, and NaN gives NaN.
 template <int count_of_axes>
 void lookup_in(const Instruction& in, const double* registers, double* to, std::size_t count) {
-    using IndexTag = lanes::RebindToSigned<Tag>;
     const TableView table = *in.table;
     const Vector zero = lanes::Zero(tag);
     for (std::size_t i = 0; i < count; i += lanes::Lanes(tag)) {
@@ -205,8 +222,8 @@ void lookup_in(const Instruction& in, const double* registers, double* to, std::
             s[k] = lanes::Sub(position, cell);
             start = lanes::Add(start, lanes::Mul(cell, lanes::Set(tag, axis.cell_stride)));
         }
-        const auto index = lanes::ConvertTo(IndexTag(), start);
-        lanes::StoreU(horner<0, count_of_axes>(table, table.coefficients, index, s), tag, to + i);
+        lanes::StoreU(horner<0, count_of_axes>(table, table.coefficients, Cells(start), s), tag,
+                      to + i);
     }
 }
 

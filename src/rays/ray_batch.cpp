@@ -6,7 +6,7 @@
 namespace balcony::rays {
 
 Ray RayBatch::operator[](std::size_t i) const {
-    Ray ray{origin(i), direction(i), valid(i), parameters(i),
+    Ray ray{origin(i), direction(i), valid(i), has_parameters() ? parameters(i) : V2d(0.0),
             has_times() ? std::optional(time(i)) : std::nullopt};
     if (has_footprints()) {
         ray.origin_by_x = origin_by_x(i);

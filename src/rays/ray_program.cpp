@@ -14,7 +14,7 @@ namespace {
 
 // In the order of RayBatch.
 std::vector<expr::Expr> roots_of(const camera::RayExpressions& central, bool lens, Axes from,
-                                 Axes to, bool footprints) {
+                                 Axes to, const Request& request) {
     const camera::RayExpressions ray = lens ? camera::through_lens(central) : central;
     std::vector<expr::Expr> roots;
     const auto add = [&](const auto& vector) {
@@ -23,8 +23,8 @@ std::vector<expr::Expr> roots_of(const camera::RayExpressions& central, bool len
     };
     add(ray.origin);
     add(ray.direction);
-    roots.insert(roots.end(), {ray.valid, ray.parameters.u, ray.parameters.v});
-    if (footprints) {
+    roots.push_back(ray.valid);
+    if (request.footprints) {
         const camera::RayFootprint slopes =
             lens ? camera::footprint_through_lens(central) : camera::footprint(ray);
         add(slopes.origin_by_x);
@@ -34,6 +34,9 @@ std::vector<expr::Expr> roots_of(const camera::RayExpressions& central, bool len
     }
     if (ray.time) {
         roots.push_back(*ray.time);
+    }
+    if (request.parameters) {
+        roots.insert(roots.end(), {ray.parameters.u, ray.parameters.v});
     }
     return roots;
 }
@@ -50,8 +53,8 @@ Result<RayProgram> RayProgram::make(const camera::RayExpressions& ray, Axes axes
     const bool lens = ray.lens && declares(request, camera::lens_input_x) &&
                       declares(request, camera::lens_input_y);
     const std::vector<expr::Expr> roots =
-        roots_of(ray, lens, axes_of_ray, request.axes.value_or(axes_of_ray), request.footprints);
-    RayProgram made({request.footprints, ray.time.has_value()}, lens);
+        roots_of(ray, lens, axes_of_ray, request.axes.value_or(axes_of_ray), request);
+    RayProgram made({request.footprints, ray.time.has_value(), request.parameters}, lens);
     Diagnostics found;
     if (request.tiles) {
         made.for_tiles_ =

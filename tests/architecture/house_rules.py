@@ -8,8 +8,8 @@ Usage: house_rules.py REPOSITORY
 Names on standard output each file that is over 500 lines long, does not open with the licence
 header, holds a note of work left to do, or has a test that can be skipped in a suite with others:
 ctest runs suites, and counts one as skipped only if all of it was; each file of tests without a
-namespace of its own, as several are compiled as one; and each picture of docs that is larger than
-300 kB. The exit code is 1 if there is any.
+namespace of its own, as several are compiled as one; each picture of docs that is larger than 300 kB;
+and each link of a page to a file that is not there. The exit code is 1 if there is any.
 """
 
 import re
@@ -44,6 +44,16 @@ def lacks_namespace(path, lines):
     return path.name.endswith("_test.cpp") and not any(opens.match(line) for line in lines)
 
 
+LINK = re.compile(r"\]\((?!https?:)([^)#\s]+)(?:#[^)\s]*)?\)")
+
+
+def broken_links(page):
+    """The files that a page links to and that are not there."""
+    for match in LINK.finditer(page.read_text(encoding="utf-8")):
+        if not (page.parent / match[1]).exists():
+            yield match[1]
+
+
 def is_code(path, lines):
     return path.suffix in CODE_SUFFIXES or (bool(lines) and lines[0].startswith("#!"))
 
@@ -73,6 +83,9 @@ def findings(root):
     for path in sorted((root / "docs").rglob("*.png")):
         if path.stat().st_size > LARGEST_PICTURE:
             yield f"{path.relative_to(root)}: more than {LARGEST_PICTURE // 1000} kB"
+    for page in [*root.glob("*.md"), *(root / "docs").rglob("*.md")]:
+        for link in broken_links(page):
+            yield f"{page.relative_to(root)}: a link to {link}, which is not there"
 
 
 def main():

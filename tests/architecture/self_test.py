@@ -140,6 +140,12 @@ class Planted(unittest.TestCase):
     def test_finds_a_large_picture(self):
         self.assert_found(house_rules, "docs/pictures/planted.png", "x" * 300_001, "300 kB")
 
+    def test_finds_a_broken_link(self):
+        self.plant("docs/there.md", "")
+        text = "[a](there.md#a), [b](https://b.example), [c](../gone.md#c)\n"
+        self.assert_found(house_rules, "docs/planted.md", text, "docs/planted.md", "../gone.md,")
+        self.assertNotIn("there.md", "".join(house_rules.broken_links(self.root / "docs/planted.md")))
+
     def test_finds_work_left_to_do(self):
         self.assert_found(house_rules, "src/base/planted.cpp", LICENCE + "// TO" "DO: more\n",
                           "planted.cpp:3: work left to do")

@@ -64,6 +64,24 @@ TEST(RayProgram, GivesTheSameRaysOverTilesAndAtPoints) {
     }
 }
 
+TEST(RayProgram, GivesTheSameRaysWithoutParameters) {
+    for (const bool footprints : {false, true}) {
+        const camera::Camera camera = built_in("superelliptic");
+        const Request with{.footprints = footprints, .points = true};
+        Request without = with;
+        without.parameters = false;
+        const Ray expected = ray_at(compiled(camera, 300, 60, with), {37.5, 11.5});
+        const Ray found = ray_at(compiled(camera, 300, 60, without), {37.5, 11.5});
+        EXPECT_TRUE(found.valid);
+        EXPECT_EQ(found.origin, expected.origin);
+        EXPECT_EQ(found.direction, expected.direction);
+        EXPECT_EQ(found.origin_by_x, expected.origin_by_x);
+        EXPECT_EQ(found.direction_by_y, expected.direction_by_y);
+        EXPECT_NE(expected.parameters, V2d(0.0));
+        EXPECT_EQ(found.parameters, V2d(0.0));
+    }
+}
+
 TEST(RayProgram, AgreesWithTheScalarDefinitions) {
     for (const std::string& name : laws::single_built_in_cameras()) {
         const camera::Camera camera = built_in(name);

@@ -4,8 +4,10 @@
 // What a BSDF gives off of the light that it receives.
 
 #include <cmath>
+#include <numbers>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -142,6 +144,24 @@ TEST(BsdfEnergy, ASmallTiltOfTheClearcoatChangesLittle) {
                     EXPECT_NEAR(albedo(under_tilted(below, coat, angle), viewer, samples).y,
                                 straight, change);
                 }
+            }
+        }
+    }
+}
+
+// What a white material loses where its clearcoat has a normal of its own: at most these parts.
+TEST(BsdfEnergy, ATiltedClearcoatSeenStraightOnLosesLittle) {
+    constexpr std::size_t samples = 16384;
+    constexpr float degree = std::numbers::pi_v<float> / 180.0F;
+    constexpr std::pair<float, float> losses[] = {{10.0F, 0.025F}, {30.0F, 0.115F}};
+    for (const auto& [tilt, most] : losses) {
+        for (const float coat : some_roughnesses) {
+            for (const Appearance& below : {dielectric(0.0F), dielectric(0.35F), dielectric(1.0F),
+                                            metal(0.35F), metal(1.0F)}) {
+                const Bsdf bsdf = under_tilted(below, coat, tilt * degree);
+                const float left = albedo(bsdf, at_cosine(1.0F), samples).y;
+                EXPECT_GT(left, 1.0F - most)
+                    << describe({"", coated(below, coat)}) << ", tilted by " << tilt;
             }
         }
     }

@@ -29,9 +29,15 @@ std::uint32_t add_box(scene::Scene& scene, const V3f& low, const V3f& high) {
     return add(scene, box(low, high), white());
 }
 
+// As a renderer of the scene finds it, too.
 scene::Camera camera_of(const scene::Scene& scene) {
     const Result<scene::Camera> camera = default_camera(scene);
     EXPECT_TRUE(camera) << to_text(camera.diagnostics);
+    const auto renderer = Renderer::make(std::make_shared<const scene::Scene>(scene));
+    EXPECT_TRUE(renderer) << to_text(renderer.diagnostics);
+    const Result<scene::Camera> shared = renderer->default_camera();
+    EXPECT_TRUE(shared && shared->position == camera->position &&
+                shared->forward == camera->forward);
     return *camera;
 }
 

@@ -126,6 +126,10 @@ TEST(Frames, SubstituteLightIsReportedAndCanBeHeld) {
         ASSERT_TRUE(summary);
         EXPECT_EQ(summary->substitute, light);
         EXPECT_EQ(same(held, film), light == SubstituteLight::sky);
+        Film unused = empty_film();
+        const Result<Job> job = Job::make(*renderer, view(), settings, unused);
+        ASSERT_TRUE(job);
+        EXPECT_EQ(job->substitute(), light) << "before the job runs";
     }
 }
 

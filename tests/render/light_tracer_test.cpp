@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/shading/packet_lanes.hpp"
+#include "render/shading/surface_lanes.hpp"
 #include "support.hpp"
 
 namespace balcony::render::light_tracer_test {
@@ -152,17 +152,24 @@ TEST(LightTracer, RaysThatDoNotExistAreBlackAndCounted) {
     EXPECT_EQ(picture.summary.camera_rays, asked.layout.width * asked.layout.height);
 }
 
-TEST(PacketLanes, TheNormalOfATinyTriangleHasALength) {
+TEST(SurfaceLanes, TheNormalOfATinyTriangleHasALength) {
+    const scene::Mesh mesh;
+    surface_lanes::Look look;
+    look.is_plain = true;
+    look.base_color = {1.0F, 1.0F, 1.0F};
+    look.mesh.mesh = &mesh;
     embree::Packet packet;
-    packet_lanes::Normals normals{};
-    alignas(64) embree::Packet::Floats cosines{};
     for (std::size_t lane = 0; lane < embree::Packet::size; ++lane) {
+        packet.geometry[lane] = 0;
+        packet.placement[lane] = embree::Hit::nothing;
         packet.direction_x[lane] = 0.6F;
         packet.direction_z[lane] = -0.8F;
-        normals.flat_z[lane] = std::ldexp(1.0F, -8 * static_cast<int>(lane));
+        packet.normal_z[lane] = std::ldexp(1.0F, 120 - 17 * static_cast<int>(lane));
     }
-    packet_lanes::set_cosines(packet, normals, cosines);
-    for (const float cosine : cosines) {
+    surface_lanes::Lit lit{};
+    surface_lanes::Radiances radiances{};
+    surface_lanes::light(packet, std::span(&look, 1), lit, radiances);
+    for (const float cosine : radiances.red) {
         EXPECT_NEAR(cosine, 0.8F, 1e-6F);
     }
 }

@@ -106,6 +106,7 @@ TEST(SurfaceLanes, FootprintsAreThoseOfEachRay) {
         const bool one_triangle = trial % 4 < 2;
         const std::uint32_t lanes = trial % 8 < 4 ? 0xffffU : 0x5e1bU;
         Packet packet;
+        surface_lanes::Normals normals{};
         packet_lanes::Differentials differentials;
         for (std::size_t lane = 0; lane < Packet::size; ++lane) {
             packet.valid[lane] = -1;
@@ -126,17 +127,14 @@ TEST(SurfaceLanes, FootprintsAreThoseOfEachRay) {
                               .direction = direction,
                               .farthest = distance});
             const V3f normal = surface.edge_1.cross(surface.edge_2);
-            const V3f reported = is_placed ? normal * mesh.normal_from_mesh.inverse() : normal;
-            packet.normal_x[lane] = reported.x;
-            packet.normal_y[lane] = reported.y;
-            packet.normal_z[lane] = reported.z;
+            normals.x[lane] = normal.x;
+            normals.y[lane] = normal.y;
+            normals.z[lane] = normal.z;
             differentials.set(lane, {random_vector(random), random_vector(random),
                                      random_vector(random), random_vector(random)});
         }
 
-        packet_lanes::Normals normals{};
         texture_lanes::Footprints found;
-        surface_lanes::set_normals(packet, lanes, mesh, normals);
         surface_lanes::set_footprints(packet, lanes, mesh, normals, differentials, use, found);
         for (std::size_t lane = 0; lane < Packet::size; ++lane) {
             const auto expect_near = [&](float u, float v, const V2f& expected) {
@@ -168,7 +166,6 @@ TEST(SurfaceLanes, EachHitIsInTheGroupOfItsInstance) {
     for (int trial = 0; trial < 100; ++trial) {
         Packet packet;
         for (std::size_t lane = 0; lane < Packet::size; ++lane) {
-            packet.valid[lane] = below(4) != 0 ? -1 : 0;
             packet.geometry[lane] = below(5) != 0 ? below(3) : embree::Hit::nothing;
             packet.placement[lane] = below(2) != 0 ? 1 + below(4) : embree::Hit::nothing;
         }
@@ -184,7 +181,7 @@ TEST(SurfaceLanes, EachHitIsInTheGroupOfItsInstance) {
             }
         }
         for (std::size_t lane = 0; lane < Packet::size; ++lane) {
-            EXPECT_EQ(times[lane], packet.valid[lane] != 0 && packet.any(lane) ? 1 : 0);
+            EXPECT_EQ(times[lane], packet.any(lane) ? 1 : 0);
         }
     }
 }

@@ -41,6 +41,19 @@ scene::Scene textured(std::vector<std::uint8_t> png, Wrap wrap = Wrap::repeat) {
     return scene;
 }
 
+// With an image file of this format; the values are those of the pixels, row by row.
+scene::Scene textured_by(const std::string& name, int side, OIIO::TypeDesc format,
+                         const std::vector<float>& values) {
+    const std::string file = ::testing::TempDir() + name;
+    const auto output = OIIO::ImageOutput::create(file);
+    const int channels = static_cast<int>(values.size()) / (side * side);
+    EXPECT_TRUE(output->open(file, OIIO::ImageSpec(side, side, channels, format)));
+    EXPECT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, values.data()) && output->close());
+    scene::Scene scene = textured({});
+    scene.textures[0].file = file;
+    return scene;
+}
+
 scene::Scene grey(int width, int height, const std::function<double(int x, int y)>& value,
                   Wrap wrap = Wrap::repeat) {
     return textured(
@@ -60,9 +73,7 @@ public:
     [[nodiscard]] Color4f operator()(const TextureFootprint& footprint) const {
         return library_.look_up(scene::TextureIndex(0), TextureEncoding::linear, footprint);
     }
-    [[nodiscard]] float red(const TextureFootprint& footprint) const {
-        return (*this)(footprint).r;
-    }
+    [[nodiscard]] float red(const TextureFootprint& at) const { return (*this)(at).r; }
     [[nodiscard]] const TextureLibrary& library() const { return library_; }
 
 private:
@@ -406,18 +417,65 @@ TEST(TextureLibrary, HoldsTheSmallTexturesWithinItsMemory) {
     }
 }
 
+// The middle of a texel of a square image, counted row by row.
+TextureFootprint texel_of(std::size_t i, std::size_t side) {
+    const auto middle = [&](std::size_t n) {
+        return (static_cast<float>(n) + 0.5F) / static_cast<float>(side);
+    };
+    return {{middle(i % side), middle(i / side)}, V2f(0.0F), V2f(0.0F)};
+}
+
+// Images of more than 8 bits: each channel is a half float, by itself and for packets.
+TEST(TextureLibrary, AnImageOfFloatsHasHalfFloats) {
+    std::mt19937 random(9);
+    std::uniform_real_distribution<float> value(0.0F, 40.0F);
+    std::vector<float> values(std::size_t{4} * 16 * 16);
+    std::generate(values.begin(), values.end(), [&] { return value(random); });
+    const scene::Scene scene = textured_by("balcony_float.exr", 16, OIIO::TypeDesc::FLOAT, values);
+    const Sampled held(scene, plenty);
+    for (std::size_t i = 0; i < values.size(); i += 4) {
+        const auto half = [&](std::size_t k) { return float{Imath::half(values[i + k])}; };
+        EXPECT_EQ(held(texel_of(i / 4, 16)), Color4f(half(0), half(1), half(2), half(3)));
+    }
+    for (int trial = 0; trial < 100; ++trial) {
+        std::array<TextureFootprint, texture_lanes::lane_count> asked;
+        for (TextureFootprint& one : asked) {
+            one = random_footprint(random, 1.0F, -1.0F);
+        }
+        expect_same_in_lanes(held.library(), asked);
+    }
+}
+
+TEST(TextureLibrary, AnImageOf16BitsIsDecodedFromSrgb) {
+    std::vector<float> values(std::size_t{3} * 16 * 16);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] = static_cast<float>(i) / static_cast<float>(values.size() - 1);
+    }
+    scene::Scene scene = textured_by("balcony_deep.png", 16, OIIO::TypeDesc::UINT16, values);
+    std::swap(scene.materials[0].roughness_texture, scene.materials[0].base_color_texture);
+    scene.materials[0].base_color_texture.encoding = TextureEncoding::srgb;
+    Diagnostics warnings;
+    const TextureLibrary library(scene, plenty, warnings);
+    for (std::size_t i = 0; i < values.size(); i += 3) {
+        const Color4f found =
+            library.look_up(scene::TextureIndex(0), TextureEncoding::srgb, texel_of(i / 3, 16));
+        for (const auto& [linear, stored] :
+             {std::pair(found.r, values[i]), {found.g, values[i + 1]}, {found.b, values[i + 2]}}) {
+            const float expected = linear_from_srgb(stored);
+            // A half float has 11 bits; a step of 16 bits is 1/65535, with a slope of at most 2.4.
+            EXPECT_NEAR(linear, expected, 0x1p-11F * expected + 2.4F / 65535.0F) << i;
+        }
+    }
+}
+
 TEST(TextureLibrary, ValuesThatAreNotFiniteAreZeroWithAWarning) {
     constexpr int side = 8;
-    const std::string file = ::testing::TempDir() + "balcony_nan_texture.exr";
-    const auto output = OIIO::ImageOutput::create(file);
-    ASSERT_TRUE(output->open(file, OIIO::ImageSpec(side, side, 3, OIIO::TypeDesc::FLOAT)));
     std::vector<float> values(std::size_t{3} * side * side, 0.25F);
     values[0] = std::nanf("");
     values[3] = HUGE_VALF;
     values[6] = 1e30F;
-    ASSERT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, values.data()) && output->close());
-    scene::Scene scene = textured({});
-    scene.textures[0].file = file;
+    const scene::Scene scene =
+        textured_by("balcony_nan_texture.exr", side, OIIO::TypeDesc::FLOAT, values);
     for (const std::size_t memory : {plenty, std::size_t{0}}) {
         Diagnostics warnings;
         const TextureLibrary library(scene, memory, warnings);

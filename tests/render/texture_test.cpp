@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <numeric>
 
 #include <OpenImageIO/imageio.h>
@@ -190,6 +191,32 @@ TEST(Texture, WithoutItsTextureAMaterialHasItsFactors) {
     ASSERT_TRUE(summary);
     EXPECT_TRUE(summary.diagnostics.empty());
     EXPECT_EQ(film.pixel(1, 1).r, 0.25F);
+}
+
+// A file that changes after the renderer was made tells when it is decoded.
+TEST(Texture, IsDecodedAtOnceOrOnDemand) {
+    const std::string file = ::testing::TempDir() + "balcony_changing_texture.png";
+    const auto write = [&](std::uint8_t grey) {
+        const auto png = encode_png(8, 8, 3, [grey](int, int) { return Pixel(3, grey); });
+        std::ofstream(file, std::ios::binary)
+            .write(reinterpret_cast<const char*>(png.data()),
+                   static_cast<std::streamsize>(png.size()));
+    };
+    scene::Scene scene = textured_wall({});
+    scene.textures[0].file = file;
+    const Request asked = request(4, 4, "preview");
+    for (const bool on_demand : {false, true}) {
+        write(0);
+        const auto renderer = Renderer::make(std::make_shared<scene::Scene>(scene),
+                                             {.textures_on_demand = on_demand});
+        ASSERT_TRUE(renderer);
+        const auto moved = renderer->moved({0.0, 0.0});
+        ASSERT_TRUE(moved);
+        write(255);
+        Film film = *make_film(asked.layout);
+        ASSERT_TRUE(render::render(*moved, orthographic(view_down_z(0.0, 0.0, 1.0)), asked, film));
+        EXPECT_EQ(film.pixel(1, 1).r, on_demand ? 1.0F : 0.0F);
+    }
 }
 
 // The header is whole, the pixels are not.

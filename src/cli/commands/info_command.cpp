@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -82,22 +83,25 @@ bool may_need_light(const scene::Scene& scene) {
            });
 }
 
-// What lights a scene in the picture of its default camera; empty if only the scene itself does.
+constexpr std::string_view unknown_light = "unknown";
+
+// What lights a scene in the picture of its default camera; empty if only the scene itself does,
+// and unknown if there is no such picture.
 std::string default_light(const std::shared_ptr<const scene::Scene>& scene) {
-    const auto picture = default_picture(*scene);
-    const auto renderer = render::Renderer::make(scene);
+    const auto renderer = render::Renderer::make(scene, {.textures_on_demand = true});
+    const auto picture = renderer ? default_picture(*scene, *renderer) : Result<camera::Picture>();
     auto film = render::make_film({.width = 64, .height = 36});
-    if (!picture || !renderer || !film) {
-        return "no light";
-    }
-    const auto job = render::Job::make(
-        *renderer, *picture,
-        {.samples = 1, .integrator = "path", .light = {.sky_beside_suns = true}}, *film);
+    const auto job =
+        picture && film
+            ? render::Job::make(
+                  *renderer, *picture,
+                  {.samples = 1, .integrator = "path", .light = {.sky_beside_suns = true}}, *film)
+            : Result<render::Job>();
     if (!job) {
-        return "no light";
+        return std::string(unknown_light);
     }
-    return scene->default_light || job->light().find("sky") != std::string::npos ? job->light()
-                                                                                 : "";
+    const auto substitute = job->substitute();
+    return substitute && *substitute != render::SubstituteLight::none ? job->light() : "";
 }
 
 nlohmann::json scene_json(const scene::Scene& scene, const std::string& light) {
@@ -124,6 +128,13 @@ nlohmann::json scene_json(const scene::Scene& scene, const std::string& light) {
         {"objects", objects}};
 }
 
+std::string lights_text(const scene::Scene& scene, const std::string& light) {
+    const std::string_view besides = light.empty()            ? ""
+                                     : light == unknown_light ? "; other light "
+                                                              : "; lit by ";
+    return fmt::format("{}{}{}", scene.lights.size(), besides, light);
+}
+
 std::string scene_text(const scene::Scene& scene, const std::string& light, bool objects) {
     const auto bounds = scene.bounds();
     const auto size = bounds.size();
@@ -143,8 +154,7 @@ std::string scene_text(const scene::Scene& scene, const std::string& light, bool
                      counted(scene.meshes.size(), "mesh", "meshes")));
     line("materials", fmt::format("{}, {}", scene.materials.size(),
                                   counted(scene.textures.size(), "texture", "textures")));
-    line("lights", light.empty() ? std::to_string(scene.lights.size())
-                                 : fmt::format("{}; lit by {}", scene.lights.size(), light));
+    line("lights", lights_text(scene, light));
     line("cameras", std::to_string(scene.cameras.size()));
     for (const scene::Camera& camera : scene.cameras) {
         text += fmt::format("  camera     {}\n", camera_text(camera));

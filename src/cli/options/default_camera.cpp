@@ -3,21 +3,23 @@
 
 #include "cli/options/default_camera.hpp"
 
-#include "balcony/probe.hpp"
 #include "balcony/scene_camera.hpp"
 
 namespace balcony::cli {
 
-Result<camera::Picture> default_picture(const scene::Scene& scene) {
-    const Result<scene::Camera> view = scene.cameras.empty()
-                                           ? render::default_camera(scene)
-                                           : Result<scene::Camera>(scene.cameras.front());
-    if (!view) {
-        return view.diagnostics;
-    }
-    auto made = data::make_camera(*view, scene.axes);
+Result<camera::Picture> picture_of(const scene::Camera& camera, Axes axes) {
+    auto made = data::make_camera(camera, axes);
     return made ? Result<camera::Picture>(std::move(*made), std::move(made.diagnostics))
                 : Result<camera::Picture>(std::move(made.diagnostics));
+}
+
+Result<camera::Picture> default_picture(const scene::Scene& scene,
+                                        const render::Renderer& renderer) {
+    if (!scene.cameras.empty()) {
+        return picture_of(scene.cameras.front(), scene.axes);
+    }
+    const Result<scene::Camera> view = renderer.default_camera();
+    return view ? picture_of(*view, scene.axes) : Result<camera::Picture>(view.diagnostics);
 }
 
 }  // namespace balcony::cli

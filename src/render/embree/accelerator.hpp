@@ -66,7 +66,7 @@ struct alignas(64) Packet {
     Floats nearest{};
     Floats direction_x{}, direction_y{}, direction_z{};
     Floats time{};
-    Floats farthest{};  ///< Tracing sets it to the distance of the hit.
+    Floats farthest{};  ///< Tracing sets it to the distance of a hit.
     Numbers mask{};
     Numbers id{};
     Numbers flags{};
@@ -114,9 +114,11 @@ public:
 /// finite, hits nothing and transmits all light.
 class Accelerator {
 public:
-    /// Rays of a grid are traced together in squares with this side.
+    /// Rays of a grid are traced together in packets, and pairs of neighbouring packets of a row,
+    /// from the first on.
     static constexpr std::size_t packet_side = Packet::side;
     static constexpr std::size_t packet_size = Packet::size;
+    static constexpr std::size_t pair_width = 2 * packet_side;
 
     /// Builds the structure. An instance that Embree cannot handle (without a finite affine matrix,
     /// or with a vertex beyond max_coordinate) is skipped with a warning that names its object; a
@@ -136,10 +138,10 @@ public:
 
     [[nodiscard]] Hit intersect(const Ray& ray) const;
 
-    /// The nearest hits of a packet, whose rays are set where `valid` says that there is one.
-    /// Clears `valid` where a ray cannot be traced; direction components of nearly 0 change by less
-    /// than their rounding error.
-    void intersect(Packet& packet) const;
+    /// The nearest hits of neighbouring packets, whose rays are set where `valid` says that there
+    /// is one; pairs of them are traced together. Direction components of nearly 0 change by less
+    /// than their rounding error, and rays that cannot be traced become others that hit nothing.
+    void intersect(std::span<Packet> packets) const;
 
     /// The nearest hits of a grid of neighbouring rays, given row by row; active[i] says whether
     /// ray i is to be traced. Much faster than one after another.

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "render/film/sample_sums.hpp"
+
 namespace balcony::render {
 
 namespace {
@@ -77,17 +79,18 @@ void add_means(MeanLayers& means, std::size_t at, std::uint32_t count,
     average(means.position, position);
 }
 
-// Adds all samples of a region that are in the film's window.
-void add_rows(const Film& film, const Region& region, const std::vector<Color4f>& samples,
-              std::vector<Color4d>& sums) {
+// Adds all samples of a region that are in the film's window. The first pass is not added to
+// anything.
+void add_rows(const Film& film, bool is_first, const Region& region,
+              const std::vector<Color4f>& samples, std::vector<Color4d>& sums) {
     for_each_row_within(region, film.window,
                         [&](std::size_t i, std::size_t x, std::size_t y, std::size_t width) {
-                            const float* from = &samples[i].r;
-                            double* to = &sums[film.index(x, y)].r;
-                            for (std::size_t k = 0; k < 4 * width; ++k) {
-                                to[k] += static_cast<double>(from[k]);
-                            }
+                            (is_first ? set_first_samples : add_samples)(&samples[i], width,
+                                                                         &sums[film.index(x, y)]);
                         });
+    if (is_first) {
+        finish_first_samples();
+    }
 }
 
 }  // namespace
@@ -115,7 +118,7 @@ void add_pass(Film& film, std::size_t tile, const TileImage& image) {
             return;
         }
         if (image.active.empty()) {
-            add_rows(film, image.region, samples, sums);
+            add_rows(film, film.passes[tile] == 0, image.region, samples, sums);
             return;
         }
         for_each_sample([&](std::size_t i, std::size_t at) { sums[at] += Color4d(samples[i]); });

@@ -16,6 +16,7 @@
 #include "render/sampling/sampler.hpp"
 #include "render/shading/packet_lanes.hpp"
 #include "render/shading/scene_tracer.hpp"
+#include "render/shading/surface_lanes.hpp"
 
 namespace balcony::render {
 
@@ -36,23 +37,23 @@ struct CameraRay {
     std::uint32_t group = 0;   ///< The paths of a group may share what they find.
 };
 
-/// The differentials of a packet of camera rays, which are computed on request.
+/// The differentials of packets of camera rays, which are computed on request.
 class DifferentialSource {
 public:
     virtual ~DifferentialSource() = default;
-    [[nodiscard]] virtual const packet_lanes::Differentials& differentials() = 0;
+    /// Those of a packet by its number, until those of another are requested.
+    [[nodiscard]] virtual const packet_lanes::Differentials& of_packet(std::size_t packet) = 0;
 };
 
 /// A faster way to the radiance alone, for integrators without random numbers.
 class LightTracer {
 public:
-    using Lanes = std::array<Color4f, embree::Packet::size>;
-
     virtual ~LightTracer() = default;
-    /// The radiance of a packet of camera rays with their first hits: that of Integrator::trace(),
+    /// The radiances of packets of camera rays with their first hits: that of Integrator::trace(),
     /// up to rounding errors; 0 where there is no ray.
-    virtual void trace_light(const embree::Packet& packet, DifferentialSource& differentials,
-                             Lanes& radiance) = 0;
+    virtual void trace_light(std::span<const embree::Packet> packets,
+                             DifferentialSource& differentials,
+                             std::span<surface_lanes::Radiances> radiances) = 0;
 };
 
 /// Belongs to one thread. A new integrator needs a file with a class and a maker, and a row in

@@ -3,9 +3,9 @@
 
 // The base colour, lit from the ray's origin.
 
-#include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "render/integrators/ray_tree.hpp"
@@ -18,6 +18,8 @@ namespace {
 
 using embree::Packet;
 using surface_lanes::Group;
+using surface_lanes::Look;
+using surface_lanes::Radiances;
 
 class Preview final : public RayTree, private LightTracer {
 public:
@@ -31,15 +33,6 @@ public:
     [[nodiscard]] LightTracer* light_tracer() override { return this; }
 
 private:
-    // An instance as the integrator shows it.
-    struct Look {
-        bool is_plain = false;  // At rest, and with a plain material; otherwise the rest is unused.
-        Color3f base_color{0.0F};
-        Color3f emission{0.0F};
-        const scene::TextureUse* texture = nullptr;
-        PlacedMesh mesh{};
-    };
-
     static Look look_of(const TracedScene& traced, std::uint32_t instance) {
         const std::optional<PlacedMesh> mesh = traced.surfaces.mesh_at_rest(instance);
         const bool fits = mesh && mesh->mesh->triangles.size() <= surface_lanes::max_mesh_size &&
@@ -48,54 +41,45 @@ private:
         if (!material) {
             return {};
         }
-        return {true, material->constant->base_color, material->constant->emission,
-                material->texture, *mesh};
+        return {true,
+                !mesh->mesh->normals.empty(),
+                material->constant->base_color,
+                material->constant->emission,
+                material->texture,
+                *mesh};
     }
 
-    void trace_light(const Packet& packet, DifferentialSource& differentials,
-                     Lanes& radiance) override {
-        surface_lanes::find_groups(packet, groups_);
-        for (const Group& group : groups_.all()) {
-            if (const Look& look = looks_[group.instance]; look.is_plain) {
-                surface_lanes::set_normals(packet, group.lanes, look.mesh, normals_);
-            }
-        }
-        packet_lanes::set_cosines(packet, normals_, cosines_);
-        for (const Group& group : groups_.all()) {
-            if (const Look& look = looks_[group.instance]; look.is_plain) {
-                surface_lanes::set_radiances(group.lanes, look.emission, look.base_color, cosines_,
-                                             texture(packet, group, look, differentials),
-                                             radiances_);
-            }
-        }
-        surface_lanes::write(radiances_, groups_, radiance);
-        for (const Group& group : groups_.all()) {
-            if (!looks_[group.instance].is_plain) {
-                set_others(packet, group, differentials, radiance);
+    void trace_light(std::span<const Packet> packets, DifferentialSource& differentials,
+                     std::span<Radiances> radiances) override {
+        for (std::size_t k = 0; k < packets.size(); ++k) {
+            surface_lanes::light(packets[k], looks_, lit_, radiances[k]);
+            for (const Group& group : lit_.groups.all()) {
+                const Look& look = looks_[group.instance];
+                if (!look.is_plain) {
+                    set_others(packets[k], group, differentials.of_packet(k), radiances[k]);
+                } else if (look.texture != nullptr) {
+                    set_textured(packets[k], group, differentials.of_packet(k), radiances[k]);
+                }
             }
         }
     }
 
-    // The colours of the texture of a group; null if it has none.
-    [[nodiscard]] const texture_lanes::Colors* texture(const Packet& packet, const Group& group,
-                                                       const Look& look,
-                                                       DifferentialSource& differentials) {
-        if (look.texture == nullptr) {
-            return nullptr;
-        }
-        surface_lanes::set_footprints(packet, group.lanes, look.mesh, normals_,
-                                      differentials.differentials(), *look.texture, footprints_);
+    void set_textured(const Packet& packet, const Group& group,
+                      const packet_lanes::Differentials& differentials, Radiances& radiances) {
+        const Look& look = looks_[group.instance];
+        surface_lanes::set_footprints(packet, group.lanes, look.mesh, lit_.normals, differentials,
+                                      *look.texture, footprints_);
         textures_->look_up(look.texture->index, look.texture->encoding, footprints_, texels_);
-        return &texels_;
+        surface_lanes::set_radiances(group.lanes, look, lit_.cosines, texels_, radiances);
     }
 
-    void set_others(const Packet& packet, const Group& group, DifferentialSource& differentials,
-                    Lanes& radiance) {
+    void set_others(const Packet& packet, const Group& group,
+                    const packet_lanes::Differentials& differentials, Radiances& radiances) {
         for (std::size_t lane = 0; lane < Packet::size; ++lane) {
             if (group.has(lane)) {
-                radiance[lane] = light({packet.origin(lane), packet.direction(lane),
-                                        differentials.differentials().of(lane), packet.time[lane]},
-                                       packet.hit(lane));
+                radiances.set(lane, light({packet.origin(lane), packet.direction(lane),
+                                           differentials.of(lane), packet.time[lane]},
+                                          packet.hit(lane)));
             }
         }
     }
@@ -126,12 +110,9 @@ private:
     const TextureLibrary* textures_;
     std::vector<Look> looks_;  // By instance.
     // Of the packet at work.
-    surface_lanes::Groups groups_;
-    packet_lanes::Normals normals_{};
-    alignas(64) Packet::Floats cosines_{};
+    surface_lanes::Lit lit_{};
     texture_lanes::Footprints footprints_{};
     texture_lanes::Colors texels_{};
-    surface_lanes::Radiances radiances_{};
 };
 
 }  // namespace

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "render/shading/packet_lanes.hpp"
 
@@ -38,27 +37,32 @@ void for_each_ray(const rays::RayBatch& rays, const Square& square, const Visit&
 
 }  // namespace
 
-void set_packet(const rays::RayBatch& rays, const Square& square,
-                const scene::TimeInterval& interval, float time, embree::Packet& packet) {
-    if (is_whole(rays, square)) {
-        packet_lanes::set_rays(rays.arrays(), square.top * square.width + square.left, square.width,
-                               packet);
-        packet.time.fill(time);
-        packet.farthest.fill(std::numeric_limits<float>::infinity());
-    } else {
-        packet.valid.fill(0);
-        for_each_ray(rays, square, [&](std::size_t i, std::size_t lane) {
-            if (traceable(rays, i)) {
-                packet.set(lane, {.origin = V3f(rays.origin(i)),
-                                  .direction = V3f(rays.direction(i)),
-                                  .time = time});
-            }
-        });
-    }
-    if (rays.has_times()) {
-        for_each_ray(rays, square, [&](std::size_t i, std::size_t lane) {
-            packet.time[lane] = static_cast<float>(interval.part_at(rays.time(i)));
-        });
+void set_packets(const rays::RayBatch& rays, const Square& square,
+                 const scene::TimeInterval& interval, float time,
+                 std::span<embree::Packet> packets) {
+    const std::size_t rows = rays.size() / square.width - square.top;
+    const std::size_t whole =
+        rows < side ? 0 : std::min((square.width - square.left) / side, packets.size());
+    packet_lanes::set_rays(rays.arrays(), square.top * square.width + square.left, square.width,
+                           time, packets.first(whole));
+    for (std::size_t k = 0; k < packets.size(); ++k) {
+        embree::Packet& packet = packets[k];
+        const Square one{square.width, square.left + k * side, square.top};
+        if (k >= whole) {
+            packet.valid.fill(0);
+            for_each_ray(rays, one, [&](std::size_t i, std::size_t lane) {
+                if (traceable(rays, i)) {
+                    packet.set(lane, {.origin = V3f(rays.origin(i)),
+                                      .direction = V3f(rays.direction(i)),
+                                      .time = time});
+                }
+            });
+        }
+        if (rays.has_times()) {
+            for_each_ray(rays, one, [&](std::size_t i, std::size_t lane) {
+                packet.time[lane] = static_cast<float>(interval.part_at(rays.time(i)));
+            });
+        }
     }
 }
 
@@ -78,6 +82,9 @@ void set_differentials(const rays::RayBatch& rays, const Square& square, double 
 }
 
 V2f parameters(const rays::RayBatch& rays, std::size_t i) {
+    if (!rays.has_parameters()) {
+        return V2f(0.0F);
+    }
     const V2f p(rays.parameters(i));
     return {std::isfinite(p.x) ? p.x : 0.0F, std::isfinite(p.y) ? p.y : 0.0F};
 }

@@ -5,6 +5,7 @@
 // The rays of a camera as input of the tracer, in floats.
 
 #include <cstddef>
+#include <span>
 
 #include <Imath/ImathVec.h>
 
@@ -19,7 +20,7 @@ using Imath::V3d;
 
 /// Whether there is a ray whose origin is within Embree's limits.
 [[nodiscard]] bool traceable(const rays::RayBatch& rays, std::size_t i);
-/// 0 where a parameter is not finite.
+/// 0 where a parameter is not finite, or was not requested.
 [[nodiscard]] V2f parameters(const rays::RayBatch& rays, std::size_t i);
 /// The number of pixels per unit of length at a point of the ray, on a plane across it; the
 /// geometric mean over its directions. 0 without footprints, or where it is not finite.
@@ -36,12 +37,13 @@ struct Square {
     std::size_t top = 0;
 };
 
-/// Sets the rays of a packet; `valid` as traceable(). `time` is that of all rays, unless they have
-/// their own times, which are from 0 to 1 over the interval.
-void set_packet(const rays::RayBatch& rays, const Square& square,
-                const scene::TimeInterval& interval, float time, embree::Packet& packet);
+/// Sets packets side by side, of which the first has this square; `valid` as traceable(). `time` is
+/// that of all rays, unless they have their own times, which are from 0 to 1 over the interval.
+void set_packets(const rays::RayBatch& rays, const Square& square,
+                 const scene::TimeInterval& interval, float time,
+                 std::span<embree::Packet> packets);
 
-/// Sets the differentials of its rays, as above; 0 without footprints.
+/// Sets the differentials of the rays of a square; 0 without footprints.
 void set_differentials(const rays::RayBatch& rays, const Square& square, double part,
                        packet_lanes::Differentials& differentials);
 

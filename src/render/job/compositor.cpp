@@ -78,16 +78,9 @@ TileImage& Compositor::sample(const TilePoints& points, const Region& counted,
 void Compositor::sample_light(const TilePoints& points, const Region& counted) {
     rays_.find_batch_of_pass(0, points.grid, points.region, points.numbers, tile_rays_);
     image_.light.resize(points.size());
-    tracer_.trace_light(points.region, tile_rays_, image_.light);
-    RayCounts& count = counts_[0];
-    const std::uint64_t in_pass_0 = points.pass == 0 ? 1 : 0;
-    for_each_pixel_within(points.region, counted, [&](std::size_t i, std::size_t, std::size_t) {
-        const std::uint64_t missing = tile_rays_.valid[i] == 0 ? 1 : 0;
-        count.camera_rays += 1;
-        count.invalid_rays += missing;
-        count.hits += image_.light[i].a > 0.0F ? 1 : 0;
-        invalid_pixels_ += in_pass_0 * missing;
-    });
+    const RayCounts found = tracer_.trace_light(points.region, counted, tile_rays_, image_.light);
+    counts_[0].add(found);
+    invalid_pixels_ += points.pass == 0 ? found.invalid_rays : 0;
 }
 
 // Traces rays from front to back, because hidden layers need none; then composites the colours from

@@ -13,12 +13,6 @@
 
 namespace balcony::render {
 
-struct RayCounts {
-    std::uint64_t camera_rays = 0;
-    std::uint64_t invalid_rays = 0;
-    std::uint64_t hits = 0;  ///< Rays that meet a surface.
-};
-
 /// Samples pictures, tile by tile; belongs to one thread.
 class Compositor {
 public:

@@ -261,6 +261,7 @@ struct Job::State {
     std::shared_ptr<const Renderer::State> renderer;
     camera::Picture picture;
     bool footprints;                  // Whether it was compiled with them,
+    bool parameters;                  // with these,
     std::array<std::size_t, 2> size;  // and for which size in pixels.
     JobParts parts;
     Film* film;
@@ -297,14 +298,17 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
             return std::move(focus.diagnostics);
         }
         const bool footprints = traced.materials.has_textures() || with_magnification;
+        const bool parameters = film.layers && !film.layers->parameters.empty();
         const std::array size{film.width, film.height};
         Result<rays::CompiledPicture> compiled =
-            previous != nullptr && previous->size == size && previous->footprints == footprints
+            previous != nullptr && previous->size == size && previous->footprints == footprints &&
+                    previous->parameters == parameters
                 ? Result<rays::CompiledPicture>(previous->parts.picture)
                 : rays::compile(picture, static_cast<double>(film.width),
                                 static_cast<double>(film.height),
                                 {.axes = traced.scene->axes,
                                  .footprints = footprints,
+                                 .parameters = parameters,
                                  .inputs = lens_inputs(*focus)});
         if (!compiled) {
             return std::move(compiled.diagnostics);
@@ -323,7 +327,9 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
         }
         Settings complete = settings;
         PictureRays picture_rays(*compiled, traced.interval, *focus);
-        read_visible_textures(traced, picture_rays, film, settings.time);
+        if (!renderer.state_->textures_on_demand) {
+            read_visible_textures(traced, picture_rays, film, settings.time);
+        }
         std::string light;
         std::optional<SubstituteLight> substitute;
         if (traces_environment(settings.integrator)) {
@@ -355,6 +361,7 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
             State{renderer.state_,
                   picture,
                   footprints,
+                  parameters,
                   size,
                   {std::move(traced), std::move(*compiled), std::move(*focus), complete,
                    find_integrator(settings.integrator), std::move(light), substitute,
@@ -366,6 +373,8 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
 }
 
 const std::string& Job::light() const { return state_->parts.light; }
+
+std::optional<SubstituteLight> Job::substitute() const { return state_->parts.substitute; }
 
 Result<Summary> Job::run(const ProgressCallback& progress, std::stop_token stop) {
     const std::vector<std::uint32_t> passes(

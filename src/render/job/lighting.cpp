@@ -38,7 +38,7 @@ bool sees_sky(const TracedScene& traced, PictureRays& all, const Film& film, dou
             const double sum = step * static_cast<double>(rays);
             return static_cast<float>(sum - std::floor(sum));
         };
-        const Surface surface = tracer.interaction(ray, hit).surface;
+        const Surface surface = traced.surfaces.find(hit, ray.direction, ray.time);
         const V3f direction =
             Frame(surface.geometric_normal)
                 .to_world(sample_cosine(number(0.7548776662466927), number(0.5698402909980532)));

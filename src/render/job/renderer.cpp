@@ -32,7 +32,9 @@ Result<Renderer> Renderer::make(std::shared_ptr<const scene::Scene> scene,
     const double build_seconds = watch.seconds();
     auto textures =
         std::make_shared<const TextureLibrary>(*scene, settings.texture_memory, warnings);
-    textures->read_all();
+    if (!settings.textures_on_demand) {
+        textures->read_all();
+    }
     SurfaceFinder surfaces(*scene, movement);
     LightSet lights(*scene, textures.get(), movement);
     const Preparation preparation{build_seconds, watch.seconds() - build_seconds,
@@ -45,7 +47,8 @@ Result<Renderer> Renderer::make(std::shared_ptr<const scene::Scene> scene,
                        std::move(textures),
                        std::move(materials),
                        times};
-    return {Renderer(std::make_shared<const State>(State{std::move(traced), preparation})),
+    return {Renderer(std::make_shared<const State>(
+                State{std::move(traced), preparation, settings.textures_on_demand})),
             std::move(warnings)};
 }
 
@@ -68,7 +71,8 @@ Result<Renderer> Renderer::moved(const scene::TimeInterval& interval) const {
     }
     Preparation preparation = state_->preparation;
     preparation.build_seconds = watch.seconds();
-    return {Renderer(std::make_shared<const State>(State{std::move(traced), preparation})),
+    return {Renderer(std::make_shared<const State>(
+                State{std::move(traced), preparation, state_->textures_on_demand})),
             std::move(warnings)};
 }
 

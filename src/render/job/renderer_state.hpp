@@ -10,6 +10,7 @@ namespace balcony::render {
 struct Renderer::State {
     TracedScene traced;
     Preparation preparation;
+    bool textures_on_demand = false;
 };
 
 }  // namespace balcony::render

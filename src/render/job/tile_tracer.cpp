@@ -4,8 +4,8 @@
 #include "render/job/tile_tracer.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <optional>
 
 #include "render/sampling/pixel_groups.hpp"
 
@@ -18,33 +18,22 @@ bool is_finite(const Color4f& c) {
     return (c.r - c.r) + (c.g - c.g) + (c.b - c.b) + (c.a - c.a) == 0.0F;
 }
 
-// The same for a packet: the loop is vectorised.
-bool all_finite(const LightTracer::Lanes& colors) {
-    constexpr std::uint32_t exponent = 0x7f800000U;
-    std::uint32_t not_finite = 0;
-    for (const Color4f& color : colors) {
-        for (const float value : {color.r, color.g, color.b, color.a}) {
-            not_finite |= (std::bit_cast<std::uint32_t>(value) & exponent) == exponent ? 1U : 0U;
-        }
-    }
-    return not_finite == 0;
-}
-
 RayDifferentials differentials_of(const rays::RayBatch& rays, std::size_t i, double scale) {
     return rays.has_footprints() ? differentials(rays, i, scale) : RayDifferentials{};
 }
 
-// Those of a packet, whose rays are a square of a tile.
+// Those of packets side by side, of which the first has a square of a tile.
 class SquareDifferentials final : public DifferentialSource {
 public:
-    SquareDifferentials(const rays::RayBatch& rays, double scale, const Square& square,
+    SquareDifferentials(const rays::RayBatch& rays, double scale, const Square& first,
                         packet_lanes::Differentials& differentials)
-        : rays_(rays), scale_(scale), square_(square), differentials_(differentials) {}
+        : rays_(rays), scale_(scale), first_(first), differentials_(differentials) {}
 
-    [[nodiscard]] const packet_lanes::Differentials& differentials() override {
-        if (!set_) {
-            set_differentials(rays_, square_, scale_, differentials_);
-            set_ = true;
+    [[nodiscard]] const packet_lanes::Differentials& of_packet(std::size_t packet) override {
+        if (packet_ != packet) {
+            const std::size_t left = first_.left + packet * embree::Packet::side;
+            set_differentials(rays_, {first_.width, left, first_.top}, scale_, differentials_);
+            packet_ = packet;
         }
         return differentials_;
     }
@@ -52,10 +41,29 @@ public:
 private:
     const rays::RayBatch& rays_;
     double scale_;
-    Square square_;
+    Square first_;
     packet_lanes::Differentials& differentials_;
-    bool set_ = false;
+    std::optional<std::size_t> packet_;  // Whose differentials they are.
 };
+
+// The part of two regions that they share.
+Region both(const Region& a, const Region& b) {
+    const std::size_t x = std::max(a.x, b.x);
+    const std::size_t y = std::max(a.y, b.y);
+    const std::size_t right = std::min(a.x + a.width, b.x + b.width);
+    const std::size_t bottom = std::min(a.y + a.height, b.y + b.height);
+    return {x, y, std::max(right, x) - x, std::max(bottom, y) - y};
+}
+
+// The lanes of a square at a place whose points are in a region.
+surface_lanes::LaneBits lanes_within(const Region& region, std::size_t x, std::size_t y) {
+    constexpr std::size_t side = embree::Packet::side;
+    surface_lanes::LaneBits bits = 0;
+    for (std::size_t lane = 0; lane < embree::Packet::size; ++lane) {
+        bits |= region.contains(x + lane % side, y + lane / side) ? 1U << lane : 0U;
+    }
+    return bits;
+}
 
 }  // namespace
 
@@ -109,40 +117,56 @@ void TileTracer::trace(const TilePoints& points, const TileRays& rays, const Mas
     }
 }
 
-void TileTracer::repair(LightTracer::Lanes& colors) {
-    for (Color4f& color : colors) {
-        if (!is_finite(color)) {
-            ++repaired_;
-            color = Color4f(0.0F);
+RayCounts TileTracer::trace_light(const Region& region, const Region& counted, const TileRays& rays,
+                                  std::span<Color4f> radiance) {
+    constexpr std::size_t side = embree::Packet::side;
+    const Region within = both(region, counted);
+    RayCounts counts{.camera_rays = within.size()};
+    for (std::size_t top = 0; top < region.height; top += side) {
+        for (std::size_t left = 0; left < region.width; left += packets_at_once * side) {
+            const std::size_t number =
+                std::min((region.width - left + side - 1) / side, packets_at_once);
+            const auto packets = std::span(packets_).first(number);
+            const Square first{region.width, left, top};
+            set_packets(rays.all, first, traced_->interval, rays.time, packets);
+            traced_->accelerator.intersect(packets);
+            SquareDifferentials differentials(rays.all, footprint_scale_, first, differentials_);
+            light_tracer_->trace_light(packets, differentials, std::span(radiances_).first(number));
+            for (std::size_t k = 0; k < number; ++k) {
+                const auto found = write_square(region, within, left + k * side, top, k, radiance);
+                counts.invalid_rays += found.missing;
+                counts.hits += found.shown;
+            }
         }
     }
+    return counts;
 }
 
-void TileTracer::trace_light(const Region& region, TileRays& rays, std::span<Color4f> radiance) {
+surface_lanes::LaneCounts TileTracer::write_square(const Region& region, const Region& counted,
+                                                   std::size_t left, std::size_t top,
+                                                   std::size_t packet,
+                                                   std::span<Color4f> radiance) {
     constexpr std::size_t side = embree::Packet::side;
-    rays.valid.resize(region.size());
-    for (std::size_t top = 0; top < region.height; top += side) {
-        for (std::size_t left = 0; left < region.width; left += side) {
-            const Square square{region.width, left, top};
-            set_packet(rays.all, square, traced_->interval, rays.time, packet_);
-            const auto asked = packet_.valid;
-            traced_->accelerator.intersect(packet_);
-            SquareDifferentials differentials(rays.all, footprint_scale_, square, differentials_);
-            light_tracer_->trace_light(packet_, differentials, lanes_);
-            if (!all_finite(lanes_)) {
-                repair(lanes_);
-            }
-            const std::size_t columns = std::min(region.width - left, side);
-            for (std::size_t row = 0; row < std::min(region.height - top, side); ++row) {
-                const std::size_t i = (top + row) * region.width + left;
-                for (std::size_t column = 0; column < columns; ++column) {
-                    const std::size_t lane = row * side + column;
-                    rays.valid[i + column] = asked[lane] != 0 ? 1 : 0;
-                    radiance[i + column] = lanes_[lane];
-                }
-            }
-        }
+    const std::size_t x = region.x + left;
+    const std::size_t y = region.y + top;
+    const bool is_whole = counted.contains(x, y) && counted.contains(x + side - 1, y + side - 1);
+    const auto lanes = is_whole ? surface_lanes::all_lanes : lanes_within(counted, x, y);
+    const auto write = [&](std::size_t stride, Color4f* to) {
+        return surface_lanes::write(packets_[packet], radiances_[packet], lanes, stride, to,
+                                    repaired_);
+    };
+    Color4f* const to = &radiance[top * region.width + left];
+    const std::size_t columns = std::min(region.width - left, side);
+    const std::size_t rows = std::min(region.height - top, side);
+    if (columns == side && rows == side) {
+        return write(region.width, to);
     }
+    std::array<Color4f, embree::Packet::size> colors;
+    const auto found = write(side, colors.data());
+    for (std::size_t row = 0; row < rows; ++row) {
+        std::copy_n(&colors[row * side], columns, to + row * region.width);
+    }
+    return found;
 }
 
 }  // namespace balcony::render

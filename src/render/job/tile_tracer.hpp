@@ -4,6 +4,7 @@
 
 // Traces the rays of a tile.
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -27,6 +28,18 @@ struct TilePoints {
     }
 };
 
+struct RayCounts {
+    std::uint64_t camera_rays = 0;
+    std::uint64_t invalid_rays = 0;
+    std::uint64_t hits = 0;  ///< Rays that meet a surface.
+
+    void add(const RayCounts& other) {
+        camera_rays += other.camera_rays;
+        invalid_rays += other.invalid_rays;
+        hits += other.hits;
+    }
+};
+
 /// Traces rays; belongs to one thread.
 class TileTracer {
 public:
@@ -45,16 +58,20 @@ public:
 
     /// Whether there is trace_light().
     [[nodiscard]] bool has_light_tracer() const { return light_tracer_ != nullptr; }
-    /// The radiance of all rays that can be traced, as above, and 0 elsewhere. Sets `valid`.
-    void trace_light(const Region& region, TileRays& rays, std::span<Color4f> radiance);
+    /// The radiance of all rays that can be traced, as above, and 0 elsewhere. Counts the rays in
+    /// the region `counted`.
+    RayCounts trace_light(const Region& region, const Region& counted, const TileRays& rays,
+                          std::span<Color4f> radiance);
 
     /// The number of samples whose radiance was not finite.
     [[nodiscard]] std::uint64_t repaired() const { return repaired_; }
 
 private:
     void trace(const TilePoints& points, const TileRays& rays, const Mask& wanted);
-    // Replaces what is not finite by black.
-    void repair(LightTracer::Lanes& colors);
+    // Writes a packet, which has a square of the region.
+    surface_lanes::LaneCounts write_square(const Region& region, const Region& counted,
+                                           std::size_t left, std::size_t top, std::size_t packet,
+                                           std::span<Color4f> radiance);
     [[nodiscard]] Ray camera_ray(const TileRays& rays, std::size_t i) const;
 
     const TracedScene* traced_;
@@ -66,9 +83,11 @@ private:
     std::vector<std::size_t> indices_;  // Of the requested points; the others are parallel to it.
     std::vector<CameraRay> requested_;
     std::vector<Seen> seen_;
-    embree::Packet packet_;
+    // Packets side by side.
+    static constexpr std::size_t packets_at_once = 4;
+    std::array<embree::Packet, packets_at_once> packets_;
+    std::array<surface_lanes::Radiances, packets_at_once> radiances_;
     packet_lanes::Differentials differentials_;
-    LightTracer::Lanes lanes_;
     std::uint64_t repaired_ = 0;
 };
 

@@ -14,18 +14,21 @@ namespace balcony::render {
 namespace {
 
 // The part of a tile whose rays are traced so that the results in the window are the same as in the
-// whole picture: rays are traced in packets, and if two triangles are equally near, the other rays
-// of a packet may determine which one is found.
+// whole picture: rays are traced in pairs of packets, and if two triangles are equally near, the
+// other rays of a pair may determine which one is found.
 Region traced_part(const Region& tile, const Region& window) {
-    const auto part = [](std::size_t begin, std::size_t side, std::size_t from, std::size_t to) {
-        constexpr std::size_t packet = embree::Accelerator::packet_side;
-        const std::size_t first = from > begin ? (from - begin) / packet * packet : 0;
+    using embree::Accelerator;
+    const auto part = [](std::size_t step, std::size_t begin, std::size_t side, std::size_t from,
+                         std::size_t to) {
+        const std::size_t first = from > begin ? (from - begin) / step * step : 0;
         const std::size_t last =
-            to < begin + side ? std::min((to - begin + packet - 1) / packet * packet, side) : side;
+            to < begin + side ? std::min((to - begin + step - 1) / step * step, side) : side;
         return std::pair(begin + first, last - first);
     };
-    const auto [x, width] = part(tile.x, tile.width, window.x, window.x + window.width);
-    const auto [y, height] = part(tile.y, tile.height, window.y, window.y + window.height);
+    const auto [x, width] =
+        part(Accelerator::pair_width, tile.x, tile.width, window.x, window.x + window.width);
+    const auto [y, height] =
+        part(Accelerator::packet_side, tile.y, tile.height, window.y, window.y + window.height);
     return {x, y, width, height};
 }
 
@@ -34,9 +37,7 @@ Region traced_part(const Region& tile, const Region& window) {
 void WorkCounts::add(const WorkCounts& other) {
     layers.resize(std::max(layers.size(), other.layers.size()));
     for (std::size_t i = 0; i < other.layers.size(); ++i) {
-        layers[i].camera_rays += other.layers[i].camera_rays;
-        layers[i].invalid_rays += other.layers[i].invalid_rays;
-        layers[i].hits += other.layers[i].hits;
+        layers[i].add(other.layers[i]);
     }
     invalid_pixels += other.invalid_pixels;
     repaired += other.repaired;

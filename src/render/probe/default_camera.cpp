@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "balcony/probe.hpp"
+#include "render/job/renderer_state.hpp"
 #include "render/probe/main_objects.hpp"
 #include "render/probe/viewer.hpp"
 
@@ -132,9 +133,8 @@ bool is_better(const RoomView& room, const Sight& outside, const scene::Scene& s
     return shows_more || room.lit || (room.faces_inwards && scene.lights.empty());
 }
 
-}  // namespace
-
-Result<scene::Camera> default_camera(const scene::Scene& scene) {
+// With the structure of the scene as it stands.
+Result<scene::Camera> find_view(const scene::Scene& scene, const embree::Accelerator& accelerator) {
     const Imath::Box3f bounds = scene.bounds();
     // In double precision, as the sum of two corners may be too large for single.
     const Imath::Box3d whole{V3d(bounds.min), V3d(bounds.max)};
@@ -142,14 +142,26 @@ Result<scene::Camera> default_camera(const scene::Scene& scene) {
         return error("the scene has no finite size, so no camera can show all of it", {},
                      "name a camera with --camera, or correct the coordinates of the scene");
     }
-    const Result<embree::Accelerator> accelerator = embree::Accelerator::build(scene);
-    if (!accelerator) {
-        return accelerator.diagnostics;
-    }
-    const Viewer viewer(scene, *accelerator);
+    const Viewer viewer(scene, accelerator);
     scene::Camera outside = view_of(box_of_main_objects(scene).value_or(whole), scene.axes);
     const std::optional<RoomView> room = best_room_view(viewer, scene, whole);
     return room && is_better(*room, viewer.look(outside), scene) ? room->camera : outside;
+}
+
+}  // namespace
+
+Result<scene::Camera> default_camera(const scene::Scene& scene) {
+    const Result<embree::Accelerator> accelerator = embree::Accelerator::build(scene);
+    return accelerator ? find_view(scene, *accelerator)
+                       : Result<scene::Camera>(accelerator.diagnostics);
+}
+
+Result<scene::Camera> Renderer::default_camera() const {
+    const TracedScene& traced = state_->traced;
+    const scene::Scene& scene = *traced.scene;
+    const bool as_it_stands =
+        !scene.motion || (traced.interval.begin == scene.time && traced.interval.end == scene.time);
+    return as_it_stands ? find_view(scene, traced.accelerator) : render::default_camera(scene);
 }
 
 }  // namespace balcony::render

@@ -20,37 +20,77 @@ namespace lanes = hwy::HWY_NAMESPACE;
 
 using embree::Packet;
 
-void set_rays(const rays::RayBatch::Arrays& rays, std::size_t first, std::size_t stride,
-              Packet& packet) {
+using Floats = Packet::Floats Packet::*;
+using Integers = std::array<std::int32_t, Packet::size> Packet::*;
+
+// Stores the values of a row from a column on. If a register has those of two packets, each gets a
+// half.
+template <class Tag, class Vector, class Member>
+HWY_INLINE void store(Tag tag, Vector values, Member member, std::size_t row, std::size_t column,
+                      Packet* packets) {
     constexpr std::size_t side = Packet::side;
-    const std::array origins{packet.origin_x.data(), packet.origin_y.data(),
-                             packet.origin_z.data()};
-    const std::array directions{packet.direction_x.data(), packet.direction_y.data(),
-                                packet.direction_z.data()};
-    const lanes::CappedTag<double, side> tag;
-    const lanes::Rebind<float, decltype(tag)> floats;
-    const lanes::Rebind<std::int32_t, decltype(tag)> integers;
+    auto* const to = (packets[column / side].*member).data() + row * side + column % side;
+#if HWY_TARGET != HWY_SCALAR
+    if constexpr (lanes::MaxLanes(tag) > side) {
+        const lanes::Half<Tag> half;
+        lanes::Store(lanes::LowerHalf(half, values), half, to);
+        lanes::Store(lanes::UpperHalf(half, values), half,
+                     (packets[column / side + 1].*member).data() + row * side);
+        return;
+    }
+#endif
+    lanes::Store(values, tag, to);
+}
+
+template <class Tag>
+HWY_INLINE void set_part(Tag tag, const rays::RayBatch::Arrays& rays, std::size_t i,
+                         std::size_t row, std::size_t column, Packet* packets) {
+    constexpr std::array<Floats, 3> origins{&Packet::origin_x, &Packet::origin_y,
+                                            &Packet::origin_z};
+    constexpr std::array<Floats, 3> directions{&Packet::direction_x, &Packet::direction_y,
+                                               &Packet::direction_z};
+    constexpr Integers valid = &Packet::valid;
+    const lanes::Rebind<float, Tag> floats;
+    const lanes::Rebind<std::int32_t, Tag> integers;
     const auto one = lanes::Set(tag, 1.0);
     const auto limit = lanes::Set(tag, embree::max_coordinate);
-    const auto tolerance = lanes::Set(tag, 1e-6);
+    auto traceable = lanes::Eq(lanes::LoadU(tag, rays.valid + i), one);
+    auto square = lanes::Zero(tag);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto origin = lanes::LoadU(tag, rays.origin[axis] + i);
+        const auto direction = lanes::LoadU(tag, rays.direction[axis] + i);
+        traceable = lanes::And(traceable, lanes::Le(lanes::Abs(origin), limit));
+        square = lanes::Add(square, lanes::Mul(direction, direction));
+        store(floats, lanes::DemoteTo(floats, origin), origins[axis], row, column, packets);
+        store(floats, lanes::DemoteTo(floats, direction), directions[axis], row, column, packets);
+    }
+    traceable = lanes::And(traceable,
+                           lanes::Lt(lanes::Abs(lanes::Sub(square, one)), lanes::Set(tag, 1e-6)));
+    const auto flags = lanes::IfThenElseZero(traceable, lanes::Set(tag, -1.0));
+    store(integers, lanes::DemoteTo(integers, flags), valid, row, column, packets);
+}
+
+void set_rays(const rays::RayBatch::Arrays& rays, std::size_t first, std::size_t stride, float time,
+              std::span<Packet> packets) {
+    constexpr std::size_t side = Packet::side;
+    const lanes::CappedTag<double, 2 * side> tag;
+    const lanes::CappedTag<double, side> tag_of_one;
+    const std::size_t width = packets.size() * side;
     for (std::size_t row = 0; row < side; ++row) {
-        for (std::size_t column = 0; column < side; column += lanes::Lanes(tag)) {
-            const std::size_t i = first + row * stride + column;
-            const std::size_t lane = row * side + column;
-            auto traceable = lanes::Eq(lanes::LoadU(tag, rays.valid + i), one);
-            auto square = lanes::Zero(tag);
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                const auto origin = lanes::LoadU(tag, rays.origin[axis] + i);
-                const auto direction = lanes::LoadU(tag, rays.direction[axis] + i);
-                traceable = lanes::And(traceable, lanes::Le(lanes::Abs(origin), limit));
-                square = lanes::Add(square, lanes::Mul(direction, direction));
-                lanes::Store(lanes::DemoteTo(floats, origin), floats, origins[axis] + lane);
-                lanes::Store(lanes::DemoteTo(floats, direction), floats, directions[axis] + lane);
-            }
-            traceable =
-                lanes::And(traceable, lanes::Lt(lanes::Abs(lanes::Sub(square, one)), tolerance));
-            const auto flags = lanes::IfThenElseZero(traceable, lanes::Set(tag, -1.0));
-            lanes::Store(lanes::DemoteTo(integers, flags), integers, packet.valid.data() + lane);
+        const std::size_t i = first + row * stride;
+        std::size_t column = 0;
+        for (; column + lanes::Lanes(tag) <= width; column += lanes::Lanes(tag)) {
+            set_part(tag, rays, i + column, row, column, packets.data());
+        }
+        for (; column < width; column += lanes::Lanes(tag_of_one)) {
+            set_part(tag_of_one, rays, i + column, row, column, packets.data());
+        }
+    }
+    const lanes::CappedTag<float, Packet::size> floats;
+    for (Packet& packet : packets) {
+        for (std::size_t lane = 0; lane < Packet::size; lane += lanes::Lanes(floats)) {
+            lanes::Store(lanes::Set(floats, time), floats, packet.time.data() + lane);
+            lanes::Store(lanes::Inf(floats), floats, packet.farthest.data() + lane);
         }
     }
 }
@@ -99,63 +139,6 @@ void set_differentials(const rays::RayBatch::FootprintArrays& footprints, std::s
     }
 }
 
-// The normal for shading is on the side of the geometric normal that faces the viewer, and just
-// above the horizon if it faces away from the viewer.
-void set_cosines(const Packet& packet, const Normals& normals, Packet::Floats& cosines) {
-    using Vectors = std::array<const float*, 3>;
-    const Vectors direction{packet.direction_x.data(), packet.direction_y.data(),
-                            packet.direction_z.data()};
-    const Vectors flat_normal{normals.flat_x.data(), normals.flat_y.data(), normals.flat_z.data()};
-    const Vectors smooth_normal{normals.smooth_x.data(), normals.smooth_y.data(),
-                                normals.smooth_z.data()};
-    const lanes::CappedTag<float, Packet::size> tag;
-    const auto zero = lanes::Zero(tag);
-    const auto one = lanes::Set(tag, 1.0F);
-    const auto min_cosine = lanes::Set(tag, 1e-3F);
-    const auto dot = [&](const Vectors& a, const Vectors& b, std::size_t lane) {
-        auto sum = zero;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            sum = lanes::Add(sum, lanes::Mul(lanes::Load(tag, a[axis] + lane),
-                                             lanes::Load(tag, b[axis] + lane)));
-        }
-        return sum;
-    };
-    for (std::size_t lane = 0; lane < Packet::size; lane += lanes::Lanes(tag)) {
-        const auto has_normal = lanes::Gt(dot(smooth_normal, smooth_normal, lane), zero);
-        const auto smooth_length = lanes::Sqrt(
-            lanes::IfThenElse(has_normal, dot(smooth_normal, smooth_normal, lane), one));
-        const auto towards = lanes::Div(dot(smooth_normal, direction, lane), smooth_length);
-        // Negative where the two normals are on different sides of the triangle as the ray sees it.
-        const auto flat_cosine = dot(flat_normal, direction, lane);
-        const auto sides = lanes::Xor(dot(flat_normal, smooth_normal, lane), flat_cosine);
-        const auto cosine = lanes::IfNegativeThenElse(sides, lanes::Neg(towards), towards);
-
-        const auto missing = lanes::Sub(min_cosine, cosine);
-        const auto bent_square =
-            lanes::Add(one, lanes::Mul(missing, lanes::Add(lanes::Add(cosine, cosine), missing)));
-        const auto bent = lanes::Div(min_cosine, lanes::Sqrt(bent_square));
-        const auto smooth = lanes::IfThenElse(lanes::Ge(cosine, min_cosine), cosine, bent);
-        if (lanes::AllTrue(tag, has_normal)) {
-            lanes::Store(smooth, tag, cosines.data() + lane);
-            continue;
-        }
-
-        // The normal of a small triangle is too short to be squared.
-        auto size = zero;
-        for (const float* component : flat_normal) {
-            size = lanes::Max(size, lanes::Abs(lanes::Load(tag, component + lane)));
-        }
-        auto flat_square = zero;
-        for (const float* component : flat_normal) {
-            const auto part = lanes::Div(lanes::Load(tag, component + lane), size);
-            flat_square = lanes::Add(flat_square, lanes::Mul(part, part));
-        }
-        const auto flat =
-            lanes::Div(lanes::Abs(flat_cosine), lanes::Mul(size, lanes::Sqrt(flat_square)));
-        lanes::Store(lanes::IfThenElse(has_normal, smooth, flat), tag, cosines.data() + lane);
-    }
-}
-
 }  // namespace balcony::render::packet_lanes::HWY_NAMESPACE
 
 HWY_AFTER_NAMESPACE();
@@ -166,7 +149,6 @@ namespace balcony::render::packet_lanes {
 
 HWY_EXPORT(set_rays);
 HWY_EXPORT(set_differentials);
-HWY_EXPORT(set_cosines);
 
 void Differentials::set(std::size_t lane, const RayDifferentials& from) {
     const auto store = [lane](const V3f& vector, Vectors& to) {
@@ -180,19 +162,14 @@ void Differentials::set(std::size_t lane, const RayDifferentials& from) {
     store(from.direction_y, direction_y);
 }
 
-void set_rays(const rays::RayBatch::Arrays& rays, std::size_t first, std::size_t stride,
-              embree::Packet& packet) {
-    HWY_DYNAMIC_DISPATCH(set_rays)(rays, first, stride, packet);
+void set_rays(const rays::RayBatch::Arrays& rays, std::size_t first, std::size_t stride, float time,
+              std::span<embree::Packet> packets) {
+    HWY_DYNAMIC_DISPATCH(set_rays)(rays, first, stride, time, packets);
 }
 
 void set_differentials(const rays::RayBatch::FootprintArrays& footprints, std::size_t first,
                        std::size_t stride, double part, Differentials& differentials) {
     HWY_DYNAMIC_DISPATCH(set_differentials)(footprints, first, stride, part, differentials);
-}
-
-void set_cosines(const embree::Packet& packet, const Normals& normals,
-                 embree::Packet::Floats& cosines) {
-    HWY_DYNAMIC_DISPATCH(set_cosines)(packet, normals, cosines);
 }
 
 }  // namespace balcony::render::packet_lanes

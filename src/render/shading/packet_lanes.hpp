@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 
 #include "balcony/rays.hpp"
 #include "render/embree/accelerator.hpp"
@@ -14,10 +15,10 @@
 
 namespace balcony::render::packet_lanes {
 
-/// Sets the origins and directions of a packet to those of a square of the rays of a tile, which
-/// begins at ray `first` and whose rows are `stride` apart; `valid` as traceable().
-void set_rays(const rays::RayBatch::Arrays& rays, std::size_t first, std::size_t stride,
-              embree::Packet& packet);
+/// Sets packets side by side to squares of the rays of a tile, which begin at ray `first` and whose
+/// rows are `stride` apart; `valid` as traceable(). All have the same time.
+void set_rays(const rays::RayBatch::Arrays& rays, std::size_t first, std::size_t stride, float time,
+              std::span<embree::Packet> packets);
 
 /// The differentials of the rays of a packet, by axis.
 struct alignas(64) Differentials {
@@ -39,17 +40,5 @@ struct alignas(64) Differentials {
 /// render::differentials().
 void set_differentials(const rays::RayBatch::FootprintArrays& footprints, std::size_t first,
                        std::size_t stride, double part, Differentials& differentials);
-
-/// Normals in the world, of any length and on any side. A smooth normal of 0 means that the surface
-/// is flat.
-struct alignas(64) Normals {
-    embree::Packet::Floats flat_x, flat_y, flat_z;
-    embree::Packet::Floats smooth_x, smooth_y, smooth_z;
-};
-
-/// The cosines between the rays and the normal for shading, which is never negative: as
-/// with Surface::smooth_normal. Defined where the flat normal is not 0.
-void set_cosines(const embree::Packet& packet, const Normals& normals,
-                 embree::Packet::Floats& cosines);
 
 }  // namespace balcony::render::packet_lanes

@@ -100,13 +100,9 @@ void find_groups(const Packet& packet, Groups& groups) {
         const auto nothing = lanes::Set(numbers, embree::Hit::nothing);
         const auto geometry = lanes::Load(numbers, packet.geometry.data() + lane);
         const auto placement = lanes::Load(numbers, packet.placement.data() + lane);
-        const auto valid =
-            lanes::BitCast(numbers, lanes::Load(integers, packet.valid.data() + lane));
-        const auto missed =
-            lanes::Or(lanes::Eq(valid, lanes::Zero(numbers)), lanes::Eq(geometry, nothing));
         lanes::Store(lanes::IfThenElse(lanes::Eq(placement, nothing), geometry, placement), numbers,
                      instances.data() + lane);
-        rest |= bits_of(numbers, lanes::Not(missed), lane);
+        rest |= bits_of(numbers, lanes::Ne(geometry, nothing), lane);
     }
     groups.clear();
     while (rest != 0) {
@@ -201,32 +197,102 @@ HWY_INLINE Vector2 corner_of(const Corners& corners, const std::vector<V2f>& val
             corners.template operator()<2>(from, corner, 1)};
 }
 
-void set_normals(const Packet& packet, LaneBits bits, const PlacedMesh& mesh,
-                 packet_lanes::Normals& normals) {
-    const std::vector<V3f>& smooth = mesh.mesh->normals;
+// The normal of the triangles in the world, of any length and on any side.
+HWY_INLINE Vector3 triangle_normal(const Packet& packet, LaneBits bits, const PlacedMesh& mesh,
+                                   std::size_t lane) {
+    const Vector3 triangle = load(packet.normal_x, packet.normal_y, packet.normal_z, lane);
     const bool is_placed = packet.is_placed(static_cast<std::size_t>(std::countr_zero(bits)));
-    for_each_register(
-        packet, bits, *mesh.mesh, [&](const auto& corners, Mask mask, std::size_t lane) {
-            const Vector3 triangle = load(packet.normal_x, packet.normal_y, packet.normal_z, lane);
-            const Vector3 flat = is_placed ? placed(triangle, mesh.normal_from_mesh) : triangle;
-            store(mask, flat.x, normals.flat_x, lane);
-            store(mask, flat.y, normals.flat_y, lane);
-            store(mask, flat.z, normals.flat_z, lane);
-            const Vector zero = lanes::Zero(tag);
-            Vector3 interpolated{zero, zero, zero};
-            if (!smooth.empty()) {
-                const Vector u = load(packet.u, lane);
-                const Vector v = load(packet.v, lane);
-                const Vector first = difference(difference(number(1.0F), u), v);
-                interpolated = placed(sum(sum(product(first, corner_of(corners, smooth, 0)),
-                                              product(u, corner_of(corners, smooth, 1))),
-                                          product(v, corner_of(corners, smooth, 2))),
-                                      mesh.normal_from_mesh);
-            }
-            store(mask, interpolated.x, normals.smooth_x, lane);
-            store(mask, interpolated.y, normals.smooth_y, lane);
-            store(mask, interpolated.z, normals.smooth_z, lane);
-        });
+    return is_placed ? placed(triangle, mesh.normal_from_mesh) : triangle;
+}
+
+// A normal that is interpolated between those of the corners, of any length.
+HWY_INLINE Vector3 interpolated(const Packet& packet, const OneTriangle& corners,
+                                const std::vector<V3f>& normals, std::size_t lane) {
+    const Vector u = load(packet.u, lane);
+    const Vector v = load(packet.v, lane);
+    const Vector first = difference(difference(number(1.0F), u), v);
+    return sum(sum(product(first, corner_of(corners, normals, 0)),
+                   product(u, corner_of(corners, normals, 1))),
+               product(v, corner_of(corners, normals, 2)));
+}
+
+// The same for any triangles, one after another, which takes less time than gathering the corners.
+HWY_INLINE Vector3 interpolated(const Packet& packet, LaneBits bits, const scene::Mesh& mesh,
+                                std::size_t lane) {
+    alignas(64) Packet::Floats x{}, y{}, z{};
+    for (std::size_t i = lane; i < lane + lanes::Lanes(tag); ++i) {
+        if ((bits >> i & 1U) == 0) {
+            continue;
+        }
+        const auto& corners = mesh.triangles[packet.triangle[i]];
+        const V3f& a = mesh.normals[corners[0]];
+        const V3f& b = mesh.normals[corners[1]];
+        const V3f& c = mesh.normals[corners[2]];
+        const float u = packet.u[i];
+        const float v = packet.v[i];
+        const float first = 1.0F - u - v;
+        x[i] = first * a.x + u * b.x + v * c.x;
+        y[i] = first * a.y + u * b.y + v * c.y;
+        z[i] = first * a.z + u * b.z + v * c.z;
+    }
+    return load(x, y, z, lane);
+}
+
+HWY_INLINE Vector3 smooth_normal(const Packet& packet, LaneBits bits, const PlacedMesh& placed_mesh,
+                                 Mask mask, std::size_t lane) {
+    const scene::Mesh& mesh = *placed_mesh.mesh;
+    const std::uint32_t first =
+        packet.triangle[lane + static_cast<std::size_t>(std::countr_zero(bits >> lane))];
+    const auto others = lanes::And(
+        lanes::RebindMask(numbers, mask),
+        lanes::Ne(lanes::Load(numbers, packet.triangle.data() + lane), lanes::Set(numbers, first)));
+    return placed(lanes::AllFalse(numbers, others)
+                      ? interpolated(packet, OneTriangle{mesh.triangles[first]}, mesh.normals, lane)
+                      : interpolated(packet, bits, mesh, lane),
+                  placed_mesh.normal_from_mesh);
+}
+
+// A power of two whose product with a value is from 1 to 2, or to 4 for the largest values.
+HWY_INLINE Vector reciprocal_scale(Vector value) {
+    const auto exponent =
+        lanes::Min(lanes::And(lanes::BitCast(numbers, value), lanes::Set(numbers, 0x7f800000U)),
+                   lanes::Set(numbers, 0x7e800000U));
+    return lanes::BitCast(tag, lanes::Sub(lanes::Set(numbers, 0x7f000000U), exponent));
+}
+
+// The cosine between rays and the normals of triangles. That of a small one is too short to be
+// squared.
+HWY_INLINE Vector flat_cosine(const Vector3& normal, const Vector3& direction) {
+    const Vector size =
+        lanes::Max(lanes::Max(lanes::Abs(normal.x), lanes::Abs(normal.y)), lanes::Abs(normal.z));
+    const Vector3 scaled = product(reciprocal_scale(size), normal);
+    return lanes::Div(lanes::Abs(dot(scaled, direction)), lanes::Sqrt(dot(scaled, scaled)));
+}
+
+// The normal for shading is on the side of the geometric normal that faces the viewer, and just
+// above the horizon if it faces away from the viewer. Where it is 0, the surface is flat.
+HWY_INLINE Vector smooth_cosine(const Vector3& flat, const Vector3& smooth,
+                                const Vector3& direction) {
+    const Vector zero = lanes::Zero(tag);
+    const Vector one = number(1.0F);
+    const Vector min_cosine = number(1e-3F);
+    const Vector square = dot(smooth, smooth);
+    const Mask has_normal = lanes::Gt(square, zero);
+    const Vector length = lanes::Sqrt(lanes::IfThenElse(has_normal, square, one));
+    const Vector towards = lanes::Div(dot(smooth, direction), length);
+    // Negative where the two normals are on different sides of the triangle as the ray sees it.
+    const Vector sides = lanes::Xor(dot(flat, smooth), dot(flat, direction));
+    const Vector cosine = lanes::IfNegativeThenElse(sides, lanes::Neg(towards), towards);
+    const Mask bends = lanes::AndNot(lanes::Ge(cosine, min_cosine), has_normal);
+    Vector shown = cosine;
+    if (!lanes::AllFalse(tag, bends)) {
+        const Vector missing = difference(min_cosine, cosine);
+        const Vector bent_square = sum(one, product(missing, sum(sum(cosine, cosine), missing)));
+        shown = lanes::IfThenElse(bends, lanes::Div(min_cosine, lanes::Sqrt(bent_square)), cosine);
+    }
+    return lanes::AllTrue(tag, has_normal)
+               ? shown
+               : lanes::IfThenElse(has_normal, shown, flat_cosine(flat, direction));
 }
 
 HWY_INLINE Vector2 in_image(const scene::TextureUse& use, const Vector2& uv) {
@@ -248,9 +314,8 @@ HWY_INLINE Vector2 slope_of(const Vector2& along, const Vector2& edge_1, const V
 }
 
 void set_footprints(const Packet& packet, LaneBits bits, const PlacedMesh& mesh,
-                    const packet_lanes::Normals& normals,
-                    const packet_lanes::Differentials& differentials, const scene::TextureUse& use,
-                    texture_lanes::Footprints& footprints) {
+                    const Normals& normals, const packet_lanes::Differentials& differentials,
+                    const scene::TextureUse& use, texture_lanes::Footprints& footprints) {
     footprints = {};
     const std::vector<V3f>& positions = mesh.mesh->positions;
     const std::vector<V2f>& coordinates = mesh.mesh->texture_coordinates[use.coordinates];
@@ -276,7 +341,7 @@ void set_footprints(const Packet& packet, LaneBits bits, const PlacedMesh& mesh,
             const Vector square = dot(across, across);
             const Vector3 to_u = cross(edge_2, across);
             const Vector3 to_v = cross(across, edge_1);
-            const Vector3 normal = load(normals.flat_x, normals.flat_y, normals.flat_z, lane);
+            const Vector3 normal = load(normals.x, normals.y, normals.z, lane);
             const Vector3 direction =
                 load(packet.direction_x, packet.direction_y, packet.direction_z, lane);
             const Vector cosine = dot(normal, direction);
@@ -315,41 +380,68 @@ void set_footprints(const Packet& packet, LaneBits bits, const PlacedMesh& mesh,
         });
 }
 
-void set_radiances(LaneBits bits, const Imath::Color3f& emission, const Imath::Color3f& base_color,
-                   const Packet::Floats& cosines, const texture_lanes::Colors* texture,
-                   Radiances& radiances) {
+// A group of a plain look.
+HWY_INLINE void light_group(const Packet& packet, LaneBits bits, const Look& look, Lit& lit,
+                            Radiances& radiances) {
     for (std::size_t lane = 0; lane < Packet::size; lane += lanes::Lanes(tag)) {
         const Mask mask = mask_of(bits, lane);
-        const Vector cosine = load(cosines, lane);
-        const auto set = [&](float emitted, float base, const texture_lanes::Floats* texels,
-                             Packet::Floats& to) {
-            const Vector lit = product(cosine, number(base));
-            const Vector shown = texels != nullptr ? product(lit, load(*texels, lane)) : lit;
-            store(mask, sum(number(emitted), shown), to, lane);
+        if (lanes::AllFalse(tag, mask)) {
+            continue;
+        }
+        const Vector3 normal = triangle_normal(packet, bits, look.mesh, lane);
+        const Vector3 direction =
+            load(packet.direction_x, packet.direction_y, packet.direction_z, lane);
+        const Vector cosine =
+            look.is_smooth
+                ? smooth_cosine(normal, smooth_normal(packet, bits, look.mesh, mask, lane),
+                                direction)
+                : flat_cosine(normal, direction);
+        if (look.texture != nullptr) {
+            store(mask, cosine, lit.cosines, lane);
+            store(mask, normal.x, lit.normals.x, lane);
+            store(mask, normal.y, lit.normals.y, lane);
+            store(mask, normal.z, lit.normals.z, lane);
+            continue;
+        }
+        const auto set = [&](float emission, float base, Packet::Floats& to) {
+            store(mask, sum(number(emission), product(cosine, number(base))), to, lane);
         };
-        set(emission.x, base_color.x, texture != nullptr ? &texture->red : nullptr, radiances.red);
-        set(emission.y, base_color.y, texture != nullptr ? &texture->green : nullptr,
-            radiances.green);
-        set(emission.z, base_color.z, texture != nullptr ? &texture->blue : nullptr,
-            radiances.blue);
+        set(look.emission.x, look.base_color.x, radiances.red);
+        set(look.emission.y, look.base_color.y, radiances.green);
+        set(look.emission.z, look.base_color.z, radiances.blue);
         store(mask, number(1.0F), radiances.alpha, lane);
     }
 }
 
-void write(const Radiances& radiances, const Groups& groups,
-           std::array<Imath::Color4f, Packet::size>& colors) {
-    LaneBits bits = 0;
-    for (const Group& group : groups.all()) {
-        bits |= group.lanes;
+void light(const Packet& packet, std::span<const Look> looks, Lit& lit, Radiances& radiances) {
+    for (std::size_t lane = 0; lane < Packet::size; lane += lanes::Lanes(tag)) {
+        for (Packet::Floats* values :
+             {&radiances.red, &radiances.green, &radiances.blue, &radiances.alpha}) {
+            lanes::Store(lanes::Zero(tag), tag, values->data() + lane);
+        }
     }
+    HWY_NAMESPACE::find_groups(packet, lit.groups);
+    for (const Group& group : lit.groups.all()) {
+        if (const Look& look = looks[group.instance]; look.is_plain) {
+            light_group(packet, group.lanes, look, lit, radiances);
+        }
+    }
+}
+
+void set_radiances(LaneBits bits, const Look& look, const Packet::Floats& cosines,
+                   const texture_lanes::Colors& texture, Radiances& radiances) {
     for (std::size_t lane = 0; lane < Packet::size; lane += lanes::Lanes(tag)) {
         const Mask mask = mask_of(bits, lane);
-        const auto shown = [&](const Packet::Floats& values) {
-            return lanes::IfThenElseZero(mask, load(values, lane));
+        const Vector cosine = load(cosines, lane);
+        const auto set = [&](float emission, float base, const texture_lanes::Floats& texels,
+                             Packet::Floats& to) {
+            const Vector shown = product(product(cosine, number(base)), load(texels, lane));
+            store(mask, sum(number(emission), shown), to, lane);
         };
-        lanes::StoreInterleaved4(shown(radiances.red), shown(radiances.green),
-                                 shown(radiances.blue), shown(radiances.alpha), tag,
-                                 &colors[lane].r);
+        set(look.emission.x, look.base_color.x, texture.red, radiances.red);
+        set(look.emission.y, look.base_color.y, texture.green, radiances.green);
+        set(look.emission.z, look.base_color.z, texture.blue, radiances.blue);
+        store(mask, number(1.0F), radiances.alpha, lane);
     }
 }
 
@@ -362,38 +454,29 @@ HWY_AFTER_NAMESPACE();
 namespace balcony::render::surface_lanes {
 
 HWY_EXPORT(find_groups);
-HWY_EXPORT(set_normals);
 HWY_EXPORT(set_footprints);
+HWY_EXPORT(light);
 HWY_EXPORT(set_radiances);
-HWY_EXPORT(write);
 
 void find_groups(const embree::Packet& packet, Groups& groups) {
     HWY_DYNAMIC_DISPATCH(find_groups)(packet, groups);
 }
 
-void set_normals(const embree::Packet& packet, LaneBits lanes, const PlacedMesh& mesh,
-                 packet_lanes::Normals& normals) {
-    HWY_DYNAMIC_DISPATCH(set_normals)(packet, lanes, mesh, normals);
-}
-
 void set_footprints(const embree::Packet& packet, LaneBits lanes, const PlacedMesh& mesh,
-                    const packet_lanes::Normals& normals,
-                    const packet_lanes::Differentials& differentials, const scene::TextureUse& use,
-                    texture_lanes::Footprints& footprints) {
+                    const Normals& normals, const packet_lanes::Differentials& differentials,
+                    const scene::TextureUse& use, texture_lanes::Footprints& footprints) {
     HWY_DYNAMIC_DISPATCH(set_footprints)
     (packet, lanes, mesh, normals, differentials, use, footprints);
 }
 
-void set_radiances(LaneBits lanes, const Imath::Color3f& emission, const Imath::Color3f& base_color,
-                   const embree::Packet::Floats& cosines, const texture_lanes::Colors* texture,
-                   Radiances& radiances) {
-    HWY_DYNAMIC_DISPATCH(set_radiances)
-    (lanes, emission, base_color, cosines, texture, radiances);
+void light(const embree::Packet& packet, std::span<const Look> looks, Lit& lit,
+           Radiances& radiances) {
+    HWY_DYNAMIC_DISPATCH(light)(packet, looks, lit, radiances);
 }
 
-void write(const Radiances& radiances, const Groups& groups,
-           std::array<Imath::Color4f, embree::Packet::size>& colors) {
-    HWY_DYNAMIC_DISPATCH(write)(radiances, groups, colors);
+void set_radiances(LaneBits lanes, const Look& look, const embree::Packet::Floats& cosines,
+                   const texture_lanes::Colors& texture, Radiances& radiances) {
+    HWY_DYNAMIC_DISPATCH(set_radiances)(lanes, look, cosines, texture, radiances);
 }
 
 }  // namespace balcony::render::surface_lanes

@@ -15,13 +15,11 @@
 #include "balcony/scene.hpp"
 #include "render/embree/accelerator.hpp"
 #include "render/shading/packet_lanes.hpp"
+#include "render/shading/radiance_lanes.hpp"
 #include "render/shading/surface.hpp"
 #include "render/textures/texture_lanes.hpp"
 
 namespace balcony::render::surface_lanes {
-
-/// Lane i of a packet is bit i.
-using LaneBits = std::uint32_t;
 
 /// The rays of a packet that hit the same instance.
 struct Group {
@@ -48,30 +46,46 @@ void find_groups(const embree::Packet& packet, Groups& groups);
 /// The largest number of triangles and of vertices of a mesh for the following functions.
 inline constexpr std::size_t max_mesh_size = std::size_t{1} << 29U;
 
-/// Sets the normals of a group.
-void set_normals(const embree::Packet& packet, LaneBits lanes, const PlacedMesh& mesh,
-                 packet_lanes::Normals& normals);
+/// Normals of triangles in the world, of any length and on any side.
+struct alignas(64) Normals {
+    embree::Packet::Floats x, y, z;
+};
 
 /// Sets the footprints of a group in the image of a use of a texture, as
 /// Surface::triangle_footprint() and MeshPoint::texture_footprint() for one, up to rounding errors;
-/// those of the other lanes become 0. The normals are those of set_normals().
+/// those of the other lanes become 0.
 void set_footprints(const embree::Packet& packet, LaneBits lanes, const PlacedMesh& mesh,
-                    const packet_lanes::Normals& normals,
-                    const packet_lanes::Differentials& differentials, const scene::TextureUse& use,
-                    texture_lanes::Footprints& footprints);
+                    const Normals& normals, const packet_lanes::Differentials& differentials,
+                    const scene::TextureUse& use, texture_lanes::Footprints& footprints);
 
-struct alignas(64) Radiances {
-    embree::Packet::Floats red, green, blue, alpha;
+/// How an instance looks that is lit from the origins of rays.
+struct Look {
+    bool is_plain = false;   ///< At rest, and with a plain material; otherwise the rest is unused.
+    bool is_smooth = false;  ///< The mesh has normals.
+    Imath::Color3f base_color{0.0F};
+    Imath::Color3f emission{0.0F};
+    const scene::TextureUse* texture = nullptr;  ///< Of the base colour.
+    PlacedMesh mesh{};
 };
 
-/// Sets the radiances of a group with an opaque material: the emission and, by the cosines, the
-/// base colour, which is multiplied with a texture's colours unless they are null.
-void set_radiances(LaneBits lanes, const Imath::Color3f& emission, const Imath::Color3f& base_color,
-                   const embree::Packet::Floats& cosines, const texture_lanes::Colors* texture,
-                   Radiances& radiances);
+/// A packet lit from the origins of its rays.
+struct alignas(64) Lit {
+    /// Of groups with a texture. The cosines are those between the rays and the normal for
+    /// shading, which is never negative: as with Surface::smooth_normal. Defined where the normal
+    /// of the triangle is not 0.
+    embree::Packet::Floats cosines;
+    Normals normals;
+    Groups groups;
+};
 
-/// Writes radiances as colours, and 0 where a lane is in none of the groups.
-void write(const Radiances& radiances, const Groups& groups,
-           std::array<Imath::Color4f, embree::Packet::size>& colors);
+/// Finds the groups of a packet and sets the radiances of those that are plain and have no texture;
+/// those of lanes without a hit become 0. The looks are those of all instances.
+void light(const embree::Packet& packet, std::span<const Look> looks, Lit& lit,
+           Radiances& radiances);
+
+/// Sets the radiances of a group with a texture, of these colours: the emission and, by the
+/// cosines, the base colour.
+void set_radiances(LaneBits lanes, const Look& look, const embree::Packet::Floats& cosines,
+                   const texture_lanes::Colors& texture, Radiances& radiances);
 
 }  // namespace balcony::render::surface_lanes
