@@ -6,9 +6,10 @@
 Usage: compare.py BALCONY [--speed-only] [--size WxH] [--triangles COUNT] [--samples COUNT] [--matt]
 
 Needs Blender (package blender), numpy and OpenImageIO for Python (python3-numpy,
-python3-openimageio). Prints samples a second of both and their ratio. Unless --speed-only is given,
-also the root-mean-square error of both at equal time, against converged pictures of their own with
-SAMPLES samples, and how far these two differ.
+python3-openimageio). Prints samples a second of both and their ratio, with and without the reuse of
+paths, which Cycles does not do. Unless --speed-only is given, also the root-mean-square error of both
+at equal time, Balcony's with its defaults, against converged pictures of their own with SAMPLES
+samples, and how far these two differ.
 """
 import argparse
 import json
@@ -39,7 +40,7 @@ class Room:
                        + ["--matt"] * options.matt, check=True)
         self.width, self.height = map(int, options.size.split("x"))
 
-    def balcony(self, samples, output, seed=0):
+    def balcony(self, samples, output, seed=0, more=()):
         """The seconds of tracing."""
         x, y, z = POSITION
         facts = subprocess.run(
@@ -47,7 +48,7 @@ class Room:
              "--set", f"px={x}", "--set", f"py={y}", "--set", f"pz={z}", "--integrator", "path",
              "--bounces", str(self.options.bounces), "--samples", str(samples), "--seed", str(seed),
              "--filter", "blackman-harris", "--size", self.options.size, "--json",
-             "-o", str(output)], check=True, capture_output=True, text=True)
+             "-o", str(output), *more], check=True, capture_output=True, text=True)
         return json.loads(facts.stdout)["seconds"]
 
     def cycles(self, samples, output=None):
@@ -79,15 +80,20 @@ def speeds(room):
     """Samples a second of both, without what a render takes before its first sample."""
     few, many = room.options.few, room.options.many
     pixels = room.width * room.height
-    ours = min(room.balcony(many, room.folder / "ours.exr") for _ in range(2))
+    ours = min(room.balcony(many, room.folder / "ours.exr", more=["--no-path-reuse"])
+               for _ in range(2))
+    reused = min(room.balcony(many, room.folder / "ours.exr") for _ in range(2))
     _, first, second = room.cycles([few, few, many])
     balcony_speed = many * pixels / ours
     cycles_speed = (many - few) * pixels / (second - first)
     print(f"{room.options.size}, {room.options.bounces} bounces, "
           f"{room.options.triangles} triangles, {os.cpu_count()} processors")
-    print(f"samples a second: Balcony {balcony_speed:,.0f}, Cycles {cycles_speed:,.0f}, "
-          f"ratio {balcony_speed / cycles_speed:.2f}", flush=True)
-    return balcony_speed / cycles_speed
+    reuse_speed = many * pixels / reused
+    print(f"samples a second: Balcony without path reuse {balcony_speed:,.0f}, "
+          f"Cycles {cycles_speed:,.0f}, ratio {balcony_speed / cycles_speed:.2f}; "
+          f"with path reuse {reuse_speed:,.0f}, ratio {reuse_speed / cycles_speed:.2f}",
+          flush=True)
+    return reuse_speed / cycles_speed
 
 
 def errors(room, ratio):

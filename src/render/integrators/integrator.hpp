@@ -62,8 +62,8 @@ class Integrator {
 public:
     virtual ~Integrator() = default;
 
-    /// The radiance of each ray, usually those of a tile and a pass. It depends on no other rays than
-    /// those of its group. At most PixelGroups::size rays have the same group.
+    /// The radiance of each ray, usually those of a tile and a pass. It depends on no other rays
+    /// than those of its group. At most PixelGroups::size rays have the same group.
     virtual void trace(std::span<const CameraRay> rays, std::span<Seen> seen) = 0;
 
     /// Null if there is no faster way.

@@ -81,8 +81,6 @@ private:
     [[nodiscard]] bool choose_light(std::size_t place);
     void add_lamp(const Path& path, std::size_t place, bool alone);
     [[nodiscard]] bool scatter(Path& path, std::size_t place);
-    [[nodiscard]] RayDifferentials differentials_after(const Path& path, const Interaction& at,
-                                                       const BsdfSample& sample) const;
     void end_head(Path& path, std::size_t place);
     void begin_tail(Path& path, std::size_t place);
     void go_on_from_tail(Path& path, const BsdfSample& sample);
@@ -427,7 +425,7 @@ bool PathTracer::scatter(Path& path, std::size_t place) {
     }
     const Interaction& at = *surfaces_[place];
     if (textured_) {
-        path.ray.differentials = differentials_after(path, at, *sample);
+        path.ray.differentials = after_sample(path.ray, at.moved, *sample, footprint_scale_);
     }
     path.from = points_[place];
     path.pdf = sample->delta ? 0.0F : sample->pdf;
@@ -491,16 +489,6 @@ void PathTracer::receive(const Path& path, Seen& seen, const Color3f& light) {
     } else {
         add(seen, light, path.bounces.all);
     }
-}
-
-RayDifferentials PathTracer::differentials_after(const Path& path, const Interaction& at,
-                                                 const BsdfSample& sample) const {
-    if (!sample.delta) {
-        return after_rough(path.ray, at.moved, sample.to_light, sample.pdf, footprint_scale_);
-    }
-    return sample.transmitted
-               ? after_refraction(path.ray, at.moved, sample.facet_normal, sample.eta)
-               : after_mirror(path.ray, at.moved, sample.facet_normal);
 }
 
 }  // namespace

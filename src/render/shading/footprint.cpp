@@ -60,4 +60,13 @@ RayDifferentials after_rough(const Ray& ray, const PositionDifferentials& moved,
     return {moved.along_x, moved.along_y, width * across, width * direction.cross(across)};
 }
 
+RayDifferentials after_sample(const Ray& ray, const PositionDifferentials& moved,
+                              const BsdfSample& sample, float scale) {
+    if (!sample.delta) {
+        return after_rough(ray, moved, sample.to_light, sample.pdf, scale);
+    }
+    return sample.transmitted ? after_refraction(ray, moved, sample.facet_normal, sample.eta)
+                              : after_mirror(ray, moved, sample.facet_normal);
+}
+
 }  // namespace balcony::render

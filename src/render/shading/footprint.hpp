@@ -4,6 +4,7 @@
 
 // The footprint of a ray after a bounce: what a pixel's texture look-ups filter over.
 
+#include "render/shading/bsdf.hpp"
 #include "render/shading/surface.hpp"
 
 namespace balcony::render {
@@ -33,5 +34,9 @@ struct NormalDifferentials {
 /// is that share plus that of the arriving beam; at most a radian wide.
 [[nodiscard]] RayDifferentials after_rough(const Ray& ray, const PositionDifferentials& moved,
                                            const V3f& direction, float pdf, float scale = 1.0F);
+
+/// After a sample of a surface without normal differentials; `scale` as above.
+[[nodiscard]] RayDifferentials after_sample(const Ray& ray, const PositionDifferentials& moved,
+                                            const BsdfSample& sample, float scale);
 
 }  // namespace balcony::render
