@@ -31,8 +31,6 @@ namespace {
 using plain_lanes::bit;
 using plain_lanes::for_each_lane;
 
-constexpr Color3f black(0.0F, 0.0F, 0.0F);
-
 // A ray to an emissive triangle ends before it by more than the rounding error of the point where
 // it meets the triangle, also at a grazing angle.
 constexpr float before_emitter = 1.0F - 1e-4F;
@@ -296,6 +294,7 @@ PathTracer::Encounter PathTracer::meet(Path& path, std::size_t place, Seen& seen
         path.ray.differentials.origin_x = at.moved.along_x;
         path.ray.differentials.origin_y = at.moved.along_y;
         ++path.crossings;
+        path.transmittance *= 1.0F - appearance.opacity;
         return Encounter::passes;
     }
     if (seen_directly) {
@@ -383,7 +382,7 @@ void PathTracer::add_lamp(const Path& path, std::size_t place, bool alone) {
     const float weight = sample->delta || alone ? 1.0F : weights_.of_lamp(sample->pdf, value.pdf);
     Color3f unshadowed = weight / sample->pdf * path.throughput * arriving;
     if (path.part == Part::tail) {
-        tails_.tail(path.index).lamp = {sample->to_light, black, value.reflected};
+        tails_.tail(path.index).lamp = {sample->to_light, Color3f(0.0F), value.reflected};
     } else {
         unshadowed *= value.reflected;
     }
@@ -428,12 +427,13 @@ bool PathTracer::scatter(Path& path, std::size_t place) {
         path.ray.differentials = after_sample(path.ray, at.moved, *sample, footprint_scale_);
     }
     path.from = points_[place];
+    path.transmittance = 1.0F;
     path.pdf = sample->delta ? 0.0F : sample->pdf;
     path.ray.origin =
         sample->transmitted ? at.surface.start(sample->to_light) : at.surface.start_to_light();
     path.ray.direction = sample->to_light;
     if (sample->transmitted && !at.appearance().thin_walled) {
-        path.absorption = at.surface.entering ? at.appearance().absorption : black;
+        path.absorption = at.surface.entering ? at.appearance().absorption : Color3f(0.0F);
     }
     return true;
 }
@@ -463,7 +463,7 @@ void PathTracer::begin_tail(Path& path, std::size_t place) {
     const Surface& surface = surfaces_[place]->surface;
     path.part = Part::whole;
     if (SharedTails::can_begin_tail(bsdfs_.material(place), surface, -path.ray.direction)) {
-        tails_.set_tail(path.index, bsdfs_.material(place), surface, path.throughput);
+        tails_.set_tail(path, bsdfs_.material(place), surface);
         path.before_tail = std::exchange(path.throughput, Color3f(1.0F));
         path.part = Part::tail;
     }
@@ -477,7 +477,7 @@ void PathTracer::go_on_from_tail(Path& path, const BsdfSample& sample) {
         return;
     }
     const Color3f reflected = sample.pdf * sample.weight;
-    tails_.tail(path.index).onward = {sample.to_light, black, reflected};
+    tails_.tail(path.index).onward = {sample.to_light, Color3f(0.0F), reflected};
     path.before_tail *= reflected;
     path.throughput = Color3f(1.0F / sample.pdf);
     path.part = Part::onward;

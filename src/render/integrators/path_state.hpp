@@ -50,7 +50,8 @@ struct Path {
     std::uint32_t packet = 0;  ///< Of its camera ray.
     Bounces bounces{};
     std::uint8_t crossings = 0;
-    bool is_last = false;  ///< The ray only collects the light that is emitted where it ends.
+    float transmittance = 1.0F;  ///< Of the surfaces crossed since the light was scattered last.
+    bool is_last = false;        ///< The ray only collects the light that is emitted where it ends.
     Part part = Part::whole;
     /// From the tail on, the throughput up to there, and `throughput` counts from there.
     Color3f before_tail{1.0F};

@@ -62,13 +62,14 @@ void SharedTails::set_head(std::uint32_t path, const Head& head) {
     heads_.push_back(head);
 }
 
-void SharedTails::set_tail(std::uint32_t path, const PlainMaterial& material,
-                           const Surface& surface, const Color3f& throughput) {
-    ends_[path].tail = static_cast<std::uint32_t>(tails_.size());
+void SharedTails::set_tail(const Path& path, const PlainMaterial& material,
+                           const Surface& surface) {
+    ends_[path.index].tail = static_cast<std::uint32_t>(tails_.size());
     Tail& tail = tails_.emplace_back(Tail{{material, surface.normal, surface.smooth_normal},
                                           surface.geometric_normal,
                                           surface.position,
-                                          throughput,
+                                          path.throughput,
+                                          path.transmittance,
                                           is_wide(material)});
     if (!tail.is_whole) {
         tail.surface.material.specular = {};
@@ -235,8 +236,10 @@ void SharedTails::trace(Indices group, LaneBits lanes, LaneBits owners, const Sc
     count = 0;
     for_each_lane(lanes, [&](std::size_t lane) {
         const bool own = (owners & bit(lane)) != 0;
-        at_.per_area[lane] = (own ? 1.0F : passed[count++]) * at_.cosine[lane] /
-                             (at_.length[lane] * at_.length[lane]);
+        const float transmittance =
+            own ? at_.tails[lane / group_size]->transmittance : passed[count++];
+        at_.per_area[lane] =
+            transmittance * at_.cosine[lane] / (at_.length[lane] * at_.length[lane]);
     });
 }
 

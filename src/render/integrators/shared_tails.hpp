@@ -56,6 +56,7 @@ struct Tail {
     V3f flat_normal;  ///< Unit, of the triangle, towards the head.
     V3f position;
     Color3f throughput;      ///< Of the path's own head, and its ray to here.
+    float transmittance;     ///< Along that ray, which may cross transparent surfaces by chance.
     bool is_whole;           ///< The surface has no other part.
     ArrivingLight lamp{};    ///< From a lamp that was chosen.
     ArrivingLight onward{};  ///< Along the ray on which the path goes on.
@@ -78,9 +79,8 @@ public:
                                              const V3f& to_viewer);
 
     void set_head(std::uint32_t path, const Head& head);
-    /// After set_head(). The normals are the surface's; the throughput is that at the surface.
-    void set_tail(std::uint32_t path, const PlainMaterial& material, const Surface& surface,
-                  const Color3f& throughput);
+    /// After set_head(): of a path at this surface.
+    void set_tail(const Path& path, const PlainMaterial& material, const Surface& surface);
     [[nodiscard]] Tail& tail(std::uint32_t path) { return tails_[ends_[path].tail]; }
 
     /// Adds the light of all tails to the heads of their groups. `limit` is that of Settings.
