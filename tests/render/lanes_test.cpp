@@ -3,6 +3,7 @@
 
 // Packets are set, prepared, lit, written and summed in registers of any width with the same bits.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -18,6 +19,7 @@
 #include "render/film/sample_sums.hpp"
 #include "render/job/camera_rays.hpp"
 #include "render/shading/surface_lanes.hpp"
+#include "render/textures/texture_lanes.hpp"
 #include "support.hpp"
 
 namespace balcony::render::lanes_test {
@@ -225,6 +227,44 @@ TEST(SurfaceLanes, LightIsTheSameOnAllMachines) {
             }
             EXPECT_EQ(counts.missing, missing);
             EXPECT_EQ(counts.shown, shown);
+            const auto found = bytes_of(colors);
+            if (expected.empty()) {
+                expected = found;
+            }
+            EXPECT_EQ(found, expected) << "trial " << trial;
+        });
+    }
+}
+
+// All inside an image of 64 by 64 texels, or some of them beyond its border.
+TEST(TextureLanes, MeansAreTheSameOnAllMachines) {
+    std::mt19937 random(3);
+    texture_lanes::ByteLevels levels{.width = 64, .height = 64, .last = 6};
+    std::int32_t count = 0;
+    for (std::int32_t level = 0; level <= levels.last; ++level) {
+        levels.first[static_cast<std::size_t>(level)] = count;
+        count += 1 << 2 * (levels.last - level);
+    }
+    const TexelBlock texels(4 * static_cast<std::size_t>(count));
+    std::generate_n(texels.data(), 4 * count, [&] { return static_cast<std::byte>(random()); });
+    for (int trial = 0; trial < 100; ++trial) {
+        const float border = trial % 2 == 0 ? 0.4F : -1.0F;
+        std::uniform_real_distribution<float> place(border, 1.0F - border);
+        std::uniform_real_distribution<float> change(-0.06F, 0.06F);
+        texture_lanes::Footprints asked;
+        for (std::size_t lane = 0; lane < texture_lanes::lane_count; ++lane) {
+            asked.at_u[lane] = place(random);
+            asked.at_v[lane] = place(random);
+            asked.along_x_u[lane] = change(random);
+            asked.along_x_v[lane] = change(random);
+            asked.along_y_u[lane] = change(random);
+            asked.along_y_v[lane] = change(random);
+        }
+        std::vector<std::byte> expected;
+        on_each_target([&] {
+            texture_lanes::Colors colors{};
+            texture_lanes::set_means(levels, texels, ByteScale::of(TextureEncoding::srgb), asked,
+                                     colors);
             const auto found = bytes_of(colors);
             if (expected.empty()) {
                 expected = found;

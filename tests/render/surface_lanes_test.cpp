@@ -144,7 +144,7 @@ TEST(SurfaceLanes, FootprintsAreThoseOfEachRay) {
                 EXPECT_NEAR(u, expected.x, tolerance) << "trial " << trial << ", lane " << lane;
                 EXPECT_NEAR(v, expected.y, tolerance) << "trial " << trial << ", lane " << lane;
             };
-            TextureFootprint expected{V2f(0.0F), V2f(0.0F), V2f(0.0F)};
+            TextureFootprint expected{V2f(texture_lanes::middle), V2f(0.0F), V2f(0.0F)};
             if ((lanes >> lane & 1U) != 0) {
                 const Ray ray{packet.origin(lane), packet.direction(lane), differentials.of(lane)};
                 const Surface surface = surfaces.find(packet.hit(lane), ray.direction);

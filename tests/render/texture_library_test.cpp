@@ -171,6 +171,7 @@ TEST(TextureLibrary, TheRaysOfAPacketFindTheSameBits) {
                     for (TextureFootprint& one : asked) {
                         one = random_footprint(random, trial % 4 == 0 ? 20.0F : 0.1F, -2.0F);
                     }
+                    expect_same_in_lanes(sampled.library(), asked);
                     // A point, points on borders, and what is out of range.
                     asked[1] = {asked[1].at, V2f(0.0F), V2f(0.0F)};
                     asked[2].at = {-1.0F, 1.0F};

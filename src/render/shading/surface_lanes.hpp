@@ -53,7 +53,8 @@ struct alignas(64) Normals {
 
 /// Sets the footprints of a group in the image of a use of a texture, as
 /// Surface::triangle_footprint() and MeshPoint::texture_footprint() for one, up to rounding errors;
-/// those of the other lanes become 0.
+/// those of the other lanes become points
+/// in the middle of the image.
 void set_footprints(const embree::Packet& packet, LaneBits lanes, const PlacedMesh& mesh,
                     const Normals& normals, const packet_lanes::Differentials& differentials,
                     const scene::TextureUse& use, texture_lanes::Footprints& footprints);

@@ -117,6 +117,78 @@ HWY_INLINE Neighbours neighbours_of(Vector position, Integers count, scene::Wrap
             difference(x, below)};
 }
 
+#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3
+// The values of a table of 32, by the five lowest bits of an index. Gathering them takes longer.
+HWY_INLINE Vector of_32(const float* values, Integers index) {
+    return Vector{_mm512_permutex2var_ps(lanes::LoadU(tag, values).raw, index.raw,
+                                         lanes::LoadU(tag, values + 16).raw)};
+}
+
+HWY_INLINE Integers of_32(const std::int32_t* values, Integers index) {
+    return Integers{_mm512_permutex2var_epi32(lanes::LoadU(integers, values).raw, index.raw,
+                                              lanes::LoadU(integers, values + 16).raw)};
+}
+
+HWY_INLINE Integers value_of_level(const ByteLevels& levels, Integers level) {
+    static_assert(ByteLevels::max_count == 32);
+    return of_32(levels.first.data(), level);
+}
+
+// The values of the codes in the eight bits from `shift` on.
+template <int shift>
+HWY_INLINE Vector decoded_channel(const float* values, Integers codes) {
+    const Integers index = lanes::ShiftRight<shift>(codes);
+    const auto has = [&](std::int32_t bit) {
+        return lanes::RebindMask(tag, lanes::TestBit(codes, number(bit << shift)));
+    };
+    const auto by_bit_5 = has(32);
+    const auto by_bit_6 = has(64);
+    const auto of_64 = [&](const float* from) {
+        return lanes::IfThenElse(by_bit_5, of_32(from + 32, index), of_32(from, index));
+    };
+    const auto of_128 = [&](const float* from) {
+        return lanes::IfThenElse(by_bit_6, of_64(from + 64), of_64(from));
+    };
+    return lanes::IfThenElse(has(128), of_128(values + 128), of_128(values));
+}
+#else
+HWY_INLINE Integers value_of_level(const ByteLevels& levels, Integers level) {
+    return lanes::GatherIndex(integers, levels.first.data(), level);
+}
+
+template <int shift>
+HWY_INLINE Vector decoded_channel(const float* values, Integers codes) {
+    return lanes::GatherIndex(tag, values,
+                              lanes::And(lanes::ShiftRight<shift>(codes), number(0xff)));
+}
+#endif
+
+// Two texels side by side.
+struct Pair {
+    Integers left;
+    Integers right;
+};
+
+#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX2
+constexpr bool gathers_pairs = true;
+
+// Both have 32 bits, so one gather of 64 bits finds them.
+HWY_INLINE Pair gathered_pair(const std::byte* texels, Integers left) {
+    const lanes::Repartition<std::int64_t, IntegerTag> pairs;
+    const auto* const from = reinterpret_cast<const std::int64_t*>(texels);
+    const auto gathered = [&](auto index) {
+        return lanes::BitCast(integers,
+                              lanes::GatherOffset(pairs, from, lanes::ShiftLeft<2>(index)));
+    };
+    const lanes::Half<IntegerTag> half;
+    const Integers lower = gathered(lanes::PromoteTo(pairs, lanes::LowerHalf(half, left)));
+    const Integers upper = gathered(lanes::PromoteTo(pairs, lanes::UpperHalf(half, left)));
+    return {lanes::ConcatEven(integers, upper, lower), lanes::ConcatOdd(integers, upper, lower)};
+}
+#else
+constexpr bool gathers_pairs = false;
+#endif
+
 class Sampler {
 public:
     Sampler(const ByteLevels& levels, const TexelBlock& texels, const ByteScale& scale)
@@ -126,11 +198,14 @@ public:
         const Integers width = side(levels_.width, level);
         const Neighbours u = neighbours_of(at.u, width, levels_.wrap_u);
         const Neighbours v = neighbours_of(at.v, side(levels_.height, level), levels_.wrap_v);
-        const Integers first = lanes::GatherIndex(integers, levels_.first.data(), level);
+        const Integers first = value_of_level(levels_, level);
+        const bool are_pairs =
+            gathers_pairs && texels_.in_memory() &&
+            lanes::AllTrue(integers, lanes::Eq(lanes::Add(u.first, number(1)), u.second));
         const auto row = [&](Integers number) {
             const Integers begin = lanes::Add(first, lanes::Mul(number, width));
-            return mixed(decoded(lanes::Add(begin, u.first)), decoded(lanes::Add(begin, u.second)),
-                         u.weight);
+            const Pair codes = pair(begin, u, are_pairs);
+            return mixed(decoded(codes.left), decoded(codes.right), u.weight);
         };
         return mixed(row(v.first), row(v.second), v.weight);
     }
@@ -140,18 +215,27 @@ private:
         return lanes::Max(lanes::Shr(number(of_image), level), number(1));
     }
 
-    HWY_INLINE Color decoded(Integers texel) const {
-        const Integers codes =
-            texels_.in_memory()
-                ? lanes::GatherIndex(integers,
-                                     reinterpret_cast<const std::int32_t*>(texels_.data()), texel)
-                : in_file(texel);
-        const Integers mask = number(0xff);
-        const auto channel = [&](Integers code) {
-            return lanes::GatherIndex(tag, scale_.values(), lanes::And(code, mask));
-        };
-        return {channel(codes), channel(lanes::ShiftRight<8>(codes)),
-                channel(lanes::ShiftRight<16>(codes))};
+    HWY_INLINE Pair pair(Integers begin, const Neighbours& u,
+                         [[maybe_unused]] bool side_by_side) const {
+#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX2
+        if (side_by_side) {
+            return gathered_pair(texels_.data(), lanes::Add(begin, u.first));
+        }
+#endif
+        return {codes_of(lanes::Add(begin, u.first)), codes_of(lanes::Add(begin, u.second))};
+    }
+
+    HWY_INLINE Integers codes_of(Integers texel) const {
+        return texels_.in_memory()
+                   ? lanes::GatherIndex(
+                         integers, reinterpret_cast<const std::int32_t*>(texels_.data()), texel)
+                   : in_file(texel);
+    }
+
+    HWY_INLINE Color decoded(Integers codes) const {
+        const float* const values = scale_.values();
+        return {decoded_channel<0>(values, codes), decoded_channel<8>(values, codes),
+                decoded_channel<16>(values, codes)};
     }
 
     [[nodiscard]] Integers in_file(Integers texel) const {

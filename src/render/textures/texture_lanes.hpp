@@ -18,9 +18,18 @@ namespace balcony::render::texture_lanes {
 inline constexpr std::size_t lane_count = 16;
 using Floats = std::array<float, lane_count>;
 
-/// As TextureFootprint, by lane. What no ray needs must be 0, which costs least.
+constexpr Floats filled(float value) {
+    Floats made{};
+    made.fill(value);
+    return made;
+}
+
+inline constexpr float middle = 0.5F;
+
+/// As TextureFootprint, by lane. What no ray needs must be a point in the middle of the image,
+/// which costs least.
 struct alignas(64) Footprints {
-    Floats at_u{}, at_v{};
+    Floats at_u = filled(middle), at_v = filled(middle);
     Floats along_x_u{}, along_x_v{};
     Floats along_y_u{}, along_y_v{};
 };
