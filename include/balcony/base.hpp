@@ -87,6 +87,18 @@ struct SourceSpan {
 
 enum class Severity : std::uint8_t { warning, error };
 
+/// What a program can do about a diagnostic.
+enum class Kind : std::uint8_t {
+    input,        ///< A file, a camera or a value is wrong: correct it.
+    usage,        ///< What was asked for cannot be done: ask otherwise.
+    environment,  ///< The machine: a full disk, a missing library or program, too little memory.
+    interrupted,  ///< Stopped on request.
+    internal,     ///< A precondition of the library was violated: a defect of the calling program.
+};
+
+/// The name of a kind, as programs read it: "input".
+[[nodiscard]] std::string_view name_of(Kind kind);
+
 /// An error or a warning for the user: what is wrong, where, and a suggested fix.
 struct Diagnostic {
     struct Note {
@@ -99,14 +111,20 @@ struct Diagnostic {
     SourceSpan span;          ///< The position; may be empty.
     std::string remedy;       ///< A suggested fix; may be empty.
     std::vector<Note> notes;  ///< Other relevant positions, such as an earlier definition.
+    Kind kind = Kind::input;
 };
 
 using Diagnostics = std::vector<Diagnostic>;
 
+/// Of Kind::input, unless another kind is named.
 [[nodiscard]] Diagnostic error(std::string message, SourceSpan span = {}, std::string remedy = {});
+[[nodiscard]] Diagnostic error(Kind kind, std::string message, std::string remedy = {});
 [[nodiscard]] Diagnostic warning(std::string message, SourceSpan span = {},
                                  std::string remedy = {});
 [[nodiscard]] bool has_errors(const Diagnostics& diagnostics);
+
+/// The kind of the first error; nothing if there is none.
+[[nodiscard]] std::optional<Kind> kind_of_errors(const Diagnostics& diagnostics);
 
 /// Formats a diagnostic with its position and its source line, with the span underlined:
 ///

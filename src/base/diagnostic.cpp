@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -71,19 +72,33 @@ std::string where(const SourceSpan& span) {
 
 }  // namespace
 
+std::string_view name_of(Kind kind) {
+    constexpr std::array<std::string_view, 5> names{"input", "usage", "environment", "interrupted",
+                                                    "internal"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
 Diagnostic error(std::string message, SourceSpan span, std::string remedy) {
     return {Severity::error, std::move(message), std::move(span), std::move(remedy), {}};
+}
+
+Diagnostic error(Kind kind, std::string message, std::string remedy) {
+    return {Severity::error, std::move(message), {}, std::move(remedy), {}, kind};
 }
 
 Diagnostic warning(std::string message, SourceSpan span, std::string remedy) {
     return {Severity::warning, std::move(message), std::move(span), std::move(remedy), {}};
 }
 
-bool has_errors(const Diagnostics& diagnostics) {
-    return std::any_of(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& diagnostic) {
-        return diagnostic.severity == Severity::error;
-    });
+std::optional<Kind> kind_of_errors(const Diagnostics& diagnostics) {
+    const auto first =
+        std::find_if(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& diagnostic) {
+            return diagnostic.severity == Severity::error;
+        });
+    return first == diagnostics.end() ? std::nullopt : std::optional(first->kind);
 }
+
+bool has_errors(const Diagnostics& diagnostics) { return kind_of_errors(diagnostics).has_value(); }
 
 std::string to_text(const Diagnostic& diagnostic) {
     const char* kind = diagnostic.severity == Severity::error ? "error" : "warning";

@@ -91,6 +91,22 @@ TEST(Diagnostic, SeveralComeOneAfterTheOther) {
     EXPECT_FALSE(has_errors({}));
 }
 
+TEST(Diagnostic, TheKindOfSeveralIsThatOfTheFirstError) {
+    const Diagnostic full = error(Kind::environment, "the disk is full", "make room");
+    EXPECT_EQ(full.remedy, "make room");
+    EXPECT_EQ(kind_of_errors({warning("one"), full, error("two")}), Kind::environment);
+    EXPECT_EQ(kind_of_errors({error("two"), full}), Kind::input);
+    EXPECT_EQ(kind_of_errors({warning("one")}), std::nullopt);
+}
+
+TEST(Diagnostic, EachKindHasItsName) {
+    EXPECT_EQ(name_of(Kind::input), "input");
+    EXPECT_EQ(name_of(Kind::usage), "usage");
+    EXPECT_EQ(name_of(Kind::environment), "environment");
+    EXPECT_EQ(name_of(Kind::interrupted), "interrupted");
+    EXPECT_EQ(name_of(Kind::internal), "internal");
+}
+
 TEST(Diagnostic, TheMarkIsBelowItsTextAfterWideBytes) {
     const std::string text = "\u03b3 = \u03b1\u03b2 + \u20ac\U0001d11e wrong\n";
     EXPECT_EQ(marked(error("x", span_of(text, "wrong"))), "wrong");
