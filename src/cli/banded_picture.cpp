@@ -179,7 +179,7 @@ RenderReport make_banded_picture(RenderReport outcome, const RenderOptions& opti
                                render::film_bytes(layout) / giga),
                    {}, "raise --film-memory, omit layers with --layers, or omit these options")});
     }
-    const double bytes = std::min(request.job.film_memory, enough_for_a_band);
+    const double bytes = std::min(request.job.film_bytes(), enough_for_a_band);
     Result<render::BandedRender> bands = render::BandedRender::make(
         *loaded.renderer, picture, request.settings, layout, render::band_height(layout, bytes));
     add(outcome, bands.diagnostics);

@@ -241,7 +241,7 @@ RenderReport animate(const AnimateOptions& options, Request request,
         return failed(std::move(outcome), ExitCode::bad_input);
     }
     const render::FilmLayout layout = layout_of(options, animation, request, *picture, outcome);
-    if (render::film_bytes(layout) > request.job.film_memory) {
+    if (render::film_bytes(layout) > request.job.film_bytes()) {
         return failed(std::move(outcome), ExitCode::bad_input,
                       {error("a frame of this size needs more memory than --film-memory allows", {},
                              "raise --film-memory, or make the frames smaller")});

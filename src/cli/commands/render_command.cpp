@@ -166,7 +166,7 @@ RenderReport render_picture(const RenderOptions& options, Request request,
         add(outcome, add_frames(options, *loaded.scene, *picture, {layout.width, layout.height},
                                 request.settings));
     }
-    if (format == nullptr && render::film_bytes(layout) > request.job.film_memory) {
+    if (format == nullptr && render::film_bytes(layout) > request.job.film_bytes()) {
         if (request.job.shard) {
             return failed(std::move(outcome), ExitCode::bad_input,
                           {error("a shard of this size needs more memory than --film-memory allows",

@@ -17,7 +17,7 @@ namespace balcony::cli {
 
 namespace {
 
-constexpr std::size_t max_side = 1'000'000;
+using app::max_side;
 
 std::optional<std::size_t> side_of(std::string_view digits) {
     const auto pixels = number_of<std::size_t>(digits);
@@ -43,21 +43,6 @@ camera::Fit read_fit(const std::string& text, Diagnostics& diagnostics) {
 }
 
 }  // namespace
-
-std::pair<std::size_t, std::size_t> PictureSize::resolve(
-    double aspect, std::optional<std::array<std::size_t, 2>> own) const {
-    if (!width && !height && own) {
-        return {(*own)[0], (*own)[1]};
-    }
-    constexpr double default_pixels = 1280.0 * 720.0;
-    const auto side = [](double pixels) {
-        return static_cast<std::size_t>(
-            std::clamp(std::round(pixels), 1.0, static_cast<double>(max_side)));
-    };
-    const std::size_t wide = width.value_or(
-        side(height ? static_cast<double>(*height) * aspect : std::sqrt(default_pixels * aspect)));
-    return {wide, height.value_or(side(static_cast<double>(wide) / aspect))};
-}
 
 void add_size_options(CLI::App& command, SizeWords& words, const std::string& meaning) {
     command.add_option("--size", words.size, meaning)->type_name("WIDTH[xHEIGHT]");

@@ -12,6 +12,7 @@
 
 #include "balcony/base.hpp"
 #include "balcony/picture.hpp"
+#include "balcony/request.hpp"
 #include "cli/command_line.hpp"
 
 namespace balcony::cli {
@@ -24,17 +25,7 @@ struct SizeWords {
     std::string fit = std::string(name_of(camera::Fit::fit));
 };
 
-/// A requested picture size: width and height in pixels, one of them, or neither.
-struct PictureSize {
-    std::optional<std::size_t> width;
-    std::optional<std::size_t> height;
-    camera::Fit fit = camera::Fit::fit;  ///< What the picture does in a size of another aspect.
-
-    /// Width and height. The default is the picture's own size, if it has one, otherwise about a
-    /// million pixels. A missing side follows from the picture's aspect ratio.
-    [[nodiscard]] std::pair<std::size_t, std::size_t> resolve(
-        double aspect, std::optional<std::array<std::size_t, 2>> own = {}) const;
-};
+using app::PictureSize;
 
 /// Adds --size, --width and --height.
 void add_size_options(CLI::App& command, SizeWords& words, const std::string& meaning);

@@ -76,33 +76,6 @@ std::optional<std::array<double, 4>> fractions_of(std::string_view text) {
 
 }  // namespace
 
-std::pair<std::size_t, std::size_t> Crop::scaled(std::size_t width, std::size_t height) const {
-    const auto side = [this](std::size_t pixels) {
-        return static_cast<std::size_t>(
-            std::max(1.0, std::round(static_cast<double>(pixels) * scale_)));
-    };
-    return {side(width), side(height)};
-}
-
-std::optional<render::Region> Crop::region(std::size_t width, std::size_t height) const {
-    if (!corners_) {
-        return std::nullopt;
-    }
-    const auto [wide, high] = scaled(width, height);
-    // A part of a pixel is the whole pixel.
-    const auto range = [this](double from, double to, std::size_t side) {
-        constexpr double rounding = 1e-9;
-        const double factor = in_pixels_ ? scale_ : static_cast<double>(side);
-        const auto first = static_cast<std::size_t>(std::floor(from * factor + rounding));
-        const auto last = static_cast<std::size_t>(std::ceil(to * factor - rounding));
-        // What is beyond the picture stays there, to be refused.
-        return std::pair(first, std::max<std::size_t>(last, first + 1) - first);
-    };
-    const auto [x, region_width] = range((*corners_)[0], (*corners_)[2], wide);
-    const auto [y, region_height] = range((*corners_)[1], (*corners_)[3], high);
-    return render::Region{x, y, region_width, region_height};
-}
-
 void add_crop_options(CLI::App& command, CropWords& words) {
     command
         .add_option("--crop", words.crop,
@@ -119,16 +92,16 @@ Crop read_crop(const CropWords& words, Diagnostics& diagnostics) {
     const auto scale = fraction_of(words.scale);
     constexpr double max_scale = 100.0;
     if (scale && *scale > 0.0 && *scale <= max_scale) {
-        crop.scale_ = *scale;
+        crop.scale = *scale;
     } else {
         refuse(diagnostics, "--scale", words.scale, "write a scale such as 50% or 0.5");
     }
     if (words.crop.empty()) {
         return crop;
     }
-    crop.in_pixels_ = words.crop.find_first_of("xX") != std::string::npos;
-    crop.corners_ = crop.in_pixels_ ? pixels_of(words.crop) : fractions_of(words.crop);
-    if (!crop.corners_) {
+    crop.in_pixels = words.crop.find_first_of("xX") != std::string::npos;
+    crop.corners = crop.in_pixels ? pixels_of(words.crop) : fractions_of(words.crop);
+    if (!crop.corners) {
         refuse(diagnostics, "--crop", words.crop,
                "write --crop 400x300+100+50 for 400 x 300 pixels whose top left is (100, 50), or "
                "--crop 0.25,0.25,0.75,0.75 (25%,25%,75%,75%) for the middle of the picture");

@@ -7,8 +7,6 @@
 #include <array>
 #include <cmath>
 
-#include <unistd.h>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
@@ -45,21 +43,15 @@ constexpr std::array<std::string_view, 15> of_output = {"SCENE",
                                                         "--watch",
                                                         "--denoise"};
 
-// Half of the machine's, as the scene and other programs need some, too.
-double default_film_memory() {
-    return 0.5 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-           static_cast<double>(sysconf(_SC_PAGESIZE));
-}
-
-double read_memory(const std::string& text, Diagnostics& diagnostics) {
+std::optional<double> read_memory(const std::string& text, Diagnostics& diagnostics) {
     if (text == "auto") {
-        return default_film_memory();
+        return std::nullopt;
     }
     const auto bytes = bytes_of(text);
     if (!bytes || *bytes <= 0.0) {
         refuse(diagnostics, "--film-memory", text, "write auto, or a size such as 500MB or 4GiB");
     }
-    return bytes.value_or(0.0);
+    return bytes;
 }
 
 std::optional<double> read_interval(std::string_view option, const std::string& text,

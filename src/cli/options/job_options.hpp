@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "balcony/checkpoint.hpp"
-#include "balcony/shard.hpp"
+#include "balcony/request.hpp"
 #include "cli/command_line.hpp"
 
 namespace balcony::cli {
@@ -26,15 +26,7 @@ struct JobWords {
     std::string shard;
 };
 
-/// Intervals in seconds.
-struct JobRequest {
-    std::optional<double> time_limit;
-    std::optional<double> save_every;
-    std::optional<double> checkpoint_every;
-    bool resume = false;
-    double film_memory = 0.0;  ///< In bytes.
-    std::optional<render::Shard> shard{};
-};
+using app::JobRequest;
 
 /// The value of --shard, PART/PARTS; nothing if it is empty.
 [[nodiscard]] std::optional<render::Shard> read_shard(const std::string& text,

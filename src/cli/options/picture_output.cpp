@@ -61,10 +61,10 @@ std::vector<SceneOutput> with_stereo(const std::vector<SceneOutput>& pictures,
     for (const SceneOutput& picture : pictures) {
         const fs::path& file = picture.output.file();
         for (const camera::StereoFormat format : stereo.formats) {
-            made.push_back(
-                {picture.scene,
-                 stereo.has_two_files() ? PictureOutput(file_of_eye(file, format)) : picture.output,
-                 format});
+            made.push_back({picture.scene,
+                            stereo.has_two_files() ? PictureOutput(app::file_of_eye(file, format))
+                                                   : picture.output,
+                            format});
         }
     }
     return made;

@@ -60,12 +60,6 @@ void refuse_alone(const StereoWords& words, Diagnostics& diagnostics) {
 
 }  // namespace
 
-bool StereoRequest::is_anaglyph() const {
-    const StereoFormat format = formats.front();
-    return format == StereoFormat::anaglyph || format == StereoFormat::anaglyph_color ||
-           format == StereoFormat::anaglyph_grey;
-}
-
 void add_stereo_options(CLI::App& command, StereoWords& words) {
     std::string formats;
     for (const std::string& name : camera::stereo_format_names()) {
@@ -133,13 +127,6 @@ std::optional<StereoRequest> read_stereo(const StereoWords& words, Diagnostics& 
         }
     }
     return request;
-}
-
-std::filesystem::path file_of_eye(const std::filesystem::path& file, StereoFormat eye) {
-    std::filesystem::path made = file;
-    made.replace_filename(
-        fmt::format("{}.{}{}", file.stem().string(), name_of(eye), file.extension().string()));
-    return made;
 }
 
 }  // namespace balcony::cli
