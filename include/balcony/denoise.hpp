@@ -14,6 +14,7 @@
 
 #include "balcony/base.hpp"
 #include "balcony/film.hpp"
+#include "balcony/names.hpp"
 
 namespace balcony::render {
 
@@ -23,8 +24,7 @@ enum class Denoiser : std::uint8_t {
     features,   ///< Balcony's own filter, which is the same on every machine.
 };
 
-[[nodiscard]] std::optional<Denoiser> find_denoiser(std::string_view name);
-[[nodiscard]] std::vector<std::string> denoiser_names();
+[[nodiscard]] Names<Denoiser> denoisers();
 
 struct DenoiseOptions {
     Denoiser denoiser = Denoiser::automatic;

@@ -20,6 +20,7 @@
 #include "balcony/base.hpp"
 #include "balcony/camera.hpp"
 #include "balcony/image.hpp"
+#include "balcony/names.hpp"
 
 namespace balcony::analyse {
 
@@ -139,14 +140,7 @@ enum class MapKind : std::uint8_t {
     origins,
 };
 
-struct MapDescription {
-    MapKind kind;
-    std::string_view name;     ///< The name for users.
-    std::string_view meaning;  ///< One line for documentation.
-};
-
-[[nodiscard]] const std::vector<MapDescription>& map_kinds();
-[[nodiscard]] std::optional<MapKind> find_map_kind(std::string_view name);
+[[nodiscard]] Names<MapKind> map_kinds();
 
 /// The samples of a report as a false-colour picture, with a legend below it.
 [[nodiscard]] Image false_color(const Report& report, MapKind kind);

@@ -23,6 +23,7 @@
 #include "balcony/base.hpp"
 #include "balcony/display_file.hpp"
 #include "balcony/layers.hpp"
+#include "balcony/names.hpp"
 
 namespace balcony::render {
 
@@ -237,11 +238,7 @@ enum class ViewTransform : std::uint8_t {
     agx,
 };
 
-[[nodiscard]] std::string_view name_of(ViewTransform view);
-/// One line for documentation.
-[[nodiscard]] std::string_view meaning_of(ViewTransform view);
-[[nodiscard]] std::optional<ViewTransform> find_view_transform(std::string_view name);
-[[nodiscard]] std::vector<std::string> view_transform_names();
+[[nodiscard]] Names<ViewTransform> view_transforms();
 
 /// The display colour of exposed light, linear, from 0 to 1 in each channel.
 [[nodiscard]] Color3f displayed(ViewTransform view, const Color3f& light);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "balcony/expr.hpp"
+#include "balcony/names.hpp"
 
 namespace balcony::camera {
 
@@ -32,14 +33,8 @@ enum class Ease : std::uint8_t {
     catmull_rom,  ///< the cubic of Catmull and Rom: smoother, may go beyond the keys
 };
 
-/// An ease as the language and its documentation have it.
-struct EaseRow {
-    Ease ease;
-    std::string_view name;
-    std::string_view formula;
-};
-[[nodiscard]] const std::vector<EaseRow>& eases();
-[[nodiscard]] std::optional<Ease> find_ease(std::string_view name);
+/// With their formulas as the meanings.
+[[nodiscard]] Names<Ease> eases();
 
 /// The value before the first key and after the last one.
 enum class BeyondKeys : std::uint8_t {
@@ -47,8 +42,7 @@ enum class BeyondKeys : std::uint8_t {
     repeat,    ///< From the first key again; a cubic then has equal slopes at both ends.
     mirror,    ///< Backwards, then forwards again.
 };
-[[nodiscard]] std::optional<BeyondKeys> find_beyond_keys(std::string_view name);
-[[nodiscard]] std::vector<std::string> beyond_keys_names();
+[[nodiscard]] Names<BeyondKeys> beyond_keys();
 
 struct Keyframes {
     std::vector<double> times;  ///< At least one; finite and increasing.

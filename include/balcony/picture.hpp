@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "balcony/camera.hpp"
+#include "balcony/names.hpp"
 
 namespace balcony::camera {
 
@@ -39,11 +40,7 @@ enum class BlendMode : std::uint8_t {
     subtract,
 };
 
-[[nodiscard]] std::string_view name_of(BlendMode mode);
-/// One line for documentation.
-[[nodiscard]] std::string_view meaning_of(BlendMode mode);
-[[nodiscard]] std::optional<BlendMode> find_blend_mode(std::string_view name);
-[[nodiscard]] std::vector<std::string> blend_mode_names();
+[[nodiscard]] Names<BlendMode> blend_modes();
 
 /// What happens to a picture that is shown in a place of another aspect. Aspects that differ by at
 /// most a pixel of the place are the same.
@@ -53,11 +50,7 @@ enum class Fit : std::uint8_t {
     stretch,  ///< It is stretched.
 };
 
-[[nodiscard]] std::string_view name_of(Fit fit);
-/// One line for documentation.
-[[nodiscard]] std::string_view meaning_of(Fit fit);
-[[nodiscard]] std::optional<Fit> find_fit(std::string_view name);
-[[nodiscard]] std::vector<std::string> fit_names();
+[[nodiscard]] Names<Fit> fits();
 
 /// A rectangle in a picture: two corners, as fractions from the picture's top left corner.
 struct Region {

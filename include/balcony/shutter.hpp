@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "balcony/motion.hpp"
+#include "balcony/names.hpp"
 
 namespace balcony::render {
 
@@ -21,11 +22,7 @@ enum class ShutterShape : std::uint8_t {
                 ///< open during half of it, and closes evenly during the last quarter.
 };
 
-[[nodiscard]] std::string_view name_of(ShutterShape shape);
-/// One line for documentation.
-[[nodiscard]] std::string_view meaning_of(ShutterShape shape);
-[[nodiscard]] std::optional<ShutterShape> find_shutter_shape(std::string_view name);
-[[nodiscard]] std::vector<std::string> shutter_shape_names();
+[[nodiscard]] Names<ShutterShape> shutter_shapes();
 
 /// The shutter of a picture, which is half way through its exposure at the picture's time.
 struct Shutter {

@@ -27,11 +27,7 @@ enum class StereoFormat : std::uint8_t {
     anaglyph_grey,   ///< Likewise; the luminances of both pictures.
 };
 
-[[nodiscard]] std::string_view name_of(StereoFormat format);
-/// One line for documentation.
-[[nodiscard]] std::string_view meaning_of(StereoFormat format);
-[[nodiscard]] std::optional<StereoFormat> find_stereo_format(std::string_view name);
-[[nodiscard]] std::vector<std::string> stereo_format_names();
+[[nodiscard]] Names<StereoFormat> stereo_formats();
 
 /// The parameters of the stage `stereo`, as in the catalogue.
 struct StereoPair {

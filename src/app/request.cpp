@@ -73,8 +73,9 @@ bool StereoRequest::is_anaglyph() const {
 
 fs::path file_of_eye(const fs::path& file, camera::StereoFormat eye) {
     fs::path made = file;
-    made.replace_filename(
-        fmt::format("{}.{}{}", file.stem().string(), name_of(eye), file.extension().string()));
+    made.replace_filename(fmt::format("{}.{}{}", file.stem().string(),
+                                      camera::stereo_formats()[eye].name,
+                                      file.extension().string()));
     return made;
 }
 

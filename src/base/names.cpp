@@ -3,6 +3,8 @@
 
 #include "balcony/names.hpp"
 
+#include <utility>
+
 #include "balcony/base.hpp"
 
 namespace balcony {
@@ -23,15 +25,19 @@ std::string listed(const std::vector<std::string>& names, std::string_view last_
 std::string one_of(const std::vector<std::string>& names) { return listed(names, " or "); }
 std::string all_of(const std::vector<std::string>& names) { return listed(names, " and "); }
 
+std::string did_you_mean(std::string_view name, const std::vector<std::string>& known,
+                         std::string otherwise) {
+    const auto nearest = nearest_name(name, known);
+    return nearest ? "did you mean '" + *nearest + "'?" : std::move(otherwise);
+}
+
 std::string suggestion(std::string_view name, const std::vector<std::string>& known,
                        std::string_view otherwise) {
-    if (const auto nearest = nearest_name(name, known)) {
-        return "did you mean '" + *nearest + "'?";
-    }
     constexpr std::size_t max_listed = 40;
-    return known.empty() || known.size() > max_listed
-               ? std::string()
-               : std::string(otherwise) + " " + all_of(known);
+    return did_you_mean(name, known,
+                        known.empty() || known.size() > max_listed
+                            ? std::string()
+                            : std::string(otherwise) + " " + all_of(known));
 }
 
 }  // namespace balcony

@@ -20,8 +20,7 @@ using expr::Graph;
 
 // ----------------------------------------------------------------------------------- eases
 
-struct EaseFormula {
-    EaseRow row;
+struct EaseFormula : Named<Ease> {
     Expr (*of)(Expr s);  ///< Null for a cubic.
 };
 
@@ -76,6 +75,8 @@ constexpr std::array formulas = {
     EaseFormula{{Ease::spline, "spline", "a monotone cubic (Fritsch and Butland 1984)"}, nullptr},
     EaseFormula{{Ease::catmull_rom, "catmull_rom", "a cubic (Catmull and Rom 1974)"}, nullptr},
 };
+
+constexpr auto ease_names = names_in<Ease>(formulas);
 
 bool is_cubic(Ease ease) { return formulas[static_cast<std::size_t>(ease)].of == nullptr; }
 
@@ -298,36 +299,14 @@ Expr folded(const Keyframes& keys, Expr time) {
     return time;
 }
 
-constexpr std::array<std::string_view, 3> beyond_names = {"constant", "repeat", "mirror"};
+constexpr std::array beyond_rows{Named{BeyondKeys::constant, "constant"},
+                                 Named{BeyondKeys::repeat, "repeat"},
+                                 Named{BeyondKeys::mirror, "mirror"}};
 
 }  // namespace
 
-const std::vector<EaseRow>& eases() {
-    static const std::vector<EaseRow> rows = [] {
-        std::vector<EaseRow> made;
-        for (const EaseFormula& formula : formulas) {
-            assert(static_cast<std::size_t>(formula.row.ease) == made.size());
-            made.push_back(formula.row);
-        }
-        return made;
-    }();
-    return rows;
-}
-
-std::optional<Ease> find_ease(std::string_view name) {
-    const auto row = std::find_if(eases().begin(), eases().end(),
-                                  [name](const EaseRow& one) { return one.name == name; });
-    return row != eases().end() ? std::optional(row->ease) : std::nullopt;
-}
-
-std::optional<BeyondKeys> find_beyond_keys(std::string_view name) {
-    const auto* found = std::find(beyond_names.begin(), beyond_names.end(), name);
-    return found != beyond_names.end()
-               ? std::optional(static_cast<BeyondKeys>(found - beyond_names.begin()))
-               : std::nullopt;
-}
-
-std::vector<std::string> beyond_keys_names() { return {beyond_names.begin(), beyond_names.end()}; }
+Names<Ease> eases() { return Names<Ease>(ease_names); }
+Names<BeyondKeys> beyond_keys() { return Names<BeyondKeys>(beyond_rows); }
 
 std::vector<Expr> between_keys(const Keyframes& keys, Expr time) {
     assert(!keys.times.empty());

@@ -63,16 +63,10 @@ private:
     Region region_;
 };
 
-struct FitRow {
-    Fit fit;
-    std::string_view name;
-    std::string_view meaning;
-};
-
 constexpr std::array fit_rows = {
-    FitRow{Fit::fit, "fit", "as large as the place permits, in its middle"},
-    FitRow{Fit::fill, "fill", "covers the place; what is beyond it is cut off"},
-    FitRow{Fit::stretch, "stretch", "stretched to the place"},
+    Named{Fit::fit, "fit", "as large as the place permits, in its middle"},
+    Named{Fit::fill, "fill", "covers the place; what is beyond it is cut off"},
+    Named{Fit::stretch, "stretch", "stretched to the place"},
 };
 
 constexpr std::size_t reference_height = 1000;
@@ -116,23 +110,7 @@ bool show_the_same(const Layer& a, const Layer& b) {
 
 }  // namespace
 
-std::string_view name_of(Fit fit) { return fit_rows[static_cast<std::size_t>(fit)].name; }
-
-std::string_view meaning_of(Fit fit) { return fit_rows[static_cast<std::size_t>(fit)].meaning; }
-
-std::optional<Fit> find_fit(std::string_view name) {
-    const auto* row = std::find_if(fit_rows.begin(), fit_rows.end(),
-                                   [name](const FitRow& one) { return one.name == name; });
-    return row != fit_rows.end() ? std::optional(row->fit) : std::nullopt;
-}
-
-std::vector<std::string> fit_names() {
-    std::vector<std::string> all;
-    for (const FitRow& row : fit_rows) {
-        all.emplace_back(row.name);
-    }
-    return all;
-}
+Names<Fit> fits() { return Names<Fit>(fit_rows); }
 
 std::optional<std::size_t> source_of(const Picture::Parts& parts, std::size_t layer) {
     for (std::size_t i = layer; i-- > 0;) {

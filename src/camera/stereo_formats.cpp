@@ -14,27 +14,19 @@ namespace balcony::camera {
 
 namespace {
 
-struct StereoFormatRow {
-    StereoFormat format;
-    std::string_view name;
-    std::string_view meaning;
-};
-
 constexpr std::array stereo_rows = {
-    StereoFormatRow{StereoFormat::side_by_side, "side_by_side",
-                    "twice as wide, the left eye's picture on the left"},
-    StereoFormatRow{StereoFormat::cross_eyed, "cross_eyed",
-                    "twice as wide, the left eye's picture on the right"},
-    StereoFormatRow{StereoFormat::top_bottom, "top_bottom",
-                    "twice as high, the left eye's picture on top"},
-    StereoFormatRow{StereoFormat::anaglyph, "anaglyph",
-                    "for red and cyan glasses, in colours that ghost least"},
-    StereoFormatRow{StereoFormat::anaglyph_color, "anaglyph_color",
-                    "for red and cyan glasses, in the full colours"},
-    StereoFormatRow{StereoFormat::anaglyph_grey, "anaglyph_grey",
-                    "for red and cyan glasses, in grey"},
-    StereoFormatRow{StereoFormat::left, "left", "the left eye's picture alone"},
-    StereoFormatRow{StereoFormat::right, "right", "the right eye's picture alone"},
+    Named{StereoFormat::side_by_side, "side_by_side",
+          "twice as wide, the left eye's picture on the left"},
+    Named{StereoFormat::cross_eyed, "cross_eyed",
+          "twice as wide, the left eye's picture on the right"},
+    Named{StereoFormat::top_bottom, "top_bottom", "twice as high, the left eye's picture on top"},
+    Named{StereoFormat::anaglyph, "anaglyph",
+          "for red and cyan glasses, in colours that ghost least"},
+    Named{StereoFormat::anaglyph_color, "anaglyph_color",
+          "for red and cyan glasses, in the full colours"},
+    Named{StereoFormat::anaglyph_grey, "anaglyph_grey", "for red and cyan glasses, in grey"},
+    Named{StereoFormat::left, "left", "the left eye's picture alone"},
+    Named{StereoFormat::right, "right", "the right eye's picture alone"},
 };
 
 constexpr std::array<double, 3> no_light{0.0, 0.0, 0.0};
@@ -113,31 +105,7 @@ Result<Layer> layer_of(const Picture& picture, StereoFormat format, const Stereo
 
 }  // namespace
 
-std::string_view name_of(StereoFormat format) {
-    return std::find_if(stereo_rows.begin(), stereo_rows.end(),
-                        [format](const StereoFormatRow& row) { return row.format == format; })
-        ->name;
-}
-
-std::string_view meaning_of(StereoFormat format) {
-    return std::find_if(stereo_rows.begin(), stereo_rows.end(),
-                        [format](const StereoFormatRow& row) { return row.format == format; })
-        ->meaning;
-}
-
-std::optional<StereoFormat> find_stereo_format(std::string_view name) {
-    const auto* row = std::find_if(stereo_rows.begin(), stereo_rows.end(),
-                                   [name](const StereoFormatRow& one) { return one.name == name; });
-    return row != stereo_rows.end() ? std::optional(row->format) : std::nullopt;
-}
-
-std::vector<std::string> stereo_format_names() {
-    std::vector<std::string> names;
-    for (const StereoFormatRow& row : stereo_rows) {
-        names.emplace_back(row.name);
-    }
-    return names;
-}
+Names<StereoFormat> stereo_formats() { return Names<StereoFormat>(stereo_rows); }
 
 Result<Picture> stereo_picture(const Picture& picture, StereoFormat format,
                                const StereoPair& pair) {

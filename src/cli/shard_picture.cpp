@@ -34,11 +34,11 @@ MergedOutput merged_output(const render::RenderFacts& facts) {
         } else if (name == "exposure") {
             output.exposure = number_of<double>(value);
         } else if (name == "view") {
-            output.view = render::find_view_transform(value).value_or(output.view);
+            output.view = render::view_transforms().find(value).value_or(output.view);
         } else if (name == "dither") {
             output.dither = value != "no";
         } else if (name == "denoiser") {
-            output.denoiser = render::find_denoiser(value);
+            output.denoiser = render::denoisers().find(value);
         }
     }
     return output;

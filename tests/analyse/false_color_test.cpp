@@ -91,14 +91,14 @@ TEST(FalseColor, EveryMapOfEveryKindOfCameraCanBeDrawn) {
         settings.width = 60;
         settings.height = 40;
         const Report report = *diagnose(test::camera_of(text), settings);
-        for (const MapDescription& row : map_kinds()) {
-            const Image image = false_color(report, row.kind);
+        for (const auto& row : map_kinds()) {
+            const Image image = false_color(report, row.value);
             EXPECT_EQ(image.samples.size(), 3 * image.width * image.height);
             EXPECT_GT(image.height, image.width * 2 / 3);
-            EXPECT_EQ(find_map_kind(row.name), row.kind);
+            EXPECT_EQ(map_kinds().find(row.name), row.value);
         }
     }
-    EXPECT_FALSE(find_map_kind("none"));
+    EXPECT_FALSE(map_kinds().find("none"));
 }
 
 TEST(FalseColor, ColoursAreAtTheirSamples) {

@@ -56,7 +56,7 @@ struct Keys {
 
 constexpr std::array<std::size_t, 2> counts = {6, 60};
 
-class EachEase : public testing::TestWithParam<EaseRow> {};
+class EachEase : public testing::TestWithParam<Named<Ease>> {};
 
 }  // namespace
 
@@ -66,7 +66,7 @@ constexpr double rounding = 1e-14;
 TEST_P(EachEase, MeetsTheKeysAndStaysBeyondThem) {
     for (const std::size_t count : counts) {
         const Keys keys(count);
-        const Curve curve(keys.times, keys.values, GetParam().ease);
+        const Curve curve(keys.times, keys.values, GetParam().value);
         for (std::size_t i = 0; i < count; ++i) {
             EXPECT_NEAR(curve(keys.times[i]), keys.values[i], rounding) << i;
         }
@@ -77,12 +77,12 @@ TEST_P(EachEase, MeetsTheKeysAndStaysBeyondThem) {
 }
 
 TEST_P(EachEase, IsContinuousAndHasItsSlope) {
-    if (GetParam().ease == Ease::hold) {
+    if (GetParam().value == Ease::hold) {
         return;
     }
     for (const std::size_t count : counts) {
         const Keys keys(count);
-        const Curve curve(keys.times, keys.values, GetParam().ease);
+        const Curve curve(keys.times, keys.values, GetParam().value);
         constexpr double h = 1e-6;
         for (std::size_t i = 0; i + 1 < count; ++i) {
             EXPECT_NEAR(curve(keys.times[i] - h), curve(keys.times[i] + h), 1e-3) << i;
@@ -97,27 +97,27 @@ TEST_P(EachEase, IsContinuousAndHasItsSlope) {
 // A few keys are a formula and many are tables; both mean the same.
 TEST_P(EachEase, IsTheSameAsFormulaAndAsTables) {
     const Keys keys(60);
-    const Curve tables(keys.times, keys.values, GetParam().ease);
+    const Curve tables(keys.times, keys.values, GetParam().value);
     // The slopes at a key depend on its neighbours only.
     constexpr std::ptrdiff_t first = 20;
     constexpr std::ptrdiff_t last = 32;
     const auto part = [](const std::vector<double>& all) {
         return std::vector<double>(all.begin() + first, all.begin() + last);
     };
-    const Curve formula(part(keys.times), part(keys.values), GetParam().ease);
+    const Curve formula(part(keys.times), part(keys.values), GetParam().value);
     for (double t = keys.times[first + 1]; t < keys.times[last - 2]; t += 0.01) {
         EXPECT_NEAR(tables(t), formula(t), 1e-13) << t;
     }
 }
 
 TEST_P(EachEase, RepeatsAndMirrors) {
-    const bool is_cubic = GetParam().ease == Ease::spline || GetParam().ease == Ease::catmull_rom;
+    const bool is_cubic = GetParam().value == Ease::spline || GetParam().value == Ease::catmull_rom;
     for (const std::size_t count : counts) {
         Keys keys(count);
         const double length = keys.times.back() - keys.times.front();
-        const Curve once(keys.times, keys.values, GetParam().ease, BeyondKeys::constant);
-        const Curve repeated(keys.times, keys.values, GetParam().ease, BeyondKeys::repeat);
-        const Curve mirrored(keys.times, keys.values, GetParam().ease, BeyondKeys::mirror);
+        const Curve once(keys.times, keys.values, GetParam().value, BeyondKeys::constant);
+        const Curve repeated(keys.times, keys.values, GetParam().value, BeyondKeys::repeat);
+        const Curve mirrored(keys.times, keys.values, GetParam().value, BeyondKeys::mirror);
         for (double s = 0.013; s < 1.0; s += 0.1) {
             const double t = keys.times.front() + s * length;
             const double back = keys.times.back() + (1.0 - s) * length;
@@ -134,7 +134,7 @@ TEST_P(EachEase, RepeatsAndMirrors) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EachEase, testing::ValuesIn(eases()),
+INSTANTIATE_TEST_SUITE_P(All, EachEase, testing::ValuesIn(eases().begin(), eases().end()),
                          [](const auto& row) { return std::string(row.param.name); });
 
 TEST(Keyframes, HaveTheFormulasOfTheirEases) {

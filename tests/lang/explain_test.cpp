@@ -100,7 +100,8 @@ TEST(Explain, DescribesLayers) {
     const auto* row = camera::catalogue().find(camera::StageKind::clip_shape, "ellipse");
     EXPECT_EQ(layer.steps[2].meanings, std::vector{"ellipse: " + std::string(row->meaning)});
     EXPECT_EQ(layer.steps[5].meanings,
-              std::vector{"multiply: " + std::string(meaning_of(camera::BlendMode::multiply))});
+              std::vector{"multiply: " +
+                          std::string(camera::blend_modes()[camera::BlendMode::multiply].meaning)});
     for (const Explanation::Step& step : layer.steps) {
         ASSERT_EQ(step.meanings.size(), 1U) << step.statement;
         EXPECT_FALSE(step.meanings[0].empty()) << step.statement;

@@ -259,11 +259,11 @@ TEST(Denoise, AJobDoesNotContinueADenoisedFilm) {
 }
 
 TEST(Denoise, FindsDenoisersByName) {
-    for (const std::string& name : denoiser_names()) {
-        EXPECT_TRUE(find_denoiser(name)) << name;
+    for (const std::string& name : denoisers().all()) {
+        EXPECT_TRUE(denoisers().find(name)) << name;
     }
-    EXPECT_EQ(find_denoiser("features"), Denoiser::features);
-    EXPECT_FALSE(find_denoiser("oidn"));
+    EXPECT_EQ(denoisers().find("features"), Denoiser::features);
+    EXPECT_FALSE(denoisers().find("oidn"));
 }
 
 // -------------------------------------------------------------------- a library of the machine

@@ -103,8 +103,8 @@ TEST(ViewTransform, NeutralIsMonotonicAndSmooth) {
 
 std::vector<ViewTransform> every_view() {
     std::vector<ViewTransform> all;
-    for (const std::string& name : view_transform_names()) {
-        all.push_back(*find_view_transform(name));
+    for (const std::string& name : view_transforms().all()) {
+        all.push_back(*view_transforms().find(name));
     }
     return all;
 }
@@ -113,14 +113,14 @@ std::vector<ViewTransform> every_view() {
 TEST(ViewTransform, EachKeepsBlackAndMiddleGreyAndOrder) {
     ASSERT_EQ(every_view().size(), 4U);
     for (const ViewTransform view : every_view()) {
-        EXPECT_EQ(displayed(view, grey(0.0F)), grey(0.0F)) << name_of(view);
-        EXPECT_NEAR(displayed(view, grey(0.18F)).x, 0.18F, 1e-5F) << name_of(view);
-        EXPECT_GT(displayed(view, grey(100.0F)).x, 0.99F) << name_of(view);
+        EXPECT_EQ(displayed(view, grey(0.0F)), grey(0.0F)) << view_transforms()[view].name;
+        EXPECT_NEAR(displayed(view, grey(0.18F)).x, 0.18F, 1e-5F) << view_transforms()[view].name;
+        EXPECT_GT(displayed(view, grey(100.0F)).x, 0.99F) << view_transforms()[view].name;
         float before = 0.0F;
         for (float stops = -12.0F; stops < 10.0F; stops += 0.01F) {
             const Color3f shown = displayed(view, grey(std::exp2(stops)));
             // The rounding of powers and logarithms, each to about 2^-22.
-            ASSERT_GE(shown.x, before - 1e-6F) << name_of(view) << ' ' << stops;
+            ASSERT_GE(shown.x, before - 1e-6F) << view_transforms()[view].name << ' ' << stops;
             ASSERT_NEAR(shown.x, shown.y, 1e-6F);
             ASSERT_NEAR(shown.x, shown.z, 1e-6F);
             before = shown.x;
@@ -135,7 +135,7 @@ TEST(ViewTransform, FilmAndAgxSeparateHighlights) {
         for (float light = 0.01F; light < 10.0F; light *= 2.0F) {
             EXPECT_GT(displayed(view, grey(std::min(2.0F * light, 15.0F))).x,
                       displayed(view, grey(light)).x + 0.002F)
-                << name_of(view) << ' ' << light;
+                << view_transforms()[view].name << ' ' << light;
         }
     }
 }
@@ -154,11 +154,11 @@ TEST(ViewTransform, AgxDesaturatesBrightLight) {
 }
 
 TEST(ViewTransform, HasARowForEachName) {
-    for (const std::string& name : view_transform_names()) {
-        EXPECT_EQ(name_of(*find_view_transform(name)), name);
-        EXPECT_FALSE(meaning_of(*find_view_transform(name)).empty());
+    for (const std::string& name : view_transforms().all()) {
+        EXPECT_EQ(view_transforms()[*view_transforms().find(name)].name, name);
+        EXPECT_FALSE(view_transforms()[*view_transforms().find(name)].meaning.empty());
     }
-    EXPECT_FALSE(find_view_transform("raw"));
+    EXPECT_FALSE(view_transforms().find("raw"));
     EXPECT_EQ(displayed(ViewTransform::standard, Color3f(0.9F, 7.0F, -1.0F)),
               Color3f(0.9F, 1.0F, 0.0F));
 }

@@ -126,7 +126,8 @@ TEST(Motion, TranslationBlursByTheShutter) {
             // The middle of the square is at s - 1/2.
             const double at = across(x, wide) + 0.5;
             const double expected = before(shape, at + 0.25) - before(shape, at - 0.25);
-            ASSERT_NEAR(red(film, x), expected, moments + filter) << name_of(shape) << ' ' << x;
+            ASSERT_NEAR(red(film, x), expected, moments + filter)
+                << shutter_shapes()[shape].name << ' ' << x;
         }
     }
 }
@@ -371,7 +372,7 @@ TEST(Shutter, ShapesGiveMomentsAsOftenAsTheyCount) {
         for (int i = 0; i <= 100; ++i) {
             const double random = 0.01 * i;
             const double part = (shutter.moment(10.0, random) - 8.0) / 4.0;
-            EXPECT_NEAR(before(shape, part), random, 1e-12) << name_of(shape);
+            EXPECT_NEAR(before(shape, part), random, 1e-12) << shutter_shapes()[shape].name;
         }
     }
     EXPECT_EQ(Shutter{}.moment(0.1, 0.9), 0.1);

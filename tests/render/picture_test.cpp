@@ -372,8 +372,7 @@ TEST(Blend, TwoHalvesPresentAreThreeQuarters) {
 TEST(Blend, TransparentSourcesChangeNothing) {
     const Color4f below(0.2F, 0.3F, 0.1F, 0.5F);
     const Color4f nothing(0.0F);
-    for (const std::string& name : camera::blend_mode_names()) {
-        const BlendMode mode = *camera::find_blend_mode(name);
+    for (const auto& [mode, name, meaning] : camera::blend_modes()) {
         if (mode != BlendMode::normal) {
             EXPECT_EQ(blended(mode, below, nothing), below) << name;
         }

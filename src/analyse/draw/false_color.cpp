@@ -230,26 +230,18 @@ private:
 
 }  // namespace
 
-const std::vector<MapDescription>& map_kinds() {
-    static const std::vector<MapDescription> kinds = {
-        {MapKind::magnification, "magnification", "how large things appear"},
-        {MapKind::anisotropy, "anisotropy", "how much things are stretched"},
-        {MapKind::orientation, "orientation", "where the picture is mirrored, which reveals folds"},
-        {MapKind::validity, "validity", "where there are rays"},
-        {MapKind::seams, "seams", "where rays jump"},
-        {MapKind::repeated, "repeated", "how often the picture shows the same view"},
-        {MapKind::origins, "origins", "distance of the ray origins from their centre"},
+Names<MapKind> map_kinds() {
+    static constexpr std::array rows{
+        Named{MapKind::magnification, "magnification", "how large things appear"},
+        Named{MapKind::anisotropy, "anisotropy", "how much things are stretched"},
+        Named{MapKind::orientation, "orientation",
+              "where the picture is mirrored, which reveals folds"},
+        Named{MapKind::validity, "validity", "where there are rays"},
+        Named{MapKind::seams, "seams", "where rays jump"},
+        Named{MapKind::repeated, "repeated", "how often the picture shows the same view"},
+        Named{MapKind::origins, "origins", "distance of the ray origins from their centre"},
     };
-    return kinds;
-}
-
-std::optional<MapKind> find_map_kind(std::string_view name) {
-    for (const MapDescription& row : map_kinds()) {
-        if (row.name == name) {
-            return row.kind;
-        }
-    }
-    return std::nullopt;
+    return Names<MapKind>(rows);
 }
 
 Image false_color(const Report& report, MapKind kind) {

@@ -52,9 +52,8 @@ Result<std::size_t> find_layer(const camera::Picture& picture,
                      {}, fmt::format("choose one with --layer; {}", list));
     }
     if (found.empty()) {
-        const auto nearest = nearest_name(wanted, names);
         return error(fmt::format("'{}' has no camera layer '{}'", picture.name(), wanted), {},
-                     nearest ? fmt::format("did you mean '{}'?", *nearest) : std::move(list));
+                     did_you_mean(wanted, names, std::move(list)));
     }
     return error(
         fmt::format("'{}' has {} camera layers '{}'", picture.name(), found.size(), wanted), {},

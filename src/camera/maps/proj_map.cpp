@@ -53,10 +53,9 @@ std::string parameters_of(std::string_view projection) {
 }
 
 Diagnostic unknown(const std::string& name) {
-    const std::optional<std::string> near = nearest_name(name, map_names());
     return error(fmt::format("PROJ has no map projection named '{}'", name), {},
-                 near ? fmt::format("did you mean '{}'?", *near)
-                      : "docs/maps.md lists the names; 'robin' is the Robinson projection");
+                 did_you_mean(name, map_names(),
+                              "docs/maps.md lists the names; 'robin' is the Robinson projection"));
 }
 
 Diagnostic rejected(const Definition& definition, std::string_view reason) {

@@ -7,10 +7,12 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "balcony/display_file.hpp"
 #include "balcony/lang.hpp"
+#include "balcony/names.hpp"
 #include "balcony/output_file.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/options/camera_argument.hpp"
@@ -55,23 +57,14 @@ struct CheckRequest {
 };
 
 std::string names_of_maps() {
-    std::string names;
-    for (const analyse::MapDescription& row : analyse::map_kinds()) {
-        names += (names.empty() ? "" : ", ") + std::string(row.name);
-    }
-    return names;
+    return fmt::format("{}", fmt::join(analyse::map_kinds().all(), ", "));
 }
 
 Map read_map(const std::string& name, const std::string& file, Diagnostics& diagnostics) {
-    const auto kind = analyse::find_map_kind(name);
+    const auto kind = analyse::map_kinds().find(name);
     if (!kind) {
-        std::vector<std::string> known;
-        for (const analyse::MapDescription& row : analyse::map_kinds()) {
-            known.emplace_back(row.name);
-        }
-        const auto nearest = nearest_name(name, known);
         refuse(diagnostics, "--map", name,
-               nearest ? fmt::format("did you mean '{}'?", *nearest) : "write " + names_of_maps());
+               did_you_mean(name, analyse::map_kinds().all(), "write " + names_of_maps()));
     }
     if (render::display_format(file) == nullptr) {
         diagnostics.push_back(error(fmt::format("'{}' cannot be a map", file), {},

@@ -10,6 +10,7 @@
 
 #include "balcony/catalogue.hpp"
 #include "balcony/lang.hpp"
+#include "balcony/names.hpp"
 #include "balcony/output_file.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/report/json.hpp"
@@ -285,12 +286,11 @@ ExitCode refuse_unknown(const ListOptions& options) {
         known.emplace_back(row.name);
         known.push_back(plural_of(row.kind));
     }
-    const auto nearest = nearest_name(options.what, known);
     const Diagnostics diagnostics{error(
         fmt::format("there is no stage, camera or file named '{}'", options.what), {},
-        nearest
-            ? fmt::format("did you mean '{}'?", *nearest)
-            : "write stages, cameras, or the name of a stage, a built-in camera or a .cam file")};
+        did_you_mean(
+            options.what, known,
+            "write stages, cameras, or the name of a stage, a built-in camera or a .cam file"))};
     if (options.json) {
         print_json(nlohmann::json::object({{"diagnostics", to_json(diagnostics)}}));
     } else {

@@ -34,10 +34,10 @@ std::optional<std::size_t> read_side(std::string_view option, const std::string&
 }
 
 camera::Fit read_fit(const std::string& text, Diagnostics& diagnostics) {
-    const std::optional<camera::Fit> fit = camera::find_fit(text);
+    const std::optional<camera::Fit> fit = camera::fits().find(text);
     if (!fit) {
         refuse(diagnostics, "--aspect", text,
-               suggestion(text, camera::fit_names(), "the choices are"));
+               suggestion(text, camera::fits().all(), "the choices are"));
     }
     return fit.value_or(camera::Fit::fit);
 }
@@ -83,8 +83,9 @@ PictureSize read_size(const SizeWords& words, Diagnostics& diagnostics) {
 
 void add_aspect_option(CLI::App& command, SizeWords& words) {
     std::vector<std::string> modes;
-    for (const std::string& name : camera::fit_names()) {
-        modes.push_back(fmt::format("{} ({})", name, meaning_of(*camera::find_fit(name))));
+    for (const std::string& name : camera::fits().all()) {
+        modes.push_back(
+            fmt::format("{} ({})", name, camera::fits()[*camera::fits().find(name)].meaning));
     }
     command
         .add_option("--aspect", words.fit,

@@ -22,7 +22,7 @@ struct SizeWords {
     std::string size;
     std::string width;
     std::string height;
-    std::string fit = std::string(name_of(camera::Fit::fit));
+    std::string fit = std::string(camera::fits()[camera::Fit::fit].name);
 };
 
 using app::PictureSize;

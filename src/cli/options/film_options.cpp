@@ -17,8 +17,8 @@ render::LayerSet read_layers(const FilmOptions& options, Diagnostics& diagnostic
 
 std::optional<render::DenoiseOptions> read_denoise(const FilmOptions& options,
                                                    Diagnostics& diagnostics) {
-    check_name("--denoiser", options.denoiser, render::denoiser_names(), diagnostics);
-    const auto denoiser = render::find_denoiser(options.denoiser);
+    check_name("--denoiser", options.denoiser, render::denoisers().all(), diagnostics);
+    const auto denoiser = render::denoisers().find(options.denoiser);
     return options.denoise && denoiser
                ? std::optional(render::DenoiseOptions{.denoiser = *denoiser, .library = {}})
                : std::nullopt;

@@ -20,6 +20,7 @@
 #include <fmt/ranges.h>
 
 #include "balcony/base.hpp"
+#include "balcony/names.hpp"
 
 namespace balcony::cli {
 
@@ -70,10 +71,8 @@ inline void refuse(Diagnostics& diagnostics, std::string_view option, std::strin
 inline void check_name(std::string_view option, const std::string& text,
                        const std::vector<std::string>& known, Diagnostics& diagnostics) {
     if (std::find(known.begin(), known.end(), text) == known.end()) {
-        const auto nearest = nearest_name(text, known);
         refuse(diagnostics, option, text,
-               nearest ? fmt::format("did you mean '{}'?", *nearest)
-                       : fmt::format("write {}", fmt::join(known, " or ")));
+               did_you_mean(text, known, fmt::format("write {}", fmt::join(known, " or "))));
     }
 }
 

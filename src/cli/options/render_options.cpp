@@ -72,9 +72,10 @@ void add_picture_options(CLI::App& command, RenderOptions& options) {
         ->type_name("STOPS")
         ->capture_default_str();
     std::vector<std::string> views;
-    for (const std::string& name : render::view_transform_names()) {
+    for (const std::string& name : render::view_transforms().all()) {
         views.push_back(
-            fmt::format("{} ({})", name, meaning_of(*render::find_view_transform(name))));
+            fmt::format("{} ({})", name,
+                        render::view_transforms()[*render::view_transforms().find(name)].meaning));
     }
     command
         .add_option(
@@ -129,8 +130,8 @@ render::Settings read_settings(const RenderOptions& options, Diagnostics& diagno
 }
 
 render::ViewTransform read_view(const RenderOptions& options, Diagnostics& diagnostics) {
-    check_name("--view-transform", options.view, render::view_transform_names(), diagnostics);
-    return render::find_view_transform(options.view).value_or(render::ViewTransform::neutral);
+    check_name("--view-transform", options.view, render::view_transforms().all(), diagnostics);
+    return render::view_transforms().find(options.view).value_or(render::ViewTransform::neutral);
 }
 
 // More stops than between the smallest and the largest float would give 0 or infinity.

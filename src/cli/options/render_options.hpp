@@ -42,7 +42,7 @@ struct RenderOptions {
     StereoWords stereo;
     std::string exposure = "auto";
     std::string ambient = "auto";
-    std::string view = std::string(render::name_of(render::ViewTransform::neutral));
+    std::string view = std::string(render::view_transforms()[render::ViewTransform::neutral].name);
     FilmOptions film;
     TextureWords textures;
     bool watch = false;

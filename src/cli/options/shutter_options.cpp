@@ -60,9 +60,10 @@ void add_shutter_options(CLI::App& command, ShutterWords& words) {
         ->type_name("SECONDS")
         ->capture_default_str();
     std::vector<std::string> shapes;
-    for (const std::string& name : render::shutter_shape_names()) {
+    for (const std::string& name : render::shutter_shapes().all()) {
         shapes.push_back(
-            fmt::format("{} ({})", name, meaning_of(*render::find_shutter_shape(name))));
+            fmt::format("{} ({})", name,
+                        render::shutter_shapes()[*render::shutter_shapes().find(name)].meaning));
     }
     command
         .add_option("--shutter-shape", words.shape,
@@ -83,10 +84,10 @@ render::Shutter read_shutter(const ShutterWords& words, Diagnostics& diagnostics
         refuse(diagnostics, "--shutter", words.duration,
                "give seconds from 0, such as 0.02 or 1/50, or an angle such as 180deg");
     }
-    const auto shape = render::find_shutter_shape(words.shape);
+    const auto shape = render::shutter_shapes().find(words.shape);
     if (!shape) {
         refuse(diagnostics, "--shutter-shape", words.shape,
-               suggestion(words.shape, render::shutter_shape_names(), "the shapes are"));
+               suggestion(words.shape, render::shutter_shapes().all(), "the shapes are"));
     }
     return {duration.value_or(0.0), shape.value_or(render::ShutterShape::box)};
 }

@@ -11,7 +11,7 @@ namespace balcony::cli {
 
 struct ShutterWords {
     std::string duration = "0";
-    std::string shape = std::string(render::name_of(render::ShutterShape::box));
+    std::string shape = std::string(render::shutter_shapes()[render::ShutterShape::box].name);
     std::string fps = "24";
 };
 

@@ -62,8 +62,10 @@ void refuse_alone(const StereoWords& words, Diagnostics& diagnostics) {
 
 void add_stereo_options(CLI::App& command, StereoWords& words) {
     std::string formats;
-    for (const std::string& name : camera::stereo_format_names()) {
-        formats += fmt::format("{} ({}), ", name, meaning_of(*camera::find_stereo_format(name)));
+    for (const std::string& name : camera::stereo_formats().all()) {
+        formats +=
+            fmt::format("{} ({}), ", name,
+                        camera::stereo_formats()[*camera::stereo_formats().find(name)].meaning);
     }
     command
         .add_option("--stereo", words.format,
@@ -100,11 +102,11 @@ std::optional<StereoRequest> read_stereo(const StereoWords& words, Diagnostics& 
         return std::nullopt;
     }
     StereoRequest request;
-    std::vector<std::string> known = camera::stereo_format_names();
+    std::vector<std::string> known = camera::stereo_formats().all();
     known.emplace_back(two_files);
     check_name("--stereo", words.format, known, diagnostics);
     request.formats = {
-        camera::find_stereo_format(words.format).value_or(StereoFormat::side_by_side)};
+        camera::stereo_formats().find(words.format).value_or(StereoFormat::side_by_side)};
     if (words.format == two_files) {
         request.formats = {StereoFormat::left, StereoFormat::right};
     }

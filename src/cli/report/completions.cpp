@@ -169,14 +169,14 @@ void add_integrators(const Before&, Candidates& words) {
 }
 
 void add_view_transforms(const Before&, Candidates& words) {
-    for (const std::string& name : render::view_transform_names()) {
-        words.add(name, meaning_of(*render::find_view_transform(name)));
+    for (const std::string& name : render::view_transforms().all()) {
+        words.add(name, render::view_transforms()[*render::view_transforms().find(name)].meaning);
     }
 }
 
 void add_stereo_formats(const Before&, Candidates& words) {
-    for (const std::string& name : camera::stereo_format_names()) {
-        words.add(name, meaning_of(*camera::find_stereo_format(name)));
+    for (const std::string& name : camera::stereo_formats().all()) {
+        words.add(name, camera::stereo_formats()[*camera::stereo_formats().find(name)].meaning);
     }
     words.add("files", "both eyes' pictures in two files");
 }
@@ -193,8 +193,8 @@ void add_baselines(const Before&, Candidates& words) {
 }
 
 void add_shutter_shapes(const Before&, Candidates& words) {
-    for (const std::string& name : render::shutter_shape_names()) {
-        words.add(name, meaning_of(*render::find_shutter_shape(name)));
+    for (const std::string& name : render::shutter_shapes().all()) {
+        words.add(name, render::shutter_shapes()[*render::shutter_shapes().find(name)].meaning);
     }
 }
 
@@ -216,7 +216,7 @@ void add_number_formats(const Before&, Candidates& words) {
 }
 
 void add_maps(const Before&, Candidates& words) {
-    for (const analyse::MapDescription& row : analyse::map_kinds()) {
+    for (const auto& row : analyse::map_kinds()) {
         words.add(row.name);
     }
 }

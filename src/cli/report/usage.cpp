@@ -16,6 +16,7 @@
 
 #include "balcony/display_file.hpp"
 #include "balcony/lang.hpp"
+#include "balcony/names.hpp"
 #include "cli/options/scene_argument.hpp"
 
 namespace balcony::cli {
@@ -229,12 +230,10 @@ Diagnostic usage_error(const CLI::App& app, const CLI::ParseError& problem) {
         return error(fmt::format("'{}' is an unexpected argument", word), {},
                      meant.empty() ? look_up : meant);
     }
-    const auto nearest =
-        nearest_name(word, is_option ? names_of_options(command) : names_of_commands(app));
-    return error(fmt::format("{} has no {} '{}'", name, is_option ? "option" : "command", word), {},
-                 nearest ? fmt::format("did you mean '{}'?", *nearest)
-                 : is_option || command_for(word).empty() ? look_up
-                                                          : command_for(word));
+    return error(
+        fmt::format("{} has no {} '{}'", name, is_option ? "option" : "command", word), {},
+        did_you_mean(word, is_option ? names_of_options(command) : names_of_commands(app),
+                     is_option || command_for(word).empty() ? look_up : command_for(word)));
 }
 
 }  // namespace balcony::cli

@@ -121,7 +121,7 @@ private:
             return false;
         }
         const std::vector<std::string> known =
-            is_by ? std::vector<std::string>{"rays", "parameters"} : camera::fit_names();
+            is_by ? std::vector<std::string>{"rays", "parameters"} : camera::fits().all();
         const Expression& word = tree_[value];
         if (word.kind != ExpressionKind::name ||
             std::find(known.begin(), known.end(), word.name.text) == known.end()) {
@@ -183,7 +183,7 @@ private:
         const Axes common =
             first->parts().axes == second->parts().axes ? first->parts().axes : Axes::z_up;
         return camera::morphed({*first, *second, *amount,
-                                camera::find_fit(fit_.text).value_or(camera::Fit::fit),
+                                camera::fits().find(fit_.text).value_or(camera::Fit::fit),
                                 settings_.axes.value_or(common), settings_.aspect});
     }
 

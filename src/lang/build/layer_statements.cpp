@@ -173,11 +173,11 @@ private:
         if (statement == nullptr) {
             return;
         }
-        const auto mode = camera::find_blend_mode(statement->word().text);
+        const auto mode = camera::blend_modes().find(statement->word().text);
         if (!mode) {
             error(statement->word().span,
                   fmt::format("unknown blend mode '{}'", statement->word().text),
-                  suggestion(statement->word().text, camera::blend_mode_names(),
+                  suggestion(statement->word().text, camera::blend_modes().all(),
                              "the blend modes are"));
         }
         made.blend = mode.value_or(camera::BlendMode::normal);
@@ -187,7 +187,7 @@ private:
     void fit(camera::Layer& made) {
         const Statement* earlier = nullptr;
         for (const Statement& one : block_) {
-            const auto fit = camera::find_fit(keyword(one.kind));
+            const auto fit = camera::fits().find(keyword(one.kind));
             if (!fit || one.broken) {
                 continue;
             }

@@ -18,14 +18,13 @@ namespace {
 std::string known_names(std::string_view name, std::vector<std::string> own_names) {
     std::vector<std::string> known = own_names;
     known.insert(known.end(), built_in_cameras().begin(), built_in_cameras().end());
-    if (const auto nearest = nearest_name(name, known)) {
-        return fmt::format("did you mean '{}'?", *nearest);
-    }
     std::sort(own_names.begin(), own_names.end());
     own_names.erase(std::unique(own_names.begin(), own_names.end()), own_names.end());
     const std::string built_in = "'balcony list cameras' shows the built-in ones";
-    return own_names.empty() ? built_in
-                             : fmt::format("this file has {}; {}", all_of(own_names), built_in);
+    return did_you_mean(name, known,
+                        own_names.empty()
+                            ? built_in
+                            : fmt::format("this file has {}; {}", all_of(own_names), built_in));
 }
 
 std::optional<LocatedDefinition> find(const LocatedDefinition& picture, const Identifier& name,

@@ -142,13 +142,11 @@ const StageEntry* StageBuilder::find_row(StageKind kind, const Identifier& name)
         }
         return nullptr;
     }
-    auto nearest = stage_with_choice(session_.catalogue(), kind, name.text);
-    if (!nearest) {
-        nearest = nearest_name(name.text, names_of_kind(session_.catalogue(), kind));
-    }
+    const auto of_choice = stage_with_choice(session_.catalogue(), kind, name.text);
     error(name.span, fmt::format("there is no {} named '{}'", camera::name_of(kind), name.text),
-          nearest ? fmt::format("did you mean '{}'?", *nearest)
-                  : "run 'balcony list' for a list of all stages");
+          of_choice ? fmt::format("did you mean '{}'?", *of_choice)
+                    : did_you_mean(name.text, names_of_kind(session_.catalogue(), kind),
+                                   "run 'balcony list' for a list of all stages"));
     return nullptr;
 }
 

@@ -81,14 +81,9 @@ private:
             good_ = good_ && !at.failed();
             at_ = {at, tree_.at(tree_[value].span)};
         } else if (name.text == "ease") {
-            std::vector<std::string> known;
-            for (const camera::EaseRow& row : camera::eases()) {
-                known.emplace_back(row.name);
-            }
-            keys_.ease = word(name, value, camera::find_ease, known).value_or(keys_.ease);
+            keys_.ease = word(name, value, camera::eases()).value_or(keys_.ease);
         } else if (name.text == "beyond") {
-            keys_.beyond = word(name, value, camera::find_beyond_keys, camera::beyond_keys_names())
-                               .value_or(keys_.beyond);
+            keys_.beyond = word(name, value, camera::beyond_keys()).value_or(keys_.beyond);
         } else {
             error(name.span, fmt::format("'keys' has no argument named '{}'", name.text),
                   suggestion(name.text, {"ease", "at", "beyond"}, "its named arguments are"));
@@ -96,15 +91,13 @@ private:
     }
 
     template <class Found>
-    std::optional<Found> word(const Identifier& name, ExpressionId id,
-                              std::optional<Found> (*find)(std::string_view),
-                              const std::vector<std::string>& known) {
+    std::optional<Found> word(const Identifier& name, ExpressionId id, const Names<Found>& known) {
         const Expression& node = tree_[id];
         const std::optional<Found> found =
-            node.kind == ExpressionKind::name ? find(node.name.text) : std::nullopt;
+            node.kind == ExpressionKind::name ? known.find(node.name.text) : std::nullopt;
         if (!found) {
             error(node.span, fmt::format("'{}' cannot be '{}'", name.text, tree_.text(node.span)),
-                  suggestion(node.name.text, known, "the choices are"));
+                  suggestion(node.name.text, known.all(), "the choices are"));
         }
         return found;
     }

@@ -31,9 +31,6 @@ std::vector<std::string> built_in_names(std::string_view suffix) {
 // The remedy for an unknown name: a camera with a similar name, or cameras whose descriptions
 // contain it, such as panorama for "equirectangular".
 std::string instead_of(std::string_view name) {
-    if (const auto nearest = nearest_name(name, built_in_names(""))) {
-        return fmt::format("did you mean '{}'?", *nearest);
-    }
     std::vector<std::string> described;
     for (const BuiltInCamera& camera : built_in_camera_files()) {
         const std::string_view comment = camera.text.substr(0, camera.text.find("\ncamera "));
@@ -42,9 +39,11 @@ std::string instead_of(std::string_view name) {
         }
     }
     constexpr std::size_t max_described = 8;
-    return described.empty() || described.size() > max_described
-               ? "'balcony list cameras' shows the built-in cameras"
-               : fmt::format("'{}' is in the description of {}", name, all_of(described));
+    return did_you_mean(
+        name, built_in_names(""),
+        described.empty() || described.size() > max_described
+            ? "'balcony list cameras' shows the built-in cameras"
+            : fmt::format("'{}' is in the description of {}", name, all_of(described)));
 }
 
 std::string standard_key(std::string_view name) { return fmt::format("standard/{}.cam", name); }
@@ -262,13 +261,12 @@ Module* Session::find_import(const Module& module, const Import& import) {
     }
     const std::string name(import.file.text);
     const std::string folder = module.folder.empty() ? "." : module.folder.string();
-    const auto nearest = nearest_name(name, built_in_names(".cam"));
     reporter_.error(place,
                     fmt::format("there is no file '{}' in this folder and no built-in camera of "
                                 "that name",
                                 name),
-                    nearest ? fmt::format("did you mean '{}'?", *nearest)
-                            : fmt::format("the search folder is '{}'", folder));
+                    did_you_mean(name, built_in_names(".cam"),
+                                 fmt::format("the search folder is '{}'", folder)));
     return nullptr;
 }
 

@@ -110,8 +110,8 @@ Meanings of_ranges(const Statement& statement) {
 
 Meanings of_blend(const Statement& statement) {
     const std::string_view name = statement.word().text;
-    const auto mode = camera::find_blend_mode(name).value_or(camera::BlendMode::normal);
-    return {fmt::format("{}: {}", name, meaning_of(mode))};
+    const auto mode = camera::blend_modes().find(name).value_or(camera::BlendMode::normal);
+    return {fmt::format("{}: {}", name, camera::blend_modes()[mode].meaning)};
 }
 
 Meanings meanings(const Place& place, const StatementRow& row, const Statement& statement) {

@@ -20,7 +20,11 @@ namespace balcony::render {
 
 namespace {
 
-constexpr std::array<std::string_view, 3> names{"auto", "library", "features"};
+constexpr std::array denoiser_rows{
+    Named{Denoiser::automatic, "auto", "library where there is one"},
+    Named{Denoiser::library, "library", "Open Image Denoise"},
+    Named{Denoiser::features, "features", "Balcony's filter, the same on every machine"},
+};
 
 Diagnostics check(const Film& film) {
     if (!film.noisy.empty()) {
@@ -163,13 +167,7 @@ void store(const NoisyImage& color, Film& film) {
 
 }  // namespace
 
-std::optional<Denoiser> find_denoiser(std::string_view name) {
-    const auto* const found = std::find(names.begin(), names.end(), name);
-    return found != names.end() ? std::optional(static_cast<Denoiser>(found - names.begin()))
-                                : std::nullopt;
-}
-
-std::vector<std::string> denoiser_names() { return {names.begin(), names.end()}; }
+Names<Denoiser> denoisers() { return Names<Denoiser>(denoiser_rows); }
 
 LayerSet denoise_layers() {
     return {LayerId::mean_albedo, LayerId::mean_normal, LayerId::mean_position, LayerId::variance};

@@ -269,10 +269,8 @@ Diagnostic unknown_layer(std::string_view name) {
         names.emplace_back(info.name);
         list += fmt::format(", {}", info.name);
     }
-    const auto nearest = nearest_name(name, names);
     return error(fmt::format("unknown layer '{}'", name), {},
-                 nearest ? fmt::format("did you mean '{}'?", *nearest)
-                         : fmt::format("the layers are {}", list));
+                 did_you_mean(name, names, fmt::format("the layers are {}", list)));
 }
 
 template <class Condition>

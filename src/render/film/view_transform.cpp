@@ -100,19 +100,21 @@ private:
     }
 };
 
-struct ViewRow {
-    std::string_view name;
-    std::string_view meaning;
+struct ViewRow : Named<ViewTransform> {
     Color3f (*transform)(const Color3f& light);
 };
 
 // In the order of the enumerators.
 constexpr std::array view_rows{
-    ViewRow{"neutral", "highlights above 0.8 are compressed", neutral},
-    ViewRow{"standard", "highlights above 1 are clipped", unchanged},
-    ViewRow{"filmic", "soft highlights and shadows of film, white at 16", filmic},
-    ViewRow{"agx", "bright saturated light turns white, as in AgX", Agx::display},
+    ViewRow{{ViewTransform::neutral, "neutral", "highlights above 0.8 are compressed"}, neutral},
+    ViewRow{{ViewTransform::standard, "standard", "highlights above 1 are clipped"}, unchanged},
+    ViewRow{{ViewTransform::filmic, "filmic", "soft highlights and shadows of film, white at 16"},
+            filmic},
+    ViewRow{{ViewTransform::agx, "agx", "bright saturated light turns white, as in AgX"},
+            Agx::display},
 };
+
+constexpr auto view_names = names_in<ViewTransform>(view_rows);
 
 const ViewRow& row_of(ViewTransform view) { return view_rows[static_cast<std::size_t>(view)]; }
 
@@ -121,25 +123,7 @@ float clipped(float value) { return value > 0.0F ? std::min(value, 1.0F) : 0.0F;
 
 }  // namespace
 
-std::string_view name_of(ViewTransform view) { return row_of(view).name; }
-
-std::string_view meaning_of(ViewTransform view) { return row_of(view).meaning; }
-
-std::optional<ViewTransform> find_view_transform(std::string_view name) {
-    const auto* const row = std::find_if(view_rows.begin(), view_rows.end(),
-                                         [name](const ViewRow& one) { return one.name == name; });
-    return row != view_rows.end()
-               ? std::optional(static_cast<ViewTransform>(row - view_rows.begin()))
-               : std::nullopt;
-}
-
-std::vector<std::string> view_transform_names() {
-    std::vector<std::string> names;
-    for (const ViewRow& row : view_rows) {
-        names.emplace_back(row.name);
-    }
-    return names;
-}
+Names<ViewTransform> view_transforms() { return Names<ViewTransform>(view_names); }
 
 Color3f displayed(ViewTransform view, const Color3f& light) {
     const float brightest = 1e30F;  // Its square and quotients remain finite.

@@ -30,13 +30,12 @@ Diagnostic unknown_object(const scene::Scene& scene, const std::string& name,
             known.push_back(object.name);
         }
     }
-    const auto nearest = nearest_name(name, known);
     return error(
         fmt::format("the lens is focused on '{}', but the scene has no object of this name",
                     printable(name)),
         lens,
-        nearest ? fmt::format("did you mean '{}'?", printable(*nearest))
-                : "'balcony info --objects' lists the objects of a scene");
+        printable(
+            did_you_mean(name, known, "'balcony info --objects' lists the objects of a scene")));
 }
 
 // The middle of the box around an object's vertices.

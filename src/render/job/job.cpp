@@ -44,10 +44,9 @@ Diagnostic unknown(std::string_view kind, const std::string& name, std::span<con
     for (const Info& info : known) {
         names.emplace_back(info.name);
     }
-    const auto nearest = nearest_name(name, names);
-    return error(fmt::format("unknown {} '{}'", kind, name), {},
-                 nearest ? fmt::format("did you mean '{}'?", *nearest)
-                         : fmt::format("the {}s are {}", kind, fmt::join(names, ", ")));
+    return error(
+        fmt::format("unknown {} '{}'", kind, name), {},
+        did_you_mean(name, names, fmt::format("the {}s are {}", kind, fmt::join(names, ", "))));
 }
 
 Diagnostics check(const Settings& settings) {

@@ -202,10 +202,8 @@ Result<std::optional<std::uint32_t>> find_object(const scene::Scene& scene,
         }
         names.push_back(scene.objects[i].name);
     }
-    const auto nearest = nearest_name(name, names);
     return error(fmt::format("'{}' has no object '{}'", scene.name, name), {},
-                 nearest ? fmt::format("did you mean '{}'?", *nearest)
-                         : "balcony info --objects lists the objects of a scene");
+                 did_you_mean(name, names, "balcony info --objects lists the objects of a scene"));
 }
 
 }  // namespace

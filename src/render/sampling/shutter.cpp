@@ -23,18 +23,19 @@ double moment_of_trapezoid(double random) {
     return random < slope ? std::sqrt(0.375 * random) : 0.25 + 0.75 * (random - slope);
 }
 
-struct ShutterRow {
-    std::string_view name;
-    std::string_view meaning;
+struct ShutterRow : Named<ShutterShape> {
     double (*part)(double random);
 };
 
 // In the order of the enumerators.
 constexpr std::array shutter_rows{
-    ShutterRow{"box", "opens and closes at once", moment_of_box},
-    ShutterRow{"trapezoid", "opens and closes during a quarter of the duration each",
+    ShutterRow{{ShutterShape::box, "box", "opens and closes at once"}, moment_of_box},
+    ShutterRow{{ShutterShape::trapezoid, "trapezoid",
+                "opens and closes during a quarter of the duration each"},
                moment_of_trapezoid},
 };
+
+constexpr auto shutter_names = names_in<ShutterShape>(shutter_rows);
 
 const ShutterRow& row_of(ShutterShape shape) {
     return shutter_rows[static_cast<std::size_t>(shape)];
@@ -42,26 +43,7 @@ const ShutterRow& row_of(ShutterShape shape) {
 
 }  // namespace
 
-std::string_view name_of(ShutterShape shape) { return row_of(shape).name; }
-
-std::string_view meaning_of(ShutterShape shape) { return row_of(shape).meaning; }
-
-std::optional<ShutterShape> find_shutter_shape(std::string_view name) {
-    const auto* const row =
-        std::find_if(shutter_rows.begin(), shutter_rows.end(),
-                     [name](const ShutterRow& one) { return one.name == name; });
-    return row != shutter_rows.end()
-               ? std::optional(static_cast<ShutterShape>(row - shutter_rows.begin()))
-               : std::nullopt;
-}
-
-std::vector<std::string> shutter_shape_names() {
-    std::vector<std::string> names;
-    for (const ShutterRow& row : shutter_rows) {
-        names.emplace_back(row.name);
-    }
-    return names;
-}
+Names<ShutterShape> shutter_shapes() { return Names<ShutterShape>(shutter_names); }
 
 scene::TimeInterval Shutter::exposure(double time) const {
     return {time - 0.5 * duration, time + 0.5 * duration};
