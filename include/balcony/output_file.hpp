@@ -29,6 +29,9 @@ public:
 
     [[nodiscard]] std::ofstream& stream() { return stream_; }
 
+    /// The file's temporary name, for another program that writes it.
+    [[nodiscard]] const std::filesystem::path& beside() const { return beside_; }
+
     /// Renames the file if all writes succeeded; otherwise an error. An existing
     /// file's permissions are kept; a file that is not writable or not regular is not replaced.
     [[nodiscard]] Diagnostics commit();

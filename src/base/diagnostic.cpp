@@ -91,10 +91,9 @@ Diagnostic warning(std::string message, SourceSpan span, std::string remedy) {
 }
 
 std::optional<Kind> kind_of_errors(const Diagnostics& diagnostics) {
-    const auto first =
-        std::find_if(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& diagnostic) {
-            return diagnostic.severity == Severity::error;
-        });
+    const auto first = std::find_if(
+        diagnostics.begin(), diagnostics.end(),
+        [](const Diagnostic& diagnostic) { return diagnostic.severity == Severity::error; });
     return first == diagnostics.end() ? std::nullopt : std::optional(first->kind);
 }
 

@@ -53,11 +53,11 @@ fs::path folder_of(const fs::path& file) {
 
 Diagnostic cannot_write(const fs::path& file, int number) {
     const std::string reason = number != 0 ? ": " + std::generic_category().message(number) : "";
-    return error(fmt::format("'{}' cannot be written{}", file.string(), reason));
+    return error(Kind::environment, fmt::format("'{}' cannot be written{}", file.string(), reason));
 }
 
 Diagnostic not_a_file(const fs::path& file) {
-    return error(fmt::format("'{}' exists and is not a regular file", file.string()), {},
+    return error(Kind::usage, fmt::format("'{}' exists and is not a regular file", file.string()),
                  "choose another file name");
 }
 
@@ -93,14 +93,16 @@ Diagnostics OutputFile::check(const fs::path& file) {
     const fs::path folder = folder_of(real);
     if (!fs::is_directory(folder, failed)) {
         return {error(
+            Kind::usage,
             fmt::format("there is no folder '{}' to write '{}' to", folder.string(), file.string()),
-            {}, "create the folder first, or choose another one")};
+            "create the folder first, or choose another one")};
     }
     if (fs::exists(real, failed) && !fs::is_regular_file(real, failed)) {
         return {not_a_file(file)};
     }
     if (::access(folder.c_str(), W_OK) != 0) {
-        return {error(fmt::format("the folder '{}' cannot be written to", folder.string()), {},
+        return {error(Kind::environment,
+                      fmt::format("the folder '{}' cannot be written to", folder.string()),
                       "choose a folder with write permission")};
     }
     // What else may be wrong, such as a name that is too long, shows when a file is made.

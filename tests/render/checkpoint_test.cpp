@@ -157,6 +157,17 @@ TEST_F(Checkpoint, DamagedFilesAreRefusedAndChangeNothing) {
     EXPECT_TRUE(has_errors(read_checkpoint(read, facts, file)));
 }
 
+TEST_F(Checkpoint, ALinkInPlaceOfItsTemporaryFileIsNotFollowed) {
+    const fs::path precious = file.string() + ".precious";
+    std::ofstream(precious) << "precious";
+    fs::create_symlink(precious, file.string() + ".new");
+    EXPECT_TRUE(has_errors(write_checkpoint(filled_film(), facts, file)));
+    EXPECT_EQ(fs::file_size(precious), 8U);
+    EXPECT_TRUE(fs::is_symlink(file.string() + ".new"));
+    fs::remove(file.string() + ".new");
+    fs::remove(precious);
+}
+
 TEST_F(Checkpoint, APlaceThatCannotBeWrittenIsAnError) {
     const fs::path nowhere = fs::path(testing::TempDir()) / "no such folder" / "p.checkpoint";
     const Diagnostics found = write_checkpoint(filled_film(), facts, nowhere);

@@ -87,7 +87,8 @@ Diagnostic no_ffmpeg(const fs::path& film) {
     fs::path frames = film;
     frames.replace_extension();
     return error(
-        fmt::format("'{}' needs the program ffmpeg, which is not installed", film.string()), {},
+        Kind::environment,
+        fmt::format("'{}' needs the program ffmpeg, which is not installed", film.string()),
         fmt::format("install ffmpeg (Debian: apt install ffmpeg), or render the frames alone: "
                     "--output '{}.####.png'",
                     frames.string()));
@@ -197,16 +198,17 @@ Diagnostics write_film(const FilmRequest& film, std::span<const fs::path> pictur
     if (!encoder) {
         return encoder.diagnostics;
     }
-    fs::path beside = film.file;
-    beside += ".new";
-    const ProgramEnd end =
-        run_program(words_for(film, **encoder, beside), pictures, progress, stop);
-    if (end.succeeded) {
-        return move_into_place(beside, film.file);
+    OutputFile output(film.file);
+    if (!output.stream()) {
+        return {output.failure()};
     }
-    std::error_code ignored;
-    fs::remove(beside, ignored);
-    return {error(fmt::format("ffmpeg cannot make '{}': {}", film.file.string(),
+    const ProgramEnd end =
+        run_program(words_for(film, **encoder, output.beside()), pictures, progress, stop);
+    if (end.succeeded) {
+        return output.commit();
+    }
+    return {error(stop.stop_requested() ? Kind::interrupted : Kind::environment,
+                  fmt::format("ffmpeg cannot make '{}': {}", film.file.string(),
                               stop.stop_requested() ? "interrupted" : reason_of(end.errors)))};
 }
 

@@ -18,12 +18,12 @@
 #include <string_view>
 #include <system_error>
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include "balcony/content_hash.hpp"
 #include "balcony/input_file.hpp"
+#include "balcony/work_file.hpp"
 #include "render/film/render_facts.hpp"
 
 namespace balcony::render {
@@ -36,26 +36,22 @@ class SealedWriter {
 public:
     // `kind` is for messages: "checkpoint".
     SealedWriter(std::string_view kind, const fs::path& file)
-        : kind_(kind), file_(file), fresh_(file) {
-        constexpr mode_t what_the_user_allows = 0666;
-        fresh_ += ".new";
-        descriptor_ =
-            ::open(fresh_.c_str(), O_CREAT | O_TRUNC | O_WRONLY | O_CLOEXEC, what_the_user_allows);
-        note(descriptor_ >= 0);
-    }
+        : kind_(kind),
+          file_(file),
+          fresh_(file.string() + ".new"),
+          output_(WorkFile::create(fresh_)) {}
     SealedWriter(const SealedWriter&) = delete;
     SealedWriter& operator=(const SealedWriter&) = delete;
     ~SealedWriter() {
-        if (descriptor_ >= 0) {
-            ::close(descriptor_);
+        if (output_ && !committed_) {
             ::unlink(fresh_.c_str());
         }
     }
 
     void write(std::span<const std::byte> bytes) {
         hash_.add(bytes);
-        while (reason_ == 0 && !bytes.empty()) {
-            const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+        while (output_ && reason_ == 0 && !bytes.empty()) {
+            const ssize_t written = ::write(output_->descriptor(), bytes.data(), bytes.size());
             if (written >= 0) {
                 bytes = bytes.subspan(static_cast<std::size_t>(written));
             } else {
@@ -73,16 +69,19 @@ public:
     // Adds the hash. The file is on the disk before it is renamed, so that a power failure leaves a
     // complete one.
     [[nodiscard]] Diagnostics commit() {
+        if (!output_) {
+            return output_.diagnostics;
+        }
         const std::uint64_t hash = hash_.value();
         write(std::as_bytes(std::span(&hash, 1)));
-        note(reason_ == 0 ? ::fsync(descriptor_) == 0 : true);
+        note(reason_ == 0 ? ::fsync(output_->descriptor()) == 0 : true);
         note(reason_ == 0 ? ::rename(fresh_.c_str(), file_.c_str()) == 0 : true);
         if (reason_ != 0) {
-            return {error(fmt::format("the {} '{}' cannot be written: {}", kind_, file_.string(),
+            return {error(Kind::environment,
+                          fmt::format("the {} '{}' cannot be written: {}", kind_, file_.string(),
                                       std::generic_category().message(reason_)))};
         }
-        ::close(descriptor_);
-        descriptor_ = -1;
+        committed_ = true;
         return {};
     }
 
@@ -96,7 +95,8 @@ private:
     std::string_view kind_;
     fs::path file_;
     fs::path fresh_;
-    int descriptor_ = -1;
+    Result<WorkFile> output_;
+    bool committed_ = false;
     int reason_ = 0;
     ContentHash hash_;
 };

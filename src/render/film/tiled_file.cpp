@@ -14,7 +14,6 @@
 #include <utility>
 #include <vector>
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <OpenEXR/ImfIO.h>
@@ -24,6 +23,7 @@
 
 #include "balcony/bands.hpp"
 #include "balcony/output_file.hpp"
+#include "balcony/work_file.hpp"
 #include "render/film/exr_channels.hpp"
 
 namespace balcony::render {
@@ -128,24 +128,21 @@ struct TiledFile::State {
     }
     State(const State&) = delete;
     State& operator=(const State&) = delete;
-    ~State() {
-        if (descriptor >= 0) {
-            ::close(descriptor);
-        }
-    }
+    ~State() = default;
 
     [[nodiscard]] std::size_t places_bytes() const { return places.size() * sizeof places[0]; }
 
     [[nodiscard]] Diagnostics failure(int reason) const {
-        return {error(fmt::format("'{}' cannot be written: {}", part.string(),
-                                  std::generic_category().message(reason)))};
+        return {error(Kind::environment, fmt::format("'{}' cannot be written: {}", part.string(),
+                                                     std::generic_category().message(reason)))};
     }
 
     // Returns the reason of a failure, or 0.
     [[nodiscard]] int write(const void* data, std::size_t size, std::uint64_t at) const {
         const auto* bytes = static_cast<const char*>(data);
         while (size > 0) {
-            const ssize_t written = ::pwrite(descriptor, bytes, size, static_cast<off_t>(at));
+            const ssize_t written =
+                ::pwrite(file->descriptor(), bytes, size, static_cast<off_t>(at));
             if (written < 0 && errno != EINTR) {
                 return errno;
             }
@@ -157,7 +154,7 @@ struct TiledFile::State {
         return 0;
     }
     [[nodiscard]] bool read(void* data, std::size_t size, std::uint64_t at) const {
-        return ::pread(descriptor, data, size, static_cast<off_t>(at)) ==
+        return ::pread(file->descriptor(), data, size, static_cast<off_t>(at)) ==
                static_cast<ssize_t>(size);
     }
 
@@ -178,9 +175,9 @@ struct TiledFile::State {
         }
         std::fill(places.begin() + static_cast<std::ptrdiff_t>(tiles), places.end(), 0);
         count = tiles;
-        const off_t length = ::lseek(descriptor, 0, SEEK_END);
+        const off_t length = ::lseek(file->descriptor(), 0, SEEK_END);
         return length >= static_cast<off_t>(end) &&
-               ::ftruncate(descriptor, static_cast<off_t>(end)) == 0;
+               ::ftruncate(file->descriptor(), static_cast<off_t>(end)) == 0;
     }
 
     fs::path name;
@@ -189,7 +186,7 @@ struct TiledFile::State {
     std::vector<ChannelGroup> groups;
     std::vector<std::uint64_t> places;  // Of the tiles in the file; 0 if they are missing.
     Bytes beginning;                    // Of the file, up to the places.
-    int descriptor = -1;
+    std::optional<WorkFile> file;
     std::size_t count = 0;  // The number of tiles in the file.
     std::uint64_t end = 0;
 };
@@ -207,13 +204,12 @@ fs::path TiledFile::unfinished(const fs::path& picture) {
 
 Result<TiledFile> TiledFile::create(const fs::path& picture, const Film& film,
                                     const Region& window) {
-    constexpr mode_t what_the_user_allows = 0666;
     auto state = std::make_unique<State>(picture, film, window);
-    state->descriptor =
-        ::open(state->part.c_str(), O_CREAT | O_TRUNC | O_RDWR | O_CLOEXEC, what_the_user_allows);
-    if (state->descriptor < 0) {
-        return state->failure(errno);
+    Result<WorkFile> made = WorkFile::create(state->part);
+    if (!made) {
+        return made.diagnostics;
     }
+    state->file = std::move(made.value);
     state->end = state->beginning.size() + state->places_bytes();
     if (const int reason = state->write(state->beginning.data(), state->beginning.size(), 0)) {
         return state->failure(reason);
@@ -224,13 +220,22 @@ Result<TiledFile> TiledFile::create(const fs::path& picture, const Film& film,
 Result<TiledFile> TiledFile::reopen(const fs::path& picture, const Film& film,
                                     const Region& window) {
     auto state = std::make_unique<State>(picture, film, window);
-    state->descriptor = ::open(state->part.c_str(), O_RDWR | O_CLOEXEC);
+    const auto refused = [&](std::string_view fault) {
+        return error(fmt::format("'{}', the finished part of the picture, is {}",
+                                 state->part.string(), fault),
+                     {}, "restore it, or render without --resume to begin anew");
+    };
+    if (!fs::exists(fs::symlink_status(state->part))) {
+        return refused("missing");
+    }
+    Result<WorkFile> opened = WorkFile::reopen(state->part);
+    if (!opened) {
+        return opened.diagnostics;
+    }
+    state->file = std::move(opened.value);
     const std::size_t above = (film.window.y - window.y) / file_tile_side;
-    if (state->descriptor < 0 || !state->keep(above * tiles_across(window.width))) {
-        return error(
-            fmt::format("'{}', the finished part of the picture, is {}", state->part.string(),
-                        state->descriptor < 0 ? "missing" : "damaged or of another one"),
-            {}, "restore it, or render without --resume to begin anew");
+    if (!state->keep(above * tiles_across(window.width))) {
+        return refused("damaged or of another one");
     }
     return TiledFile(std::move(state));
 }
@@ -268,14 +273,14 @@ Diagnostics TiledFile::add(const Film& band) {
 
 Diagnostics TiledFile::flush() {
     // The chunks come before their places, in case the machine stops.
-    if (::fsync(state_->descriptor) != 0) {
+    if (::fsync(state_->file->descriptor()) != 0) {
         return state_->failure(errno);
     }
     if (const int reason = state_->write(state_->places.data(), state_->places_bytes(),
                                          state_->beginning.size())) {
         return state_->failure(reason);
     }
-    return ::fsync(state_->descriptor) == 0 ? Diagnostics{} : state_->failure(errno);
+    return ::fsync(state_->file->descriptor()) == 0 ? Diagnostics{} : state_->failure(errno);
 }
 
 Diagnostics TiledFile::commit() {
