@@ -112,6 +112,15 @@ TEST(GeneratedBadFile, AFolderIsNoFile) {
               test::joined({"'", folder.path().string(), "' is a folder, not a file"}));
 }
 
+TEST(GeneratedBadFile, ADeviceIsNeverRead) {
+    const test::TemporaryFolder folder;
+    const fs::path file = folder.write("device.cam", "import \"/dev/zero\"\n");
+    const Diagnostics said = test::check(file);
+    ASSERT_FALSE(said.empty());
+    EXPECT_EQ(said[0].message, "'/dev/zero' is a pipe or a device, not a file");
+    EXPECT_TRUE(said[0].span.source);
+}
+
 TEST(GeneratedBadFile, NestingIsBounded) {
     for (const char* bracket : {"(", "-", "2^", "sin(", "if(1, 2, "}) {
         std::string text = "let a = ";
@@ -146,7 +155,7 @@ TEST(GeneratedBadFile, LongChainsNeedNoStack) {
 TEST(GeneratedBadFile, ErrorsAreCountedUpToABound) {
     std::string text;
     for (int i = 0; i < 100; ++i) {
-        text += let(i, "nothing");
+        text += let(i, test::joined({"nothing_", name(i)}));
     }
     const Diagnostics said = test::make(text).diagnostics;
     ASSERT_EQ(said.size(), 21U);
