@@ -64,6 +64,15 @@ void Reporter::error(SourceSpan span, std::string message, std::string remedy) {
     add(balcony::error(std::move(message), std::move(span), std::move(remedy)));
 }
 
+void Reporter::missing(std::string_view name, SourceSpan span, std::string message,
+                       std::string remedy) {
+    if (missing_.emplace(span.source.get(), name).second) {
+        error(std::move(span), std::move(message), std::move(remedy));
+    } else {
+        ++errors_;
+    }
+}
+
 void Reporter::warning(SourceSpan span, std::string message, std::string remedy) {
     add(balcony::warning(std::move(message), std::move(span), std::move(remedy)));
 }

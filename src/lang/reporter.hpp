@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+
 #include "balcony/base.hpp"
 #include "balcony/names.hpp"
 
@@ -21,6 +26,10 @@ public:
     /// All that another one has collected.
     void add(const Reporter& other);
     void error(SourceSpan span, std::string message, std::string remedy = {});
+    /// An error about a name that a file lacks. All places that use the name are one mistake, so
+    /// only the first is said.
+    void missing(std::string_view name, SourceSpan span, std::string message,
+                 std::string remedy = {});
     void warning(SourceSpan span, std::string message, std::string remedy = {});
 
     /// The number of all errors, including repeated and omitted ones. If it has increased during a
@@ -37,6 +46,7 @@ public:
 
 private:
     Diagnostics diagnostics_;
+    std::set<std::pair<const SourceText*, std::string>> missing_;
     std::size_t errors_ = 0;
     std::size_t errors_said_ = 0;
     bool left_out_ = false;

@@ -25,6 +25,9 @@ DefinitionScope::DefinitionScope(const LocatedDefinition& place, const GivenPara
       fitted_(place, scope_, session),
       values_(given.values),
       open_(given.open) {
+    if (place.camera->broken) {
+        scope_.mark_incomplete();
+    }
     read_overrides(given.overrides);
     check_names(given.values);
     std::vector<const Statement*> lets;
@@ -74,7 +77,8 @@ std::vector<std::string> DefinitionScope::parameter_names() const {
 void DefinitionScope::check_names(const std::vector<ParameterValue>& values) {
     const std::vector<std::string> known = parameter_names();
     for (const ParameterValue& value : values) {
-        if (std::find(known.begin(), known.end(), value.name.text) == known.end()) {
+        if (!scope_.incomplete() &&
+            std::find(known.begin(), known.end(), value.name.text) == known.end()) {
             session_.reporter().error(
                 value.name_place,
                 fmt::format("the {} '{}' has no parameter '{}'", word_for(*place_.camera),

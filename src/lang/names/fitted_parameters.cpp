@@ -35,15 +35,15 @@ void FittedParameters::read(const Assignment& assignment) {
     }
     for (std::size_t i = 0; i < assignment.names.size(); ++i) {
         const Identifier& name = assignment.names[i];
-        if (std::find(known.begin(), known.end(), name.text) == known.end()) {
-            session_.reporter().error(
-                tree_.at(name.span),
+        if (std::find(known.begin(), known.end(), name.text) != known.end()) {
+            add(assignment, i);
+        } else if (!place_.camera->broken) {
+            session_.reporter().missing(
+                name.text, tree_.at(name.span),
                 fmt::format("the {} '{}' has no parameter '{}' that fit could set",
                             word_for(*place_.camera), place_.camera->name.text, name.text),
                 known.empty() ? "it has no parameters"
                               : suggestion(name.text, known, "its parameters are"));
-        } else {
-            add(assignment, i);
         }
     }
 }

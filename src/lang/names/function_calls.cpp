@@ -54,8 +54,9 @@ void report_unknown(const SyntaxTree& tree, const Identifier& name, Scope& scope
     std::vector<std::string> names = scope.function_names();
     const std::vector<std::string> built_in = function_names();
     names.insert(names.end(), built_in.begin(), built_in.end());
-    context.reporter.error(tree.at(name.span), fmt::format("unknown function '{}'", name.text),
-                           suggestion(name.text, names, "the functions are"));
+    context.reporter.missing(name.text, tree.at(name.span),
+                             fmt::format("unknown function '{}'", name.text),
+                             suggestion(name.text, names, "the functions are"));
 }
 
 }  // namespace

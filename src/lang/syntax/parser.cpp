@@ -175,6 +175,8 @@ private:
         statements_.enter(camera.is_picture);
         if (const auto name = statements_.new_name(fmt::format("a name for the {}", what))) {
             camera.name = *name;
+        } else {
+            camera.broken = true;
         }
         if (tokens_.peek().is("(")) {
             parameters(camera);
@@ -197,6 +199,7 @@ private:
     // What follows a name instead of the opening brace is skipped up to the brace. Without one,
     // the definition has an unread statement, so that nothing is said to be missing in it.
     void missing_brace(DefinitionSyntax& camera, std::string_view what) {
+        camera.broken = true;
         const Token& token = tokens_.peek();
         const std::string syntax = fmt::format(
             "the syntax is {} name {{ ... }}; names consist of letters, digits and _", what);
@@ -277,6 +280,7 @@ private:
     // Skips to the camera's opening brace. Parameters on the way are recorded, so that their
     // uses are not errors.
     void skip_parameters(DefinitionSyntax& camera) {
+        camera.broken = true;
         int depth = 0;
         while (!tokens_.at_end() && !tokens_.peek().is("{") && !is_file_keyword(tokens_.peek()) &&
                statements_.keyword_at(tokens_.peek()) == nullptr) {

@@ -178,6 +178,7 @@ struct DefinitionSyntax {
     bool is_picture = false;
     Identifier name;
     Span span;
+    bool broken = false;  ///< Its beginning had a syntax error: names in it may be unread.
     std::vector<DefinitionParameter> parameters;
     std::vector<ExpressionId> size;  ///< Width and height of a picture, if given.
     std::vector<Statement> statements;
