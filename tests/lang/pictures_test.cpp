@@ -104,7 +104,6 @@ TEST(Pictures, LayersAreClippedPlacedAndMoved) {
     EXPECT_EQ(coverage(picture, 1, 30.0, 15.0), 0.0);
 }
 
-// The lines go from corner to corner; those two are drawn that cross neither rectangle.
 TEST(Pictures, LayersMixTheirChannels) {
     const camera::Picture p = made(test::joined(
         {cameras, "picture p { layer plain  layer plain { channels(green = (0.5, 0, 2)) } }"}));
@@ -132,6 +131,7 @@ TEST(Pictures, LayersAreViewsOfAStereoPair) {
     EXPECT_NE(right.parts().stereo, back->parts().stereo);
 }
 
+// The lines go from corner to corner; those two are drawn that cross neither rectangle.
 TEST(Pictures, LeaderLinesEndAtTheCorners) {
     const camera::Picture picture = made(test::joined({cameras, R"(picture p {
         layer plain
