@@ -90,7 +90,9 @@ double largest_difference(const camera::Camera& exact, const camera::Camera& oth
 
 // The interpolation is off by about the third derivative of the rays times the cube of a pixel,
 // divided by 12 or so within the map; a pixel is the first derivative. So a camera whose rays turn
-// by 6 radians over 512 pixels is off by some (6/512)^2/12, 1e-5 pixel.
+// by 6 radians over 512 pixels is off by some (6/512)^2/12, 1e-5 pixel. Within a picture of these
+// cameras the turn by a pixel varies by less than a factor of three, and the error with its square:
+// 1e-4. A file of floats rounds unit directions by up to 2^-24, 6e-8 / (2/512) = 2e-5 of a pixel.
 TEST_P(RoundTrip, IsExactBetweenThePixels) {
     const auto picture = lang::make_picture(GetParam(), "");
     ASSERT_TRUE(picture);
@@ -103,7 +105,7 @@ TEST_P(RoundTrip, IsExactBetweenThePixels) {
             const double pixels =
                 largest_difference(*camera, other, double{512}, static_cast<double>(height),
                                    GetParam() == "orthographic" ? 2.0 : distance);
-            EXPECT_LT(pixels, 0.01) << file << " at " << distance;
+            EXPECT_LT(pixels, 1.2e-4) << file << " at " << distance;
             RecordProperty(std::string(file) + (distance > 2.0 ? "_far" : "_near"),
                            std::to_string(pixels));
             std::printf("%s %s at %g: %.2g pixel\n", GetParam().c_str(), file, distance, pixels);
