@@ -26,6 +26,7 @@
 #include "balcony/camera.hpp"
 #include "balcony/picture.hpp"
 #include "balcony/program.hpp"
+#include "balcony/ray_roots.hpp"
 
 namespace balcony::rays {
 
@@ -72,18 +73,22 @@ public:
     /// Whether each ray has a time of its own. Otherwise all have that of the run.
     [[nodiscard]] bool has_times() const { return roots_.times; }
 
-    [[nodiscard]] bool valid(std::size_t i) const { return values_[valid_][i] == 1.0; }
-    [[nodiscard]] V3d origin(std::size_t i) const { return vector(origin_, i); }
-    [[nodiscard]] V3d direction(std::size_t i) const { return vector(direction_, i); }
+    [[nodiscard]] bool valid(std::size_t i) const { return values_[RayRoots::valid][i] == 1.0; }
+    [[nodiscard]] V3d origin(std::size_t i) const { return vector(RayRoots::origin, i); }
+    [[nodiscard]] V3d direction(std::size_t i) const { return vector(RayRoots::direction, i); }
     [[nodiscard]] V2d parameters(std::size_t i) const {
         const std::size_t u = roots_.parameter_u();
         return {values_[u][i], values_[u + 1][i]};
     }
     [[nodiscard]] double time(std::size_t i) const { return values_[roots_.time()][i]; }
-    [[nodiscard]] V3d origin_by_x(std::size_t i) const { return vector(origin_by_x_, i); }
-    [[nodiscard]] V3d origin_by_y(std::size_t i) const { return vector(origin_by_y_, i); }
-    [[nodiscard]] V3d direction_by_x(std::size_t i) const { return vector(direction_by_x_, i); }
-    [[nodiscard]] V3d direction_by_y(std::size_t i) const { return vector(direction_by_y_, i); }
+    [[nodiscard]] V3d origin_by_x(std::size_t i) const { return vector(RayRoots::origin_by_x, i); }
+    [[nodiscard]] V3d origin_by_y(std::size_t i) const { return vector(RayRoots::origin_by_y, i); }
+    [[nodiscard]] V3d direction_by_x(std::size_t i) const {
+        return vector(RayRoots::direction_by_x, i);
+    }
+    [[nodiscard]] V3d direction_by_y(std::size_t i) const {
+        return vector(RayRoots::direction_by_y, i);
+    }
     [[nodiscard]] Ray operator[](std::size_t i) const;
 
     /// The values of all rays in parallel arrays, by axis; `valid` is 1 where there is a ray.
@@ -94,7 +99,7 @@ public:
         const double* time;  ///< Null if all rays have the time of the run.
     };
     [[nodiscard]] Arrays arrays() const {
-        return {vectors(origin_), vectors(direction_), values_[valid_],
+        return {vectors(RayRoots::origin), vectors(RayRoots::direction), values_[RayRoots::valid],
                 has_times() ? values_[roots_.time()] : nullptr};
     }
 
@@ -104,32 +109,21 @@ public:
         std::array<const double*, 3> direction_by_x, direction_by_y;
     };
     [[nodiscard]] FootprintArrays footprint_arrays() const {
-        return {vectors(origin_by_x_), vectors(origin_by_y_), vectors(direction_by_x_),
-                vectors(direction_by_y_)};
+        return {vectors(RayRoots::origin_by_x), vectors(RayRoots::origin_by_y),
+                vectors(RayRoots::direction_by_x), vectors(RayRoots::direction_by_y)};
     }
 
 private:
     friend class RayProgram;
 
-    // The roots of a RayProgram in their order, as far as there are any: the ray, its footprints
-    // from origin_by_x_ on, its time, and its parameters.
-    static constexpr std::size_t origin_ = 0;
-    static constexpr std::size_t direction_ = 3;
-    static constexpr std::size_t valid_ = 6;
-    static constexpr std::size_t origin_by_x_ = 7;
-    static constexpr std::size_t origin_by_y_ = 10;
-    static constexpr std::size_t direction_by_x_ = 13;
-    static constexpr std::size_t direction_by_y_ = 16;
-    static constexpr std::size_t end_of_footprints_ = 19;
-
-    /// Which of the roots there are.
+    /// Which roots there are behind those of the ray: its footprints, its time, its parameters.
     struct Roots {
         bool footprints = false;
         bool times = false;
         bool parameters = false;
 
         [[nodiscard]] std::size_t time() const {
-            return footprints ? end_of_footprints_ : origin_by_x_;
+            return footprints ? RayRoots::end_of_footprints : RayRoots::end_of_ray;
         }
         [[nodiscard]] std::size_t parameter_u() const { return time() + (times ? 1 : 0); }
         [[nodiscard]] std::size_t count() const { return parameter_u() + (parameters ? 2 : 0); }

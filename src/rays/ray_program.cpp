@@ -12,35 +12,6 @@ namespace balcony::rays {
 
 namespace {
 
-// In the order of RayBatch.
-std::vector<expr::Expr> roots_of(const camera::RayExpressions& central, bool lens, Axes from,
-                                 Axes to, const Request& request) {
-    const camera::RayExpressions ray = lens ? camera::through_lens(central) : central;
-    std::vector<expr::Expr> roots;
-    const auto add = [&](const auto& vector) {
-        const auto v = turned(vector, from, to);
-        roots.insert(roots.end(), {v.x, v.y, v.z});
-    };
-    add(ray.origin);
-    add(ray.direction);
-    roots.push_back(ray.valid);
-    if (request.footprints) {
-        const camera::RayFootprint slopes =
-            lens ? camera::footprint_through_lens(central) : camera::footprint(ray);
-        add(slopes.origin_by_x);
-        add(slopes.origin_by_y);
-        add(slopes.direction_by_x);
-        add(slopes.direction_by_y);
-    }
-    if (ray.time) {
-        roots.push_back(*ray.time);
-    }
-    if (request.parameters) {
-        roots.insert(roots.end(), {ray.parameters.u, ray.parameters.v});
-    }
-    return roots;
-}
-
 bool declares(const Request& request, std::string_view name) {
     return std::any_of(request.inputs.begin(), request.inputs.end(),
                        [name](const Input& input) { return input.name == name; });
@@ -52,8 +23,14 @@ Result<RayProgram> RayProgram::make(const camera::RayExpressions& ray, Axes axes
                                     const Request& request) {
     const bool lens = ray.lens && declares(request, camera::lens_input_x) &&
                       declares(request, camera::lens_input_y);
-    const std::vector<expr::Expr> roots =
-        roots_of(ray, lens, axes_of_ray, request.axes.value_or(axes_of_ray), request);
+    std::vector<expr::Expr> roots =
+        ray_roots(ray, lens, request.footprints, axes_of_ray, request.axes.value_or(axes_of_ray));
+    if (ray.time) {
+        roots.push_back(*ray.time);
+    }
+    if (request.parameters) {
+        roots.insert(roots.end(), {ray.parameters.u, ray.parameters.v});
+    }
     RayProgram made({request.footprints, ray.time.has_value(), request.parameters}, lens);
     Diagnostics found;
     if (request.tiles) {
