@@ -8,6 +8,7 @@
 //
 // docs/bridges.md shows how other programs use these texts.
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -39,23 +40,12 @@ struct ExportSource {
 struct ExportOptions {
     std::optional<Axes> axes{};  ///< Of the rays; by default the target's, or the camera's own.
     bool single = false;         ///< Single precision, where a language has both.
+    /// The picture, in pixels, in which single precision is judged; not judged if empty.
+    std::optional<std::array<std::size_t, 2>> judged_in{};
 };
 
-/// A language that cameras are exported to.
-struct ExportTarget {
-    std::string_view name;     ///< As `balcony export --to` has it.
-    std::string_view meaning;  ///< One line for documentation.
-    std::string_view ending;   ///< Of its files, with the dot.
-    bool always_single;        ///< It has single precision only.
-    bool opens_parameters;     ///< Parameters stay open unless others are asked for.
-    Result<std::string> (*write)(const ExportSource& source, const ExportOptions& options);
-};
-
-[[nodiscard]] std::span<const ExportTarget> export_targets();
-/// Null if there is none of this name.
-[[nodiscard]] const ExportTarget* find_export_target(std::string_view name);
-
-/// What single precision changes in a picture.
+/// What single precision changes in a picture: the rays of the exported formulas, as a processor
+/// computes them, beside the exact ones.
 struct SinglePrecision {
     std::size_t rays = 0;  ///< Compared, over the whole picture.
     std::size_t lost = 0;  ///< Of these, how many are there in one precision only.
@@ -66,10 +56,39 @@ struct SinglePrecision {
     double x = 0.0, y = 0.0;  ///< Where the largest one is, in pixels.
 };
 
-/// Compares the rays of a camera in single precision, as a processor computes the exported
-/// formulas, with the exact ones, in a picture of a size in pixels.
-[[nodiscard]] Result<SinglePrecision> measure_single_precision(const ExportSource& source,
-                                                               std::size_t width,
-                                                               std::size_t height);
+/// A camera in another language.
+struct ExportedCamera {
+    std::string text;
+    std::optional<SinglePrecision> single{};  ///< If the text is in single precision and judged.
+};
+
+struct CameraFormulas;
+
+/// A language that cameras are exported to.
+struct ExportTarget {
+    std::string_view name;     ///< As `balcony export --to` has it.
+    std::string_view meaning;  ///< One line for documentation.
+    std::string_view ending;   ///< Of its files, with the dot.
+    /// The text of the formulas of an adapted camera.
+    Result<std::string> (*write)(const ExportSource& source, const ExportOptions& options,
+                                 CameraFormulas formulas);
+    bool always_single = false;     ///< It has single precision only.
+    bool opens_parameters = false;  ///< Parameters stay open unless others are asked for.
+    bool footprints = false;        ///< The text has the derivatives of the ray.
+    std::optional<Axes> axes{};     ///< Of the rays, if these are not the camera's own.
+    bool only_axes = false;         ///< These axes and no others.
+    /// The camera as far as the language can have it; null if it can have all.
+    Result<camera::Camera> (*adapted)(const camera::Camera& camera) = nullptr;
+};
+
+[[nodiscard]] std::span<const ExportTarget> export_targets();
+/// Null if there is none of this name.
+[[nodiscard]] const ExportTarget* find_export_target(std::string_view name);
+
+/// Writes a camera in a language. A camera without a formula, one that needs a scene, and one that
+/// is too large for the language are errors.
+[[nodiscard]] Result<ExportedCamera> export_camera(const ExportTarget& target,
+                                                   const ExportSource& source,
+                                                   const ExportOptions& options = {});
 
 }  // namespace balcony::bridge

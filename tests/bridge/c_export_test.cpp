@@ -32,8 +32,9 @@ public:
         const fs::path source = folder_ / "all.c";
         std::ofstream text(source);
         for (const Example& example : test::examples()) {
-            const auto made = find_export_target("c")->write({example.camera}, {.single = single});
-            text << made.value.value_or("");
+            const auto made =
+                export_camera(*find_export_target("c"), {example.camera}, {.single = single});
+            text << (made ? made->text : "");
         }
         text.close();
         const std::string command = fmt::format(
@@ -97,7 +98,7 @@ TEST(CExport, ComputesTheGraphToTheLastBit) {
                 {{"width", test::width}, {"height", test::height}, {"lens_x", 0}, {"lens_y", 0}}};
             const std::vector<double> r = expr::evaluate(
                 formulas->roots, {.x = points[i].x, .y = points[i].y, .inputs = inputs});
-            ASSERT_EQ(rays[i].valid, r[CameraFormulas::valid] == 1.0) << example.name;
+            ASSERT_EQ(rays[i].valid, r[RayRoots::valid] == 1.0) << example.name;
             for (std::size_t k = 0; rays[i].valid && k < 3; ++k) {
                 ASSERT_EQ(rays[i].origin[k], r[k]) << example.name;
                 ASSERT_EQ(rays[i].direction[k], r[3 + k]) << example.name;
@@ -121,12 +122,14 @@ TEST(CExport, InSinglePrecisionDiffersAsMuchAsIsReported) {
             continue;
         }
         const bool lens = example.camera.parts().lens != nullptr;
-        const auto reported =
-            measure_single_precision({example.camera}, std::size_t{160}, std::size_t{90});
+        const auto exported = export_camera(*find_export_target("c"), {example.camera},
+                                            {.single = true, .judged_in = {{160, 90}}});
+        ASSERT_TRUE(exported && exported->single) << example.name;
+        const SinglePrecision& reported = *exported->single;
         const test::Comparison comparison =
             test::compare(example, library.rays<float>(example, lens));
-        EXPECT_LE(comparison.lost, reported->lost) << example.name;
-        EXPECT_LT(comparison.largest, 1e-3 + 4.0 * reported->largest) << example.name;
+        EXPECT_LE(comparison.lost, reported.lost) << example.name;
+        EXPECT_LT(comparison.largest, 1e-3 + 4.0 * reported.largest) << example.name;
     }
 }
 

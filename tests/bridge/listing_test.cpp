@@ -19,6 +19,12 @@ TEST(Names, AreGivenOnceAndAreWordsOfEveryLanguage) {
     EXPECT_EQ(names.unique(""), "camera_");
 }
 
+TEST(Names, DoNotBeginWithAReservedPrefix) {
+    Names names({}, "gl_");
+    EXPECT_EQ(names.unique("gl_x"), "camera_gl_x");
+    EXPECT_EQ(names.unique("glass"), "glass");
+}
+
 TEST(Numbers, ReadAsTheSameAndArePrintedAsNoIntegers) {
     EXPECT_EQ(decimal(45.0), "45.0");
     EXPECT_EQ(decimal(-3.0), "-3.0");

@@ -198,9 +198,9 @@ double relative_difference(const rays::V3d& a, const rays::V3d& b, double scale)
 TEST(OslExport, GivesTheRaysAndTheirFootprints) {
     std::vector<std::pair<std::string, std::string>> shaders;
     for (const Example& example : test::examples()) {
-        const auto text = find_export_target("osl")->write({example.camera}, {});
+        const auto text = export_camera(*find_export_target("osl"), {example.camera});
         if (text) {
-            shaders.emplace_back(example.name, *text);
+            shaders.emplace_back(example.name, text->text);
         }
     }
     EXPECT_GE(shaders.size() + 3, test::examples().size()) << "only meshes have no formula";
@@ -252,9 +252,10 @@ TEST(OslExport, FocusesAsBlendersCameraDoes) {
         })";
     const auto made = lang::make_camera(std::make_shared<const SourceText>("test", camera), "");
     ASSERT_TRUE(made) << to_text(made.diagnostics);
-    const auto text = find_export_target("osl")->write({*made}, {});
+    const auto text = export_camera(*find_export_target("osl"), {*made});
     ASSERT_TRUE(text) << to_text(text.diagnostics);
-    const Library library({{"portrait", *text}});
+    EXPECT_FALSE(text->single) << "no picture was given";
+    const Library library({{"portrait", text->text}});
     ASSERT_TRUE(library.compiled());
     osl::Host& host = library.host();
     set_point(host, {40.0, 30.0});
@@ -262,16 +263,38 @@ TEST(OslExport, FocusesAsBlendersCameraDoes) {
     for (const auto& [own_focus, distance] : {std::pair(0, 5.0), {1, 7.0}}) {
         host.aperture = 0.0F;
         Shaded central;
-        shade(library.symbol("portrait"), *text, own_focus, central);
+        shade(library.symbol("portrait"), text->text, own_focus, central);
         const rays::Ray middle = ray_of(central);
         const rays::V3d sharp = middle.origin + distance * middle.direction;
         host.aperture = {0.3F, -0.1F, 0.0F};
         Shaded off;
-        shade(library.symbol("portrait"), *text, own_focus, off);
+        shade(library.symbol("portrait"), text->text, own_focus, off);
         const rays::Ray ray = ray_of(off);
         EXPECT_NEAR((ray.origin - middle.origin).length(), std::hypot(0.3, 0.1), 1e-6);
         const rays::V3d to_sharp = sharp - ray.origin;
         EXPECT_NEAR((to_sharp % ray.direction).length(), 0.0, 1e-5) << own_focus;
+    }
+}
+
+// Of a camera with a lens, the rays through its centre are compared, focused as its file says.
+TEST(OslExport, IsJudgedByTheFormulasThatItWrites) {
+    for (const char* lens : {"", "lens(0.2, focus = 7)"}) {
+        const auto made = lang::make_camera(
+            std::make_shared<const SourceText>(
+                "test", fmt::format("camera c {{ map u = -1 .. 1, v = square  eye point(1e5, 2, 3) "
+                                    "toward surface(u, v) = [1e5 + 3, u, v]  {} }}",
+                                    lens)),
+            "");
+        ASSERT_TRUE(made) << to_text(made.diagnostics);
+        const auto exported =
+            export_camera(*find_export_target("osl"), {*made}, {.judged_in = {{64, 64}}});
+        ASSERT_TRUE(exported && exported->single) << to_text(exported.diagnostics);
+        EXPECT_EQ(exported->single->rays, 64U * 64U);
+        EXPECT_EQ(exported->single->lost, 0U) << lens;
+        // Floats have 24 binary digits, so 1e5 is rounded to 1/128 of a unit and the pinhole moves
+        // by up to that; the picture is 2 units wide at the distance of 3.
+        EXPECT_GT(exported->single->largest, 0.0) << lens;
+        EXPECT_LT(exported->single->largest, 1.0) << lens;
     }
 }
 
@@ -291,10 +314,10 @@ TEST(OslExport, HasParametersAsSliders) {
         source.parameters.push_back({parameter.name, lang::parameter_input(parameter.name),
                                      parameter.written, parameter.value, parameter.is_angle});
     }
-    const auto text = find_export_target("osl")->write(source, {});
+    const auto text = export_camera(*find_export_target("osl"), source);
     ASSERT_TRUE(text) << to_text(text.diagnostics);
     const auto has = [&](const char* part) {
-        EXPECT_NE(text->find(part), std::string::npos) << part << *text;
+        EXPECT_NE(text->text.find(part), std::string::npos) << part << text->text;
     };
     has("float radius = 3.0 [[ string help = \"radius, 3 in the camera's file\"");
     has("float turn = 30");

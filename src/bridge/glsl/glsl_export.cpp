@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "bridge/text/c_like.hpp"
 #include "bridge/text/targets.hpp"
+#include "bridge/text/text_export.hpp"
 
 namespace balcony::bridge {
 
@@ -22,52 +22,14 @@ constexpr std::string_view glsl_power = R"(float @_power(float a, float b) {
 }
 )";
 
-constexpr Spellings glsl_spellings{
-    structure(Op::constant),
-    structure(Op::input),
-    structure(Op::variable),
-    symbol(Op::negate, "-"),
-    symbol(Op::add, "+"),
-    symbol(Op::subtract, "-"),
-    symbol(Op::multiply, "*"),
-    symbol(Op::divide, "/"),
-    function(Op::modulo, "mod"),
-    function(Op::minimum, "min"),
-    function(Op::maximum, "max"),
-    function(Op::absolute, "abs"),
-    function(Op::sign, "sign"),
-    function(Op::floor, "floor"),
-    function(Op::square_root, "sqrt"),
+constexpr Spellings glsl_spellings = spellings({
+    standard(Op::modulo, "mod"),
     function(Op::power, "@_power", glsl_power),
-    function(Op::exponential, "exp"),
-    function(Op::logarithm, "log"),
-    function(Op::sine, "sin"),
-    function(Op::cosine, "cos"),
-    function(Op::tangent, "tan"),
-    function(Op::arcsine, "asin"),
-    function(Op::arccosine, "acos"),
-    function(Op::arctangent, "atan"),
-    function(Op::arctangent2, "atan"),
-    function(Op::hyperbolic_sine, "sinh"),
-    function(Op::hyperbolic_cosine, "cosh"),
-    function(Op::hyperbolic_tangent, "tanh"),
-    function(Op::inverse_hyperbolic_sine, "asinh"),
-    function(Op::inverse_hyperbolic_cosine, "acosh"),
-    function(Op::inverse_hyperbolic_tangent, "atanh"),
-    symbol(Op::less, "<"),
-    symbol(Op::less_equal, "<="),
-    symbol(Op::equal, "=="),
-    symbol(Op::logical_and, "&&"),
-    symbol(Op::logical_or, "||"),
-    symbol(Op::logical_not, "!"),
+    standard(Op::arctangent2, "atan"),
     // Not by isinf() and isnan(), which drivers may take for false throughout.
     function(Op::is_finite, "@_is_finite",
              "bool @_is_finite(float a) { return abs(a) <= 3.4e38; }\n"),
-    pattern(Op::select, "({0} ? {1} : {2})"),
-    structure(Op::call),
-    structure(Op::result),
-};
-static_assert(complete(glsl_spellings));
+});
 
 std::string glsl_number(double value) {
     const double rounded = static_cast<double>(static_cast<float>(value));
@@ -100,40 +62,29 @@ const std::set<std::string_view> glsl_words{
     "y",         "t",         "width",  "height",   "lens_x",     "lens_y",    "origin",
     "direction"};
 
-class GlslExport {
+class GlslExport : TextExport {
 public:
-    GlslExport(const ExportSource& source, const ExportOptions& options)
-        : source_(source),
-          axes_(options.axes.value_or(source.camera.parts().axes)),
-          name_(Names().unique(source.camera.name())),
-          parameters_(source.parameters, names_) {}
+    GlslExport(const ExportSource& source, CameraFormulas formulas)
+        : TextExport(source, std::move(formulas), glsl_words, "gl_") {}
 
-    Result<std::string> run() {
-        const Result<CameraFormulas> formulas = formulas_of(source_.camera, {axes_, false});
-        if (!formulas) {
-            return formulas.diagnostics;
-        }
-        lens_ = formulas->lens;
-        const Dialect dialect{glsl_spellings,   glsl_number, "float({0})",
-                              "(({0}) != 0.0)", true,        {{"@", name_}}};
-        const Listing listing =
-            listing_of(*formulas, dialect, names_, name_ + "_",
-                       [this](std::string_view input) { return input_text(input); });
+    std::string text() {
+        const Dialect dialect{.spellings = glsl_spellings,
+                              .number = glsl_number,
+                              .number_of_condition = "float({0})",
+                              .condition_of_number = "(({0}) != 0.0)",
+                              .single = true,
+                              .words = {{"@", name_}}};
+        const Listing made = listing(dialect);
         const CLike language{"float", "bool", "", "", "floor", "int({0})", glsl_number, glsl_array};
         std::string text = head() + "\n#ifdef GL_ES\nprecision highp float;\n#endif\n\n";
         text += fmt::format("float {}_infinity() {{ return uintBitsToFloat(0x7f800000u); }}\n\n",
                             name_);
-        text += functions(language, listing);
-        return text + defaults() + signature() + " {\n" + definitions(language, listing) +
-               results(listing) + "}\n";
+        text += functions(language, made);
+        return text + defaults() + signature() + " {\n" + definitions(language, made) +
+               results(made) + "}\n";
     }
 
 private:
-    [[nodiscard]] std::string input_text(std::string_view input) const {
-        const auto parameter = parameters_.of_input(input);
-        return parameter ? parameters_[*parameter] : std::string(input);
-    }
-
     [[nodiscard]] std::string head() const {
         std::vector<std::string> lines = opening_lines(source_);
         lines.insert(lines.end(),
@@ -145,8 +96,8 @@ private:
                       "gl_FragCoord.x and y is height -",
                       "gl_FragCoord.y. It returns whether there is a ray, with its origin and its "
                       "direction of unit length.",
-                      world(axes_)});
-        if (lens_) {
+                      world(formulas_.axes)});
+        if (formulas_.lens) {
             const std::vector<std::string> more = lens_lines();
             lines.insert(lines.end(), more.begin(), more.end());
         }
@@ -166,7 +117,7 @@ private:
 
     [[nodiscard]] std::string signature() const {
         std::string given = "float x, float y, float width, float height, float t";
-        given += lens_ ? ", float lens_x, float lens_y" : "";
+        given += formulas_.lens ? ", float lens_x, float lens_y" : "";
         for (const std::string& parameter : parameters_) {
             given += ", float " + parameter;
         }
@@ -180,26 +131,24 @@ private:
                                listing.roots[first + 1].text, listing.roots[first + 2].text);
         };
         return fmt::format("\n    origin = {};\n    direction = {};\n    return {};\n",
-                           vector(CameraFormulas::origin), vector(CameraFormulas::direction),
-                           listing.roots[CameraFormulas::valid].text);
+                           vector(RayRoots::origin), vector(RayRoots::direction),
+                           listing.roots[RayRoots::valid].text);
     }
-
-    const ExportSource& source_;
-    const Axes axes_;
-    Names names_{glsl_words};
-    const std::string name_;
-    const ParameterNames parameters_;
-    bool lens_ = false;
 };
 
-Result<std::string> write_glsl(const ExportSource& source, const ExportOptions& options) {
-    return GlslExport(source, options).run();
+Result<std::string> write_glsl(const ExportSource& source, const ExportOptions&,
+                               CameraFormulas formulas) {
+    return GlslExport(source, std::move(formulas)).text();
 }
 
 }  // namespace
 
 ExportTarget glsl_target() {
-    return {"glsl", "a function for WebGL 2 and desktop shaders", ".glsl", true, false, write_glsl};
+    return {.name = "glsl",
+            .meaning = "a function for WebGL 2 and desktop shaders",
+            .ending = ".glsl",
+            .write = write_glsl,
+            .always_single = true};
 }
 
 }  // namespace balcony::bridge

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "bridge/text/c_like.hpp"
 #include "bridge/text/targets.hpp"
+#include "bridge/text/text_export.hpp"
 
 namespace balcony::bridge {
 
@@ -19,50 +19,24 @@ constexpr std::string_view minimum_helper =
 constexpr std::string_view maximum_helper =
     "def _maximum(a, b):\n    return np.where(a < b, b, a)\n\n";
 
-constexpr Spellings numpy_spellings{
-    structure(Op::constant),
-    structure(Op::input),
-    structure(Op::variable),
-    symbol(Op::negate, "-"),
-    symbol(Op::add, "+"),
-    symbol(Op::subtract, "-"),
-    symbol(Op::multiply, "*"),
-    symbol(Op::divide, "/"),
+constexpr Spellings numpy_spellings = spellings({
     function(Op::modulo, "_modulo", "def _modulo(a, b):\n    return a - b * np.floor(a / b)\n\n"),
     function(Op::minimum, "_minimum", minimum_helper),
     function(Op::maximum, "_maximum", maximum_helper),
-    function(Op::absolute, "np.abs"),
-    function(Op::sign, "np.sign"),
-    function(Op::floor, "np.floor"),
-    function(Op::square_root, "np.sqrt"),
-    function(Op::power, "np.power"),
-    function(Op::exponential, "np.exp"),
-    function(Op::logarithm, "np.log"),
-    function(Op::sine, "np.sin"),
-    function(Op::cosine, "np.cos"),
-    function(Op::tangent, "np.tan"),
-    function(Op::arcsine, "np.arcsin"),
-    function(Op::arccosine, "np.arccos"),
-    function(Op::arctangent, "np.arctan"),
-    function(Op::arctangent2, "np.arctan2"),
-    function(Op::hyperbolic_sine, "np.sinh"),
-    function(Op::hyperbolic_cosine, "np.cosh"),
-    function(Op::hyperbolic_tangent, "np.tanh"),
-    function(Op::inverse_hyperbolic_sine, "np.arcsinh"),
-    function(Op::inverse_hyperbolic_cosine, "np.arccosh"),
-    function(Op::inverse_hyperbolic_tangent, "np.arctanh"),
-    symbol(Op::less, "<"),
-    symbol(Op::less_equal, "<="),
-    symbol(Op::equal, "=="),
+    standard(Op::power, "power"),
+    standard(Op::arcsine, "arcsin"),
+    standard(Op::arccosine, "arccos"),
+    standard(Op::arctangent, "arctan"),
+    standard(Op::arctangent2, "arctan2"),
+    standard(Op::inverse_hyperbolic_sine, "arcsinh"),
+    standard(Op::inverse_hyperbolic_cosine, "arccosh"),
+    standard(Op::inverse_hyperbolic_tangent, "arctanh"),
     symbol(Op::logical_and, "&"),
     symbol(Op::logical_or, "|"),
-    function(Op::logical_not, "np.logical_not"),
-    function(Op::is_finite, "np.isfinite"),
-    function(Op::select, "np.where"),
-    structure(Op::call),
-    structure(Op::result),
-};
-static_assert(complete(numpy_spellings));
+    standard(Op::logical_not, "logical_not"),
+    standard(Op::is_finite, "isfinite"),
+    standard(Op::select, "where"),
+});
 
 // Looks into a table as expr::Table does, for arrays of positions.
 constexpr std::string_view lookup_helper = R"(
@@ -100,37 +74,28 @@ const std::set<std::string_view> python_words{
     "while",   "with",     "yield",    "np",     "x",         "y",      "t",      "width",
     "height",  "lens_x",   "lens_y",   "origin", "direction", "valid"};
 
-class NumpyExport {
+class NumpyExport : TextExport {
 public:
-    NumpyExport(const ExportSource& source, const ExportOptions& options)
-        : source_(source),
-          axes_(options.axes.value_or(source.camera.parts().axes)),
-          name_(Names().unique(source.camera.name())),
-          parameters_(source.parameters, names_) {}
+    NumpyExport(const ExportSource& source, CameraFormulas formulas)
+        : TextExport(source, std::move(formulas), python_words) {}
 
-    Result<std::string> run() {
-        const Result<CameraFormulas> formulas = formulas_of(source_.camera, {axes_, false});
-        if (!formulas) {
-            return formulas.diagnostics;
-        }
-        lens_ = formulas->lens;
-        const Dialect dialect{numpy_spellings, number, "np.where({0}, 1.0, 0.0)", "(({0}) != 0.0)"};
-        const Listing listing =
-            listing_of(*formulas, dialect, names_, "_",
-                       [this](std::string_view input) { return input_text(input); });
+    std::string text() {
+        const Dialect dialect{.spellings = numpy_spellings,
+                              .number = number,
+                              .number_of_condition = "np.where({0}, 1.0, 0.0)",
+                              .condition_of_number = "(({0}) != 0.0)",
+                              .before_standard = "np."};
+        const Listing made =
+            listing_of(formulas_, dialect, names_, "_",
+                       [this](std::string_view input) { return input_name(input); });
         std::string text = commented(opening_lines(source_), "#") + "\nimport numpy as np\n\n\n";
-        for (const std::string& helper : listing.helpers) {
+        for (const std::string& helper : made.helpers) {
             text += helper + "\n";
         }
-        return text + tables(listing) + function(listing);
+        return text + tables(made) + function(made);
     }
 
 private:
-    [[nodiscard]] std::string input_text(std::string_view input) const {
-        const auto parameter = parameters_.of_input(input);
-        return parameter ? parameters_[*parameter] : std::string(input);
-    }
-
     // A table is an array of coefficients, and a function that looks into it.
     [[nodiscard]] static std::string tables(const Listing& listing) {
         std::string text(listing.tables.empty() ? "" : lookup_helper.substr(1));
@@ -154,7 +119,7 @@ private:
 
     [[nodiscard]] std::string function(const Listing& listing) const {
         std::string given = "x, y, width, height, t=0.0";
-        given += lens_ ? ", lens_x=0.0, lens_y=0.0" : "";
+        given += formulas_.lens ? ", lens_x=0.0, lens_y=0.0" : "";
         for (std::size_t i = 0; i < parameters_.size(); ++i) {
             given += fmt::format(", {}={}", parameters_[i], number(source_.parameters[i].value));
         }
@@ -169,11 +134,12 @@ private:
             "and\n"
             "    whether there is a ray. {}\n{}"
             "    \"\"\"\n",
-            name_, given, world(axes_),
-            lens_ ? "    A ray passes the point (lens_x, lens_y) of the lens, each from -1 to 1.\n"
-                  : "");
+            name_, given, world(formulas_.axes),
+            formulas_.lens
+                ? "    A ray passes the point (lens_x, lens_y) of the lens, each from -1 to 1.\n"
+                : "");
         std::string inputs = "width, height, t";
-        inputs += lens_ ? ", lens_x, lens_y" : "";
+        inputs += formulas_.lens ? ", lens_x, lens_y" : "";
         for (const std::string& parameter : parameters_) {
             inputs += ", " + parameter;
         }
@@ -190,12 +156,12 @@ private:
             }
             text += section.lines.empty() ? "" : "\n";
         }
-        return text + vector(listing, "origin", CameraFormulas::origin) +
-               vector(listing, "direction", CameraFormulas::direction) +
+        return text + vector(listing, "origin", RayRoots::origin) +
+               vector(listing, "direction", RayRoots::direction) +
                fmt::format(
                    "        valid = ({}) & np.ones(x.shape, bool)\n"
                    "    return origin, direction, valid\n",
-                   listing.roots[CameraFormulas::valid].text);
+                   listing.roots[RayRoots::valid].text);
     }
 
     [[nodiscard]] static std::string vector(const Listing& listing, std::string_view name,
@@ -206,25 +172,18 @@ private:
         }
         return text + "            x)[:3], axis=-1)\n";
     }
-
-    const ExportSource& source_;
-    const Axes axes_;
-    Names names_{python_words};
-    const std::string name_;
-    const ParameterNames parameters_;
-    bool lens_ = false;
 };
 
-Result<std::string> write_numpy(const ExportSource& source, const ExportOptions& options) {
-    return NumpyExport(source, options).run();
+Result<std::string> write_numpy(const ExportSource& source, const ExportOptions&,
+                                CameraFormulas formulas) {
+    return NumpyExport(source, std::move(formulas)).text();
 }
 
 }  // namespace
 
 ExportTarget numpy_target() {
-    return {"numpy", "one Python function that computes many rays at a time with NumPy",
-            ".py",   false,
-            false,   write_numpy};
+    return {"numpy", "one Python function that computes many rays at a time with NumPy", ".py",
+            write_numpy};
 }
 
 }  // namespace balcony::bridge

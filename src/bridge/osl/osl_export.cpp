@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 
 #include "bridge/osl/blender_lens.hpp"
-#include "bridge/text/c_like.hpp"
 #include "bridge/text/parameter_range.hpp"
 #include "bridge/text/targets.hpp"
+#include "bridge/text/text_export.hpp"
 
 namespace balcony::bridge {
 
@@ -67,50 +67,19 @@ constexpr std::string_view osl_atanh = R"(float @_atanh(float a) {
 }
 )";
 
-constexpr Spellings osl_spellings{
-    structure(Op::constant),
-    structure(Op::input),
-    structure(Op::variable),
-    symbol(Op::negate, "-"),
-    symbol(Op::add, "+"),
-    symbol(Op::subtract, "-"),
-    symbol(Op::multiply, "*"),
+constexpr Spellings osl_spellings = spellings({
     function(Op::divide, "@_divide", osl_divide),
     function(Op::modulo, "@_modulo", osl_modulo),
-    function(Op::minimum, "min"),
-    function(Op::maximum, "max"),
-    function(Op::absolute, "abs"),
-    function(Op::sign, "sign"),
-    function(Op::floor, "floor"),
     function(Op::square_root, "@_sqrt", osl_root),
     function(Op::power, "@_power", osl_power),
-    function(Op::exponential, "exp"),
     function(Op::logarithm, "@_log", osl_log),
-    function(Op::sine, "sin"),
-    function(Op::cosine, "cos"),
-    function(Op::tangent, "tan"),
     function(Op::arcsine, "@_asin", osl_asin),
     function(Op::arccosine, "@_acos", osl_acos),
-    function(Op::arctangent, "atan"),
-    function(Op::arctangent2, "atan2"),
-    function(Op::hyperbolic_sine, "sinh"),
-    function(Op::hyperbolic_cosine, "cosh"),
-    function(Op::hyperbolic_tangent, "tanh"),
     function(Op::inverse_hyperbolic_sine, "@_asinh", osl_asinh),
     function(Op::inverse_hyperbolic_cosine, "@_acosh", osl_acosh),
     function(Op::inverse_hyperbolic_tangent, "@_atanh", osl_atanh),
-    symbol(Op::less, "<"),
-    symbol(Op::less_equal, "<="),
-    symbol(Op::equal, "=="),
-    symbol(Op::logical_and, "&&"),
-    symbol(Op::logical_or, "||"),
-    symbol(Op::logical_not, "!"),
     function(Op::is_finite, "@_is_finite", osl_is_finite),
-    pattern(Op::select, "({0} ? {1} : {2})"),
-    structure(Op::call),
-    structure(Op::result),
-};
-static_assert(complete(osl_spellings));
+});
 
 std::string osl_number(double value) {
     const double rounded = static_cast<double>(static_cast<float>(value));
@@ -162,45 +131,36 @@ std::string in_camera_space(const Listing& listing, std::size_t first, std::stri
     return fmt::format("{0}(-{2}, {3}, {1})", sign, x, y, z);
 }
 
-class OslExport {
+class OslExport : TextExport {
 public:
-    explicit OslExport(const ExportSource& source)
-        : source_(source),
-          name_(names_.unique(source.camera.name())),
-          parameters_(source.parameters, names_) {}
+    OslExport(const ExportSource& source, CameraFormulas formulas)
+        : TextExport(source, std::move(formulas), osl_words, {}, true) {}
 
-    Result<std::string> run() {
-        const Result<camera::Camera> camera = with_blender_lens(source_.camera);
-        if (!camera) {
-            return camera.diagnostics;
-        }
-        const Result<CameraFormulas> formulas = formulas_of(*camera, {Axes::z_up, true});
-        if (!formulas) {
-            return formulas.diagnostics;
-        }
-        const Dialect dialect{osl_spellings,    osl_number, "((float)({0}))",
-                              "(({0}) != 0.0)", true,       {{"@", name_}}};
-        const Listing listing =
-            listing_of(*formulas, dialect, names_, name_ + "_",
-                       [this](std::string_view input) { return input_text(input); });
+    std::string text() {
+        const Dialect dialect{.spellings = osl_spellings,
+                              .number = osl_number,
+                              .number_of_condition = "((float)({0}))",
+                              .condition_of_number = "(({0}) != 0.0)",
+                              .single = true,
+                              .words = {{"@", name_}}};
+        const Listing made =
+            listing(dialect, [this](std::string_view input) { return input_text(input); });
         const CLike language{"float", "int", "", "", "floor", "(int){0}", osl_number, osl_array};
-        std::string text = commented(head(formulas->lens)) + "\n";
-        text += functions(language, listing);
-        return text + fmt::format("shader {}(\n", name_) + shader_parameters(*formulas, listing) +
-               ")\n{\n" + inputs(listing) + definitions(language, listing) + results(listing) +
-               "}\n";
+        std::string text = commented(head()) + "\n";
+        text += functions(language, made);
+        return text + fmt::format("shader {}(\n", name_) + shader_parameters(made) + ")\n{\n" +
+               inputs(made) + definitions(language, made) + results(made) + "}\n";
     }
 
 private:
     [[nodiscard]] std::string input_text(std::string_view input) const {
-        if (const auto i = parameters_.of_input(input)) {
-            return source_.parameters[*i].is_angle ? fmt::format("radians({})", parameters_[*i])
-                                                   : parameters_[*i];
-        }
-        return std::string(input == "t" ? "camera_time" : input);
+        const auto i = parameters_.of_input(input);
+        return i && source_.parameters[*i].is_angle ? fmt::format("radians({})", parameters_[*i])
+               : input == "t"                       ? "camera_time"
+                                                    : input_name(input);
     }
 
-    [[nodiscard]] std::vector<std::string> head(bool lens) const {
+    [[nodiscard]] std::vector<std::string> head() const {
         std::vector<std::string> lines = opening_lines(source_);
         lines.insert(lines.end(),
                      {"",
@@ -209,7 +169,7 @@ private:
                       "Custom, and choose the text. The camera's rays move and turn with Blender's "
                       "camera, which looks along",
                       "x of the rays' own world, with z up."});
-        if (lens) {
+        if (formulas_.lens) {
             lines.insert(lines.end(), {"The aperture is that of Blender's camera, and so is its "
                                        "focus distance unless own_focus is on."});
         }
@@ -217,7 +177,7 @@ private:
     }
 
     // One parameter of the shader: a slider.
-    [[nodiscard]] std::string slider(std::size_t i, const CameraFormulas& formulas) const {
+    [[nodiscard]] std::string slider(std::size_t i) const {
         const ExportParameter& parameter = source_.parameters[i];
         const double scale = parameter.is_angle ? 180.0 / 3.14159265358979323846 : 1.0;
         std::string hints = fmt::format("string help = \"{}, {} in the camera's file\"",
@@ -225,7 +185,7 @@ private:
         if (parameter.is_angle) {
             hints += ", string units = \"degrees\"";
         }
-        const ParameterRange range = range_of(formulas, parameter.input);
+        const ParameterRange range = range_of(formulas_, parameter.input);
         if (range.minimum) {
             hints += fmt::format(", float min = {}", osl_number(scale * *range.minimum));
         }
@@ -244,11 +204,10 @@ private:
         return replaced(comment_line(text), "\"", "'");
     }
 
-    [[nodiscard]] std::string shader_parameters(const CameraFormulas& formulas,
-                                                const Listing& listing) const {
+    [[nodiscard]] std::string shader_parameters(const Listing& listing) const {
         std::string text;
         for (std::size_t i = 0; i < parameters_.size(); ++i) {
-            text += slider(i, formulas);
+            text += slider(i);
         }
         if (listing.uses("camera_time")) {
             text +=
@@ -302,34 +261,37 @@ private:
         const auto root = [&listing](std::size_t first, std::string_view before) {
             return in_camera_space(listing, first, before);
         };
-        std::string text = fmt::format("\n    position = {};\n    direction = {};\n",
-                                       root(CameraFormulas::origin, "point"),
-                                       root(CameraFormulas::direction, "vector"));
+        std::string text =
+            fmt::format("\n    position = {};\n    direction = {};\n",
+                        root(RayRoots::origin, "point"), root(RayRoots::direction, "vector"));
         text += fmt::format("    throughput = ({}) ? color(1.0) : color(0.0);\n",
-                            listing.roots[CameraFormulas::valid].text);
-        text += fmt::format("    dPdx = {};\n    dPdy = {};\n    dDdx = {};\n    dDdy = {};\n",
-                            root(CameraFormulas::origin_by_x, "vector"),
-                            root(CameraFormulas::origin_by_y, "-vector"),
-                            root(CameraFormulas::direction_by_x, "vector"),
-                            root(CameraFormulas::direction_by_y, "-vector"));
+                            listing.roots[RayRoots::valid].text);
+        text += fmt::format(
+            "    dPdx = {};\n    dPdy = {};\n    dDdx = {};\n    dDdy = {};\n",
+            root(RayRoots::origin_by_x, "vector"), root(RayRoots::origin_by_y, "-vector"),
+            root(RayRoots::direction_by_x, "vector"), root(RayRoots::direction_by_y, "-vector"));
         return text;
     }
-
-    const ExportSource& source_;
-    Names names_{osl_words};
-    const std::string name_;
-    const ParameterNames parameters_;
 };
 
-Result<std::string> write_osl(const ExportSource& source, const ExportOptions&) {
-    return OslExport(source).run();
+Result<std::string> write_osl(const ExportSource& source, const ExportOptions&,
+                              CameraFormulas formulas) {
+    return OslExport(source, std::move(formulas)).text();
 }
 
 }  // namespace
 
 ExportTarget osl_target() {
-    return {"osl",    "a camera shader for Cycles in Blender 4.5 and later", ".osl", true, true,
-            write_osl};
+    return {.name = "osl",
+            .meaning = "a camera shader for Cycles in Blender 4.5 and later",
+            .ending = ".osl",
+            .write = write_osl,
+            .always_single = true,
+            .opens_parameters = true,
+            .footprints = true,
+            .axes = Axes::z_up,
+            .only_axes = true,
+            .adapted = with_blender_lens};
 }
 
 }  // namespace balcony::bridge

@@ -20,54 +20,23 @@ namespace {
 // In these texts @ is the camera's name. POV-Ray computes infinities and NaN as IEEE 754 does, has
 // conditions that are 1 or 0, and of the arguments of select() only those that it needs. Its own
 // min(), mod() and comparisons > and >= differ from the graph's for NaN or negative numbers.
-constexpr Spellings pov_spellings{
-    structure(Op::constant),
-    structure(Op::input),
-    structure(Op::variable),
-    symbol(Op::negate, "-"),
-    symbol(Op::add, "+"),
-    symbol(Op::subtract, "-"),
-    symbol(Op::multiply, "*"),
-    symbol(Op::divide, "/"),
+constexpr Spellings pov_spellings = spellings({
     function(Op::modulo, "@_modulo",
              "#declare @_modulo = function(x, y) { x - y * floor(x / y) }\n"),
     function(Op::minimum, "@_minimum",
              "#declare @_minimum = function(x, y) { select(-(y < x), y, x) }\n"),
     function(Op::maximum, "@_maximum",
              "#declare @_maximum = function(x, y) { select(-(x < y), y, x) }\n"),
-    function(Op::absolute, "abs"),
     function(Op::sign, "@_sign",
              "#declare @_sign = function(x) { select(-(x = x), select(x, -1, 0, 1), x) }\n"),
-    function(Op::floor, "floor"),
-    function(Op::square_root, "sqrt"),
-    function(Op::power, "pow"),
-    function(Op::exponential, "exp"),
-    function(Op::logarithm, "ln"),
-    function(Op::sine, "sin"),
-    function(Op::cosine, "cos"),
-    function(Op::tangent, "tan"),
-    function(Op::arcsine, "asin"),
-    function(Op::arccosine, "acos"),
-    function(Op::arctangent, "atan"),
-    function(Op::arctangent2, "atan2"),
-    function(Op::hyperbolic_sine, "sinh"),
-    function(Op::hyperbolic_cosine, "cosh"),
-    function(Op::hyperbolic_tangent, "tanh"),
-    function(Op::inverse_hyperbolic_sine, "asinh"),
-    function(Op::inverse_hyperbolic_cosine, "acosh"),
-    function(Op::inverse_hyperbolic_tangent, "atanh"),
-    symbol(Op::less, "<"),
-    symbol(Op::less_equal, "<="),
+    standard(Op::logarithm, "ln"),
     symbol(Op::equal, "="),
     symbol(Op::logical_and, "&"),
     symbol(Op::logical_or, "|"),
     pattern(Op::logical_not, "(1 - {0})"),
     function(Op::is_finite, "@_finite", "#declare @_finite = function(x) { x - x = 0 }\n"),
     pattern(Op::select, "select(-{0}, {1}, {2})"),
-    structure(Op::call),
-    structure(Op::result),
-};
-static_assert(complete(pov_spellings));
+});
 
 // POV-Ray has no literals for what is not finite.
 std::string pov_number(double value) {
@@ -113,9 +82,8 @@ public:
           axes_(axes),
           listing_(listing),
           dependence_(listing),
-          location_(dependence_.chain(std::span(listing.roots).subspan(CameraFormulas::origin, 3))),
-          direction_(
-              dependence_.chain(std::span(listing.roots).subspan(CameraFormulas::direction))) {
+          location_(dependence_.chain(std::span(listing.roots).subspan(RayRoots::origin, 3))),
+          direction_(dependence_.chain(std::span(listing.roots).subspan(RayRoots::direction))) {
         for (const ListedLine* line : dependence_.uniform()) {
             uniform_.insert(line->name);
         }
@@ -137,7 +105,7 @@ public:
             made += spline_table(table, pov_number);
         }
         return made + lines() + std::string(order_comment) +
-               chain_text("location", location_, coordinate(CameraFormulas::origin)) + "\n" +
+               chain_text("location", location_, coordinate(RayRoots::origin)) + "\n" +
                chain_text("direction", direction_, valid_direction()) + camera_text();
     }
 
@@ -237,8 +205,8 @@ private:
 
     [[nodiscard]] std::string valid_direction() const {
         return fmt::format("select(-({}),\n        {},\n        0)",
-                           spelled(listing_.roots[CameraFormulas::valid].text),
-                           coordinate(CameraFormulas::direction));
+                           spelled(listing_.roots[RayRoots::valid].text),
+                           coordinate(RayRoots::direction));
     }
 
     // Functions NAME, NAME_2, NAME_3, ..., each of which calls the next one; declared before they
@@ -327,11 +295,26 @@ private:
     std::set<std::string> uniform_;  ///< The names of lines that are numbers.
 };
 
+// The functions of a user_defined camera know nothing of an aperture.
+Result<camera::Camera> without_lens(const camera::Camera& camera) {
+    camera::Camera::Parts parts = camera.parts();
+    if (parts.lens == nullptr) {
+        return camera;
+    }
+    const Diagnostic left_out =
+        warning(fmt::format("the lens of the camera '{}' is left out: the user_defined camera of "
+                            "POV-Ray has one ray for each point of the picture",
+                            camera.name()),
+                parts.lens_span, "use 'balcony pov', which knows lenses");
+    parts.lens = nullptr;
+    return {*camera::Camera::make(std::move(parts)).value, {left_out}};
+}
+
 class PovExport {
 public:
-    PovExport(const ExportSource& source, const ExportOptions& options)
+    PovExport(const ExportSource& source, CameraFormulas formulas)
         : source_(source),
-          axes_(options.axes.value_or(Axes::y_up)),
+          formulas_(std::move(formulas)),
           name_(capitalised(names_.unique(source.camera.name()))) {
         for (const ExportParameter& parameter : source.parameters) {
             const std::string name = fmt::format("{}_{}", name_, names_.unique(parameter.name));
@@ -339,52 +322,34 @@ public:
         }
     }
 
-    Result<std::string> run() {
-        Diagnostics warnings;
-        Result<CameraFormulas> formulas = formulas_of(without_lens(warnings), {axes_, false});
-        if (!formulas) {
-            return formulas.diagnostics;
-        }
-        if (Diagnostics found = large_tables(*formulas); !found.empty()) {
+    Result<std::string> text() {
+        if (Diagnostics found = large_tables(); !found.empty()) {
             return found;
         }
-        turn_to_the_left(*formulas);
-        const Dialect dialect{pov_spellings, pov_number, "{0}",
-                              "({0} != 0)",  false,      {{"@", name_}}};
+        turn_to_the_left();
+        const Dialect dialect{.spellings = pov_spellings,
+                              .number = pov_number,
+                              .condition_of_number = "({0} != 0)",
+                              .words = {{"@", name_}}};
         const Listing listing =
-            listing_of(*formulas, dialect, names_, name_ + "_",
+            listing_of(formulas_, dialect, names_, name_ + "_",
                        [this](std::string_view input) { return input_text(input); });
-        const PovText text(source_, parameters_, name_, axes_, listing, names_);
+        const PovText text(source_, parameters_, name_, formulas_.axes, listing, names_);
         if (text.max_parameters() > max_parameters || text.steps() > max_steps) {
             return too_large(text);
         }
-        return {text.text(), std::move(warnings)};
+        return text.text();
     }
 
 private:
-    // The functions of a user_defined camera know nothing of an aperture.
-    [[nodiscard]] camera::Camera without_lens(Diagnostics& warnings) const {
-        camera::Camera::Parts parts = source_.camera.parts();
-        if (parts.lens == nullptr) {
-            return source_.camera;
-        }
-        warnings.push_back(warning(
-            fmt::format("the lens of the camera '{}' is left out: the user_defined camera of "
-                        "POV-Ray has one ray for each point of the picture",
-                        source_.camera.name()),
-            parts.lens_span, "use 'balcony pov', which knows lenses"));
-        parts.lens = nullptr;
-        return *camera::Camera::make(std::move(parts)).value;
-    }
-
-    [[nodiscard]] Diagnostics large_tables(const CameraFormulas& formulas) const {
-        for (const expr::NodeId id : expr::reachable(*formulas.graph, formulas.roots)) {
-            if ((*formulas.graph)[id].op != Op::call) {
+    [[nodiscard]] Diagnostics large_tables() const {
+        for (const expr::NodeId id : expr::reachable(*formulas_.graph, formulas_.roots)) {
+            if ((*formulas_.graph)[id].op != Op::call) {
                 continue;
             }
-            const std::size_t size = formulas.graph->call_of(id).table->coefficients.size();
+            const std::size_t size = formulas_.graph->call_of(id).table->coefficients.size();
             if (size > max_table_size) {
-                const StageFormulas* stage = stage_with(formulas, id);
+                const StageFormulas* stage = stage_with(formulas_, id);
                 return {error(
                     fmt::format("'{}' of the camera '{}' cannot be exported to POV-Ray: it looks "
                                 "into a table of {} numbers; at most {} are possible",
@@ -409,10 +374,10 @@ private:
     }
 
     // POV-Ray's axes are left-handed: the axis that is neither to the right nor up is reversed.
-    void turn_to_the_left(CameraFormulas& formulas) const {
-        const std::size_t depth = axes_ == Axes::y_up ? 2 : 1;
-        for (const std::size_t first : {CameraFormulas::origin, CameraFormulas::direction}) {
-            Expr& root = formulas.roots[first + depth];
+    void turn_to_the_left() {
+        const std::size_t depth = formulas_.axes == Axes::y_up ? 2 : 1;
+        for (const std::size_t first : {RayRoots::origin, RayRoots::direction}) {
+            Expr& root = formulas_.roots[first + depth];
             root = -root;
         }
     }
@@ -430,22 +395,27 @@ private:
     }
 
     const ExportSource& source_;
-    const Axes axes_;
+    CameraFormulas formulas_;
     Names names_{{point_x, point_y, pov_axis, "picture_width", "picture_height", "location",
                   "direction", "finite", "modulo", "minimum", "maximum", "sign"}};
     const std::string name_;
     std::vector<std::string> parameters_;  ///< Their names in the scene.
 };
 
-Result<std::string> write_pov(const ExportSource& source, const ExportOptions& options) {
-    return PovExport(source, options).run();
+Result<std::string> write_pov(const ExportSource& source, const ExportOptions&,
+                              CameraFormulas formulas) {
+    return PovExport(source, std::move(formulas)).text();
 }
 
 }  // namespace
 
 ExportTarget pov_target() {
-    return {"pov",    "functions for the user_defined camera of POV-Ray 3.8", ".inc", false, false,
-            write_pov};
+    return {.name = "pov",
+            .meaning = "functions for the user_defined camera of POV-Ray 3.8",
+            .ending = ".inc",
+            .write = write_pov,
+            .axes = Axes::y_up,
+            .adapted = without_lens};
 }
 
 }  // namespace balcony::bridge

@@ -77,28 +77,6 @@ std::vector<StageFormulas> named_stages(const camera::Camera& camera,
     return made;
 }
 
-std::vector<Expr> roots_of(const camera::RayExpressions& central, Axes from,
-                           const FormulaRequest& request) {
-    const camera::RayExpressions ray = central.lens ? camera::through_lens(central) : central;
-    std::vector<Expr> roots;
-    const auto add = [&](const auto& vector) {
-        const auto v = turned(vector, from, request.axes);
-        roots.insert(roots.end(), {v.x, v.y, v.z});
-    };
-    add(ray.origin);
-    add(ray.direction);
-    roots.push_back(ray.valid);
-    if (request.footprints) {
-        const camera::RayFootprint slopes =
-            central.lens ? camera::footprint_through_lens(central) : camera::footprint(ray);
-        add(slopes.origin_by_x);
-        add(slopes.origin_by_y);
-        add(slopes.direction_by_x);
-        add(slopes.direction_by_y);
-    }
-    return roots;
-}
-
 // What no formula can express: functions without one, and what only a scene knows.
 Diagnostics inexpressible(const CameraFormulas& made, const camera::Camera& camera) {
     const auto object = made.lens ? camera.parts().lens->focus().object() : std::nullopt;
@@ -127,6 +105,22 @@ Diagnostics inexpressible(const CameraFormulas& made, const camera::Camera& came
     return {};
 }
 
+void add_footprints(Graph& graph, std::vector<Expr>& roots) {
+    const auto at = [&roots](std::size_t i) { return roots[i]; };
+    const auto [o, d] = std::pair(RayRoots::origin, RayRoots::direction);
+    const camera::RayFootprint slopes = camera::footprint({{at(o), at(o + 1), at(o + 2)},
+                                                           {at(d), at(d + 1), at(d + 2)},
+                                                           at(RayRoots::valid),
+                                                           {graph.picture_x(), graph.picture_y()}});
+    std::vector<Expr> added;
+    for (const camera::ObjectVector& v :
+         {slopes.origin_by_x, slopes.origin_by_y, slopes.direction_by_x, slopes.direction_by_y}) {
+        added.insert(added.end(), {v.x, v.y, v.z});
+    }
+    added = expr::simplify(added);
+    roots.insert(roots.end(), added.begin(), added.end());
+}
+
 CameraFormulas emitted(const camera::Camera& camera, const FormulaRequest& request) {
     CameraFormulas made;
     made.graph = std::make_unique<Graph>();
@@ -136,13 +130,18 @@ CameraFormulas emitted(const camera::Camera& camera, const FormulaRequest& reque
     const camera::RayExpressions ray = camera.emit(picture);
     made.lens = ray.lens.has_value();
     made.stages = named_stages(camera, camera.emit_stages(picture));
-    std::vector<Expr> all = roots_of(ray, camera.parts().axes, request);
+    made.axes = request.axes;
+    std::vector<Expr> all =
+        rays::ray_roots(ray, made.lens, request.footprints, camera.parts().axes, request.axes);
     const std::size_t root_count = all.size();
     for (const StageFormulas& stage : made.stages) {
         all.insert(all.end(), stage.values.begin(), stage.values.end());
     }
     all = expr::simplify(all);
     made.roots.assign(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(root_count));
+    if (request.measured && !request.footprints) {
+        add_footprints(graph, made.roots);
+    }
     std::size_t next = root_count;
     for (StageFormulas& stage : made.stages) {
         for (Expr& value : stage.values) {

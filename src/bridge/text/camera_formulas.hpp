@@ -11,11 +11,13 @@
 #include <vector>
 
 #include "balcony/export.hpp"
+#include "balcony/ray_roots.hpp"
 
 namespace balcony::bridge {
 
 using expr::Expr;
 using expr::Op;
+using rays::RayRoots;
 
 /// The inputs beside x, y and t: the size of the picture in pixels.
 inline constexpr std::string_view width_input = "width";
@@ -30,25 +32,20 @@ struct StageFormulas {
 };
 
 struct CameraFormulas {
-    // The roots in their order.
-    static constexpr std::size_t origin = 0;
-    static constexpr std::size_t direction = 3;
-    static constexpr std::size_t valid = 6;
-    static constexpr std::size_t origin_by_x = 7;
-    static constexpr std::size_t origin_by_y = 10;
-    static constexpr std::size_t direction_by_x = 13;
-    static constexpr std::size_t direction_by_y = 16;
-
     std::unique_ptr<expr::Graph> graph;
     std::vector<StageFormulas> stages;
-    /// Simplified; the last twelve are there if they were requested.
+    /// Those of RayRoots, simplified; with footprints if they were requested or are measured by.
     std::vector<Expr> roots;
-    bool lens = false;  ///< The ray depends on the inputs of a lens.
+    Axes axes = Axes::z_up;  ///< Of the ray.
+    bool lens = false;       ///< The ray depends on the inputs of a lens.
 };
 
 struct FormulaRequest {
     Axes axes = Axes::z_up;
     bool footprints = false;
+    /// Footprints only to measure by: they are computed from the other roots, which stay as they
+    /// are without them.
+    bool measured = false;
 };
 
 /// The formulas of a camera in a picture of any size. An error if they are too large, if they need

@@ -67,7 +67,7 @@ public:
             }
         }
         for (std::size_t i = 0; i < formulas_.roots.size(); ++i) {
-            const bool condition = i == CameraFormulas::valid;
+            const bool condition = i == RayRoots::valid;
             Formula root = in_form(formula(formulas_.roots[i].id()), condition);
             made_.roots.push_back({{}, std::move(root.text), condition, std::move(root.uses)});
         }
@@ -207,6 +207,11 @@ private:
         const std::vector<Formula> given = operands(id);
         need(dialect_.spelled(spelling.helper));
         const std::string spelled = dialect_.spelled(spelling.text);
+        if (spelling.form == Spelling::Form::standard) {
+            return call(
+                fmt::format("{}{}{}", dialect_.before_standard, spelled, dialect_.behind_standard),
+                given, condition);
+        }
         if (spelling.form == Spelling::Form::call) {
             return call(spelled, given, condition);
         }
@@ -299,8 +304,8 @@ bool Listing::uses(const std::string& name) const {
            });
 }
 
-Names::Names(const std::set<std::string_view>& reserved)
-    : taken_(reserved.begin(), reserved.end()) {}
+Names::Names(const std::set<std::string_view>& reserved, std::string_view reserved_prefix)
+    : taken_(reserved.begin(), reserved.end()), reserved_prefix_(reserved_prefix) {}
 
 std::string Names::unique(std::string_view wanted) {
     std::string base;
@@ -311,7 +316,8 @@ std::string Names::unique(std::string_view wanted) {
             base += kept;
         }
     }
-    if (base.empty() || (base.front() >= '0' && base.front() <= '9')) {
+    const bool is_reserved = !reserved_prefix_.empty() && base.starts_with(reserved_prefix_);
+    if (base.empty() || (base.front() >= '0' && base.front() <= '9') || is_reserved) {
         base = "camera_" + base;
     }
     std::string name = base;

@@ -25,6 +25,9 @@ struct Dialect {
     std::string_view number_of_condition = "{0}";
     std::string_view condition_of_number = "{0}";
     bool single = false;  ///< Numbers are single precision, and tables as coarse as they allow.
+    /// Before and behind the names of the library's functions: "np." or "f".
+    std::string_view before_standard{};
+    std::string_view behind_standard{};
     /// Words in spellings and what stands for them, such as the type of numbers.
     std::vector<std::pair<std::string, std::string>> words{};
 
@@ -35,12 +38,15 @@ struct Dialect {
 /// Names that are taken; each name is given once.
 class Names {
 public:
-    explicit Names(const std::set<std::string_view>& reserved = {});
+    /// No name begins with the reserved prefix, if there is one.
+    explicit Names(const std::set<std::string_view>& reserved = {},
+                   std::string_view reserved_prefix = {});
     /// The name itself, made of ASCII letters, digits and underscores, or with a number behind it.
     [[nodiscard]] std::string unique(std::string_view wanted);
 
 private:
     std::set<std::string, std::less<>> taken_;
+    std::string_view reserved_prefix_;
 };
 
 /// A shared part of the formulas: NAME = TEXT.

@@ -3,13 +3,15 @@
 
 // What single precision changes: the formulas are computed with every number rounded to a float.
 
+#include "bridge/text/single_precision.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 
 #include "balcony/ray_difference.hpp"
-#include "bridge/text/camera_formulas.hpp"
+#include "bridge/osl/blender_lens.hpp"
 #include "bridge/text/coarse_table.hpp"
 
 namespace balcony::bridge {
@@ -94,13 +96,13 @@ V3d vector_at(const std::vector<double>& roots, std::size_t first) {
 
 Ray ray_of(const std::vector<double>& roots) {
     Ray ray;
-    ray.origin = vector_at(roots, CameraFormulas::origin);
-    ray.direction = vector_at(roots, CameraFormulas::direction);
-    ray.valid = roots[CameraFormulas::valid] != 0.0;
-    ray.origin_by_x = vector_at(roots, CameraFormulas::origin_by_x);
-    ray.origin_by_y = vector_at(roots, CameraFormulas::origin_by_y);
-    ray.direction_by_x = vector_at(roots, CameraFormulas::direction_by_x);
-    ray.direction_by_y = vector_at(roots, CameraFormulas::direction_by_y);
+    ray.origin = vector_at(roots, RayRoots::origin);
+    ray.direction = vector_at(roots, RayRoots::direction);
+    ray.valid = roots[RayRoots::valid] != 0.0;
+    ray.origin_by_x = vector_at(roots, RayRoots::origin_by_x);
+    ray.origin_by_y = vector_at(roots, RayRoots::origin_by_y);
+    ray.direction_by_x = vector_at(roots, RayRoots::direction_by_x);
+    ray.direction_by_y = vector_at(roots, RayRoots::direction_by_y);
     return ray;
 }
 
@@ -110,12 +112,15 @@ struct Pair {
 };
 
 // Rays at pixel centres all over the picture.
-std::vector<Pair> pairs(const ExportSource& source, const CameraFormulas& formulas,
-                        std::size_t width, std::size_t height) {
+std::vector<Pair> pairs(const CameraFormulas& formulas,
+                        const std::vector<ExportParameter>& parameters,
+                        const std::array<std::size_t, 2>& size) {
     constexpr std::size_t most = 64;
+    const auto [width, height] = size;
     std::map<std::string, double> inputs{{std::string(width_input), static_cast<double>(width)},
-                                         {std::string(height_input), static_cast<double>(height)}};
-    for (const ExportParameter& parameter : source.parameters) {
+                                         {std::string(height_input), static_cast<double>(height)},
+                                         {std::string(own_focus_input), 1.0}};
+    for (const ExportParameter& parameter : parameters) {
         inputs[parameter.input] = parameter.value;
     }
     Evaluator exact(formulas, unchanged);
@@ -148,15 +153,12 @@ double size_of(const std::vector<Pair>& all) {
 
 }  // namespace
 
-Result<SinglePrecision> measure_single_precision(const ExportSource& source, std::size_t width,
-                                                 std::size_t height) {
-    const auto formulas = formulas_of(source.camera, {source.camera.parts().axes, true});
-    if (!formulas) {
-        return formulas.diagnostics;
-    }
-    const std::vector<Pair> all = pairs(source, *formulas, width, height);
-    const double size = size_of(all);
-    const double distance = size > 0.0 ? size : std::numeric_limits<double>::infinity();
+SinglePrecision measure_single_precision(const CameraFormulas& formulas,
+                                         const std::vector<ExportParameter>& parameters,
+                                         const std::array<std::size_t, 2>& size) {
+    const std::vector<Pair> all = pairs(formulas, parameters, size);
+    const double extent = size_of(all);
+    const double distance = extent > 0.0 ? extent : std::numeric_limits<double>::infinity();
     SinglePrecision made{.rays = all.size()};
     std::vector<double> differences;
     for (const Pair& pair : all) {

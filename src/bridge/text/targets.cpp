@@ -5,6 +5,10 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+
+#include "bridge/text/camera_formulas.hpp"
+#include "bridge/text/single_precision.hpp"
 
 namespace balcony::bridge {
 
@@ -19,6 +23,38 @@ const ExportTarget* find_export_target(std::string_view name) {
     const auto found = std::find_if(
         all.begin(), all.end(), [name](const ExportTarget& target) { return target.name == name; });
     return found == all.end() ? nullptr : &*found;
+}
+
+Result<ExportedCamera> export_camera(const ExportTarget& target, const ExportSource& source,
+                                     const ExportOptions& options) {
+    Result<camera::Camera> camera =
+        target.adapted != nullptr ? target.adapted(source.camera) : source.camera;
+    if (!camera) {
+        return std::move(camera.diagnostics);
+    }
+    const bool is_judged = (options.single || target.always_single) && options.judged_in;
+    const Axes usual = target.axes.value_or(camera->parts().axes);
+    Result<CameraFormulas> formulas = formulas_of(
+        *camera,
+        {target.only_axes ? usual : options.axes.value_or(usual), target.footprints, is_judged});
+    if (!formulas) {
+        return std::move(formulas.diagnostics);
+    }
+    ExportedCamera made;
+    if (is_judged) {
+        made.single = measure_single_precision(*formulas, source.parameters, *options.judged_in);
+    }
+    if (!target.footprints) {
+        formulas->roots.resize(RayRoots::end_of_ray);
+    }
+    Result<std::string> text = target.write(source, options, std::move(*formulas));
+    Diagnostics found = std::move(camera.diagnostics);
+    std::move(text.diagnostics.begin(), text.diagnostics.end(), std::back_inserter(found));
+    if (!text) {
+        return found;
+    }
+    made.text = std::move(*text);
+    return {std::move(made), std::move(found)};
 }
 
 }  // namespace balcony::bridge

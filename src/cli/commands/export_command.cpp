@@ -195,25 +195,27 @@ void make_text(const CameraExportOptions& options, const ExportTarget& target,
     if (!made.accept(ready.diagnostics, ExitCode::bad_input)) {
         return;
     }
-    const Result<std::string> text = target.write(ready->source, wanted);
-    if (!made.accept(text.diagnostics, ExitCode::bad_input)) {
+    bridge::ExportOptions options_of_text = wanted;
+    if (wanted.single) {
+        const auto [width, height] = size.resolve(ready->source.camera.parts().aspect);
+        options_of_text.judged_in = {width, height};
+    }
+    Result<bridge::ExportedCamera> exported =
+        bridge::export_camera(target, ready->source, options_of_text);
+    if (!made.accept(exported.diagnostics, ExitCode::bad_input)) {
         return;
     }
-    made.text = *text;
+    made.text = std::move(exported->text);
     nlohmann::json open = nlohmann::json::array();
     for (const bridge::ExportParameter& parameter : ready->source.parameters) {
         open.push_back(parameter.name);
     }
     made.document["parameters"] = {{"open", open}, {"closed", ready->closed}};
-    if (wanted.single) {
-        const auto [width, height] = size.resolve(ready->source.camera.parts().aspect);
-        const auto found = bridge::measure_single_precision(ready->source, width, height);
-        if (made.accept(found.diagnostics, ExitCode::bad_input)) {
-            judge(*found, made.diagnostics);
-            made.document["single_precision"] = precision_json(*found);
-            made.facts = fmt::format("; single precision moves rays by {:.1g} pixels at most",
-                                     found->largest);
-        }
+    if (const auto& found = exported->single) {
+        judge(*found, made.diagnostics);
+        made.document["single_precision"] = precision_json(*found);
+        made.facts =
+            fmt::format("; single precision moves rays by {:.1g} pixels at most", found->largest);
     }
 }
 

@@ -71,7 +71,7 @@ std::string table() {
         std::string row;
         bool all = true;
         for (const bridge::ExportTarget& target : bridge::export_targets()) {
-            const bool made = target.write({example.camera}, {}).value.has_value();
+            const bool made = export_camera(target, {example.camera}).value.has_value();
             row += made ? " yes |" : " no |";
             all = all && made;
         }
@@ -124,9 +124,9 @@ int main(int argc, char** argv) {
         entry["lens"] = example.camera.parts().lens != nullptr;
         entry["y_up"] = example.camera.parts().axes == Axes::y_up;
         for (const bridge::ExportTarget& target : bridge::export_targets()) {
-            const auto text = target.write({example.camera}, {});
+            const auto text = export_camera(target, {example.camera});
             if (text) {
-                std::ofstream(folder / (example.name + std::string(target.ending))) << *text;
+                std::ofstream(folder / (example.name + std::string(target.ending))) << text->text;
                 entry["languages"].push_back(target.name);
             } else {
                 entry["refused"][std::string(target.name)] = to_text(text.diagnostics);

@@ -1,0 +1,31 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "bridge/text/text_export.hpp"
+
+namespace balcony::bridge {
+
+TextExport::TextExport(const ExportSource& source, CameraFormulas formulas,
+                       const std::set<std::string_view>& reserved,
+                       std::string_view reserved_prefix, bool named_as_camera)
+    : source_(source),
+      formulas_(std::move(formulas)),
+      names_(reserved, reserved_prefix),
+      name_(named_as_camera ? names_.unique(source.camera.name())
+                            : Names({}, reserved_prefix).unique(source.camera.name())),
+      parameters_(source.parameters, names_) {}
+
+std::string TextExport::input_name(std::string_view input) const {
+    const auto parameter = parameters_.of_input(input);
+    return parameter ? parameters_[*parameter] : std::string(input);
+}
+
+Listing TextExport::listing(const Dialect& dialect, const InputText& input_text) {
+    return listing_of(formulas_, dialect, names_, name_ + "_", input_text);
+}
+
+Listing TextExport::listing(const Dialect& dialect) {
+    return listing(dialect, [this](std::string_view input) { return input_name(input); });
+}
+
+}  // namespace balcony::bridge
