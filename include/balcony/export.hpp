@@ -21,7 +21,7 @@
 
 namespace balcony::bridge {
 
-/// A number that whoever uses the text can change: an input of the camera's formulas.
+/// A number that stays open in the text: an input of the camera's formulas.
 struct ExportParameter {
     std::string name;     ///< As the camera's file has it.
     std::string input;    ///< Its input in the formulas.

@@ -130,8 +130,8 @@ public:
 
 // ------------------------------------------------------------------------------- OpenImageIO
 
-/// Loads OpenImageIO at once. Whoever will write an image after long work finds out before it that
-/// OpenImageIO is missing.
+/// Loads OpenImageIO at once, so that a caller that writes an image after long work learns before
+/// it that OpenImageIO is missing.
 [[nodiscard]] Diagnostics require();
 
 /// Whether OpenImageIO was needed and could not be loaded.

@@ -127,11 +127,11 @@ struct Settings {
     double time = 0.0;        ///< Seconds: the value of t in the camera's formulas.
     Shutter shutter{};
     FrameSettings frames{};
-    /// Radiance from all directions, without shadows. If empty, it follows the light of the scene:
-    /// of the places that a coarse grid of the picture's rays meets, a tenth of the median radiance
-    /// that a white surface turned to the lights would have, or that the place emits; dark places
-    /// do not count. Where nothing is lit, it is 0.3. For `path`, it is a constant environment, and
-    /// there is none if it is empty.
+    /// Radiance from all directions, without shadows; for `path` it is a constant environment.
+    /// If empty, `path` has none, and the other integrators use a tenth of the median brightness of
+    /// the places that a coarse grid of the picture's rays meets. The brightness of a place is the
+    /// radiance of a white surface there that faces the lights, plus what the place emits. Dark
+    /// places do not count; if all are dark, the radiance is 0.3.
     std::optional<Color3f> ambient{};
     /// The colour behind the picture, as the display shows it: neither exposed nor part of the
     /// film's light. Linear, from 0 to 1; transparent if empty.

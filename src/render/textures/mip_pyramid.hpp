@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// A texture in memory: an image and its halvings down to one texel, after Williams, "Pyramidal
+// A texture in memory: an image and its mip levels down to one texel, after Williams, "Pyramidal
 // Parametrics" (1983).
 
 #include <cstddef>
@@ -24,7 +24,7 @@ namespace balcony::render {
 /// Immutable; look-ups may come from any number of threads.
 class MipPyramid {
 public:
-    /// Reads the image into memory, or into a file if one is given, and computes its halvings, each
+    /// Reads the image into memory, or into a file if one is given, and computes its mip levels, each
     /// from the one before by the mean over the area of each texel, in linear colours. An image of
     /// 8 bits stays one of 8 bits, with each texel rounded once; other images have half floats. An
     /// error is that of the reader.
