@@ -14,22 +14,12 @@
 // unfinished file, another process continues to the very same file.
 
 #include <cstddef>
-#include <cstdint>
-#include <filesystem>
 #include <memory>
 
 #include "balcony/render.hpp"
+#include "balcony/tiled_file.hpp"
 
 namespace balcony::render {
-
-/// The memory that a film takes, without what a job adds to it.
-[[nodiscard]] double film_bytes(const FilmLayout& layout);
-
-/// The side of the tiles of a file: bands have a multiple of this many rows.
-inline constexpr std::size_t file_tile_side = 64;
-
-/// The rows of a band whose film takes at most this many bytes, or one row of tiles.
-[[nodiscard]] std::size_t band_height(const FilmLayout& layout, double bytes);
 
 /// Adds the counts and times of a later run to those of earlier ones.
 void add(Summary& total, const Summary& part);
@@ -63,37 +53,6 @@ private:
     std::size_t rows_;
     std::unique_ptr<Film> film_;  // The job knows its address.
     std::unique_ptr<Job> job_;
-};
-
-/// An EXR file with tiles that grows. Until it is complete, its name is that of the picture with
-/// ".part" at the end; it stays there if it is not completed. A failure to write is an error, and
-/// leaves what was flushed before.
-class TiledFile {
-public:
-    /// A new file for bands like this film, over a window of the picture.
-    [[nodiscard]] static Result<TiledFile> create(const std::filesystem::path& picture,
-                                                  const Film& film, const Region& window);
-    /// The unfinished file with the rows before the film, if these were flushed; what comes after
-    /// them is removed.
-    [[nodiscard]] static Result<TiledFile> reopen(const std::filesystem::path& picture,
-                                                  const Film& film, const Region& window);
-    TiledFile(TiledFile&&) noexcept;
-    TiledFile& operator=(TiledFile&&) noexcept;
-    ~TiledFile();
-
-    [[nodiscard]] static std::filesystem::path unfinished(const std::filesystem::path& picture);
-
-    /// Appends the tiles of the next band.
-    [[nodiscard]] Diagnostics add(const Film& band);
-    /// Everything so far is on the disk then.
-    [[nodiscard]] Diagnostics flush();
-    /// After the last band: gives the file its name.
-    [[nodiscard]] Diagnostics commit();
-
-private:
-    struct State;
-    explicit TiledFile(std::unique_ptr<State> state);
-    std::unique_ptr<State> state_;
 };
 
 }  // namespace balcony::render

@@ -7,11 +7,13 @@ Usage: architecture.py REPOSITORY
 
 Derives from the files what uses what, and names each of these on standard output:
   - a file that includes a header of a layer which its own layer may not use
-  - a file that includes a private header of another layer: one in src/, not in include/balcony/.
-    Tests in tests/<layer>/ may include the private headers of that layer; programs none
+  - a file that includes a private header of another layer: one in src/, not in include/balcony/,
+    unless layers.txt opens it to the layer, and a header that is opened to a layer without need.
+    Tests in tests/<layer>/ may include the private headers of that layer, and of those that open
+    any to it; programs none
   - a CMake target that is linked to a layer which it may not use
   - a file that includes a header of a layer to which its target is not linked
-  - files that include each other in a circle
+  - files that include each other in a circle, and folders of a layer that do
   - a public header that includes a private one
   - a header from outside included elsewhere than its one folder
   - a folder of src/ that the table does not know
@@ -28,25 +30,34 @@ INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.MULTIL
 
 
 class Table:
-    """layers.txt: what each layer may use, its public headers, and where outside headers belong."""
+    """layers.txt: what each layer may use, its public headers, its private ones that are open to
+    other layers, and where outside headers belong."""
 
     def __init__(self, text):
         self.direct = {}
         self.only_in = {}
         self.layer_of_header = {}
+        self.open_to = {}
         for line in text.splitlines():
             line = line.split("#")[0].strip()
             confined = re.fullmatch(r"(\S+/|\S+\.h)\s+only in\s+(\S+)", line)
             header = re.fullmatch(r"(\w+)\.hpp\s+of\s+(\w+)", line)
+            opened = re.fullmatch(r"(\S+/\S+\.hpp)\s+open to\s+(.+)", line)
             row = re.fullmatch(r"(\w+):\s*(.*)", line)
             if confined:
                 self.only_in[confined[1]] = confined[2]
+            elif opened:
+                self.open_to[opened[1]] = opened[2].split()
             elif header:
                 self.layer_of_header[header[1]] = header[2]
             elif row:
                 self.direct[row[1]] = row[2].split()
             elif line:
                 raise SystemExit(f"layers.txt: cannot read '{line}'")
+
+    def opening_to(self, layer):
+        """The layers that open a private header to another."""
+        return {name.split("/")[0] for name, users in self.open_to.items() if layer in users}
 
     def reachable(self, layer):
         """The layer itself and all that it may use, directly or through another."""
@@ -122,28 +133,51 @@ def cmake_links(root, layer, known_layers):
     return links - {layer}
 
 
-def include_circle(edges):
-    """Files that include each other in a circle, or nothing."""
+def circle(edges):
+    """Nodes that lead to each other in a circle, or nothing."""
     finished = set()
     for start in edges:
         trail, on_trail = [(start, iter(edges[start]))], {start}
         while trail and start not in finished:
-            path, remaining = trail[-1]
+            node, remaining = trail[-1]
             following = next(remaining, None)
             if following is None:
-                finished.add(path)
-                on_trail.discard(path)
+                finished.add(node)
+                on_trail.discard(node)
                 trail.pop()
             elif following in on_trail:
-                files = [step for step, _ in trail]
-                return files[files.index(following):] + [following]
+                nodes = [step for step, _ in trail]
+                return nodes[nodes.index(following):] + [following]
             elif following not in finished:
                 trail.append((following, iter(edges[following])))
                 on_trail.add(following)
     return []
 
 
+def folder_edges(tree, table):
+    """What the folders inside each layer include of each other's headers. The files beside the
+    folders belong to none; a layer that may use all has no order of its own."""
+    layers = tree.root / "src"
+    inside = {path for path in tree.files
+              if layers in path.parents and path.parent.parent != layers
+              and "*" not in table.direct.get(tree.layer(path), ())}
+    edges = {path.parent: set() for path in inside}
+    for path in inside:
+        edges[path.parent] |= {header.parent for header in tree.edges[path]
+                               if header in inside and tree.layer(header) == tree.layer(path)
+                               and header.parent != path.parent}
+    return {folder: sorted(edges[folder]) for folder in sorted(edges)}
+
+
+def circle_findings(tree, table):
+    for kind, edges in (("files", tree.edges), ("folders", folder_edges(tree, table))):
+        found = circle(edges)
+        if found:
+            yield f"{kind} include each other: " + " > ".join(tree.name(path) for path in found)
+
+
 def include_findings(tree, table, links):
+    needless = {(name, user) for name, users in table.open_to.items() for user in users}
     for path in tree.files:
         layer = tree.layer(path)
         if layer not in table.direct:
@@ -157,13 +191,18 @@ def include_findings(tree, table, links):
             elif target not in linked and (tree.root / "src" / layer / "CMakeLists.txt").exists():
                 yield f"{edge}: CMake does not link {layer} to {target}"
             if target != layer and not tree.is_public(header):
-                yield f"{edge}: the private headers of {target} are its own"
+                name = str(header.relative_to(tree.root / "src"))
+                needless.discard((name, layer))
+                if layer not in table.open_to.get(name, ()):
+                    yield f"{edge}: the private headers of {target} are its own"
             if tree.is_public(path) and not tree.is_public(header):
                 yield f"{edge}: a public header may not include a private one"
         for header in tree.outside[path]:
             for prefix, folder in table.only_in.items():
                 if header.startswith(prefix) and tree.root / "src" / folder not in path.parents:
                     yield f"{tree.name(path)} includes {header}: {prefix} belongs in src/{folder}"
+    for name, user in sorted(needless):
+        yield f"layers.txt opens {name} to {user}, which does not include it"
 
 
 def outsider_findings(root, table):
@@ -173,10 +212,10 @@ def outsider_findings(root, table):
             if path.suffix not in SOURCE_SUFFIXES:
                 continue
             parts = path.relative_to(root).parts
-            own = parts[1] if folder == "tests" else None
+            own = {parts[1], *table.opening_to(parts[1])} if folder == "tests" else {}
             for _, name in INCLUDE.findall(path.read_text(encoding="utf-8")):
                 layer = name.split("/")[0]
-                if layer in table.direct and layer != own and (root / "src" / name).exists():
+                if layer in table.direct and layer not in own and (root / "src" / name).exists():
                     yield (f"{path.relative_to(root)} includes src/{name}: "
                            f"the private headers of {layer} are its own")
 
@@ -191,9 +230,7 @@ def findings(root):
         for name in sorted(used):
             if name not in table.reachable(layer):
                 yield f"src/{layer}/CMakeLists.txt: {layer} may not be linked to {name}"
-    circle = include_circle(tree.edges)
-    if circle:
-        yield "files include each other: " + " > ".join(tree.name(path) for path in circle)
+    yield from circle_findings(tree, table)
 
 
 def main():

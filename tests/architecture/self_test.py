@@ -20,23 +20,31 @@ LICENCE = "".join(f"// {line}\n" for line in house_rules.HEADER)
 
 
 class Planted(unittest.TestCase):
-    def setUp(self):
+    """All tests share a copy; each takes away what it has planted."""
+
+    @classmethod
+    def setUpClass(cls):
         folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = Path(folder.name).resolve()
+        cls.addClassCleanup(folder.cleanup)
+        cls.root = Path(folder.name).resolve()
         for part in ("src", "include", "tests/architecture"):
-            shutil.copytree(REPOSITORY / part, self.root / part)
+            shutil.copytree(REPOSITORY / part, cls.root / part)
+        cls.before = {check: set(check.findings(cls.root)) for check in (architecture, house_rules)}
 
     def plant(self, name, text):
         path = self.root / name
         path.parent.mkdir(parents=True, exist_ok=True)
+        if path.exists():
+            self.addCleanup(path.write_bytes, path.read_bytes())
+        else:
+            self.addCleanup(path.unlink)
         with path.open("a", encoding="utf-8") as file:
             file.write(text)
 
     def assert_found(self, check, name, text, *expected):
-        before = set(check.findings(self.root))
         self.plant(name, text)
-        new = [finding for finding in check.findings(self.root) if finding not in before]
+        new = [finding for finding in check.findings(self.root)
+               if finding not in self.before[check]]
         self.assertTrue(any(all(part in finding for part in expected) for finding in new), new)
 
     def test_finds_an_include_of_a_layer_above(self):
@@ -82,6 +90,7 @@ class Planted(unittest.TestCase):
 
     def test_finds_an_include_without_a_link(self):
         listing = self.root / "src/bridge/CMakeLists.txt"
+        self.addCleanup(listing.write_bytes, listing.read_bytes())
         listing.write_text("balcony_layer(bridge SOURCES a.cpp USES camera)\n", encoding="utf-8")
         self.plant("include/balcony/program.hpp", "")
         self.assert_found(architecture, "src/bridge/planted.cpp",
@@ -102,6 +111,25 @@ class Planted(unittest.TestCase):
         self.plant("src/base/two.hpp", '#include "three.hpp"\n')
         self.assert_found(architecture, "src/base/three.hpp", '#include "one.hpp"\n',
                           "files include each other", "two.hpp > src/base/three.hpp")
+
+    def test_finds_folders_that_include_each_other(self):
+        self.plant("src/film/sums/planted.hpp", "")
+        self.plant("src/film/files/planted.hpp", '#include "film/sums/planted.hpp"\n')
+        self.assert_found(architecture, "src/film/sums/planted.cpp",
+                          '#include "film/files/planted.hpp"\n', "folders include each other",
+                          "film/files", "film/sums")
+
+    def test_finds_a_header_that_is_opened_without_need(self):
+        self.plant("src/base/planted.hpp", "")
+        self.assert_found(architecture, "tests/architecture/layers.txt",
+                          "base/planted.hpp open to scene\n", "opens base/planted.hpp to scene")
+
+    def test_allows_a_header_that_is_open(self):
+        self.plant("src/base/planted.hpp", "")
+        self.plant("tests/architecture/layers.txt", "base/planted.hpp open to scene\n")
+        self.plant("src/scene/planted.cpp", '#include "base/planted.hpp"\n')
+        self.assertFalse([finding for finding in architecture.findings(self.root)
+                          if "planted" in finding])
 
     def test_finds_a_public_header_that_includes_a_private_one(self):
         self.plant("src/base/planted.hpp", "")

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "render/shading/frame.hpp"
+#include "shading/geometry/frame.hpp"
 
 namespace balcony::render::test {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "render/shading/bsdf.hpp"
+#include "shading/materials/bsdf.hpp"
 
 namespace balcony::render::test {
 

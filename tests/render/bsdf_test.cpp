@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "bsdf_support.hpp"
-#include "render/shading/frame.hpp"
+#include "shading/geometry/frame.hpp"
 
 namespace balcony::render::test::bsdf_test {
 namespace {

@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/film/film_arrays.hpp"
+#include "film/sums/film_arrays.hpp"
 #include "support.hpp"
 
 namespace balcony::render::test::checkpoint_test {

@@ -13,8 +13,8 @@
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
-#include "render/film/luminance.hpp"
-#include "render/shading/lights.hpp"
+#include "images/luminance.hpp"
+#include "shading/lights/light_set.hpp"
 #include "support.hpp"
 
 namespace balcony::render::test::environment_test {

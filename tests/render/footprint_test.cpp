@@ -10,7 +10,7 @@
 #include <random>
 
 #include "render/job/camera_rays.hpp"
-#include "render/shading/footprint.hpp"
+#include "shading/materials/footprint.hpp"
 #include "support.hpp"
 
 namespace balcony::render::footprint_test {

@@ -13,7 +13,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/film/tile_image.hpp"
+#include "film/sums/tile_image.hpp"
 #include "support.hpp"
 
 namespace balcony::render::test::job_test {

@@ -15,11 +15,11 @@
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 
+#include "film/sums/sample_sums.hpp"
 #include "render/embree/packet_setup.hpp"
-#include "render/film/sample_sums.hpp"
 #include "render/job/camera_rays.hpp"
-#include "render/shading/surface_lanes.hpp"
-#include "render/textures/texture_lanes.hpp"
+#include "shading/surfaces/surface_lanes.hpp"
+#include "shading/textures/texture_lanes.hpp"
 #include "support.hpp"
 
 namespace balcony::render::lanes_test {

@@ -16,8 +16,8 @@
 #include <gtest/gtest.h>
 
 #include "balcony/picture.hpp"
-#include "render/film/cryptomatte.hpp"
-#include "render/film/layer_rows.hpp"
+#include "film/sums/cryptomatte.hpp"
+#include "film/sums/layer_rows.hpp"
 #include "support.hpp"
 
 namespace balcony::render::test::layers_test {

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/shading/lights.hpp"
+#include "shading/lights/light_set.hpp"
 #include "support.hpp"
 
 namespace balcony::render::test::light_set_test {

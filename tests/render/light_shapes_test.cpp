@@ -13,9 +13,9 @@
 #include <gtest/gtest.h>
 
 #include "directions.hpp"
-#include "render/lights/environment_map.hpp"
-#include "render/lights/sun.hpp"
-#include "render/lights/triangle_sampling.hpp"
+#include "shading/lights/environment_map.hpp"
+#include "shading/lights/sun.hpp"
+#include "shading/lights/triangle_sampling.hpp"
 #include "statistics.hpp"
 
 namespace balcony::render::test::light_shapes_test {

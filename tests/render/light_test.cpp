@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/shading/bsdf.hpp"
+#include "shading/materials/bsdf.hpp"
 #include "support.hpp"
 
 namespace balcony::render::test::light_test {

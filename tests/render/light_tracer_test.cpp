@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/shading/surface_lanes.hpp"
+#include "shading/surfaces/surface_lanes.hpp"
 #include "support.hpp"
 
 namespace balcony::render::light_tracer_test {

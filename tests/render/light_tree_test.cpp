@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "directions.hpp"
-#include "render/lights/light_tree.hpp"
+#include "shading/lights/light_tree.hpp"
 #include "statistics.hpp"
 
 namespace balcony::render::test::light_tree_test {

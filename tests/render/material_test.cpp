@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-#include "render/shading/surface.hpp"
+#include "shading/surfaces/surface.hpp"
 #include "support.hpp"
 
 namespace balcony::render::material_test {

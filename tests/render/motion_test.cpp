@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "balcony/motion.hpp"
-#include "render/shading/lights.hpp"
+#include "shading/lights/light_set.hpp"
 #include "support.hpp"
 
 namespace balcony::render::test::motion_test {

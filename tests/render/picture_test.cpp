@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "balcony/catalogue.hpp"
-#include "render/film/blend.hpp"
+#include "render/job/blend.hpp"
 #include "support.hpp"
 
 namespace balcony::render::picture_test {

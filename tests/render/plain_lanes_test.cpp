@@ -3,7 +3,7 @@
 
 // The reflection of plain materials at sixteen points together, against Bsdf at each.
 
-#include "render/shading/plain_lanes.hpp"
+#include "shading/materials/plain_lanes.hpp"
 
 #include <gtest/gtest.h>
 

@@ -13,9 +13,9 @@
 
 #include <gtest/gtest.h>
 
-#include "render/sampling/circle.hpp"
 #include "render/sampling/sample_block.hpp"
 #include "render/sampling/sampler.hpp"
+#include "shading/geometry/circle.hpp"
 #include "statistics.hpp"
 
 namespace balcony::render::test::sampler_test {

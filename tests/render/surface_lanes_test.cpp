@@ -3,7 +3,7 @@
 
 // What is computed for the rays of a packet together, against the same for one ray.
 
-#include "render/shading/surface_lanes.hpp"
+#include "shading/surfaces/surface_lanes.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 // Texture look-ups by themselves: the laws of filtering, and textures that do not fit into memory.
 
-#include "render/textures/texture_library.hpp"
+#include "shading/textures/texture_library.hpp"
 
 #include <algorithm>
 #include <array>

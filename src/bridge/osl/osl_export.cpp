@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "bridge/osl/blender_lens.hpp"
+#include "bridge/text/blender_lens.hpp"
 #include "bridge/text/parameter_range.hpp"
 #include "bridge/text/targets.hpp"
 #include "bridge/text/text_export.hpp"

@@ -11,7 +11,7 @@
 #include <map>
 
 #include "balcony/ray_difference.hpp"
-#include "bridge/osl/blender_lens.hpp"
+#include "bridge/text/blender_lens.hpp"
 #include "bridge/text/coarse_table.hpp"
 
 namespace balcony::bridge {

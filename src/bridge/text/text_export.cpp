@@ -6,8 +6,8 @@
 namespace balcony::bridge {
 
 TextExport::TextExport(const ExportSource& source, CameraFormulas formulas,
-                       const std::set<std::string_view>& reserved,
-                       std::string_view reserved_prefix, bool named_as_camera)
+                       const std::set<std::string_view>& reserved, std::string_view reserved_prefix,
+                       bool named_as_camera)
     : source_(source),
       formulas_(std::move(formulas)),
       names_(reserved, reserved_prefix),

@@ -16,8 +16,8 @@
 
 #include "render/embree/instance_use.hpp"
 #include "render/embree/packet_setup.hpp"
-#include "render/shading/motion_steps.hpp"
-#include "render/shading/scene_check.hpp"
+#include "render/embree/scene_check.hpp"
+#include "shading/geometry/motion_steps.hpp"
 
 namespace balcony::render::embree {
 
@@ -321,18 +321,6 @@ Hit Accelerator::intersect(const Ray& ray) const {
     }
     return to_hit(query.hit.instID[0], query.hit.geomID, query.hit.primID, query.hit.u,
                   query.hit.v);
-}
-
-void Packet::set(std::size_t lane, const Ray& ray) {
-    origin_x[lane] = ray.origin.x;
-    origin_y[lane] = ray.origin.y;
-    origin_z[lane] = ray.origin.z;
-    direction_x[lane] = ray.direction.x;
-    direction_y[lane] = ray.direction.y;
-    direction_z[lane] = ray.direction.z;
-    time[lane] = ray.time;
-    farthest[lane] = ray.farthest;
-    valid[lane] = -1;
 }
 
 // A stream of packets costs Embree less than each by itself.

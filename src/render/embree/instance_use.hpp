@@ -10,7 +10,7 @@
 
 #include "balcony/base.hpp"
 #include "balcony/scene.hpp"
-#include "render/shading/motion_steps.hpp"
+#include "shading/geometry/motion_steps.hpp"
 
 namespace balcony::render::embree {
 

@@ -8,8 +8,8 @@
 #include <algorithm>
 
 #include "render/integrators/ray_tree.hpp"
-#include "render/shading/bsdf.hpp"
-#include "render/shading/footprint.hpp"
+#include "shading/materials/bsdf.hpp"
+#include "shading/materials/footprint.hpp"
 
 namespace balcony::render {
 

@@ -11,12 +11,12 @@
 #include <string_view>
 
 #include "balcony/render.hpp"
+#include "film/sums/tile_image.hpp"
 #include "render/embree/accelerator.hpp"
-#include "render/film/tile_image.hpp"
 #include "render/sampling/sampler.hpp"
-#include "render/shading/packet_lanes.hpp"
-#include "render/shading/scene_tracer.hpp"
-#include "render/shading/surface_lanes.hpp"
+#include "render/tracing/scene_tracer.hpp"
+#include "shading/surfaces/packet_lanes.hpp"
+#include "shading/surfaces/surface_lanes.hpp"
 
 namespace balcony::render {
 

@@ -21,8 +21,8 @@
 #include "render/integrators/shadow_rays.hpp"
 #include "render/integrators/shared_tails.hpp"
 #include "render/sampling/sample_block.hpp"
-#include "render/shading/bsdf_block.hpp"
-#include "render/shading/footprint.hpp"
+#include "render/tracing/bsdf_block.hpp"
+#include "shading/materials/footprint.hpp"
 
 namespace balcony::render {
 

@@ -9,9 +9,9 @@
 #include "balcony/render.hpp"
 #include "render/embree/accelerator.hpp"
 #include "render/sampling/sample_block.hpp"
-#include "render/shading/bsdf.hpp"
-#include "render/shading/lights.hpp"
-#include "render/shading/surface.hpp"
+#include "shading/lights/light_set.hpp"
+#include "shading/materials/bsdf.hpp"
+#include "shading/surfaces/surface.hpp"
 
 namespace balcony::render {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "render/integrators/ray_tree.hpp"
-#include "render/shading/packet_lanes.hpp"
-#include "render/shading/surface_lanes.hpp"
+#include "shading/surfaces/packet_lanes.hpp"
+#include "shading/surfaces/surface_lanes.hpp"
 
 namespace balcony::render {
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "render/integrators/path_state.hpp"
-#include "render/shading/scene_tracer.hpp"
+#include "render/tracing/scene_tracer.hpp"
 
 namespace balcony::render {
 

@@ -27,8 +27,8 @@
 #include "render/integrators/integrator.hpp"
 #include "render/integrators/path_state.hpp"
 #include "render/sampling/pixel_groups.hpp"
-#include "render/shading/bsdf.hpp"
-#include "render/shading/plain_lanes.hpp"
+#include "shading/materials/bsdf.hpp"
+#include "shading/materials/plain_lanes.hpp"
 
 namespace balcony::render {
 

@@ -7,8 +7,8 @@
 #include <bit>
 
 #include "balcony/median.hpp"
-#include "render/film/luminance.hpp"
-#include "render/film/tile_image.hpp"
+#include "film/sums/tile_image.hpp"
+#include "images/luminance.hpp"
 
 namespace balcony::render {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "balcony/median.hpp"
-#include "render/film/luminance.hpp"
+#include "images/luminance.hpp"
 #include "render/job/coarse_rays.hpp"
 
 namespace balcony::render {

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "render/film/film_arrays.hpp"
+#include "film/sums/film_arrays.hpp"
 
 namespace balcony::render {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/shading/packet_lanes.hpp"
+#include "shading/surfaces/packet_lanes.hpp"
 
 namespace balcony::render {
 

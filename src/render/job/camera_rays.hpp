@@ -11,7 +11,7 @@
 
 #include "balcony/motion.hpp"
 #include "balcony/rays.hpp"
-#include "render/shading/packet_lanes.hpp"
+#include "shading/surfaces/packet_lanes.hpp"
 
 namespace balcony::render {
 

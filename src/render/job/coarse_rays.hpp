@@ -6,7 +6,7 @@
 
 #include "balcony/film.hpp"
 #include "render/job/picture_rays.hpp"
-#include "render/shading/scene_tracer.hpp"
+#include "render/tracing/scene_tracer.hpp"
 
 namespace balcony::render {
 

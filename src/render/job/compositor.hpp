@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/film/blend.hpp"
+#include "render/job/blend.hpp"
 #include "render/job/picture_rays.hpp"
 #include "render/job/tile_tracer.hpp"
 

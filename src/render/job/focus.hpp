@@ -9,7 +9,7 @@
 
 #include "balcony/film.hpp"
 #include "balcony/picture.hpp"
-#include "render/shading/scene_tracer.hpp"
+#include "render/tracing/scene_tracer.hpp"
 
 namespace balcony::render {
 

@@ -44,9 +44,9 @@ FrameMotion::FrameMotion(const scene::Scene& scene, const FrameSettings& frames,
 
 // The point of the surface at another time.
 V3d FrameMotion::moved(const Way& way, const PointData& point, double time) const {
-    const embree::Hit& hit = point.visible.hit;
+    const VisibleSurface& hit = point.visible;
     const V3d seen = seen_point(point);
-    if (!point.visible.any) {
+    if (!hit.any) {
         return seen;
     }
     const scene::MeshIndex mesh = scene_->instances[hit.instance].mesh;

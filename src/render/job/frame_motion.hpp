@@ -10,8 +10,8 @@
 
 #include "balcony/motion.hpp"
 #include "balcony/render.hpp"
-#include "render/film/tile_image.hpp"
-#include "render/shading/motion_steps.hpp"
+#include "film/sums/tile_image.hpp"
+#include "shading/geometry/motion_steps.hpp"
 
 namespace balcony::render {
 

@@ -15,15 +15,15 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include "render/film/layer_rows.hpp"
+#include "base/fork_and_join.hpp"
+#include "base/stopwatch.hpp"
+#include "film/sums/layer_rows.hpp"
 #include "render/integrators/direct.hpp"
 #include "render/job/adaptive.hpp"
 #include "render/job/ambient.hpp"
-#include "render/job/fork_and_join.hpp"
 #include "render/job/lighting.hpp"
 #include "render/job/point_blender.hpp"
 #include "render/job/renderer_state.hpp"
-#include "render/job/stopwatch.hpp"
 #include "render/job/tile_worker.hpp"
 #include "render/job/visible_textures.hpp"
 

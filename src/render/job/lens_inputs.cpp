@@ -3,7 +3,7 @@
 
 #include "render/job/lens_inputs.hpp"
 
-#include "render/film/tile_image.hpp"
+#include "film/sums/tile_image.hpp"
 
 namespace balcony::render {
 

@@ -11,9 +11,9 @@
 
 #include <fmt/format.h>
 
-#include "render/film/luminance.hpp"
+#include "images/luminance.hpp"
 #include "render/job/coarse_rays.hpp"
-#include "render/shading/frame.hpp"
+#include "shading/geometry/frame.hpp"
 
 namespace balcony::render {
 

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "render/job/stopwatch.hpp"
+#include "base/stopwatch.hpp"
 
 namespace balcony::render {
 

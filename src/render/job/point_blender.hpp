@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "render/film/blend.hpp"
+#include "render/job/blend.hpp"
 #include "render/job/picture_rays.hpp"
 
 namespace balcony::render {

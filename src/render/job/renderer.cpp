@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "base/stopwatch.hpp"
 #include "render/job/renderer_state.hpp"
-#include "render/job/stopwatch.hpp"
 
 namespace balcony::render {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "balcony/render.hpp"
-#include "render/shading/scene_tracer.hpp"
+#include "render/tracing/scene_tracer.hpp"
 
 namespace balcony::render {
 

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
+#include "base/stopwatch.hpp"
 #include "render/job/adaptive.hpp"
 #include "render/job/pass_grid.hpp"
-#include "render/job/stopwatch.hpp"
 
 namespace balcony::render {
 

@@ -9,9 +9,9 @@
 #include "balcony/render.hpp"
 #include "render/embree/accelerator.hpp"
 #include "render/job/camera_rays.hpp"
-#include "render/shading/material_set.hpp"
-#include "render/shading/surface.hpp"
-#include "render/textures/texture_library.hpp"
+#include "shading/materials/material_set.hpp"
+#include "shading/surfaces/surface.hpp"
+#include "shading/textures/texture_library.hpp"
 
 namespace balcony::render {
 

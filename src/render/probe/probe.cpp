@@ -9,8 +9,8 @@
 #include "balcony/median.hpp"
 #include "render/embree/accelerator.hpp"
 #include "render/job/camera_rays.hpp"
-#include "render/probe/closed_surface.hpp"
 #include "render/probe/hit_geometry.hpp"
+#include "shading/geometry/closed_surface.hpp"
 
 namespace balcony::render {
 

@@ -1,0 +1,57 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "balcony/display_file.hpp"
+#include "balcony/film.hpp"
+#include "balcony/images.hpp"
+#include "balcony/output_file.hpp"
+#include "film/files/extension.hpp"
+
+namespace balcony::render {
+
+std::string extension_of(const std::filesystem::path& file) {
+    std::string text = file.extension().string();
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    return text;
+}
+
+Diagnostic not_a_picture_format(const std::filesystem::path& file) {
+    std::string known;
+    for (const DisplayFormat& format : display_formats()) {
+        known += fmt::format("{}, ", format.extension);
+    }
+    return error(fmt::format("the file extension of '{}' is not a picture format", file.string()),
+                 {}, fmt::format("use a file name that ends in {}or .exr", known));
+}
+
+Diagnostics check_output(const std::filesystem::path& file) {
+    if (extension_of(file) == ".exr") {
+        return OutputFile::check(file);
+    }
+    if (display_format(file) == nullptr) {
+        return {not_a_picture_format(file)};
+    }
+    Diagnostics found = images::require();
+    return found.empty() ? OutputFile::check(file) : found;
+}
+
+Diagnostics write(const Film& film, const std::filesystem::path& file,
+                  const DisplayOptions& options) {
+    if (Diagnostics found = check_output(file); has_errors(found)) {
+        return found;
+    }
+    const DisplayFormat* const format = display_format(file);
+    if (format == nullptr) {
+        return write_exr(film, file);
+    }
+    const auto bytes = encode(film, *format, options);
+    return bytes ? write_whole(file, *bytes) : bytes.diagnostics;
+}
+
+}  // namespace balcony::render

@@ -1,0 +1,150 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "film/sums/tile_image.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "film/sums/sample_sums.hpp"
+
+namespace balcony::render {
+
+namespace {
+
+void write_data(DataLayers& layers, std::size_t at, const PointData& data) {
+    const auto set = [at](auto& values, const auto& value) {
+        if (!values.empty()) {
+            values[at] = value;
+        }
+    };
+    set(layers.valid, std::uint8_t{1});
+    set(layers.layer, data.layer);
+    set(layers.origin, V3f(data.origin));
+    set(layers.direction, V3f(data.direction));
+    set(layers.parameters, data.parameters);
+    set(layers.motion, data.motion);
+    const VisibleSurface& visible = data.visible;
+    if (visible.any) {
+        const double length = (Imath::V3d(visible.position) - data.origin).dot(data.direction);
+        set(layers.ray_length, static_cast<float>(std::max(length, 0.0)));
+        set(layers.position, visible.position);
+        set(layers.normal, visible.normal);
+        set(layers.albedo, visible.albedo);
+        set(layers.object, visible.object);
+        set(layers.magnification, data.magnification);
+    }
+}
+
+// The sample with number `count`, from 1.
+void add_means(MeanLayers& means, std::size_t at, std::uint32_t count,
+               std::span<const Contribution> contributions) {
+    Color3f emission(0.0F);
+    Color3f direct(0.0F);
+    V3f albedo(0.0F);
+    V3f normal(0.0F);
+    V3f position(0.0F);
+    for (const Contribution& one : contributions) {
+        emission += one.weight * one.parts.emission;
+        direct += one.weight * one.parts.direct;
+        const VisibleSurface& visible = one.visible;
+        if (!visible.any) {
+            continue;
+        }
+        albedo += one.weight * visible.albedo;
+        normal += one.weight * visible.normal;
+        position += one.weight * visible.position;
+        const auto cover = [&](std::vector<Matte>& mattes, std::uint32_t id) {
+            if (!mattes.empty()) {
+                mattes[at].add(id, one.weight * one.alpha);
+            }
+        };
+        cover(means.objects, visible.object);
+        cover(means.materials, visible.material);
+    }
+    const auto sum = [at](std::vector<V3d>& sums, const V3f& value) {
+        if (!sums.empty()) {
+            sums[at] += V3d(value);
+        }
+    };
+    sum(means.emission, emission);
+    sum(means.direct, direct);
+    const auto average = [&](std::vector<Moments>& moments, const V3f& value) {
+        if (!moments.empty()) {
+            moments[at].add(value, count);
+        }
+    };
+    average(means.albedo, albedo);
+    average(means.normal, normal);
+    average(means.position, position);
+}
+
+// Adds all samples of a region that are in the film's window. The first pass is not added to
+// anything.
+void add_rows(const Film& film, bool is_first, const Region& region,
+              const std::vector<Color4f>& samples, std::vector<Color4d>& sums) {
+    for_each_row_within(region, film.window,
+                        [&](std::size_t i, std::size_t x, std::size_t y, std::size_t width) {
+                            (is_first ? set_first_samples : add_samples)(&samples[i], width,
+                                                                         &sums[film.index(x, y)]);
+                        });
+    if (is_first) {
+        finish_first_samples();
+    }
+}
+
+}  // namespace
+
+void add_pass(Film& film, std::size_t tile, const TileImage& image) {
+    // Each layer by itself: loops over contiguous values.
+    const auto for_each_sample = [&](const auto& visit) {
+        for_each_pixel_within(image.region, film.window,
+                              [&](std::size_t i, std::size_t x, std::size_t y) {
+                                  if (image.active.empty() || image.active[i] != 0) {
+                                      visit(i, film.index(x, y));
+                                  }
+                              });
+    };
+    if (!film.pixel_passes.empty()) {
+        for_each_sample([&](std::size_t, std::size_t at) {
+            if (std::has_single_bit(film.pixel_passes[at])) {
+                film.first_half[at] = film.sum[at];
+            }
+            ++film.pixel_passes[at];
+        });
+    }
+    const auto add = [&](std::vector<Color4d>& sums, const std::vector<Color4f>& samples) {
+        if (samples.empty()) {
+            return;
+        }
+        if (image.active.empty()) {
+            add_rows(film, film.passes[tile] == 0, image.region, samples, sums);
+            return;
+        }
+        for_each_sample([&](std::size_t i, std::size_t at) { sums[at] += Color4d(samples[i]); });
+    };
+    add(film.sum, image.light);
+    add(film.display, image.display);
+    add(film.mirrored, image.mirrored);
+    if (!film.sum_of_squares.empty()) {
+        for_each_sample([&](std::size_t i, std::size_t at) {
+            const Color4d sample(image.light[i]);
+            film.sum_of_squares[at] += sample * sample;
+        });
+    }
+    if (film.layers && !image.data.empty()) {
+        for_each_sample([&](std::size_t i, std::size_t at) {
+            if (image.data[i].valid) {
+                write_data(*film.layers, at, image.data[i]);
+            }
+        });
+    }
+    if (!image.contributions.empty()) {
+        for_each_sample([&](std::size_t i, std::size_t at) {
+            add_means(film.means, at, film.passes[tile] + 1, image.contributions[i]);
+        });
+    }
+    ++film.passes[tile];
+}
+
+}  // namespace balcony::render

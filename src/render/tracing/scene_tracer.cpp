@@ -1,0 +1,75 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "render/tracing/scene_tracer.hpp"
+
+#include <cmath>
+
+namespace balcony::render {
+
+VisibleSurface SceneTracer::visible(const Interaction& at) const {
+    const auto material = at.surface.material - traced_->scene->materials.data();
+    return {true,
+            at.surface.position,
+            at.surface.normal,
+            at.appearance().base_color,
+            at.surface.object + 1,
+            static_cast<std::uint32_t>(material) + 1,
+            at.surface.instance,
+            at.surface.in_mesh.triangle,
+            at.surface.in_mesh.u,
+            at.surface.in_mesh.v};
+}
+
+Interaction::Interaction(const TracedScene& traced, const Ray& ray, const embree::Hit& hit)
+    : surface(traced.surfaces.find(hit, ray.direction, ray.time)) {
+    const MaterialSet& materials = traced.materials;
+    if (materials.has_textures()) {
+        moved = surface.transfer(ray);
+    }
+    const scene::Mesh& mesh = *surface.in_mesh.mesh;
+    constant = materials.constant(mesh);
+    if (constant != nullptr) {
+        uniform = materials.uniform_bsdf(mesh, surface.entering);
+    } else {
+        varying = materials.look_up(surface, moved, -ray.direction);
+    }
+}
+
+Bsdf Interaction::bsdf() const {
+    Bsdf made = uniform != nullptr
+                    ? Bsdf(*uniform, surface.normal, surface.smooth_normal)
+                    : Bsdf(appearance(), surface.normal, surface.smooth_normal, surface.entering);
+    made.set_coat_normal(surface.coat_normal);
+    return made;
+}
+
+Color3f SceneTracer::emission(const embree::Hit& hit) const {
+    const MeshPoint point = traced_->surfaces.mesh_point(hit);
+    return traced_->materials.opacity(point) * traced_->materials.emission(point);
+}
+
+embree::Ray SceneTracer::shadow_ray(const Surface& surface, const V3f& to_light, float distance,
+                                    float time) {
+    if (to_light.dot(surface.smooth_normal) < 0.0F) {
+        return {surface.start(to_light), to_light, nearly_all * distance, time};
+    }
+    const V3f start = surface.start_to_light();
+    if (std::isinf(distance)) {
+        return {start, to_light, distance, time};
+    }
+    // Towards the same point of the light: at a grazing angle the offset would lead behind it.
+    const V3f way = distance * to_light - (start - surface.position);
+    return {start, way.normalized(), nearly_all * way.length(), time};
+}
+
+float SceneTracer::transmittance(const Surface& surface, const V3f& to_light, float distance,
+                                 float time) const {
+    return distance > 0.0F ? transmittance(shadow_ray(surface, to_light, distance, time)) : 1.0F;
+}
+
+float SceneTracer::opacity(const embree::Hit& hit) const {
+    return traced_->materials.opacity(traced_->surfaces.mesh_point(hit));
+}
+
+}  // namespace balcony::render

@@ -1,0 +1,109 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// A scene prepared for tracing, and its queries for integrators.
+
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "balcony/motion.hpp"
+#include "balcony/scene.hpp"
+#include "film/sums/tile_image.hpp"
+#include "render/embree/accelerator.hpp"
+#include "shading/lights/light_set.hpp"
+#include "shading/materials/bsdf.hpp"
+#include "shading/materials/material_set.hpp"
+#include "shading/surfaces/surface.hpp"
+#include "shading/textures/texture_library.hpp"
+
+namespace balcony::render {
+
+/// A scene with the data needed to trace it. Immutable; copies share most of it.
+struct TracedScene {
+    std::shared_ptr<const scene::Scene> scene;
+    embree::Accelerator accelerator;
+    SurfaceFinder surfaces;
+    LightSet lights;
+    std::shared_ptr<const TextureLibrary> textures;
+    MaterialSet materials;
+    scene::TimeInterval interval{};  ///< The times of rays from 0 to 1.
+};
+
+/// The first surface on a ray.
+struct Interaction {
+    /// At a hit of the ray.
+    Interaction(const TracedScene& traced, const Ray& ray, const embree::Hit& hit);
+
+    Surface surface;
+    PositionDifferentials moved;            ///< The ray's footprint; 0 in scenes without textures.
+    const Appearance* constant = nullptr;   ///< If the mesh looks the same everywhere.
+    const BsdfMaterial* uniform = nullptr;  ///< Of the constant appearance.
+    std::optional<Appearance> varying{};    ///< Otherwise.
+
+    [[nodiscard]] const Appearance& appearance() const {
+        return constant != nullptr ? *constant : *varying;
+    }
+    [[nodiscard]] Bsdf bsdf() const;
+};
+
+/// Queries a scene; belongs to one thread.
+class SceneTracer final : private embree::OpacitySource {
+public:
+    explicit SceneTracer(const TracedScene& traced) : traced_(&traced) {}
+
+    [[nodiscard]] const TracedScene& scene() const { return *traced_; }
+    [[nodiscard]] const LightSet& lights() const { return traced_->lights; }
+
+    [[nodiscard]] embree::Hit nearest(const Ray& ray) const {
+        return traced_->accelerator.intersect(
+            {.origin = ray.origin, .direction = ray.direction, .time = ray.time});
+    }
+
+    /// What the layers show of a surface.
+    [[nodiscard]] VisibleSurface visible(const Interaction& at) const;
+
+    /// Requests the memory that interaction() reads, for a hit of soon, in two steps.
+    void request_triangle(const embree::Hit& hit) const {
+        if (hit.any()) {
+            traced_->surfaces.request_triangle(hit);
+        }
+    }
+    void request_corners(const embree::Hit& hit) const {
+        if (hit.any()) {
+            traced_->surfaces.request_corners(hit);
+        }
+    }
+
+    /// The surface at a hit of the ray.
+    [[nodiscard]] Interaction interaction(const Ray& ray, const embree::Hit& hit) const {
+        return {*traced_, ray, hit};
+    }
+
+    /// What the material emits at a point of a triangle, unfiltered, by its opacity.
+    [[nodiscard]] Color3f emission(const embree::Hit& hit) const;
+
+    /// The fraction of the light that reaches a surface from a direction and a distance.
+    [[nodiscard]] float transmittance(const Surface& surface, const V3f& to_light, float distance,
+                                      float time) const;
+
+    /// The ray from a surface to a light, in front of it if the direction is above the smooth
+    /// surface, and behind otherwise.
+    [[nodiscard]] static embree::Ray shadow_ray(const Surface& surface, const V3f& to_light,
+                                                float distance, float time);
+    /// The fraction of the light that passes along shadow rays: one, or a packet.
+    [[nodiscard]] float transmittance(const embree::Ray& ray) const {
+        return traced_->accelerator.transmittance(ray, *this);
+    }
+    void transmittance(std::span<const embree::Ray> packet, std::span<float> results) const {
+        traced_->accelerator.transmittance(packet, *this, results);
+    }
+
+private:
+    [[nodiscard]] float opacity(const embree::Hit& hit) const override;
+
+    const TracedScene* traced_;
+};
+
+}  // namespace balcony::render

@@ -1,0 +1,179 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "shading/lights/environment_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include "images/luminance.hpp"
+
+namespace balcony::render {
+
+namespace {
+
+using Imath::Color3f;
+using Imath::V2f;
+using Imath::V3f;
+
+using std::numbers::pi_v;
+constexpr std::size_t max_columns = 2048;
+constexpr std::size_t max_rows = 1024;
+
+// A point of the picture, both coordinates from 0 to 1.
+V2f picture_point(const V3f& direction) {
+    const float across = std::hypot(direction.x, direction.y);
+    return {0.5F - std::atan2(direction.y, direction.x) / (2.0F * pi_v<float>),
+            std::atan2(across, direction.z) / pi_v<float>};
+}
+
+std::size_t cell_of(float coordinate, std::size_t count) {
+    const float scaled = std::max(0.0F, coordinate * static_cast<float>(count));
+    return std::min(static_cast<std::size_t>(scaled), count - 1);
+}
+
+// The sums of values, scaled to end at 1; all 0 if there is nothing to add. Returns the sum.
+double accumulate(std::span<const double> values, std::span<float> cumulative) {
+    double total = 0.0;
+    for (const double value : values) {
+        total += value;
+    }
+    double sum = 0.0;
+    cumulative.front() = 0.0F;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        sum += values[i];
+        cumulative[i + 1] = total > 0.0 ? static_cast<float>(sum / total) : 0.0F;
+    }
+    return total;
+}
+
+// The cell with a cumulative probability, and where it divides the cell.
+struct Chosen {
+    std::size_t cell = 0;
+    float within = 0.0F;
+    float probability = 0.0F;
+};
+
+Chosen choose(std::span<const float> cumulative, float random) {
+    // The first border above the number; cells of probability 0 end at or below it.
+    const auto above = std::upper_bound(cumulative.begin() + 1, cumulative.end() - 1, random);
+    auto cell = static_cast<std::size_t>(above - cumulative.begin()) - 1;
+    // The number may exceed all cells that have a probability only by rounding.
+    while (cell > 0 && cumulative[cell + 1] <= cumulative[cell]) {
+        --cell;
+    }
+    const float probability = cumulative[cell + 1] - cumulative[cell];
+    return {cell, std::clamp((random - cumulative[cell]) / probability, 0.0F, 1.0F), probability};
+}
+
+}  // namespace
+
+EnvironmentMap::EnvironmentMap(std::size_t width, std::size_t height, std::vector<Color3f> texels)
+    : width_(width), height_(height), texels_(std::move(texels)) {
+    build_distribution();
+}
+
+Color3f EnvironmentMap::radiance(const V3f& direction) const {
+    if (is_constant()) {
+        return texels_.front();
+    }
+    const V2f point = picture_point(direction);
+    const auto width = static_cast<float>(width_);
+    // Column 0 follows the last one; rows end at the poles.
+    const float x = point.x * width - 0.5F;
+    const float y = std::max(0.0F, point.y * static_cast<float>(height_) - 0.5F);
+    const float left = std::floor(x);
+    const auto x0 = static_cast<std::size_t>(left + width) % width_;
+    const auto x1 = (x0 + 1) % width_;
+    const auto y0 = std::min(static_cast<std::size_t>(y), height_ - 1);
+    const auto y1 = std::min(y0 + 1, height_ - 1);
+    const float s = x - left;
+    const float t = y - static_cast<float>(y0);
+    return (1.0F - t) * ((1.0F - s) * texel(x0, y0) + s * texel(x1, y0)) +
+           t * ((1.0F - s) * texel(x0, y1) + s * texel(x1, y1));
+}
+
+EnvironmentMap::Sample EnvironmentMap::sample(const V2f& random) const {
+    const Chosen row = choose(cumulative_rows_, random.x);
+    const Chosen column = choose(
+        std::span(cumulative_columns_).subspan(row.cell * (columns_ + 1), columns_ + 1), random.y);
+    const float top = cosines_[row.cell];
+    const float band = top - cosines_[row.cell + 1];
+    const float z = top - row.within * band;
+    const float part =
+        (static_cast<float>(column.cell) + column.within) / static_cast<float>(columns_);
+    const float longitude = pi_v<float> * (1.0F - 2.0F * part);
+    const float across = std::sqrt(std::max(0.0F, 1.0F - z * z));
+    const float solid_angle = 2.0F * pi_v<float> * band / static_cast<float>(columns_);
+    return {{across * std::cos(longitude), across * std::sin(longitude), z},
+            row.probability * column.probability / solid_angle};
+}
+
+float EnvironmentMap::pdf(const V3f& direction) const {
+    const V2f point = picture_point(direction);
+    const std::size_t row = cell_of(point.y, rows_);
+    const std::size_t column = cell_of(point.x, columns_);
+    const std::size_t first = row * (columns_ + 1) + column;
+    const float probability = (cumulative_rows_[row + 1] - cumulative_rows_[row]) *
+                              (cumulative_columns_[first + 1] - cumulative_columns_[first]);
+    const float band = cosines_[row] - cosines_[row + 1];
+    return probability * static_cast<float>(columns_) / (2.0F * pi_v<float> * band);
+}
+
+// The weight of a pixel is its part of the interpolated picture: 3/4 of its own luminance and an
+// eighth of each neighbour's, in both dimensions, by the solid angle. So no cell with light has
+// probability 0.
+void EnvironmentMap::build_distribution() {
+    columns_ = std::min(width_, max_columns);
+    rows_ = std::min(height_, max_rows);
+    cosines_.resize(rows_ + 1);
+    for (std::size_t row = 0; row <= rows_; ++row) {
+        cosines_[row] = std::cos(pi_v<float> * static_cast<float>(row) / static_cast<float>(rows_));
+    }
+    const auto smoothed = [this](std::size_t x, std::size_t y) {
+        const std::size_t left = (x + width_ - 1) % width_;
+        const std::size_t right = (x + 1) % width_;
+        return 0.125F * texel(left, y) + 0.75F * texel(x, y) + 0.125F * texel(right, y);
+    };
+    // A pixel that lies across a border counts in all of its cells.
+    const auto for_each_cell = [this](std::size_t x, std::size_t y, const auto& action) {
+        for (std::size_t row = y * rows_ / height_; row * height_ < (y + 1) * rows_; ++row) {
+            for (std::size_t column = x * columns_ / width_; column * width_ < (x + 1) * columns_;
+                 ++column) {
+                action(row * columns_ + column);
+            }
+        }
+    };
+    std::vector<double> weights(columns_ * rows_);
+    double solid_angle = 0.0;
+    Imath::Color3<double> sum(0.0);
+    for (std::size_t y = 0; y < height_; ++y) {
+        const double step = std::numbers::pi / static_cast<double>(height_);
+        const double band =
+            std::cos(step * static_cast<double>(y)) - std::cos(step * static_cast<double>(y + 1));
+        for (std::size_t x = 0; x < width_; ++x) {
+            const Color3f mean = 0.125F * smoothed(x, y > 0 ? y - 1 : y) + 0.75F * smoothed(x, y) +
+                                 0.125F * smoothed(x, std::min(y + 1, height_ - 1));
+            for_each_cell(x, y, [&](std::size_t cell) {
+                weights[cell] += band * static_cast<double>(luminance(mean));
+            });
+            sum += band * Imath::Color3<double>(mean);
+        }
+        solid_angle += band * static_cast<double>(width_);
+    }
+    mean_ = Color3f(sum / solid_angle);
+
+    cumulative_columns_.resize(rows_ * (columns_ + 1));
+    std::vector<double> row_weights(rows_);
+    for (std::size_t row = 0; row < rows_; ++row) {
+        row_weights[row] =
+            accumulate(std::span(weights).subspan(row * columns_, columns_),
+                       std::span(cumulative_columns_).subspan(row * (columns_ + 1), columns_ + 1));
+    }
+    cumulative_rows_.resize(rows_ + 1);
+    accumulate(row_weights, cumulative_rows_);
+}
+
+}  // namespace balcony::render

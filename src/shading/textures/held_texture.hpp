@@ -1,0 +1,53 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <mutex>
+#include <optional>
+
+#include "balcony/base.hpp"
+#include "balcony/scene.hpp"
+#include "shading/textures/mip_pyramid.hpp"
+
+namespace balcony::render {
+
+/// A texture that is decoded as a whole, once: when it is first used; in memory, or in a file if
+/// one is given. Any number of threads may use it.
+class HeldTexture {
+public:
+    /// The texture and the file must outlive this.
+    HeldTexture(const scene::Texture& texture, TextureEncoding encoding, SpillFile* file = nullptr)
+        : texture_(&texture), encoding_(encoding), file_(file) {}
+
+    /// Null if the image cannot be read, or the file cannot be any more.
+    [[nodiscard]] const MipPyramid* pyramid() const {
+        if (!read_.load(std::memory_order_acquire)) {
+            std::call_once(once_, [this] { read(); });
+        }
+        const bool is_lost = file_ != nullptr && file_->has_failed();
+        return pyramid_ && !is_lost ? &*pyramid_ : nullptr;
+    }
+
+    [[nodiscard]] bool in_memory() const { return file_ == nullptr; }
+    [[nodiscard]] const scene::Texture& texture() const { return *texture_; }
+    /// What is known once it was read: the reason if that failed, and whether some value was not
+    /// finite.
+    [[nodiscard]] bool was_read() const { return read_.load(std::memory_order_acquire); }
+    [[nodiscard]] const std::optional<Diagnostic>& failure() const { return failure_; }
+    [[nodiscard]] bool repaired() const { return repaired_; }
+
+private:
+    void read() const;
+
+    const scene::Texture* texture_;
+    TextureEncoding encoding_;
+    SpillFile* file_;
+    mutable std::once_flag once_;
+    mutable std::atomic<bool> read_ = false;  // The following members are set.
+    mutable std::optional<MipPyramid> pyramid_;
+    mutable std::optional<Diagnostic> failure_;
+    mutable bool repaired_ = false;
+};
+
+}  // namespace balcony::render

@@ -1,0 +1,222 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "shading/textures/spill_file.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <system_error>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace balcony::render {
+
+namespace {
+
+constexpr std::size_t chunk_bytes = TexelBlock::chunk_bytes;
+
+std::size_t chunks_of(std::size_t bytes) { return (bytes + chunk_bytes - 1) / chunk_bytes; }
+
+// Not /tmp, which is often in memory.
+std::string folder() {
+    const char* const given = std::getenv("TMPDIR");
+    if (given != nullptr && *given != '\0') {
+        return given;
+    }
+    std::error_code ignored;
+    return std::filesystem::is_directory("/var/tmp", ignored) ? "/var/tmp" : "/tmp";
+}
+
+int open_without_name(const std::string& where) {
+    int descriptor = -1;
+#ifdef O_TMPFILE
+    descriptor = open(where.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, S_IRUSR | S_IWUSR);
+#endif
+    if (descriptor < 0) {  // Some file systems only have files with names.
+        std::string name = where + "/balcony-textures-XXXXXX";
+        descriptor = mkstemp(name.data());
+        if (descriptor >= 0) {
+            unlink(name.c_str());
+        }
+    }
+    return descriptor;
+}
+
+Diagnostic no_space(std::size_t bytes, int code) {
+    return error(
+        fmt::format("it does not fit into the memory for textures, and {:.0f} MB cannot be "
+                    "written to the folder {}: {}",
+                    static_cast<double>(bytes) * 1e-6, folder(),
+                    std::generic_category().message(code)),
+        {},
+        "raise --texture-memory, or let the environment variable TMPDIR name a folder on "
+        "a disk with more space");
+}
+
+// Returns 0, or the system's number of the failure.
+int write_all(int to, std::size_t offset, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = pwrite(to, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+        if (written < 0 && errno != EINTR) {
+            return errno;
+        }
+        const std::size_t count = written > 0 ? static_cast<std::size_t>(written) : 0;
+        offset += count;
+        bytes = bytes.subspan(count);
+    }
+    return 0;
+}
+
+int read_all(int from, std::size_t offset, std::span<std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t read = pread(from, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+        if (read == 0) {
+            return EIO;  // The file is shorter than what was written.
+        }
+        if (read < 0 && errno != EINTR) {
+            return errno;
+        }
+        const std::size_t count = read > 0 ? static_cast<std::size_t>(read) : 0;
+        offset += count;
+        bytes = bytes.subspan(count);
+    }
+    return 0;
+}
+
+}  // namespace
+
+SpillFile::SpillFile(std::size_t resident)
+    : max_frames_(
+          std::clamp<std::size_t>(resident / chunk_bytes, 16, (std::size_t{1} << frame_bits) - 1)),
+      frames_(std::make_unique<Frame[]>(max_frames_)) {}
+
+SpillFile::~SpillFile() {
+    if (descriptor_ >= 0) {
+        close(descriptor_);
+    }
+}
+
+// Space is reserved for whole chunks, so that each can be read as one.
+Result<TexelBlock> SpillFile::keep(const TexelBlock& in_memory) {
+    const std::size_t chunks = chunks_of(in_memory.bytes_);
+    const std::size_t size = chunks * chunk_bytes;
+    TexelBlock block;
+    block.bytes_ = in_memory.bytes_;
+    block.file_ = this;
+    block.places_ = std::make_unique<Place[]>(chunks);
+    {
+        const std::lock_guard lock(mutex_);
+        if (descriptor_ < 0) {
+            descriptor_ = open_without_name(folder());
+        }
+        if (descriptor_ < 0) {
+            return no_space(size, errno);
+        }
+        // Whether there is space shows before it is filled.
+        block.begin_ = size_;
+        if (const int failure =
+                posix_fallocate(descriptor_, static_cast<off_t>(size_), static_cast<off_t>(size))) {
+            return no_space(size, failure);
+        }
+        size_ += size;
+    }
+    const int failure =
+        write_all(descriptor_, block.begin_, std::span(in_memory.data(), in_memory.bytes_));
+    return failure == 0 ? Result<TexelBlock>(std::move(block))
+                        : Result<TexelBlock>(no_space(size, failure));
+}
+
+std::optional<Diagnostic> SpillFile::failure() const {
+    const std::lock_guard lock(mutex_);
+    if (failure_ == 0) {
+        return std::nullopt;
+    }
+    return warning(
+        fmt::format("textures in the temporary file in {} cannot be read any more: {}", folder(),
+                    std::generic_category().message(failure_)),
+        {},
+        "their materials have their constant factors since; let the environment variable TMPDIR "
+        "name a folder on another disk, or raise --texture-memory, and render again");
+}
+
+std::size_t SpillFile::resident_bytes() const {
+    const std::lock_guard lock(mutex_);
+    return made_frames_ * chunk_bytes;
+}
+
+// A frame whose chunk was not used since the hand passed it. The chunk loses its place before the
+// frame is written.
+std::optional<std::size_t> SpillFile::frame_without_use() {
+    for (std::size_t step = 0; step < 2 * max_frames_; ++step) {
+        const std::size_t index = hand_;
+        hand_ = (hand_ + 1) % max_frames_;
+        Frame& frame = frames_[index];
+        if (frame.holder != nullptr && !frame.recent.exchange(false, std::memory_order_relaxed)) {
+            frame.holder->store(0, std::memory_order_relaxed);
+            std::atomic_thread_fence(std::memory_order_release);
+            frame.holder = nullptr;
+            return index;
+        }
+    }
+    return std::nullopt;
+}
+
+std::size_t SpillFile::take_frame(std::unique_lock<std::mutex>& lock) {
+    for (;;) {
+        if (!free_.empty()) {
+            const std::size_t index = free_.back();
+            free_.pop_back();
+            return index;
+        }
+        if (made_frames_ < max_frames_) {
+            frames_[made_frames_].bytes = std::make_unique<std::byte[]>(chunk_bytes);
+            return made_frames_++;
+        }
+        if (const auto index = frame_without_use()) {
+            return *index;
+        }
+        filled_.wait(lock);  // All are being filled, or were used in two rounds of the hand.
+    }
+}
+
+// Threads read different chunks at once. If two read the same one, the first is right.
+std::uint64_t SpillFile::fetch(const TexelBlock& block, std::size_t chunk) {
+    Place& place = block.places_[chunk];
+    std::unique_lock lock(mutex_);
+    if (const std::uint64_t known = place.load(std::memory_order_acquire)) {
+        return known;
+    }
+    const std::size_t index = take_frame(lock);
+    Frame& frame = frames_[index];
+    lock.unlock();
+    read_chunk(block.begin_ + chunk * chunk_bytes, frame.bytes.get());
+    lock.lock();
+    filled_.notify_one();
+    if (const std::uint64_t known = place.load(std::memory_order_acquire)) {
+        free_.push_back(index);
+        return known;
+    }
+    const std::uint64_t found = ++reads_ << frame_bits | (index + 1);
+    frame.holder = &place;
+    frame.recent.store(true, std::memory_order_relaxed);
+    place.store(found, std::memory_order_release);
+    return found;
+}
+
+void SpillFile::read_chunk(std::size_t offset, std::byte* to) {
+    const std::span chunk(to, chunk_bytes);
+    if (const int failure = read_all(descriptor_, offset, chunk)) {
+        std::fill(chunk.begin(), chunk.end(), std::byte{0});
+        const std::lock_guard lock(mutex_);
+        failure_ = failure_ == 0 ? failure : failure_;
+        failed_.store(true, std::memory_order_relaxed);
+    }
+}
+
+}  // namespace balcony::render
