@@ -90,6 +90,7 @@ struct Texture {
     std::vector<std::uint8_t> bytes;  ///< The encoded image if embedded.
     Wrap wrap_u = Wrap::repeat;
     Wrap wrap_v = Wrap::repeat;
+    bool interpolated = true;  ///< Where it is magnified; otherwise its texels are rectangles.
 };
 
 /// The encoding of an image's red, green and blue; alpha is always linear.

@@ -40,6 +40,8 @@ constexpr std::uint32_t glb_version = 2;
 constexpr std::uint32_t chunk_json = 0x4e4f534aU;
 constexpr std::uint32_t chunk_binary = 0x004e4942U;
 
+constexpr int opengl_nearest = 9728;
+
 constexpr int wrap_mode(scene::Wrap wrap) {
     return wrap == scene::Wrap::repeat ? 10497 : wrap == scene::Wrap::clamp ? 33071 : 33648;
 }
@@ -120,8 +122,12 @@ private:
             const std::size_t image = append("images", {{"name", texture.name},
                                                         {"mimeType", mime_type(texture.bytes)},
                                                         {"bufferView", view}});
-            const std::size_t sampler = append("samplers", {{"wrapS", wrap_mode(texture.wrap_u)},
-                                                            {"wrapT", wrap_mode(texture.wrap_v)}});
+            json properties{{"wrapS", wrap_mode(texture.wrap_u)},
+                            {"wrapT", wrap_mode(texture.wrap_v)}};
+            if (!texture.interpolated) {
+                properties["magFilter"] = opengl_nearest;
+            }
+            const std::size_t sampler = append("samplers", std::move(properties));
             append("textures", {{"source", image}, {"sampler", sampler}});
         }
     }

@@ -81,7 +81,7 @@ TEST_F(GltfMaterials, TexturesAreFilesOrBytes) {
         {{"uri", "wood.png"}},
         {{"bufferView", gltf.json["accessors"][accessor]["bufferView"]}, {"mimeType", "image/png"}},
         {{"uri", "data:image/png;base64,QUJD"}}};
-    gltf.json["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}}};
+    gltf.json["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}}};
     gltf.json["textures"] = {{{"source", 0}, {"sampler", 0}}, {{"source", 1}}, {{"source", 2}}};
     gltf.primitive(0)["attributes"]["TEXCOORD_0"] = gltf.add_floats({0, 0, 1, 0, 0, 1}, 2);
     const auto scene = load_glb(gltf);
@@ -92,9 +92,11 @@ TEST_F(GltfMaterials, TexturesAreFilesOrBytes) {
     EXPECT_TRUE(wood.bytes.empty());
     EXPECT_EQ(wood.wrap_u, Wrap::clamp);
     EXPECT_EQ(wood.wrap_v, Wrap::mirror);
+    EXPECT_FALSE(wood.interpolated);
     const Texture& shine = scene->textures[material.roughness_texture.index.value()];
     EXPECT_EQ(shine.bytes, (std::vector<std::uint8_t>{0x34, 0x12, 0x78, 0x56}));
     EXPECT_EQ(shine.wrap_u, Wrap::repeat);
+    EXPECT_TRUE(shine.interpolated);
     EXPECT_TRUE(shine.file.empty());
     const Texture& glow = scene->textures[material.emission_texture.index.value()];
     EXPECT_EQ(glow.bytes, (std::vector<std::uint8_t>{'A', 'B', 'C'}));

@@ -183,6 +183,18 @@ TEST(WriteGlb, KeepsColorsForOurOwnReader) {
     EXPECT_EQ(read->meshes[0].colors, colors);
 }
 
+TEST(WriteGlb, KeepsTexturesThatAreNotInterpolated) {
+    scene::Scene scene = small_scene();
+    for (const bool interpolated : {true, false}) {
+        Texture& texture = scene.textures.emplace_back();
+        texture.bytes = {0x89};
+        texture.interpolated = interpolated;
+    }
+    const GlbFile file = written(scene);
+    EXPECT_FALSE(file.document["samplers"][0].contains("magFilter"));
+    EXPECT_EQ(file.document["samplers"][1]["magFilter"], 9728);
+}
+
 }  // namespace
 
 }  // namespace balcony::scene::testing::write_glb_test

@@ -37,6 +37,7 @@ private:
         std::size_t image = 0;
         Wrap wrap_u = Wrap::repeat;
         Wrap wrap_v = Wrap::repeat;
+        bool interpolated = true;
         auto operator<=>(const Image&) const = default;
     };
 

@@ -21,6 +21,8 @@ Wrap wrap_of(std::size_t opengl_name) {
     }
 }
 
+constexpr std::size_t opengl_nearest = 9728;
+
 // The image of a texture; an extension may name one in a format that not all programs read.
 std::optional<std::size_t> image_of(const Json& texture) {
     const Json& webp = member(member(texture, "extensions"), "EXT_texture_webp");
@@ -64,11 +66,13 @@ TextureIndex GltfTextures::texture(std::size_t gltf_texture, const std::string& 
     }
     Texture texture;
     if (const auto sampler = index_in(json, "sampler")) {
-        const Json& wraps = element(root, "samplers", *sampler);
-        texture.wrap_u = wrap_of(count_in(wraps, "wrapS", 0));
-        texture.wrap_v = wrap_of(count_in(wraps, "wrapT", 0));
+        const Json& properties = element(root, "samplers", *sampler);
+        texture.wrap_u = wrap_of(count_in(properties, "wrapS", 0));
+        texture.wrap_v = wrap_of(count_in(properties, "wrapT", 0));
+        texture.interpolated = count_in(properties, "magFilter", 0) != opengl_nearest;
     }
-    const auto [known, is_new] = textures_.try_emplace({*source, texture.wrap_u, texture.wrap_v});
+    const auto [known, is_new] =
+        textures_.try_emplace({*source, texture.wrap_u, texture.wrap_v, texture.interpolated});
     if (!is_new) {
         return known->second;
     }

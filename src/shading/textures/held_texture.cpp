@@ -10,9 +10,8 @@ namespace balcony::render {
 void HeldTexture::read() const {
     try {
         Result<TextureReader> image = TextureReader::open(*texture_, encoding_);
-        Result<MipPyramid> made =
-            image ? MipPyramid::read(*image, texture_->wrap_u, texture_->wrap_v, file_)
-                  : Result<MipPyramid>(image.diagnostics);
+        Result<MipPyramid> made = image ? MipPyramid::read(*image, *texture_, file_)
+                                        : Result<MipPyramid>(image.diagnostics);
         if (made) {
             pyramid_.emplace(std::move(*made));
             repaired_ = image->has_repaired();

@@ -143,13 +143,16 @@ int floor_of(float value) {
 
 // Two neighbouring texels of a row or column, and the weight of the second.
 struct Neighbours {
-    Neighbours(float position, int count, scene::Wrap wrap) {
+    Neighbours(float position, int count, scene::Wrap wrap, bool interpolated) {
         const bool repeats = wrap == scene::Wrap::repeat;
         const float x = wrapped(position, wrap) * static_cast<float>(count) - 0.5F;
         const int below = floor_of(x);
         weight = x - static_cast<float>(below);
         first = below >= 0 ? below : repeats ? count - 1 : 0;
         second = below + 1 < count ? below + 1 : repeats ? 0 : count - 1;
+        if (!interpolated) {
+            first = second = weight < 0.5F ? first : second;
+        }
     }
 
     // From 0 to 1.
@@ -171,11 +174,11 @@ struct Neighbours {
 
 }  // namespace
 
-MipPyramid::MipPyramid(const TextureReader& image, scene::Wrap wrap_u, scene::Wrap wrap_v,
-                       TexelBlock texels)
+MipPyramid::MipPyramid(const TextureReader& image, const scene::Texture& texture, TexelBlock texels)
     : levels_(levels_of(image)),
-      wrap_u_(wrap_u),
-      wrap_v_(wrap_v),
+      wrap_u_(texture.wrap_u),
+      wrap_v_(texture.wrap_v),
+      interpolated_(texture.interpolated),
       color_(&ByteScale::of(image.encoding())),
       alpha_(&ByteScale::of(TextureEncoding::linear)),
       has_bytes_(image.has_bytes()),
@@ -196,6 +199,7 @@ void MipPyramid::set_byte_levels() {
                    [](const Level& level) { return static_cast<std::int32_t>(level.first); });
     made.wrap_u = wrap_u_;
     made.wrap_v = wrap_v_;
+    made.interpolated = interpolated_;
 }
 
 std::vector<MipPyramid::Level> MipPyramid::levels_of(const TextureReader& image) {
@@ -215,10 +219,10 @@ std::size_t MipPyramid::bytes(const TextureReader& image) {
            (image.has_bytes() ? sizeof(ByteTexel) : sizeof(HalfTexel));
 }
 
-Result<MipPyramid> MipPyramid::read(TextureReader& image, scene::Wrap wrap_u, scene::Wrap wrap_v,
+Result<MipPyramid> MipPyramid::read(TextureReader& image, const scene::Texture& texture,
                                     SpillFile* file) {
     const std::size_t size = bytes(image);
-    MipPyramid made(image, wrap_u, wrap_v, TexelBlock(size));
+    MipPyramid made(image, texture, TexelBlock(size));
     const auto failure = image.has_bytes() ? made.fill(image, ByteCodec{*made.color_, *made.alpha_})
                                            : made.fill(image, HalfCodec{});
     if (failure) {
@@ -306,8 +310,9 @@ template <class Codec>
 Color4f MipPyramid::mean(const TextureFootprint& footprint, const Codec& codec) const {
     using Texel = typename Codec::Texel;
     const auto bilinear = [&](const Level& level, const V2f& at) {
-        const Neighbours x(at.x, level.width, wrap_u_);
-        const Neighbours y(at.y, level.height, wrap_v_);
+        const bool interpolated = interpolated_ || &level != &levels_.front();
+        const Neighbours x(at.x, level.width, wrap_u_, interpolated);
+        const Neighbours y(at.y, level.height, wrap_v_, interpolated);
         const auto mixed = [&](int row) {
             const std::size_t begin =
                 level.first + static_cast<std::size_t>(row) * static_cast<std::size_t>(level.width);

@@ -27,16 +27,18 @@ public:
     /// Reads the image into memory, or into a file if one is given, and computes its mip levels, each
     /// from the one before by the mean over the area of each texel, in linear colours. An image of
     /// 8 bits stays one of 8 bits, with each texel rounded once; other images have half floats. An
-    /// error is that of the reader.
-    [[nodiscard]] static Result<MipPyramid> read(TextureReader& image, scene::Wrap wrap_u,
-                                                 scene::Wrap wrap_v, SpillFile* file = nullptr);
+    /// error is that of the reader. The texture says how the image is continued and magnified.
+    [[nodiscard]] static Result<MipPyramid> read(TextureReader& image,
+                                                 const scene::Texture& texture,
+                                                 SpillFile* file = nullptr);
     /// The memory that the pyramid of an image takes, in bytes.
     [[nodiscard]] static std::size_t bytes(const TextureReader& image);
 
     /// The mean over a footprint: red, green, blue, alpha. Texels are interpolated linearly, and
-    /// so are neighbouring levels. An elongated footprint is the mean of up to max_probes places
-    /// along its longer axis; one that is longer still is widened. White where the point is
-    /// max_coordinate or farther from 0; without a filter where the footprint is.
+    /// so are neighbouring levels; those of the image itself are not if the texture says so. An
+    /// elongated footprint is the mean of up to max_probes places along its longer axis; one that
+    /// is longer still is widened. White where the point is max_coordinate or farther from 0;
+    /// without a filter where the footprint is.
     [[nodiscard]] Imath::Color4f mean(const TextureFootprint& footprint) const;
     /// The same for the rays of a packet, bit for bit.
     void set_means(const texture_lanes::Footprints& footprints,
@@ -52,8 +54,7 @@ private:
         std::size_t first = 0;  // The index of its first texel.
     };
 
-    MipPyramid(const TextureReader& image, scene::Wrap wrap_u, scene::Wrap wrap_v,
-               TexelBlock texels);
+    MipPyramid(const TextureReader& image, const scene::Texture& texture, TexelBlock texels);
 
     [[nodiscard]] static std::vector<Level> levels_of(const TextureReader& image);
     void set_byte_levels();
@@ -66,6 +67,7 @@ private:
     std::vector<Level> levels_;
     scene::Wrap wrap_u_;
     scene::Wrap wrap_v_;
+    bool interpolated_;
     const ByteScale* color_;
     const ByteScale* alpha_;
     bool has_bytes_;     // ByteTexel rather than HalfTexel.

@@ -117,6 +117,13 @@ HWY_INLINE Neighbours neighbours_of(Vector position, Integers count, scene::Wrap
             difference(x, below)};
 }
 
+// The nearest texel twice.
+HWY_INLINE Neighbours nearest_of(const Neighbours& found) {
+    const auto before = lanes::RebindMask(integers, lanes::Lt(found.weight, number(0.5F)));
+    const Integers chosen = lanes::IfThenElse(before, found.first, found.second);
+    return {chosen, chosen, found.weight};
+}
+
 #if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3
 // The values of a table of 32, by the five lowest bits of an index. Gathering them takes longer.
 HWY_INLINE Vector of_32(const float* values, Integers index) {
@@ -196,8 +203,13 @@ public:
 
     HWY_INLINE Color bilinear(Integers level, const Vector2& at) const {
         const Integers width = side(levels_.width, level);
-        const Neighbours u = neighbours_of(at.u, width, levels_.wrap_u);
-        const Neighbours v = neighbours_of(at.v, side(levels_.height, level), levels_.wrap_v);
+        Neighbours u = neighbours_of(at.u, width, levels_.wrap_u);
+        Neighbours v = neighbours_of(at.v, side(levels_.height, level), levels_.wrap_v);
+        if (!levels_.interpolated) {
+            const auto is_image = lanes::Eq(level, lanes::Zero(integers));
+            u = chosen(is_image, nearest_of(u), u);
+            v = chosen(is_image, nearest_of(v), v);
+        }
         const Integers first = value_of_level(levels_, level);
         const bool are_pairs =
             gathers_pairs && texels_.in_memory() &&
@@ -211,6 +223,11 @@ public:
     }
 
 private:
+    template <class Mask>
+    static HWY_INLINE Neighbours chosen(Mask mask, const Neighbours& a, const Neighbours& b) {
+        return {lanes::IfThenElse(mask, a.first, b.first),
+                lanes::IfThenElse(mask, a.second, b.second), b.weight};
+    }
     static HWY_INLINE Integers side(std::int32_t of_image, Integers level) {
         return lanes::Max(lanes::Shr(number(of_image), level), number(1));
     }

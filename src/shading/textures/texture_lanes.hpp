@@ -50,6 +50,7 @@ struct ByteLevels {
     alignas(64) std::array<std::int32_t, max_count> first{};
     scene::Wrap wrap_u = scene::Wrap::repeat;
     scene::Wrap wrap_v = scene::Wrap::repeat;
+    bool interpolated = true;
 };
 
 /// The means over the footprints, as MipPyramid::mean() for one. White where the point is
