@@ -111,6 +111,26 @@ TEST(Light, SpotShinesInItsCone) {
     EXPECT_EQ(radiance_at(scene, 0.0, 0.0), 0.0F);
 }
 
+// The falloff is at least 0.001 of cosine wide, as in the extension's reference code.
+TEST(Light, ASpotHasASoftEdge) {
+    const auto share = [](double cosine) {
+        scene::Scene scene;
+        add(scene, wall(0.0F, 10.0F), matt());
+        scene.lights = {lamp_at(0.0, 0.0, 1.0)};
+        const double x = std::tan(std::acos(cosine));
+        const float everywhere = radiance_at(scene, x, 0.0);
+        scene.lights[0].kind = scene::LightKind::spot;
+        scene.lights[0].inner_cone = scene.lights[0].outer_cone = 0.8F;
+        return radiance_at(scene, x, 0.0) / everywhere;
+    };
+    const double edge = std::cos(static_cast<double>(0.8F));
+    EXPECT_EQ(share(edge - 1e-5), 0.0F);
+    // Half of the width, squared: its derivative by the cosine is 1,000, and a place in floats has
+    // an error of 1e-7.
+    EXPECT_NEAR(share(edge + 0.0005), 0.25F, 2e-4F);
+    EXPECT_NEAR(share(edge + 0.0011), 1.0F, rounding);
+}
+
 // A plate from x = 0 at half the lamp's height throws its edge's shadow to x = 0 - the lamp's x.
 TEST(Light, ShadowOfAPlateEndsWhereTheLineThroughItsEdgeEnds) {
     scene::Scene scene;

@@ -13,12 +13,14 @@ namespace balcony::render {
 
 namespace {
 
-// 1 inside the inner cone, 0 outside the outer one, and the extension's smooth step in between.
+// 1 inside the inner cone, 0 outside the outer one, and the extension's smooth step in between,
+// which has at least the width of the extension's reference code.
 double cone_weight(const scene::Light& lamp, const scene::V3d& to_light) {
+    constexpr double min_width = 1e-3;
     const double inner = std::cos(static_cast<double>(lamp.inner_cone));
     const double outer = std::cos(static_cast<double>(lamp.outer_cone));
     const double cosine = -lamp.direction.dot(to_light);
-    const double step = (cosine - outer) / std::max(inner - outer, 1e-6);
+    const double step = (cosine - outer) / std::max(inner - outer, min_width);
     const double weight = std::clamp(step, 0.0, 1.0);
     return weight * weight;
 }
