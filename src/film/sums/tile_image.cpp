@@ -45,6 +45,15 @@ void add_means(MeanLayers& means, std::size_t at, std::uint32_t count,
     V3f normal(0.0F);
     V3f position(0.0F);
     for (const Contribution& one : contributions) {
+        const auto cover = [&](std::vector<Matte>& mattes, const Matte& seen) {
+            for (const Matte::Entry& entry : seen.entries) {
+                if (!mattes.empty() && entry.id != 0) {
+                    mattes[at].add(entry.id, one.weight * entry.coverage);
+                }
+            }
+        };
+        cover(means.objects, one.coverage.objects);
+        cover(means.materials, one.coverage.materials);
         emission += one.weight * one.parts.emission;
         direct += one.weight * one.parts.direct;
         const VisibleSurface& visible = one.visible;
@@ -54,13 +63,6 @@ void add_means(MeanLayers& means, std::size_t at, std::uint32_t count,
         albedo += one.weight * visible.albedo;
         normal += one.weight * visible.normal;
         position += one.weight * visible.position;
-        const auto cover = [&](std::vector<Matte>& mattes, std::uint32_t id) {
-            if (!mattes.empty()) {
-                mattes[at].add(id, one.weight * one.alpha);
-            }
-        };
-        cover(means.objects, visible.object);
-        cover(means.materials, visible.material);
     }
     const auto sum = [at](std::vector<V3d>& sums, const V3f& value) {
         if (!sums.empty()) {

@@ -30,6 +30,17 @@ struct VisibleSurface {
     float v = 0.0F;
 };
 
+/// The objects and materials that a ray sees, each by its part of the ray.
+struct Coverage {
+    Matte objects;
+    Matte materials;
+
+    void add(const VisibleSurface& surface, float part) {
+        objects.add(surface.object, part);
+        materials.add(surface.material, part);
+    }
+};
+
 /// Parts of the radiance by how often their light was scattered, that is, reflected or refracted by
 /// surfaces, on its way to the camera. The rest, light scattered more than once, is indirect.
 /// Premultiplied like the radiance. To pass a surface because of its opacity is no scattering.
@@ -54,9 +65,9 @@ struct PointData {
 /// What a camera layer contributes to a point, for the layers that are means over the passes.
 struct Contribution {
     float weight = 0.0F;  ///< Of the camera layer at the point, from 0 to 1.
-    float alpha = 0.0F;   ///< Of what it shows there.
     LightParts parts;
     VisibleSurface visible;
+    Coverage coverage;
 };
 
 /// A list of contributions for each pixel.

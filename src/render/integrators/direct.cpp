@@ -45,7 +45,7 @@ private:
         // A facet of a coarse mesh that faces away from a light is lit if the smooth surface is:
         // the shadow ray decides.
         const Bsdf bsdf = bsdf_at(at, at.surface.normal);
-        return {at.appearance().emission,
+        return {at.emission(ray.direction),
                 *settings().ambient * bsdf.material().ambient_reflectance(),
                 reflected_light(ray, at.surface, bsdf)};
     }

@@ -26,6 +26,7 @@ struct Seen {
     Color4f mirrored{0.0F};  ///< The factors of the background in mirrors, by colour.
     LightParts parts;        ///< Of the radiance.
     VisibleSurface visible;
+    Coverage coverage;  ///< Of all that is seen directly.
 };
 
 /// A ray of the camera with its first hit, and the random numbers of its pixel and pass.

@@ -277,12 +277,6 @@ PathTracer::Encounter PathTracer::meet(Path& path, std::size_t place, Seen& seen
         return Encounter::ends;
     }
     const Interaction& at = *surfaces_[place];
-    if (!is_black(path.absorption)) {
-        const float length = (at.surface.position - path.ray.origin).length();
-        path.throughput *=
-            Color3f(std::exp(-path.absorption.x * length), std::exp(-path.absorption.y * length),
-                    std::exp(-path.absorption.z * length));
-    }
     const Appearance& appearance = at.appearance();
     const bool seen_directly = path.bounces.all == 0;
     if (seen_directly && !seen.visible.any && appearance.opacity > 0.0F) {
@@ -299,7 +293,9 @@ PathTracer::Encounter PathTracer::meet(Path& path, std::size_t place, Seen& seen
     }
     if (seen_directly) {
         seen.radiance.a = 1.0F;
+        seen.coverage.add(tracer_.visible(at), 1.0F);
     }
+    absorb(path, at.surface.position);
     add_emission(path, at, seen);
     if (path.is_last || appearance.unlit) {
         return Encounter::ends;
@@ -340,7 +336,8 @@ void PathTracer::add_distant_light(const Path& path, Seen& seen) {
 
 void PathTracer::add_emission(const Path& path, const Interaction& at, Seen& seen) {
     const Appearance& appearance = at.appearance();
-    const Color3f& emitted = appearance.unlit ? appearance.base_color : appearance.emission;
+    const Color3f emitted =
+        appearance.unlit ? appearance.base_color : at.emission(path.ray.direction);
     if (is_black(emitted)) {
         return;
     }
@@ -377,7 +374,7 @@ void PathTracer::add_lamp(const Path& path, std::size_t place, bool alone) {
     const std::optional<LightSample>& sample = lamps_[place];
     Color3f arriving = sample->radiance;
     if (sample->emitter.any()) {
-        arriving *= tracer_.emission(sample->emitter);
+        arriving *= tracer_.emission(sample->emitter, sample->to_light, path.ray.time);
     }
     const float weight = sample->delta || alone ? 1.0F : weights_.of_lamp(sample->pdf, value.pdf);
     Color3f unshadowed = weight / sample->pdf * path.throughput * arriving;

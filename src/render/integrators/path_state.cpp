@@ -8,6 +8,15 @@
 
 namespace balcony::render {
 
+void absorb(Path& path, const V3f& position) {
+    if (!is_black(path.absorption)) {
+        const float length = (position - path.from.position).length();
+        path.throughput *=
+            Color3f(std::exp(-path.absorption.x * length), std::exp(-path.absorption.y * length),
+                    std::exp(-path.absorption.z * length));
+    }
+}
+
 void count_bounce(Path& path, BsdfLobe lobe, const BounceLimits& limits) {
     const auto count = [&path](std::uint8_t& bounces, std::size_t limit) {
         path.is_last = path.is_last || ++bounces > limit;

@@ -57,6 +57,10 @@ struct Path {
     Color3f before_tail{1.0F};
 };
 
+/// Absorbs light between the place where it was scattered last and this one. The length is that
+/// between the places, not from the ray's origin, which is next to the surface.
+void absorb(Path& path, const V3f& position);
+
 /// Counts a scattering. After the largest number of bounces a ray still collects the light of lamps
 /// that it meets, for which sampling the lamps has left a part.
 void count_bounce(Path& path, BsdfLobe lobe, const BounceLimits& limits);

@@ -86,16 +86,16 @@ private:
 
     [[nodiscard]] Color4f light(const Ray& ray, const embree::Hit& hit) {
         const Interaction at = tracer().interaction(ray, hit);
-        return at.appearance().opacity >= 1.0F
-                   ? opaque(radiance(at.appearance(), at.surface.normal, ray.direction))
-                   : trace(ray, hit).radiance;
+        return at.appearance().opacity >= 1.0F ? opaque(radiance(at, ray.direction))
+                                               : trace(ray, hit).radiance;
     }
 
-    static Color3f radiance(const Appearance& appearance, const V3f& normal, const V3f& direction) {
-        if (appearance.unlit) {
-            return appearance.base_color;
-        }
-        return appearance.emission + std::abs(normal.dot(direction)) * appearance.base_color;
+    static Color3f radiance(const Interaction& at, const V3f& direction) {
+        const Appearance& appearance = at.appearance();
+        return appearance.unlit
+                   ? appearance.base_color
+                   : at.emission(direction) +
+                         std::abs(at.surface.normal.dot(direction)) * appearance.base_color;
     }
     static Color4f opaque(const Color3f& color) { return {color.x, color.y, color.z, 1.0F}; }
 
@@ -104,7 +104,7 @@ private:
             return {at.appearance().base_color, Color3f(0.0F), Color3f(0.0F)};
         }
         const float cosine = std::abs(at.surface.normal.dot(ray.direction));
-        return {at.appearance().emission, Color3f(0.0F), cosine * at.appearance().base_color};
+        return {at.emission(ray.direction), Color3f(0.0F), cosine * at.appearance().base_color};
     }
 
     const TextureLibrary* textures_;

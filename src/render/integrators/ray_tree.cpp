@@ -58,9 +58,12 @@ void RayTree::follow(const Branch& branch, const embree::Hit& hit, Seen& seen) {
         return;
     }
     if (seen_directly) {
-        seen.radiance.a += branch.weight.x * opacity;
+        const float part = branch.weight.x * opacity;
+        const VisibleSurface surface = tracer_.visible(at);
+        seen.radiance.a += part;
+        seen.coverage.add(surface, part);
         if (!seen.visible.any) {
-            seen.visible = tracer_.visible(at);
+            seen.visible = surface;
         }
     }
     const Shaded shaded = shade(branch.ray, at);

@@ -19,7 +19,7 @@ namespace {
 // The radiance of a white surface at this place, turned to the lights, and of the place itself.
 double brightness(const SceneTracer& tracer, const V3f& to_viewer, const Interaction& at) {
     constexpr float white_radiance = 1.0F / std::numbers::pi_v<float>;
-    Color3f total = at.appearance().emission;
+    Color3f total = at.emission(-to_viewer);
     for (std::size_t light = 0; light < tracer.lights().size(); ++light) {
         const Illumination arriving =
             tracer.lights().arriving(light, {at.surface.position, to_viewer});

@@ -211,7 +211,7 @@ void Compositor::trace_layer(const Element& element, const Veil& veil, Work& wor
         drawn[i] = {seen.radiance, Color4f(0.0F), seen.mirrored, 1.0F};
         count.hits += seen.visible.any && work.counts(i) ? 1 : 0;
         if (!work.seen.empty()) {
-            work.seen[layer][i] = {1.0F, seen.radiance.a, seen.parts, seen.visible};
+            work.seen[layer][i] = {1.0F, seen.parts, seen.visible, seen.coverage};
         }
         if (!data_apart) {
             add_data(element, veil, i, seen, work);

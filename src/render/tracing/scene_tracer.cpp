@@ -44,8 +44,12 @@ Bsdf Interaction::bsdf() const {
     return made;
 }
 
-Color3f SceneTracer::emission(const embree::Hit& hit) const {
+Color3f SceneTracer::emission(const embree::Hit& hit, const V3f& direction, float time) const {
     const MeshPoint point = traced_->surfaces.mesh_point(hit);
+    if (traced_->scene->materials[point.mesh->material.value()].clearcoat > 0.0F) {
+        const Interaction at(*traced_, Ray{V3f(0.0F), direction, {}, time}, hit);
+        return at.appearance().opacity * at.emission(direction);
+    }
     return traced_->materials.opacity(point) * traced_->materials.emission(point);
 }
 

@@ -46,6 +46,10 @@ struct Interaction {
         return constant != nullptr ? *constant : *varying;
     }
     [[nodiscard]] Bsdf bsdf() const;
+    /// The radiance that the surface emits against a ray of this direction.
+    [[nodiscard]] Color3f emission(const V3f& direction) const {
+        return appearance().emission_through_coat(-surface.coat_normal.dot(direction));
+    }
 };
 
 /// Queries a scene; belongs to one thread.
@@ -81,8 +85,9 @@ public:
         return {*traced_, ray, hit};
     }
 
-    /// What the material emits at a point of a triangle, unfiltered, by its opacity.
-    [[nodiscard]] Color3f emission(const embree::Hit& hit) const;
+    /// What the material emits at a point of a triangle against a ray of this direction,
+    /// unfiltered, by its opacity.
+    [[nodiscard]] Color3f emission(const embree::Hit& hit, const V3f& direction, float time) const;
 
     /// The fraction of the light that reaches a surface from a direction and a distance.
     [[nodiscard]] float transmittance(const Surface& surface, const V3f& to_light, float distance,

@@ -36,9 +36,10 @@ float rest_above(float random, float border) {
 constexpr Color3f eye_irradiance(std::numbers::pi_v<float>, std::numbers::pi_v<float>,
                                  std::numbers::pi_v<float>);
 
-// Whether the emission depends on the point of a triangle.
+// Whether the emission depends on the point of a triangle, or on the direction.
 bool varies(const scene::Material& material) {
-    return material.emission_texture.valid() || material.alpha_mode != scene::AlphaMode::opaque;
+    return material.emission_texture.valid() || material.clearcoat > 0.0F ||
+           material.alpha_mode != scene::AlphaMode::opaque;
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ struct LightSample {
                          ///< If delta: the probability alone.
     bool delta = false;  ///< No other way of sampling finds this direction.
     /// A point of an emissive triangle whose emission varies: the light is what the material emits
-    /// there, times `radiance`. Nothing if `radiance` is all.
+    /// there in this direction, times `radiance`. Nothing if `radiance` is all.
     embree::Hit emitter{};
 };
 

@@ -37,6 +37,9 @@ struct Appearance {
     Color3f sheen_color{0.0F};  ///< The reflectance of the fibres on top.
     float sheen_roughness = 0.0F;
     bool unlit = false;  ///< The base colour is shown as it is, without light.
+
+    /// The emission that leaves the clearcoat, by the cosine between its normal and the viewer.
+    [[nodiscard]] Color3f emission_through_coat(float cosine) const;
 };
 
 }  // namespace balcony::render

@@ -109,6 +109,14 @@ float Passage::reflection_probability(const Color3f& reflected) const {
     return back > 0.0F ? back / (back + on) : 0.0F;
 }
 
+Color3f Appearance::emission_through_coat(float cosine) const {
+    Color3f found = emission;
+    if (clearcoat > 0.0F) {
+        found *= 1.0F - clearcoat * coat_reflectance(schlick(cosine), 1.0F);
+    }
+    return found;
+}
+
 float coat_reflectance(float edge, float scale) {
     return reflectance_of_coat().at_facet(edge, scale);
 }

@@ -153,7 +153,8 @@ MaterialSet::MaterialSet(const scene::Scene& scene, const TextureLibrary& textur
 std::optional<MaterialSet::Plain> MaterialSet::plain(const scene::Mesh& mesh) const {
     const Material& material = scene_->materials[mesh.material.value()];
     if (material.alpha_mode != scene::AlphaMode::opaque || !mesh.colors.empty() || material.unlit ||
-        material.emission_texture.valid() || material.normal_texture.valid()) {
+        material.emission_texture.valid() || material.normal_texture.valid() ||
+        (material.clearcoat > 0.0F && !is_black(material.emission))) {
         return std::nullopt;
     }
     return Plain{&prepared_[mesh.material.value()].constant,

@@ -44,7 +44,7 @@ public:
         const scene::TextureUse* texture = nullptr;  ///< Of the base colour; null if there is none.
     };
     /// The material of a mesh if it is opaque, and its emission and normals are the same as without
-    /// textures.
+    /// textures and from all directions.
     [[nodiscard]] std::optional<Plain> plain(const scene::Mesh& mesh) const;
 
     /// The reflection of a mesh if it is the same everywhere, seen from outside or inside;
@@ -54,7 +54,7 @@ public:
         return prepared.bsdf && mesh.colors.empty() ? &(*prepared.bsdf)[entering ? 1 : 0] : nullptr;
     }
 
-    /// The emission only.
+    /// The emission only, as below any clearcoat.
     [[nodiscard]] Color3f emission(const MeshPoint& point) const;
     /// The opacity only, after the alpha mask and according to the mode.
     [[nodiscard]] float opacity(const MeshPoint& point) const;
