@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/textures/texture_library.hpp"
+#include "shading/textures/texture_library.hpp"
 #include "support.hpp"
 
 namespace balcony::render::test::nearest_texture_test {
