@@ -33,6 +33,28 @@ TEST_F(Obj, PolygonsAreTriangulated) {
     EXPECT_TRUE(scene.diagnostics.empty()) << said(scene);
 }
 
+TEST_F(Obj, AByteOrderMarkIsNoPartOfTheFirstStatement) {
+    const auto scene = load_obj("\xef\xbb\xbf" + std::string(square) + "f 1 2 3 4\n");
+    ASSERT_TRUE(scene) << said(scene);
+    EXPECT_EQ(scene->triangle_count(), 2U);
+    EXPECT_EQ(scene->bounds().max, V3f(1, 1, 0));
+    EXPECT_TRUE(scene.diagnostics.empty()) << said(scene);
+}
+
+TEST_F(Obj, Utf16IsNamed) {
+    for (const bool big_endian : {false, true}) {
+        for (const bool marked : {false, true}) {
+            std::string wide = !marked ? "" : big_endian ? "\xfe\xff" : "\xff\xfe";
+            for (const char c : std::string(square) + "f 1 2 3\n") {
+                wide += big_endian ? std::string{'\0', c} : std::string{c, '\0'};
+            }
+            const auto scene = load_obj(wide);
+            ASSERT_FALSE(scene);
+            EXPECT_NE(said(scene).find("UTF-16"), std::string::npos) << said(scene);
+        }
+    }
+}
+
 TEST_F(Obj, BottomLeftIsTurnedToTopLeft) {
     const auto scene = load_obj(std::string(square) +
                                 "vt 0 1\nvt 1 0\nvt 0.5 0.25\nvn 0 0 1\nf 1/1/1 2/2/1 3/3/1\n");

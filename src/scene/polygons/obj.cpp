@@ -204,8 +204,7 @@ private:
 FaceSet read_obj_faces(Import& import) {
     const std::vector<std::uint8_t> bytes = import.bytes();
     ObjReader reader(import);
-    reader.read({reinterpret_cast<const char*>(bytes.data()), bytes.size()},
-                import.file.stem().string());
+    reader.read(text_of(bytes), import.file.stem().string());
     return reader.take();
 }
 

@@ -60,14 +60,15 @@ void ObjMaterials::read_library(const std::filesystem::path& file) {
         return;
     }
     std::vector<std::uint8_t> bytes;
+    std::string_view text;
     try {
         bytes = read_bytes(file);
+        text = text_of(bytes);
     } catch (const ReadError& fault) {
         import_.warn(fmt::format("material library skipped: {}", fault.diagnostic.message),
                      fault.diagnostic.remedy);
         return;
     }
-    std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     std::string joined;
     Source* source = nullptr;
     while (!text.empty()) {

@@ -4,6 +4,8 @@
 
 // Statements, words and numbers of text formats: OBJ, MTL, STL and PLY.
 
+#include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -14,6 +16,10 @@ struct Statement {
     std::string_view keyword;
     std::string_view arguments;
 };
+
+/// The text of a file in UTF-8 or an 8-bit encoding, without a byte order mark. Throws ReadError if
+/// it is UTF-16.
+[[nodiscard]] std::string_view text_of(std::span<const std::uint8_t> bytes);
 
 /// Removes the next line from a text; a comment gives an empty statement. A backslash at the end of
 /// a line continues it on the next, for which `joined` is the storage.
