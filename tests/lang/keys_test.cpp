@@ -45,7 +45,9 @@ TEST(Keys, GoFromKeyToKey) {
     EXPECT_EQ(value_at("keys((0, 1), (2, 5), ease = hold)", 1.9), 1.0);
     EXPECT_EQ(value_at("keys((2, 7))", 0.0), 7.0);
     EXPECT_EQ(value_at("keys((0, 0), (1, 1), beyond = repeat)", 3.25), 0.25);
+    EXPECT_EQ(value_at("keys((0, 0), (1, 1), beyond = repeat)", -0.75), 0.25);
     EXPECT_EQ(value_at("keys((0, 0), (1, 1), beyond = mirror)", 3.25), 0.75);
+    EXPECT_EQ(value_at("keys((0, 0), (1, 1), beyond = mirror)", -0.25), 0.25);
 }
 
 TEST(Keys, ArePartsOfExpressions) {
