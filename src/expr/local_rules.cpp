@@ -3,7 +3,9 @@
 
 #include "expr/local_rules.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace balcony::expr {
 
@@ -262,10 +264,22 @@ Expr parity_rules(Graph& graph, const Operation& row, Expr a) {
     return row.parity == Parity::even ? f : -f;
 }
 
+// Arithmetic with a number that is none gives none.
+bool has_no_value(Op op, Arguments a) {
+    const bool arithmetic = op == Op::add || op == Op::subtract || op == Op::multiply ||
+                            op == Op::divide || op == Op::negate;
+    return arithmetic && std::any_of(a.begin(), a.end(), [](Expr argument) {
+               return argument.is_constant() && std::isnan(argument.node().value);
+           });
+}
+
 }  // namespace
 
 Expr apply_local_rules(Graph& graph, Op op, Arguments a) {
     const Operation& row = operation(op);
+    if (has_no_value(op, a)) {
+        return graph.constant(std::numeric_limits<double>::quiet_NaN());
+    }
     if (const Expr constant = fold(graph, row, a); constant.valid()) {
         return constant;
     }

@@ -75,6 +75,9 @@ private:
         const Operation& row = operation(node.op);
         switch (node.op) {
             case Op::constant:
+                if (std::isnan(node.value)) {
+                    return {"0 / 0", Precedence::product};
+                }
                 return {fmt::format("{}", node.value),
                         std::signbit(node.value) ? Precedence::prefix : Precedence::atom};
             case Op::input: return {graph_.input_names()[node.detail]};
