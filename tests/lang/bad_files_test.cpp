@@ -133,6 +133,28 @@ TEST(GeneratedBadFile, NestingIsBounded) {
     }
 }
 
+TEST(GeneratedBadFile, ChainsOfIndicesAreBounded) {
+    std::string chain;
+    for (int i = 0; i < 300'000; ++i) {
+        chain += "[0]";
+    }
+    const Diagnostics said =
+        test::make(test::joined({"let a = [(1, 2)]\nlet b = a", chain})).diagnostics;
+    ASSERT_EQ(said.size(), 1U) << to_text(said);
+    EXPECT_EQ(said[0].message, "a value has more than 16 indices");
+}
+
+// The header says a name too much, and all names in it are lost.
+TEST(GeneratedBadFile, ABrokenHeaderIsOneError) {
+    const Diagnostics said =
+        test::make(
+            "camera fisheye fisheye(fov = 180deg, px = 0) {\n fit px = scene_radius\n"
+            " map u = fov/2 .. -fov/2, v = square\n eye sphere(1)\n move translate(px, 0, 0)\n}")
+            .diagnostics;
+    ASSERT_EQ(said.size(), 1U) << to_text(said);
+    EXPECT_EQ(said[0].message, "the name of a camera is one word");
+}
+
 TEST(GeneratedBadFile, LongChainsNeedNoStack) {
     std::string sum = "let a = 1";
     for (int i = 0; i < 100'000; ++i) {

@@ -14,10 +14,13 @@ namespace balcony::lang {
 Statements::Statements(const SyntaxTree& tree, const std::vector<Statement>& all,
                        Reporter& reporter)
     : all_(all) {
+    // A keyword in a broken statement may be a piece of it.
+    const bool whole =
+        std::none_of(all.begin(), all.end(), [](const Statement& one) { return one.broken; });
     for (const Statement& statement : all) {
         const auto [earlier, is_first] = first_.emplace(statement.kind, &statement);
         const StatementRow* row = row_of(statement.kind);
-        if (!is_first && row != nullptr && row->once) {
+        if (!is_first && whole && row != nullptr && row->once) {
             const std::string_view word = row->keyword;
             Diagnostic diagnostic = error(fmt::format("'{}' occurs a second time", word),
                                           tree.at(statement.keyword), "remove one of them");

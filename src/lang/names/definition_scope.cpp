@@ -16,6 +16,18 @@ std::string_view word_for(const DefinitionSyntax& camera) {
     return camera.is_picture ? "picture" : "camera";
 }
 
+namespace {
+
+// Whether a statement that was not read may have defined a name.
+bool lacks_names(const std::vector<Statement>& statements) {
+    return std::any_of(statements.begin(), statements.end(), [](const Statement& statement) {
+        return statement.kind == StatementKind::unknown ||
+               (statement.kind == StatementKind::let && statement.let().name.text.empty());
+    });
+}
+
+}  // namespace
+
 DefinitionScope::DefinitionScope(const LocatedDefinition& place, const GivenParameters& given,
                                  Session& session)
     : place_(place),
@@ -25,7 +37,7 @@ DefinitionScope::DefinitionScope(const LocatedDefinition& place, const GivenPara
       fitted_(place, scope_, session),
       values_(given.values),
       open_(given.open) {
-    if (place.camera->broken) {
+    if (place.camera->broken || lacks_names(place.camera->statements)) {
         scope_.mark_incomplete();
     }
     read_overrides(given.overrides);
@@ -77,7 +89,7 @@ std::vector<std::string> DefinitionScope::parameter_names() const {
 void DefinitionScope::check_names(const std::vector<ParameterValue>& values) {
     const std::vector<std::string> known = parameter_names();
     for (const ParameterValue& value : values) {
-        if (!scope_.incomplete() &&
+        if (!place_.camera->broken &&
             std::find(known.begin(), known.end(), value.name.text) == known.end()) {
             session_.reporter().error(
                 value.name_place,

@@ -55,14 +55,14 @@ public:
         root_ = id;
         wanted_ = wanted;
         first_ = tree_[id].first.value();
-        const std::vector<std::size_t> order = order_of(id.value());
-        if (!all_belong_to_an_expression(order) || is_too_much(order.size())) {
+        order_ = order_of(id.value());
+        if (!all_belong_to_an_expression(order_) || is_too_much(order_.size())) {
             return {};
         }
         try {
-            values_.resize(id.value() - first_ + 1);
-            for (const std::size_t i : order) {
-                values_[i - first_] = value_of(tree_.expressions[i], i == id.value());
+            values_.reserve(order_.size());
+            for (const std::size_t i : order_) {
+                values_.push_back(value_of(tree_.expressions[i], i == id.value()));
             }
         } catch (const expr::GraphTooLarge&) {
             error(tree_[id].span, "the formulas of this file are too large",
@@ -88,6 +88,12 @@ private:
         }
         std::reverse(order.begin(), order.end());
         return order;
+    }
+
+    // Of a node that precedes the current one.
+    [[nodiscard]] const Value& value_at(ExpressionId id) const {
+        const auto place = std::lower_bound(order_.begin(), order_.end(), id.value());
+        return values_[static_cast<std::size_t>(place - order_.begin())];
     }
 
     [[nodiscard]] bool has_parts_of_its_own(const Expression& node) const {
@@ -225,7 +231,7 @@ private:
         std::vector<expr::Expr> arguments;
         Value result;
         for (const Argument& argument : node.arguments) {
-            operands.push_back(values_[argument.value.value() - first_]);
+            operands.push_back(value_at(argument.value));
             if (operands.back().failed()) {
                 return {};
             }
@@ -349,7 +355,7 @@ private:
         std::vector<expr::Expr> arguments;
         Value result;
         for (const Argument& argument : node.arguments) {
-            const Value& operand = values_[argument.value.value() - first_];
+            const Value& operand = value_at(argument.value);
             if (operand.failed()) {
                 return {};
             }
@@ -407,7 +413,8 @@ private:
     ExpressionId root_{};
     Wanted wanted_ = Wanted::number;
     std::size_t first_ = 0;
-    std::vector<Value> values_;
+    std::vector<std::size_t> order_;  // The nodes that are evaluated here, increasing.
+    std::vector<Value> values_;       // By the same numbers.
 };
 
 // Reports the problem of a value that is used.
@@ -480,21 +487,6 @@ std::optional<Value> evaluate_compound(const SyntaxTree& tree, ExpressionId id, 
     }
     Value value = evaluate_any(tree, id, scope, context);
     return value.expr.valid() ? std::nullopt : std::optional(std::move(value));
-}
-
-bool check_function(const LetFunction& function, const Context& context) {
-    Scope inner(&function.scope);
-    for (const Identifier& parameter : function.let.parameters) {
-        const SourceSpan place = function.tree.at(parameter.span);
-        // Without a value, so that nothing that depends on it is reported.
-        if (!inner.define(parameter.text, {{}, place, "parameter", true})) {
-            report_duplicate(parameter, place, inner.find_here(parameter.text)->place,
-                             context.reporter);
-            return false;
-        }
-    }
-    (void)evaluate_any(function.tree, function.let.value, inner, context);
-    return true;
 }
 
 }  // namespace balcony::lang

@@ -17,10 +17,6 @@ namespace balcony::lang {
 [[nodiscard]] std::optional<Value> evaluate_compound(const SyntaxTree& tree, ExpressionId id,
                                                      Scope& scope, const Context& context);
 
-/// Checks a function that is to be defined: its parameters, and what of its body does not depend on
-/// them. Returns false after an error in the parameters, which is reported as all others are.
-[[nodiscard]] bool check_function(const LetFunction& function, const Context& context);
-
 /// The value of any expression that can be named.
 [[nodiscard]] Value evaluate_any(const SyntaxTree& tree, ExpressionId id, Scope& scope,
                                  const Context& context);

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "lang/names/evaluate.hpp"
+
 namespace balcony::lang {
 
 namespace {
@@ -124,6 +126,21 @@ bool check_call(const SyntaxTree& tree, const Expression& call, Scope& scope,
         fmt::format("the syntax is {}",
                     let != nullptr ? signature(*let->function) : call_of(name, arity)));
     return false;
+}
+
+bool check_function(const LetFunction& function, const Context& context) {
+    Scope inner(&function.scope);
+    for (const Identifier& parameter : function.let.parameters) {
+        const SourceSpan place = function.tree.at(parameter.span);
+        // Without a value, so that nothing that depends on it is reported.
+        if (!inner.define(parameter.text, {{}, place, "parameter", true})) {
+            report_duplicate(parameter, place, inner.find_here(parameter.text)->place,
+                             context.reporter);
+            return false;
+        }
+    }
+    (void)evaluate_any(function.tree, function.let.value, inner, context);
+    return true;
 }
 
 std::string signature(const LetFunction& function) {

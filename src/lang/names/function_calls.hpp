@@ -36,4 +36,8 @@ struct Callee {
 /// How a function is called: ratio(x, y).
 [[nodiscard]] std::string signature(const LetFunction& function);
 
+/// Checks a function that is to be defined: its parameters, and what of its body does not depend on
+/// them. Returns false after an error in the parameters, which is reported as all others are.
+[[nodiscard]] bool check_function(const LetFunction& function, const Context& context);
+
 }  // namespace balcony::lang

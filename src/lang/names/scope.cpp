@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "lang/names/evaluate.hpp"
+#include "lang/names/function_calls.hpp"
 
 namespace balcony::lang {
 

@@ -201,6 +201,9 @@ Module* Session::resolve(std::shared_ptr<const ParsedFile> file, fs::path folder
     module.built_in = built_in;
     module.scope = std::make_unique<Scope>(constants_.get());
 
+    if (module.tree.broken) {
+        module.scope->mark_incomplete();
+    }
     opened_.push_back({&module, key});
     std::vector<const Statement*> lets;
     for (const Item& item : module.tree.items) {

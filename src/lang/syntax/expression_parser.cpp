@@ -14,6 +14,8 @@ namespace balcony::lang {
 namespace {
 
 constexpr int deepest_nesting = 200;
+// An element of a list is a tuple at most, whose elements are numbers.
+constexpr int max_indices = 16;
 
 struct BinaryOperator {
     std::string_view symbol;
@@ -143,8 +145,15 @@ std::optional<ExpressionId> ExpressionParser::power() {
 std::optional<ExpressionId> ExpressionParser::element() {
     const std::size_t first = nodes_.size();
     std::optional<ExpressionId> read = primary();
+    int indices = 0;
     while (read && tokens_.peek().is("[") && !tokens_.at_new_line() &&
            nodes_[read->value()].kind != ExpressionKind::number) {
+        if (++indices > max_indices) {
+            tokens_.error(tokens_.peek().span,
+                          fmt::format("a value has more than {} indices", max_indices),
+                          "an element of a list has at most one more: points[2][0]");
+            return std::nullopt;
+        }
         const Span opening = tokens_.next().span;
         const std::optional<ExpressionId> index = expression();
         const Expression& compound = nodes_[read->value()];

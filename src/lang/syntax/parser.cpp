@@ -3,6 +3,8 @@
 
 #include "lang/syntax/parser.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "lang/syntax/expression_parser.hpp"
@@ -29,7 +31,7 @@ public:
             if (token.is_name("import")) {
                 import();
             } else if (token.is_name("let")) {
-                tree_.items.emplace_back(statements_.statement(Block::camera));
+                add_let(statements_.statement(Block::camera));
             } else if (token.is_name("camera") || token.is_name("picture")) {
                 camera();
             } else {
@@ -66,7 +68,13 @@ private:
 
     // ------------------------------------------------------------------------- the file itself
 
+    void add_let(Statement let) {
+        tree_.broken = tree_.broken || let.let().name.text.empty();
+        tree_.items.emplace_back(std::move(let));
+    }
+
     void stray_item() {
+        tree_.broken = true;
         const Token& token = tokens_.peek();
         const bool opens_statement = find_statement(token, Block::camera) != nullptr ||
                                      find_statement(token, Block::picture) != nullptr;
@@ -173,10 +181,9 @@ private:
         camera.span = tokens_.next().span;
         camera.name = {"", camera.span};
         statements_.enter(camera.is_picture);
+        const std::size_t errors_before = reporter_.error_count();
         if (const auto name = statements_.new_name(fmt::format("a name for the {}", what))) {
             camera.name = *name;
-        } else {
-            camera.broken = true;
         }
         if (tokens_.peek().is("(")) {
             parameters(camera);
@@ -185,19 +192,27 @@ private:
             size(camera);
         }
         if (!tokens_.peek().is("{")) {
+            tokens_.mute(reporter_.error_count() > errors_before);
             missing_brace(camera, what);
+            tokens_.mute(false);
         }
+        camera.broken = camera.broken || reporter_.error_count() > errors_before;
         if (tokens_.peek().is("{")) {
             camera.statements =
                 statements_.block(camera.is_picture ? Block::picture : Block::camera);
+        }
+        // With an unread statement, nothing is said to be missing.
+        if (camera.broken) {
+            Statement unread;
+            unread.broken = true;
+            camera.statements.push_back(std::move(unread));
         }
         camera.span.end = tokens_.previous().span.end;
         statements_.enter(false);
         tree_.items.emplace_back(std::move(camera));
     }
 
-    // What follows a name instead of the opening brace is skipped up to the brace. Without one,
-    // the definition has an unread statement, so that nothing is said to be missing in it.
+    // What follows a name instead of the opening brace is skipped up to the brace.
     void missing_brace(DefinitionSyntax& camera, std::string_view what) {
         camera.broken = true;
         const Token& token = tokens_.peek();
@@ -218,11 +233,6 @@ private:
         while (!tokens_.at_end() && !tokens_.peek().is("{") &&
                (!is_file_keyword(tokens_.peek()) || !tokens_.at_new_line())) {
             tokens_.next();
-        }
-        if (!tokens_.peek().is("{")) {
-            Statement unread;
-            unread.broken = true;
-            camera.statements.push_back(std::move(unread));
         }
     }
 
@@ -286,7 +296,10 @@ private:
                statements_.keyword_at(tokens_.peek()) == nullptr) {
             const Token& token = tokens_.next();
             depth += token.is("(") ? 1 : token.is(")") ? -1 : 0;
-            if (depth == 0 && token.kind == TokenKind::name && tokens_.peek().is("=")) {
+            const bool is_new =
+                std::none_of(camera.parameters.begin(), camera.parameters.end(),
+                             [&](const auto& known) { return known.name.text == token.text; });
+            if (depth == 0 && token.kind == TokenKind::name && tokens_.peek().is("=") && is_new) {
                 camera.parameters.push_back({{token.text, token.span}, ExpressionId()});
             }
         }

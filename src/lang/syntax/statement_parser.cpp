@@ -47,11 +47,14 @@ std::vector<Statement> StatementParser::block(Block block) {
     std::vector<Statement> read;
     while (!tokens_.at_end() && !tokens_.peek().is("}") &&
            (!is_file_keyword(tokens_.peek()) || is_shown_camera(block)) && !reporter_.full()) {
-        read.push_back(statement(block));
+        read_statement(block, read);
     }
     const bool hidden = tokens_.at_end() && tokens_.at_reported();
     if (!reporter_.full()) {
+        const bool muted = tokens_.muted();
+        tokens_.mute(muted || (!read.empty() && read.back().broken && !tokens_.at_new_line()));
         tokens_.expect_closing("}", opening);
+        tokens_.mute(muted);
     }
     if (hidden || reporter_.full()) {
         Statement unread;
@@ -59,6 +62,20 @@ std::vector<Statement> StatementParser::block(Block block) {
         read.push_back(std::move(unread));
     }
     return read;
+}
+
+// What stands behind a broken statement on its line is a piece of it, and a statement with such a
+// piece behind it is broken.
+void StatementParser::read_statement(Block block, std::vector<Statement>& read) {
+    const bool muted = tokens_.muted();
+    const bool goes_on = !read.empty() && !tokens_.at_new_line();
+    tokens_.mute(muted || (goes_on && read.back().broken));
+    Statement made = statement(block);
+    tokens_.mute(muted);
+    if (goes_on && made.kind == StatementKind::unknown) {
+        read.back().broken = true;
+    }
+    read.push_back(std::move(made));
 }
 
 // camera NAME in a picture, instead of layer NAME.

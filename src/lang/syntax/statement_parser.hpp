@@ -57,6 +57,7 @@ private:
     [[nodiscard]] bool assigned_names(Assignment& assignment);
     [[nodiscard]] bool expect_corner();
     [[nodiscard]] bool loop(Statement& made);
+    void read_statement(Block block, std::vector<Statement>& read);
     [[nodiscard]] bool is_shown_camera(Block block) const;
     [[nodiscard]] bool takes_bare_number(const StatementRow& row, std::string_view stage);
     [[nodiscard]] bool stages(const StatementRow& row, Statement& made);

@@ -191,6 +191,7 @@ struct SyntaxTree {
     std::shared_ptr<const SourceText> source;
     std::vector<Expression> expressions;
     std::vector<Item> items;
+    bool broken = false;  ///< A piece between the items was not read: names may be missing.
     std::vector<Span> comments;
 
     [[nodiscard]] const Expression& operator[](ExpressionId id) const {

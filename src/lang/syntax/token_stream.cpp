@@ -27,7 +27,9 @@ std::string TokenStream::found() const {
 }
 
 void TokenStream::error(Span span, std::string message, std::string remedy) const {
-    reporter_->error(at(span), std::move(message), std::move(remedy));
+    if (!muted_) {
+        reporter_->error(at(span), std::move(message), std::move(remedy));
+    }
 }
 
 void TokenStream::expected(std::string_view what, std::string remedy) const {
@@ -70,7 +72,7 @@ bool TokenStream::expect_closing(std::string_view symbol, Span opening) {
     if (accept(symbol)) {
         return true;
     }
-    if (!at_reported()) {
+    if (!at_reported() && !muted_) {
         const char* or_comma = symbol == "}" ? "" : "',' or ";
         Diagnostic diagnostic =
             balcony::error(fmt::format("expected {}'{}', but {}", or_comma, symbol, found()),

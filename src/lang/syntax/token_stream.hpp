@@ -50,6 +50,9 @@ public:
         return found;
     }
 
+    /// Errors are not said while this is set: they follow from one that has been.
+    void mute(bool muted) { muted_ = muted; }
+    [[nodiscard]] bool muted() const { return muted_; }
     void error(Span span, std::string message, std::string remedy = {}) const;
     /// Reports what is expected instead of the next token, unless the lexer has already
     /// reported an error there.
@@ -71,6 +74,7 @@ private:
     bool cut_short_;
     Reporter* reporter_;
     std::size_t at_ = 0;
+    bool muted_ = false;
 };
 
 }  // namespace balcony::lang
