@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <csignal>
 #include <exception>
+#include <new>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -112,12 +113,22 @@ ExitCode run(CLI::App& app, int argc, char** argv) {
     try {
         app.parse(words_from_the_last(argc, argv));
     } catch (const CLI::CallForHelp&) {
+        const std::vector<std::string> unknown = app.remaining();
+        if (app.get_subcommands().empty() && !unknown.empty()) {
+            report_error(cli::usage_error(app, CLI::ExtrasError("help", unknown)), as_json);
+            return ExitCode::wrong_usage;
+        }
         cli::print_result(app.help());
     } catch (const CLI::CallForVersion& version) {
         cli::print_result(std::string(version.what()) + "\n");
     } catch (const CLI::ParseError& problem) {
         report_error(cli::usage_error(app, problem), as_json);
         return ExitCode::wrong_usage;
+    } catch (const std::bad_alloc&) {
+        report_error(balcony::error(balcony::Kind::environment, "there is not enough memory",
+                                    "make the picture smaller, or free some memory"),
+                     as_json);
+        return ExitCode::environment;
     } catch (const std::exception& problem) {
         report_error(balcony::error(problem.what()), as_json);
         return ExitCode::environment;
@@ -146,8 +157,10 @@ int main(int argc, char** argv) {
     if (balcony::images::is_missing()) {
         code = ExitCode::environment;
     }
-    if (!cli::finish_output()) {
-        cli::report({balcony::error("standard output cannot be written to")});
+    // A command that has failed in its environment has said so.
+    if (!cli::finish_output() && code != ExitCode::environment) {
+        cli::report(
+            {balcony::error(balcony::Kind::environment, "standard output cannot be written to")});
         code = code == ExitCode::done ? ExitCode::environment : code;
     }
     return static_cast<int>(code);

@@ -53,6 +53,11 @@ class Completion(support.CommandTest):
         self.assertEqual(self.words("locate", "panorama", "--axes", "y"), ["y_up"])
         self.assertEqual(self.words("render", "scene.obj", "--samples", ""), [])
 
+    def test_names_that_would_control_a_terminal_are_left_out(self):
+        for name in ("red\033[31m.obj", "two\nlines.obj", "turned\u202e.obj", "tab\tbed.obj"):
+            (self.folder / name).write_text("")
+        self.assertEqual(self.words("render", ""), ["room.glb", "scene.obj"])
+
     def test_what_is_wrong_completes_to_nothing(self):
         for line in ((), ("",) * 3, ("rendr", "x"), ("render", "--no-such", ""),
                      ("render", "-c", "lost.cam:"), ("render", "lost/")):

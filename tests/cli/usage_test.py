@@ -50,6 +50,11 @@ class WrongUsage(support.CommandTest):
         self.refused("rendr", "scene.obj", code=2, says="'rendr'", helps="did you mean 'render'?")
         self.refused("qwertyuiop", code=2, says="'qwertyuiop'", helps="balcony --help")
 
+    def test_help_for_what_is_no_command(self):
+        for words in (("help", "NOPE"), ("NOPE", "--help"), ("NOPE", "x", "-h")):
+            self.refused(*words, code=2, says="balcony has no command 'NOPE'")
+        self.refused("help", "rendr", code=2, says="'rendr'", helps="did you mean 'render'?")
+
     def test_misspelt_option(self):
         for words in (("--samplse", "3"), ("--samplse=3",)):
             self.refused("render", "scene.obj", *words, code=2, says="no option '--samplse'",
@@ -97,6 +102,37 @@ class WrongUsage(support.CommandTest):
         self.refused("render", "list", code=1, says="list")
 
 
+class OptionRows(support.CommandTest):
+    """balcony list options --json: what other programs build their own options from."""
+
+    def rows(self, command):
+        commands = self.json_of("list", "options")["commands"]
+        return {row["name"]: row for one in commands if one["name"] == command
+                for row in one["options"]}
+
+    def test_are_those_of_the_help(self):
+        commands = self.json_of("list", "options")["commands"]
+        self.assertIn("rays", [command["name"] for command in commands])
+        for command in commands:
+            text, _ = self.run_command(command["name"], "--help")
+            self.assertTrue(all(f" {row['name']}" in text for row in command["options"]))
+
+    def test_tell_types_ranges_and_defaults(self):
+        rows = self.rows("draw")
+        self.assertEqual({key: rows["--rays"][key] for key in ("type", "minimum", "maximum",
+                                                               "default", "placeholder")},
+                         {"type": "count", "minimum": 0, "maximum": 100, "default": "9",
+                          "placeholder": "COUNT"})
+        self.assertEqual(rows["--output"]["letter"], "-o")
+        self.assertTrue(rows["--output"]["required"])
+        self.assertEqual([one["name"] for one in self.rows("rays")["--axes"]["choices"]],
+                         ["y_up", "z_up"])
+
+    def test_can_be_read(self):
+        text, _ = self.run_command("list", "options")
+        self.assertIn("    --rays", text)
+
+
 class Streams(support.CommandTest):
     def test_a_reader_that_has_read_enough(self):
         for words in (("list",), ("list", "--json"), ("render", "scene.obj", "--size", "4")):
@@ -111,6 +147,11 @@ class Streams(support.CommandTest):
             for words in (("list",), ("--help",), ("info", "scene.obj", "--json")):
                 _, err = self.run_command(*words, code=3, stdout=full)
                 self.assertIn("standard output", err)
+
+    def test_full_standard_output_is_one_error(self):
+        with open("/dev/full", "wb") as full:
+            _, err = self.run_command("rays", "panorama", "--size", "400", code=3, stdout=full)
+        self.assertEqual(err.count("error: "), 1, err)
 
     def test_closed_streams(self):
         def shell(redirection):

@@ -17,8 +17,7 @@
 #include "cli/commands/command.hpp"
 #include "cli/options/camera_argument.hpp"
 #include "cli/options/check_subjects.hpp"
-#include "cli/options/common_options.hpp"
-#include "cli/options/option_values.hpp"
+#include "cli/options/command_rows.hpp"
 #include "cli/options/scene_argument.hpp"
 #include "cli/report/check_report.hpp"
 #include "cli/report/json.hpp"
@@ -30,31 +29,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct CheckOptions {
-    std::vector<std::string> cameras;
-    std::vector<std::string> set;
-    std::string scene;
-    SizeWords size;
-    std::string layer;
-    std::string time = "0";
-    std::string distance = "auto";
-    std::vector<std::pair<std::string, std::string>> maps;
-    bool strict = false;
-    bool json = false;
-};
-
 /// A requested false-colour picture.
 struct Map {
     analyse::MapKind kind;
     fs::path file;
 };
 
-/// The values of the options.
-struct CheckRequest {
+struct CheckOptions {
+    std::vector<std::string> files;
     SubjectRequest cameras;
+    std::string scene;
     std::optional<double> distance;
     std::vector<Map> maps;
+    bool strict = false;
+    bool json = false;
 };
+
+constexpr double largest_check = 1e12;
 
 std::string names_of_maps() {
     return fmt::format("{}", fmt::join(analyse::map_kinds().all(), ", "));
@@ -63,8 +54,9 @@ std::string names_of_maps() {
 Map read_map(const std::string& name, const std::string& file, Diagnostics& diagnostics) {
     const auto kind = analyse::map_kinds().find(name);
     if (!kind) {
-        refuse(diagnostics, "--map", name,
-               did_you_mean(name, analyse::map_kinds().all(), "write " + names_of_maps()));
+        diagnostics.push_back(app::refused(
+            "--map", name,
+            did_you_mean(name, analyse::map_kinds().all(), "write " + names_of_maps())));
     }
     if (render::display_format(file) == nullptr) {
         diagnostics.push_back(error(fmt::format("'{}' cannot be a map", file), {},
@@ -80,29 +72,17 @@ bool lead_to_one_file(const fs::path& a, const fs::path& b) {
     return !failed && place == fs::weakly_canonical(fs::absolute(b, failed), failed);
 }
 
-CheckRequest read_request(const CheckOptions& options, Diagnostics& diagnostics) {
-    constexpr double largest = 1e12;
-    CheckRequest request;
-    request.cameras.set = options.set;
-    request.cameras.layer = options.layer;
-    request.cameras.size = read_size(options.size, diagnostics);
-    request.cameras.time =
-        read_number("--time", options.time, -largest, largest, "give a number", diagnostics);
-    if (options.distance != "auto") {
-        request.distance =
-            read_number("--distance", options.distance, 1e-12, largest,
-                        "give auto, or a distance above 0 in scene units", diagnostics);
-    }
-    for (const auto& [name, file] : options.maps) {
-        for (const Map& other : request.maps) {
-            if (lead_to_one_file(other.file, file)) {
+void check_maps(CheckOptions& options, const app::GivenWords&, Diagnostics& diagnostics) {
+    for (std::size_t i = 0; i < options.maps.size(); ++i) {
+        const std::string file = options.maps[i].file.string();
+        for (std::size_t j = 0; j < i; ++j) {
+            if (lead_to_one_file(options.maps[j].file, file)) {
                 diagnostics.push_back(
                     error(fmt::format("two maps cannot be written to the same file '{}'", file), {},
                           "name a different file for each"));
             }
         }
-        request.maps.push_back(read_map(name, file, diagnostics));
-        for (const std::string& camera : options.cameras) {
+        for (const std::string& camera : options.files) {
             std::error_code failed;
             if (fs::equivalent(file, camera_file(camera), failed) && !failed) {
                 diagnostics.push_back(error(fmt::format("'{}' would be overwritten", file), {},
@@ -110,7 +90,30 @@ CheckRequest read_request(const CheckOptions& options, Diagnostics& diagnostics)
             }
         }
     }
-    return request;
+}
+
+app::Option<CheckOptions> map_option() {
+    return app::custom_option<CheckOptions>(
+        {.name = "--map",
+         .placeholder = "KIND FILE",
+         .meaning = "write a false-colour picture; may be repeated. KIND is " + names_of_maps(),
+         .repeated = true,
+         .words = 2,
+         .type = OptionType::choice,
+         .choices = app::choices_of(analyse::map_kinds())},
+        [](std::span<const std::string> words, CheckOptions& options, Diagnostics& diagnostics) {
+            for (std::size_t i = 0; i + 1 < words.size(); i += 2) {
+                options.maps.push_back(read_map(words[i], words[i + 1], diagnostics));
+            }
+        },
+        [](const CheckOptions& options) {
+            std::vector<std::string> words;
+            for (const Map& map : options.maps) {
+                words.emplace_back(analyse::map_kinds()[map.kind].name);
+                words.push_back(map.file.string());
+            }
+            return words;
+        });
 }
 
 std::size_t count_pictures(const std::vector<lang::Description>& all) {
@@ -128,8 +131,8 @@ struct Checked {
 /// One run of the command. It collects the output for the terminal or for JSON.
 class Run {
 public:
-    Run(const CheckOptions& options, CheckRequest request, lang::Workspace& workspace)
-        : options_(options), request_(std::move(request)), workspace_(workspace) {}
+    Run(const CheckOptions& options, lang::Workspace& workspace)
+        : options_(options), workspace_(workspace) {}
 
     ExitCode operator()(const std::vector<Checked>& all) {
         if (!options_.scene.empty()) {
@@ -165,7 +168,7 @@ private:
     }
 
     void read_scene() {
-        Result<scene::Scene> loaded = load_scene(options_.scene, request_.cameras.time);
+        Result<scene::Scene> loaded = load_scene(options_.scene, options_.cameras.time);
         add(loaded.diagnostics);
         scene_ = std::move(loaded.value);
         if (scene_) {
@@ -174,7 +177,7 @@ private:
     }
 
     void keep_textures(const scene::Scene& scene) {
-        for (const Map& map : request_.maps) {
+        for (const Map& map : options_.maps) {
             for (const scene::Texture& texture : scene.textures) {
                 std::error_code failed;
                 if (fs::equivalent(texture.file, map.file, failed) && !failed) {
@@ -212,8 +215,8 @@ private:
         analyse::DiagnoseSettings settings;
         settings.width = subject.width;
         settings.height = subject.height;
-        settings.time = request_.cameras.time;
-        settings.distance = request_.distance;
+        settings.time = options_.cameras.time;
+        settings.distance = options_.distance;
         CameraCheck check;
         check.has_lens = subject.camera.parts().lens != nullptr;
         check.by_itself = subject.by_itself;
@@ -255,7 +258,7 @@ private:
         const std::size_t height = scaled(subject.height);
         Result<render::Probe> probe =
             render::probe(scene, subject.camera,
-                          {.width = width, .height = height, .time = request_.cameras.time});
+                          {.width = width, .height = height, .time = options_.cameras.time});
         if (probe) {
             for (render::ObjectSight& sight : probe->objects) {
                 sight.inside_at.x *= subject.width / static_cast<double>(width);
@@ -270,7 +273,7 @@ private:
             render::explain_miss(*scene_, subject.camera,
                                  {.width = static_cast<std::size_t>(subject.width),
                                   .height = static_cast<std::size_t>(subject.height),
-                                  .time = request_.cameras.time});
+                                  .time = options_.cameras.time});
         if (miss && found.never_seen.size() == scene_->objects.size()) {
             found.miss = miss_text(*miss, subject.camera);
         }
@@ -279,7 +282,7 @@ private:
     void finish(const CameraCheck& check, nlohmann::json& reports) {
         reports.push_back(check_json(check));
         print(check_text(check));
-        for (const Map& map : request_.maps) {
+        for (const Map& map : options_.maps) {
             write_map(check.report, map);
         }
         if (options_.strict && check.defect_count() > 0) {
@@ -313,7 +316,6 @@ private:
     }
 
     const CheckOptions& options_;
-    CheckRequest request_;
     lang::Workspace& workspace_;
     std::optional<scene::Scene> scene_;
     std::optional<double> scene_distance_;
@@ -344,19 +346,18 @@ void check_one_camera(const std::vector<Checked>& all, Diagnostics& diagnostics)
 
 ExitCode check_command(const CheckOptions& options) {
     Diagnostics diagnostics;
-    CheckRequest request = read_request(options, diagnostics);
     lang::Workspace workspace;
-    if (!options.layer.empty() && options.cameras.size() > 1) {
+    if (!options.cameras.layer.empty() && options.files.size() > 1) {
         diagnostics.push_back(error("--layer refers to one picture, but there are several files",
                                     {}, "name the picture"));
     }
     std::vector<Checked> all;
     if (!has_errors(diagnostics)) {
-        for (const std::string& argument : options.cameras) {
+        for (const std::string& argument : options.files) {
             all.push_back({argument, camera_file(argument).string(),
-                           check_subjects(argument, request.cameras, workspace)});
+                           check_subjects(argument, options.cameras, workspace)});
         }
-        if (!request.maps.empty()) {
+        if (!options.maps.empty()) {
             check_one_camera(all, diagnostics);
         }
     }
@@ -368,52 +369,56 @@ ExitCode check_command(const CheckOptions& options) {
         }
         return ExitCode::wrong_usage;
     }
-    return Run(options, std::move(request), workspace)(all);
+    return Run(options, workspace)(all);
 }
 
 }  // namespace
 
 void add_check_command(CLI::App& app, ExitCode& code) {
-    const auto describe = [](CLI::App& command, CheckOptions& options) {
-        command
-            .add_option(
-                "FILE", options.cameras,
-                "camera files, cameras or pictures in them (FILE:NAME), or built-in cameras")
-            ->required()
-            ->take_all();
-        add_set_option(command, options.set);
-        add_time_option(command, options.time);
-        command
-            .add_option(
-                "--scene", options.scene,
-                "scene file: also report objects that are never visible and rays that start "
-                "inside an object")
-            ->type_name("SCENE");
-        add_size_options(command, options.size,
-                         "size of the picture in pixels (default: about a million pixels, with the "
-                         "camera's aspect ratio)");
-        add_aspect_option(command, options.size);
-        command
-            .add_option("--layer", options.layer,
-                        "analyse only this layer of the picture: 1 is at the back, 3.1 is in the "
-                        "picture of layer 3")
-            ->type_name("NUMBER");
-        command
-            .add_option("--distance", options.distance,
-                        "distance from the ray origins at which magnification is measured; auto "
-                        "depends on the scene or, without one, on the camera")
-            ->type_name("UNITS")
-            ->capture_default_str();
-        command
-            .add_option("--map", options.maps,
-                        "write a false-colour picture; may be repeated. KIND is " + names_of_maps())
-            ->type_name("KIND FILE")
-            ->allow_extra_args(false)
-            ->take_all();
-        command.add_flag("--strict", options.strict,
-                         "exit with code 1 if a camera has a defect: a fold, a seam, a region "
-                         "without rays, ...");
-        command.add_flag("--json", options.json, "print the report as JSON");
+    const auto describe = [](Command& command, CheckOptions& options) {
+        app::Options<CheckOptions> all{
+            {app::words({.name = "FILE",
+                         .meaning = "camera files, cameras or pictures in them (FILE:NAME), or "
+                                    "built-in cameras",
+                         .required = true,
+                         .type = OptionType::camera},
+                        &CheckOptions::files)}};
+        all.add(&CheckOptions::cameras, {{app::set_option(&SubjectRequest::set),
+                                          app::time_option(largest_check, &SubjectRequest::time)}});
+        all.rows.push_back(scene_option(
+            &CheckOptions::scene,
+            "scene file: also report objects that are never visible and rays that start inside an "
+            "object"));
+        app::Options<SubjectRequest> picture;
+        picture.add(&SubjectRequest::size,
+                    app::size_options("size of the picture in pixels (default: about a million "
+                                      "pixels, with the camera's aspect ratio)"));
+        picture.add(&SubjectRequest::size, app::aspect_options());
+        picture.rows.push_back(
+            option({.name = "--layer",
+                    .placeholder = "NUMBER",
+                    .meaning = "analyse only this layer of the picture: 1 is at the back, 3.1 is "
+                               "in the picture of layer 3"},
+                   text(), &SubjectRequest::layer));
+        all.add(&CheckOptions::cameras, std::move(picture));
+        all.add({{option({.name = "--distance",
+                          .placeholder = "UNITS",
+                          .meaning = "distance from the ray origins at which magnification is "
+                                     "measured; auto depends on the scene or, without one, on the "
+                                     "camera"},
+                         app::or_word("auto",
+                                      app::number(1e-12, largest_check,
+                                                  "give auto, or a distance above 0 in scene units",
+                                                  "scene units")),
+                         &CheckOptions::distance),
+                  map_option(),
+                  flag({.name = "--strict",
+                        .meaning = "exit with code 1 if a camera has a defect: a fold, a seam, a "
+                                   "region without rays, ..."},
+                       true, &CheckOptions::strict),
+                  json_flag(&CheckOptions::json, "print the report as JSON")},
+                 {check_maps}});
+        command.add(std::move(all), options);
         command.footer(
             "Examples:\n"
             "  balcony check gallery.cam room.cam\n"

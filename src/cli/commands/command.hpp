@@ -2,14 +2,61 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <deque>
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include "balcony/checkpoint.hpp"
+#include "balcony/options.hpp"
 #include "cli/exit_code.hpp"
 
 namespace balcony::cli {
+
+/// A subcommand whose options are rows.
+class Command final : public CLI::App {
+public:
+    Command(const std::string& name, const std::string& meaning, CLI::App* parent)
+        : CLI::App(meaning, name, parent) {}
+
+    /// Adds options whose values go to a target, which must outlive the command.
+    template <class Target>
+    Command& add(app::Options<Target> options, Target& target) {
+        for (const app::Option<Target>& row : options.rows) {
+            add_row(row);
+        }
+        readers_.push_back([options = std::move(options), &target](const app::GivenWords& given,
+                                                                   Diagnostics& found) {
+            options.read(given, target, found);
+        });
+        return *this;
+    }
+
+    /// All options but --help.
+    [[nodiscard]] const std::vector<app::OptionInfo>& rows() const { return rows_; }
+    /// What is known of an option; null for --help.
+    [[nodiscard]] const app::OptionInfo* row_of(const CLI::Option* option) const;
+    [[nodiscard]] bool has_flag(std::string_view name) const { return given().contains(name); }
+
+    /// The options of the command line that was parsed, with their words.
+    [[nodiscard]] app::GivenWords given() const;
+    /// Reads them into their targets.
+    [[nodiscard]] Diagnostics read() const;
+    /// The options with these effects and what they say, or their defaults.
+    [[nodiscard]] render::RenderFacts facts(std::initializer_list<app::Effect> effects) const;
+
+private:
+    void add_row(const app::OptionInfo& info);
+
+    std::vector<app::OptionInfo> rows_;
+    std::vector<CLI::Option*> parsed_;  ///< By row.
+    std::deque<bool> flags_;
+    std::vector<std::function<void(const app::GivenWords&, Diagnostics&)>> readers_;
+};
 
 /// Each function adds its subcommand to the app. If the command line selects the subcommand,
 /// parsing runs it and stores its exit code in `code`. Results go to standard output, everything
@@ -31,17 +78,24 @@ void add_export_command(CLI::App& app, ExitCode& code);
 void add_info_command(CLI::App& app, ExitCode& code);
 void add_pov_command(CLI::App& app, ExitCode& code);
 
-/// The body of such a function. `describe` adds the options, whose values it stores in an Options;
-/// `run` is the subcommand.
+/// Reports what is wrong with a command line, as JSON if it says so.
+[[nodiscard]] ExitCode refuse(const Command& command, const Diagnostics& found);
+
+/// The body of such a function. `describe` adds the options, whose values go to an Options; `run`
+/// is the subcommand. It is not called if a word cannot be read.
 template <class Options, class Describe>
-CLI::App& add_command(CLI::App& app, ExitCode& code, const std::string& name,
-                      const std::string& meaning, ExitCode (*run)(const Options&),
-                      const Describe& describe) {
-    CLI::App* command = app.add_subcommand(name, meaning);
+Command& add_command(CLI::App& app, ExitCode& code, const std::string& name,
+                     const std::string& meaning, ExitCode (*run)(const Options&),
+                     const Describe& describe) {
+    const auto command = std::make_shared<Command>(name, meaning, &app);
+    app.add_subcommand(command);
     command->group("Commands");
     const auto options = std::make_shared<Options>();
     describe(*command, *options);
-    command->callback([options, run, &code] { code = run(*options); });
+    command->callback([&command = *command, options, run, &code] {
+        const Diagnostics found = command.read();
+        code = has_errors(found) ? refuse(command, found) : run(*options);
+    });
     return *command;
 }
 

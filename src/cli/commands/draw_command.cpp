@@ -18,8 +18,7 @@
 #include "balcony/scene.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/options/camera_argument.hpp"
-#include "cli/options/common_options.hpp"
-#include "cli/options/option_values.hpp"
+#include "cli/options/command_rows.hpp"
 #include "cli/report/json.hpp"
 #include "cli/report/report.hpp"
 
@@ -33,16 +32,11 @@ struct DrawOptions {
     std::string camera;
     std::string output;
     std::vector<std::string> set;
-    std::string time = "0";
-    std::string view = "-50,25";
-    SizeWords size;
-    std::string rays = "9";
-    std::string length = "auto";
-    std::string color = "auto";
-    bool no_eye = false;
-    bool no_toward = false;
-    bool no_frame = false;
-    bool no_axes = false;
+    analyse::Depiction depiction;
+    /// Azimuth and elevation in degrees.
+    std::array<double, 2> direction{-50.0, 25.0};
+    std::optional<Imath::Color3f> color;
+    PictureSize size;
     bool quiet = false;
     bool json = false;
 };
@@ -55,73 +49,78 @@ struct Outcome {
 constexpr double largest = 1e12;
 
 // From a linear colour, as in the options of render, to bytes of sRGB.
-std::optional<analyse::DrawingColor> read_color(const std::string& text, Diagnostics& diagnostics) {
-    if (text == "auto") {
-        return std::nullopt;
-    }
-    const auto color = color_of(text);
-    if (!color || std::min({color->x, color->y, color->z}) < 0.0F ||
-        std::max({color->x, color->y, color->z}) > 1.0F) {
-        refuse(diagnostics, "--color", text,
-               "give auto, a grey level such as 0.2, or red,green,blue, each from 0 to 1");
-        return std::nullopt;
-    }
+analyse::DrawingColor drawing_color(const Imath::Color3f& color) {
     const auto byte = [](float level) {
         constexpr float straight = 0.0031308F;
         const float encoded =
             level <= straight ? 12.92F * level : 1.055F * std::pow(level, 1.0F / 2.4F) - 0.055F;
         return static_cast<std::uint8_t>(std::lround(255.0F * encoded));
     };
-    return analyse::DrawingColor{byte(color->x), byte(color->y), byte(color->z)};
+    return {byte(color.x), byte(color.y), byte(color.z)};
 }
 
-analyse::Depiction read_depiction(const DrawOptions& options, Diagnostics& diagnostics) {
-    analyse::Depiction depiction;
-    constexpr std::size_t max_rays = 100;
-    depiction.rays = read_count("--rays", options.rays, 0, max_rays, diagnostics);
-    if (options.length != "auto") {
-        depiction.length =
-            read_number("--length", options.length, 1e-12, largest,
-                        "give auto, or a length above 0 in scene units", diagnostics);
-    }
-    depiction.color = read_color(options.color, diagnostics);
-    depiction.time =
-        read_number("--time", options.time, -largest, largest, "give a number", diagnostics);
-    depiction.eye = !options.no_eye;
-    depiction.toward = !options.no_toward;
-    depiction.frame = !options.no_frame;
-    depiction.axes = !options.no_axes;
-    return depiction;
+app::Value<std::array<double, 2>> direction_value() {
+    app::Value<std::array<double, 2>> made;
+    made.info.unit = "deg";
+    made.read = [](std::string_view word) -> std::optional<std::array<double, 2>> {
+        const std::size_t comma = std::min(word.find(','), word.size());
+        const auto azimuth = app::number_of<double>(word.substr(0, comma));
+        const auto elevation =
+            app::number_of<double>(word.substr(std::min(comma + 1, word.size())));
+        return azimuth && elevation && std::abs(*azimuth) <= 360.0 && std::abs(*elevation) <= 90.0
+                   ? std::optional(std::array{*azimuth, *elevation})
+                   : std::nullopt;
+    };
+    made.write = [](const std::array<double, 2>& angles) {
+        return fmt::format("{},{}", angles[0], angles[1]);
+    };
+    made.remedy = [](std::string_view) {
+        return "give two angles in degrees, azimuth from x to the left and elevation, such as "
+               "-50,25";
+    };
+    return made;
 }
 
-// Two numbers with a separator between them; nothing if either is invalid.
-template <class Number>
-std::optional<std::array<Number, 2>> two_of(std::string_view text, std::string_view separators) {
-    const std::size_t cut = text.find_first_of(separators);
-    if (cut == std::string_view::npos) {
-        return std::nullopt;
-    }
-    const auto first = number_of<Number>(text.substr(0, cut));
-    const auto second = number_of<Number>(text.substr(cut + 1));
-    return first && second ? std::optional(std::array{*first, *second}) : std::nullopt;
+app::Options<DrawOptions> arrow_options() {
+    using analyse::Depiction;
+    const auto part = [](const char* name, const char* meaning, bool Depiction::*shown) {
+        return flag({.name = name, .meaning = meaning}, false, &DrawOptions::depiction, shown);
+    };
+    return {{option({.name = "--rays",
+                     .placeholder = "COUNT",
+                     .meaning = "number of arrows along the longer side of the camera's picture"},
+                    app::count(0, 100), &DrawOptions::depiction, &Depiction::rays),
+             option({.name = "--length",
+                     .placeholder = "LENGTH",
+                     .meaning = "length of the arrows in scene units"},
+                    app::or_word("auto", app::number(1e-12, largest,
+                                                     "give auto, or a length above 0 in scene "
+                                                     "units",
+                                                     "scene units")),
+                    &DrawOptions::depiction, &Depiction::length),
+             option({.name = "--color",
+                     .placeholder = "COLOUR",
+                     .meaning = "colour of the arrows: a grey level, or red,green,blue (linear, "
+                                "from 0 to 1)"},
+                    app::or_word("auto", app::color(1.0F,
+                                                    "give auto, a grey level such as 0.2, or "
+                                                    "red,green,blue, each from 0 to 1")),
+                    &DrawOptions::color),
+             part("--no-eye", "omit the eye object", &Depiction::eye),
+             part("--no-toward", "omit the direction object", &Depiction::toward),
+             part("--no-frame", "omit the picture's border", &Depiction::frame),
+             part("--no-axes", "omit the axes", &Depiction::axes)}};
 }
 
 analyse::DrawingView read_view(const DrawOptions& options, Diagnostics& diagnostics) {
     analyse::DrawingView view;
-    const auto angles = two_of<double>(options.view, ",");
     constexpr double radians = std::numbers::pi / 180.0;
-    if (angles && std::abs((*angles)[0]) <= 360.0 && std::abs((*angles)[1]) <= 90.0) {
-        view.azimuth = (*angles)[0] * radians;
-        view.elevation = (*angles)[1] * radians;
-    } else {
-        refuse(diagnostics, "--view", options.view,
-               "give two angles in degrees, azimuth from x to the left and elevation, such as "
-               "-50,25");
-    }
+    view.azimuth = options.direction[0] * radians;
+    view.elevation = options.direction[1] * radians;
     constexpr std::size_t minimum = 16;
     constexpr std::size_t maximum = 16384;
     constexpr std::array<std::size_t, 2> standard{960, 720};
-    const auto [width, height] = read_size(options.size, diagnostics).resolve(4.0 / 3.0, standard);
+    const auto [width, height] = options.size.resolve(4.0 / 3.0, standard);
     if (std::min(width, height) >= minimum && std::max(width, height) <= maximum) {
         view.width = width;
         view.height = height;
@@ -198,7 +197,10 @@ Outcome make_drawing(const DrawOptions& options) {
         outcome.code = has_errors(diagnostics) ? code : outcome.code;
     };
     Diagnostics usage;
-    const analyse::Depiction depiction = read_depiction(options, usage);
+    analyse::Depiction depiction = options.depiction;
+    if (options.color) {
+        depiction.color = drawing_color(*options.color);
+    }
     const analyse::DrawingView view = read_view(options, usage);
     add(usage, ExitCode::wrong_usage);
     if (outcome.code == ExitCode::done) {
@@ -239,35 +241,25 @@ ExitCode draw(const DrawOptions& options) {
 }  // namespace
 
 void add_draw_command(CLI::App& app, ExitCode& code) {
-    const auto describe = [](CLI::App& command, DrawOptions& options) {
-        add_camera_option(command, options.camera);
-        command
-            .add_option("-o,--output", options.output,
-                        "output file: a picture (.svg, .png, .jpg, .webp, .tif) or a scene (.glb)")
-            ->type_name("FILE")
-            ->required();
-        add_set_option(command, options.set);
-        const auto value = [&](const char* names, std::string& text, const char* meaning,
-                               const char* type) {
-            command.add_option(names, text, meaning)->type_name(type)->capture_default_str();
-        };
-        add_time_option(command, options.time);
-        value("--view", options.view,
-              "direction of the viewer in degrees: around z from x, and above the horizon",
-              "AZIMUTH,ELEVATION");
-        add_size_options(command, options.size, "size of a drawing in pixels (default: 960x720)");
-        value("--rays", options.rays,
-              "number of arrows along the longer side of the camera's picture", "COUNT");
-        value("--length", options.length, "length of the arrows in scene units", "LENGTH");
-        value("--color", options.color,
-              "colour of the arrows: a grey level, or red,green,blue (linear, from 0 to 1)",
-              "COLOUR");
-        command.add_flag("--no-eye", options.no_eye, "omit the eye object");
-        command.add_flag("--no-toward", options.no_toward, "omit the direction object");
-        command.add_flag("--no-frame", options.no_frame, "omit the picture's border");
-        command.add_flag("--no-axes", options.no_axes, "omit the axes");
-        add_quiet_option(command, options.quiet);
-        command.add_flag("--json", options.json, "print file name and diagnostics as JSON");
+    const auto describe = [](Command& command, DrawOptions& options) {
+        app::Options<DrawOptions> all{
+            {camera_argument(&DrawOptions::camera),
+             output_option(
+                 &DrawOptions::output,
+                 "output file: a picture (.svg, .png, .jpg, .webp, .tif) or a scene (.glb)", true),
+             app::set_option(&DrawOptions::set),
+             app::time_option(largest, &DrawOptions::depiction, &analyse::Depiction::time),
+             option({.name = "--view",
+                     .placeholder = "AZIMUTH,ELEVATION",
+                     .meaning = "direction of the viewer in degrees: around z from x, and above "
+                                "the horizon"},
+                    direction_value(), &DrawOptions::direction)}};
+        all.add(&DrawOptions::size,
+                app::size_options("size of a drawing in pixels (default: 960x720)"));
+        all.add(arrow_options());
+        all.add({{quiet_flag(&DrawOptions::quiet),
+                  json_flag(&DrawOptions::json, "print file name and diagnostics as JSON")}});
+        command.add(std::move(all), options);
         command.footer(
             "Examples:\n"
             "  balcony draw superelliptic -o superelliptic.svg\n"

@@ -6,7 +6,7 @@
 
 #include "cli/commands/command.hpp"
 #include "cli/options/camera_argument.hpp"
-#include "cli/options/common_options.hpp"
+#include "cli/options/command_rows.hpp"
 #include "cli/report/explain_report.hpp"
 #include "cli/report/json.hpp"
 #include "cli/report/report.hpp"
@@ -18,7 +18,7 @@ namespace {
 struct ExplainOptions {
     std::string camera;
     std::vector<std::string> set;
-    SizeWords size;
+    PictureSize size;
     bool json = false;
 };
 
@@ -51,18 +51,12 @@ ExitCode explain(const CameraArgument& wanted, const PictureSize& size, bool as_
 }
 
 ExitCode explain(const ExplainOptions& options) {
-    Diagnostics diagnostics;
-    ExitCode code = ExitCode::bad_input;
-    nlohmann::json document = nlohmann::json::object();
-    const PictureSize size = read_size(options.size, diagnostics);
     const Result<CameraArgument> wanted = read_camera(options.camera, options.set);
-    if (has_errors(diagnostics)) {
-        code = ExitCode::wrong_usage;
-    } else if (!wanted) {
-        diagnostics = wanted.diagnostics;
-    } else {
-        code = explain(*wanted, size, options.json, document, diagnostics);
-    }
+    Diagnostics diagnostics = wanted.diagnostics;
+    nlohmann::json document = nlohmann::json::object();
+    const ExitCode code = wanted
+                              ? explain(*wanted, options.size, options.json, document, diagnostics)
+                              : ExitCode::bad_input;
     if (options.json) {
         document["diagnostics"] = to_json(diagnostics);
         print_json(document);
@@ -75,13 +69,15 @@ ExitCode explain(const ExplainOptions& options) {
 }  // namespace
 
 void add_explain_command(CLI::App& app, ExitCode& code) {
-    const auto describe = [](CLI::App& command, ExplainOptions& options) {
-        add_camera_option(command, options.camera);
-        add_set_option(command, options.set);
-        add_size_options(command, options.size,
-                         "size of the picture in pixels for which the formulas are valid");
-        add_aspect_option(command, options.size);
-        command.add_flag("--json", options.json, "print the description as JSON");
+    const auto describe = [](Command& command, ExplainOptions& options) {
+        app::Options<ExplainOptions> all{
+            {camera_argument(&ExplainOptions::camera), app::set_option(&ExplainOptions::set)}};
+        all.add(&ExplainOptions::size,
+                app::size_options("size of the picture in pixels for which the formulas are "
+                                  "valid"));
+        all.add(&ExplainOptions::size, app::aspect_options());
+        all.rows.push_back(json_flag(&ExplainOptions::json, "print the description as JSON"));
+        command.add(std::move(all), options);
         command.footer(
             "Examples:\n  balcony explain superelliptic\n  balcony explain my.cam:closeup");
     };

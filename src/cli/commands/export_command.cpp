@@ -12,8 +12,7 @@
 #include "balcony/output_file.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/options/camera_argument.hpp"
-#include "cli/options/common_options.hpp"
-#include "cli/options/option_values.hpp"
+#include "cli/options/command_rows.hpp"
 #include "cli/report/json.hpp"
 #include "cli/report/report.hpp"
 
@@ -30,16 +29,24 @@ struct CameraExportOptions {
     std::vector<std::string> set;
     std::string parameters = "auto";
     std::string precision = "double";
-    std::string axes;
-    SizeWords size;
+    std::optional<Axes> axes;
+    PictureSize size;
     bool quiet = false;
     bool json = false;
 };
 
-std::vector<std::string> target_names() {
-    std::vector<std::string> names;
+std::vector<app::OptionChoice> targets() {
+    std::vector<app::OptionChoice> made;
     for (const ExportTarget& target : bridge::export_targets()) {
-        names.emplace_back(target.name);
+        made.push_back({std::string(target.name), std::string(target.meaning)});
+    }
+    return made;
+}
+
+std::string target_names() {
+    std::string names;
+    for (const ExportTarget& target : bridge::export_targets()) {
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", target.name);
     }
     return names;
 }
@@ -47,7 +54,6 @@ std::vector<std::string> target_names() {
 // The target of --to, or else the one whose files end as the output does.
 const ExportTarget* chosen_target(const CameraExportOptions& options, Diagnostics& diagnostics) {
     if (!options.to.empty()) {
-        check_name("--to", options.to, target_names(), diagnostics);
         return bridge::find_export_target(options.to);
     }
     for (const ExportTarget& target : bridge::export_targets()) {
@@ -55,20 +61,15 @@ const ExportTarget* chosen_target(const CameraExportOptions& options, Diagnostic
             return &target;
         }
     }
-    diagnostics.push_back(
-        error("what the camera is exported to is not known", {},
-              fmt::format("add --to and one of {}", fmt::join(target_names(), ", "))));
+    diagnostics.push_back(error("what the camera is exported to is not known", {},
+                                "add --to and one of " + target_names()));
     return nullptr;
 }
 
-bridge::ExportOptions read_export(const CameraExportOptions& options, const ExportTarget* target,
-                                  Diagnostics& diagnostics) {
+bridge::ExportOptions read_export(const CameraExportOptions& options, const ExportTarget* target) {
     bridge::ExportOptions made;
-    if (options.precision != "double" && options.precision != "single") {
-        refuse(diagnostics, "--precision", options.precision, "give single or double");
-    }
     made.single = options.precision == "single" || (target != nullptr && target->always_single);
-    made.axes = read_axes(options.axes, diagnostics);
+    made.axes = options.axes;
     return made;
 }
 
@@ -190,14 +191,14 @@ struct ExportOutcome {
 };
 
 void make_text(const CameraExportOptions& options, const ExportTarget& target,
-               const bridge::ExportOptions& wanted, const PictureSize& size, ExportOutcome& made) {
+               const bridge::ExportOptions& wanted, ExportOutcome& made) {
     const Result<ReadyCamera> ready = load(options, target);
     if (!made.accept(ready.diagnostics, ExitCode::bad_input)) {
         return;
     }
     bridge::ExportOptions options_of_text = wanted;
     if (wanted.single) {
-        const auto [width, height] = size.resolve(ready->source.camera.parts().aspect);
+        const auto [width, height] = options.size.resolve(ready->source.camera.parts().aspect);
         options_of_text.judged_in = {width, height};
     }
     Result<bridge::ExportedCamera> exported =
@@ -223,8 +224,7 @@ ExportOutcome make_export(const CameraExportOptions& options) {
     ExportOutcome made;
     Diagnostics usage;
     const ExportTarget* target = chosen_target(options, usage);
-    const bridge::ExportOptions wanted = read_export(options, target, usage);
-    const PictureSize size = read_size(options.size, usage);
+    const bridge::ExportOptions wanted = read_export(options, target);
     if (!made.accept(usage, ExitCode::wrong_usage)) {
         return made;
     }
@@ -233,7 +233,7 @@ ExportOutcome make_export(const CameraExportOptions& options) {
         !made.accept(OutputFile::check(options.output), ExitCode::environment)) {
         return made;
     }
-    make_text(options, *target, wanted, size, made);
+    make_text(options, *target, wanted, made);
     if (made.code == ExitCode::done && !options.output.empty()) {
         made.accept(write_whole(options.output, made.text), ExitCode::environment);
     }
@@ -274,37 +274,40 @@ std::string target_list() {
 }  // namespace
 
 void add_export_command(CLI::App& app, ExitCode& code) {
-    const auto describe = [](CLI::App& command, CameraExportOptions& options) {
-        add_camera_option(command, options.camera);
-        command
-            .add_option("--to", options.to,
-                        fmt::format("the language, one of {}; without it, that of the output file",
-                                    fmt::join(target_names(), ", ")))
-            ->type_name("LANGUAGE");
-        command
-            .add_option("-o,--output", options.output,
-                        "output file; without it, the text goes to standard output")
-            ->type_name("FILE");
-        add_set_option(command, options.set);
-        command
-            .add_option("--parameters", options.parameters,
-                        "the camera's parameters that stay open: all, none, or names with commas "
-                        "between them (default: what suits the language)")
-            ->type_name("NAMES");
-        command
-            .add_option("--precision", options.precision, "single or double, where both exist (c)")
-            ->type_name("PRECISION")
-            ->capture_default_str();
-        command
-            .add_option(
-                "--axes", options.axes,
-                "the world of the rays: z_up or y_up (default: the camera's own, or y_up for pov)")
-            ->type_name("AXES");
-        add_size_options(command, options.size,
-                         "size in pixels of the picture that single precision is judged in; the "
-                         "text is good for any size");
-        add_quiet_option(command, options.quiet);
-        command.add_flag("--json", options.json, "print file name, facts and diagnostics as JSON");
+    const auto describe = [](Command& command, CameraExportOptions& options) {
+        app::Options<CameraExportOptions> all{
+            {camera_argument(&CameraExportOptions::camera),
+             option({.name = "--to",
+                     .placeholder = "LANGUAGE",
+                     .meaning =
+                         fmt::format("the language, one of {}; without it, that of the output file",
+                                     target_names())},
+                    app::choice(targets()), &CameraExportOptions::to),
+             output_option(&CameraExportOptions::output,
+                           "output file; without it, the text goes to standard output"),
+             app::set_option(&CameraExportOptions::set),
+             option({.name = "--parameters",
+                     .placeholder = "NAMES",
+                     .meaning = "the camera's parameters that stay open: all, none, or names with "
+                                "commas between them (default: what suits the language)",
+                     .shows_fallback = false},
+                    text(), &CameraExportOptions::parameters),
+             option({.name = "--precision",
+                     .placeholder = "PRECISION",
+                     .meaning = "single or double, where both exist (c)"},
+                    app::choice(std::vector<app::OptionChoice>{{"single"}, {"double"}},
+                                "give single or double"),
+                    &CameraExportOptions::precision),
+             axes_option(&CameraExportOptions::axes,
+                         "the world of the rays: z_up or y_up (default: the camera's own, or y_up "
+                         "for pov)")}};
+        all.add(&CameraExportOptions::size,
+                app::size_options("size in pixels of the picture that single precision is judged "
+                                  "in; the text is good for any size"));
+        all.add({{quiet_flag(&CameraExportOptions::quiet),
+                  json_flag(&CameraExportOptions::json,
+                            "print file name, facts and diagnostics as JSON")}});
+        command.add(std::move(all), options);
         command.footer(
             "Languages:\n" + target_list() +
             "\nExamples:\n"

@@ -11,6 +11,7 @@
 #include "balcony/lang.hpp"
 #include "balcony/output_file.hpp"
 #include "cli/commands/command.hpp"
+#include "cli/options/command_rows.hpp"
 #include "cli/report/json.hpp"
 #include "cli/report/report.hpp"
 
@@ -106,16 +107,19 @@ ExitCode format(const FmtOptions& options) {
 }  // namespace
 
 void add_fmt_command(CLI::App& app, ExitCode& code) {
-    const auto describe = [](CLI::App& command, FmtOptions& options) {
-        command
-            .add_option("FILE", options.files,
-                        "camera files (.cam), formatted in place; - formats standard input to "
-                        "standard output")
-            ->required()
-            ->take_all();
-        command.add_flag("--check", options.check,
-                         "change nothing; exit with code 1 if a file is not formatted");
-        command.add_flag("--json", options.json, "print files and diagnostics as JSON");
+    const auto describe = [](Command& command, FmtOptions& options) {
+        command.add<FmtOptions>(
+            {{app::words({.name = "FILE",
+                          .meaning = "camera files (.cam), formatted in place; - formats standard "
+                                     "input to standard output",
+                          .required = true,
+                          .type = OptionType::camera},
+                         &FmtOptions::files),
+              flag({.name = "--check",
+                    .meaning = "change nothing; exit with code 1 if a file is not formatted"},
+                   true, &FmtOptions::check),
+              json_flag(&FmtOptions::json, "print files and diagnostics as JSON")}},
+            options);
         command.footer("Examples:\n  balcony fmt my.cam\n  balcony fmt --check *.cam");
     };
     add_command<FmtOptions>(app, code, "fmt", "formats camera files", format, describe);

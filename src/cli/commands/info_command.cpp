@@ -16,6 +16,7 @@
 #include "balcony/render.hpp"
 #include "balcony/scene.hpp"
 #include "cli/commands/command.hpp"
+#include "cli/options/command_rows.hpp"
 #include "cli/options/default_camera.hpp"
 #include "cli/options/scene_argument.hpp"
 #include "cli/report/json.hpp"
@@ -197,14 +198,17 @@ ExitCode info(const InfoOptions& options) {
 }  // namespace
 
 void add_info_command(CLI::App& app, ExitCode& code) {
-    const auto describe = [](CLI::App& command, InfoOptions& options) {
-        command
-            .add_option("SCENE", options.scene,
-                        scene_files_text() + "; for cameras, see 'list' and 'explain'")
-            ->required();
-        command.add_flag("--objects", options.objects,
-                         "list the objects with their ids in the object layer");
-        command.add_flag("--json", options.json, "print the facts and all objects as JSON");
+    const auto describe = [](Command& command, InfoOptions& options) {
+        command.add<InfoOptions>(
+            {{option({.name = "SCENE",
+                      .meaning = scene_files_text() + "; for cameras, see 'list' and 'explain'",
+                      .required = true},
+                     text(OptionType::scene), &InfoOptions::scene),
+              flag({.name = "--objects",
+                    .meaning = "list the objects with their ids in the object layer"},
+                   true, &InfoOptions::objects),
+              json_flag(&InfoOptions::json, "print the facts and all objects as JSON")}},
+            options);
         command.footer("Example:\n  balcony info gallery.glb --objects");
     };
     add_command<InfoOptions>(app, code, "info", "describes a scene file", info, describe);

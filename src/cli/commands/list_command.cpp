@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <sstream>
 
@@ -13,6 +14,7 @@
 #include "balcony/names.hpp"
 #include "balcony/output_file.hpp"
 #include "cli/commands/command.hpp"
+#include "cli/options/command_rows.hpp"
 #include "cli/report/json.hpp"
 #include "cli/report/report.hpp"
 #include "cli/report/stage_pages.hpp"
@@ -29,6 +31,7 @@ struct ListOptions {
     std::string what;
     std::string markdown;
     bool json = false;
+    const CLI::App* app = nullptr;  ///< All commands.
 };
 
 std::string stage_text(const StageEntry& row) {
@@ -281,7 +284,7 @@ ExitCode list_cameras(const ListOptions& options) {
 
 ExitCode refuse_unknown(const ListOptions& options) {
     std::vector<std::string> known = lang::built_in_cameras();
-    known.insert(known.end(), {"stages", "cameras"});
+    known.insert(known.end(), {"stages", "cameras", "options"});
     for (const StageEntry& row : camera::catalogue()) {
         known.emplace_back(row.name);
         known.push_back(plural_of(row.kind));
@@ -318,6 +321,56 @@ ExitCode write_pages(const ListOptions& options) {
     return has_errors(diagnostics) ? ExitCode::environment : ExitCode::done;
 }
 
+nlohmann::json option_json(const app::OptionInfo& row) {
+    nlohmann::json choices = nlohmann::json::array();
+    for (const app::OptionChoice& one : row.choices) {
+        choices.push_back({{"name", one.name}, {"meaning", one.meaning}});
+    }
+    nlohmann::json made{{"name", row.name},
+                        {"letter", row.letter},
+                        {"type", app::option_types()[row.type].name},
+                        {"placeholder", row.placeholder},
+                        {"meaning", row.meaning},
+                        {"default", row.fallback},
+                        {"required", row.required},
+                        {"repeated", row.repeated},
+                        {"words", row.words},
+                        {"unit", row.unit},
+                        {"minimum", nullptr},
+                        {"maximum", nullptr},
+                        {"choices", std::move(choices)}};
+    if (std::isfinite(row.minimum)) {
+        made["minimum"] = row.minimum;
+    }
+    if (std::isfinite(row.maximum)) {
+        made["maximum"] = row.maximum;
+    }
+    return made;
+}
+
+// The options of all commands, from which another program can build its own.
+ExitCode list_options(const ListOptions& options) {
+    nlohmann::json commands = nlohmann::json::array();
+    std::string text;
+    for (const CLI::App* one : options.app->get_subcommands({})) {
+        nlohmann::json rows = nlohmann::json::array();
+        text += fmt::format("{}: {}\n", one->get_name(), one->get_description());
+        for (const app::OptionInfo& row : static_cast<const Command*>(one)->rows()) {
+            rows.push_back(option_json(row));
+            text += fmt::format("    {:<24}{}\n", row.name, app::option_types()[row.type].name);
+        }
+        commands.push_back({{"name", one->get_name()},
+                            {"meaning", one->get_description()},
+                            {"options", std::move(rows)}});
+    }
+    if (options.json) {
+        print_json({{"commands", commands}, {"diagnostics", nlohmann::json::array()}});
+    } else {
+        print_result(text);
+    }
+    return ExitCode::done;
+}
+
 ExitCode list(const ListOptions& options) {
     if (!options.markdown.empty()) {
         return write_pages(options);
@@ -330,25 +383,28 @@ ExitCode list(const ListOptions& options) {
         options.what.ends_with(".cam") || std::filesystem::is_regular_file(options.what, ignored)) {
         return list_cameras(options);
     }
-    return refuse_unknown(options);
+    return options.what == "options" ? list_options(options) : refuse_unknown(options);
 }
 
 }  // namespace
 
 void add_list_command(CLI::App& app, ExitCode& code) {
-    const auto describe = [](CLI::App& command, ListOptions& options) {
+    const auto describe = [](Command& command, ListOptions& options) {
         options.what = "stages";
-        command.add_option("WHAT", options.what,
-                           "'stages' (default), a kind of stages such as 'object generators', "
-                           "'cameras', the name of a stage or a built-in camera, or a camera file "
-                           "(.cam)");
-        command
-            .add_option(
-                "--markdown", options.markdown,
-                "write the documentation pages of all stages to a folder, with the examples "
-                "as camera files")
-            ->type_name("FOLDER");
-        command.add_flag("--json", options.json, "print the list as JSON");
+        options.app = command.get_parent();
+        command.add<ListOptions>(
+            {{option({.name = "WHAT",
+                      .meaning = "'stages' (default), a kind of stages such as 'object "
+                                 "generators', 'cameras', the name of a stage or a built-in "
+                                 "camera, a camera file (.cam), or 'options' (of all commands)"},
+                     text(), &ListOptions::what),
+              option({.name = "--markdown",
+                      .placeholder = "FOLDER",
+                      .meaning = "write the documentation pages of all stages to a folder, with "
+                                 "the examples as camera files"},
+                     text(OptionType::folder), &ListOptions::markdown),
+              json_flag(&ListOptions::json, "print the list as JSON")}},
+            options);
         command.footer(
             "Examples:\n"
             "  balcony list                   all stages, one per line\n"

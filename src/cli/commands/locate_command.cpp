@@ -18,8 +18,7 @@
 #include "balcony/scene.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/options/camera_argument.hpp"
-#include "cli/options/common_options.hpp"
-#include "cli/options/option_values.hpp"
+#include "cli/options/command_rows.hpp"
 #include "cli/options/scene_argument.hpp"
 #include "cli/report/json.hpp"
 #include "cli/report/report.hpp"
@@ -36,9 +35,9 @@ struct LocateOptions {
     std::vector<std::string> points;
     std::string file;
     std::vector<std::string> set;
-    SizeWords size;
-    std::string time = "0";
-    std::string axes;
+    PictureSize size;
+    double time = 0.0;
+    std::optional<Axes> axes;
     std::string scene;
     bool json = false;
 };
@@ -48,7 +47,7 @@ std::optional<V3d> point_of(std::string_view text) {
     V3d point;
     for (int axis = 0; axis < 3; ++axis) {
         const std::size_t comma = text.find(',');
-        const auto number = number_of<double>(text.substr(0, comma));
+        const auto number = app::number_of<double>(text.substr(0, comma));
         if (!number || (comma == std::string_view::npos) != (axis == 2)) {
             return std::nullopt;
         }
@@ -103,7 +102,8 @@ std::vector<V3d> read_points(const LocateOptions& options, Diagnostics& usage, D
         if (const std::optional<V3d> point = point_of(text)) {
             points.push_back(*point);
         } else {
-            refuse(usage, "--point", text, "write three numbers, such as --point 1,0.5,-2");
+            usage.push_back(
+                app::refused("--point", text, "write three numbers, such as --point 1,0.5,-2"));
         }
     }
     if (options.points.empty() && options.file.empty()) {
@@ -162,12 +162,12 @@ void look_for_obstacles(const scene::Scene& scene, Axes axes, Located& located,
 }
 
 // By default, points are in the axes of the scene, if there is one.
-Result<Located> find_all(const LocateOptions& options, const PictureSize& size, double time,
-                         std::optional<Axes> axes, std::vector<V3d> points) {
+Result<Located> find_all(const LocateOptions& options, std::vector<V3d> points) {
+    std::optional<Axes> axes = options.axes;
     Diagnostics diagnostics;
     std::optional<scene::Scene> scene;
     if (!options.scene.empty()) {
-        Result<scene::Scene> loaded = load_scene(options.scene, time);
+        Result<scene::Scene> loaded = load_scene(options.scene, options.time);
         add_to(diagnostics, loaded.diagnostics);
         scene = std::move(loaded.value);
     }
@@ -183,10 +183,12 @@ Result<Located> find_all(const LocateOptions& options, const PictureSize& size, 
         axes = scene->axes;
     }
     found.camera = picture->name();
-    *picture = picture->with_fit(size.fit);
-    std::tie(found.width, found.height) = size.resolve(picture->aspect(), picture->parts().size);
-    const auto locator = analyse::Locator::make(*picture, static_cast<double>(found.width),
-                                                static_cast<double>(found.height), time, axes);
+    *picture = picture->with_fit(options.size.fit);
+    std::tie(found.width, found.height) =
+        options.size.resolve(picture->aspect(), picture->parts().size);
+    const auto locator =
+        analyse::Locator::make(*picture, static_cast<double>(found.width),
+                               static_cast<double>(found.height), options.time, axes);
     if (!locator) {
         add_to(diagnostics, locator.diagnostics);
         return diagnostics;
@@ -206,9 +208,9 @@ Result<Located> find_all(const LocateOptions& options, const PictureSize& size, 
                                 counted(in_part.size(), "point", "points"))));
     }
     if (found.sightings.empty() && !found.points.empty()) {
-        add_to(diagnostics,
-               explain_unseen({*picture, static_cast<double>(found.width),
-                               static_cast<double>(found.height), time, found.axes, found.points}));
+        add_to(diagnostics, explain_unseen({*picture, static_cast<double>(found.width),
+                                            static_cast<double>(found.height), options.time,
+                                            found.axes, found.points}));
     }
     if (scene) {
         look_for_obstacles(*scene, locator->axes(), found, diagnostics);
@@ -292,17 +294,12 @@ nlohmann::json json_of(const Located& located) {
 ExitCode locate(const LocateOptions& options) {
     Diagnostics diagnostics;
     Diagnostics input;
-    constexpr double any = std::numeric_limits<double>::max();
-    const PictureSize size = read_size(options.size, diagnostics);
-    const double time =
-        read_number("--time", options.time, -any, any, "give a number", diagnostics);
-    const std::optional<Axes> axes = read_axes(options.axes, diagnostics);
     std::vector<V3d> points = read_points(options, diagnostics, input);
     ExitCode code = diagnostics.empty() ? ExitCode::bad_input : ExitCode::wrong_usage;
     diagnostics.insert(diagnostics.end(), input.begin(), input.end());
     nlohmann::json document = nlohmann::json::object();
     if (diagnostics.empty()) {
-        const Result<Located> located = find_all(options, size, time, axes, std::move(points));
+        const Result<Located> located = find_all(options, std::move(points));
         diagnostics = located.diagnostics;
         if (located) {
             code = ExitCode::done;
@@ -324,33 +321,30 @@ ExitCode locate(const LocateOptions& options) {
 }  // namespace
 
 void add_locate_command(CLI::App& app, ExitCode& code) {
-    const auto describe = [](CLI::App& command, LocateOptions& options) {
-        add_camera_option(command, options.camera);
-        command.add_option("--point", options.points, "point in space; may be repeated")
-            ->type_name("X,Y,Z")
-            ->allow_extra_args(false)
-            ->take_all();
-        command
-            .add_option("--points", options.file,
-                        "table with one point per line; - is standard input")
-            ->type_name("FILE");
-        command
-            .add_option(
-                "--scene", options.scene,
-                "scene file: also report whether the point is hidden, by which object and at "
-                "which distance")
-            ->type_name("SCENE");
-        add_set_option(command, options.set);
-        add_size_options(command, options.size, "size of the picture in pixels");
-        add_aspect_option(command, options.size);
-        add_time_option(command, options.time);
-        command
-            .add_option(
-                "--axes", options.axes,
-                "axes of the points: y_up, as in most scenes, or z_up (default: those of the scene "
-                "or, without a scene, of the camera)")
-            ->type_name("AXES");
-        command.add_flag("--json", options.json, "print the positions as JSON");
+    const auto describe = [](Command& command, LocateOptions& options) {
+        app::Options<LocateOptions> all{
+            {camera_argument(&LocateOptions::camera),
+             app::words({.name = "--point",
+                         .placeholder = "X,Y,Z",
+                         .meaning = "point in space; may be repeated"},
+                        &LocateOptions::points),
+             option({.name = "--points",
+                     .placeholder = "FILE",
+                     .meaning = "table with one point per line; - is standard input"},
+                    text(OptionType::file), &LocateOptions::file),
+             scene_option(&LocateOptions::scene,
+                          "scene file: also report whether the point is hidden, by which object "
+                          "and at which distance"),
+             app::set_option(&LocateOptions::set)}};
+        all.add(&LocateOptions::size, app::size_options("size of the picture in pixels"));
+        all.add(&LocateOptions::size, app::aspect_options());
+        all.add(
+            {{app::time_option(std::numeric_limits<double>::max(), &LocateOptions::time),
+              axes_option(&LocateOptions::axes,
+                          "axes of the points: y_up, as in most scenes, or z_up (default: those of "
+                          "the scene or, without a scene, of the camera)"),
+              json_flag(&LocateOptions::json, "print the positions as JSON")}});
+        command.add(std::move(all), options);
         command.footer(
             "Examples:\n"
             "  balcony locate panorama --point 3,2,0.5\n"

@@ -15,8 +15,7 @@
 #include "cli/commands/command.hpp"
 #include "cli/interruption.hpp"
 #include "cli/options/camera_argument.hpp"
-#include "cli/options/common_options.hpp"
-#include "cli/options/option_values.hpp"
+#include "cli/options/command_rows.hpp"
 #include "cli/options/picture_output.hpp"
 #include "cli/report/json.hpp"
 #include "cli/report/peak_memory.hpp"
@@ -35,12 +34,8 @@ struct PovOptions {
     std::string camera;
     std::string output;
     std::vector<std::string> set;
-    SizeWords size;
-    std::string samples = "16";
-    std::string seed = "0";
-    std::string time = "0";
-    std::string axes = "y_up";
-    std::vector<std::string> povray;
+    PictureSize size;
+    bridge::PovraySettings settings;
     bool quiet = false;
     bool json = false;
 };
@@ -51,26 +46,12 @@ struct PovRequest {
     PictureOutput output;
 };
 
-PovRequest read_pov_request(const PovOptions& options, Diagnostics& diagnostics) {
+PovRequest pov_request(const PovOptions& options) {
     const fs::path file = options.output.empty()
                               ? fs::path(fs::path(options.scene).stem().string() + ".png")
                               : fs::path(options.output);
-    PovRequest request{{}, read_size(options.size, diagnostics), PictureOutput(file)};
-    bridge::PovraySettings& settings = request.settings;
-    constexpr double largest_time = 1e12;
-    settings.samples = read_count("--samples", options.samples, 1, 65'536, diagnostics);
-    settings.seed = static_cast<std::uint32_t>(read_count(
-        "--seed", options.seed, 0, std::numeric_limits<std::uint32_t>::max(), diagnostics));
-    settings.time = read_number("--time", options.time, -largest_time, largest_time,
-                                "give a number", diagnostics);
-    std::vector<std::string> axes;
-    for (const bridge::PovrayAxes& row : bridge::povray_axes()) {
-        axes.emplace_back(row.name);
-    }
-    check_name("--axes", options.axes, axes, diagnostics);
-    settings.axes = options.axes;
-    settings.options = options.povray;
-    settings.unclipped = request.output.display_format() == nullptr;
+    PovRequest request{options.settings, options.size, PictureOutput(file)};
+    request.settings.unclipped = request.output.display_format() == nullptr;
     return request;
 }
 
@@ -148,10 +129,7 @@ void render_pov_picture(const PovOptions& options, RenderReport& outcome) {
         add(outcome, diagnostics);
         outcome.code = code;
     };
-    PovRequest request = read_pov_request(options, outcome.diagnostics);
-    if (has_errors(outcome.diagnostics)) {
-        return fail(ExitCode::wrong_usage);
-    }
+    PovRequest request = pov_request(options);
     if (const ExitCode code = check_pov_files(options, request.output, outcome.diagnostics);
         code != ExitCode::done) {
         return fail(code);
@@ -218,49 +196,61 @@ ExitCode pov(const PovOptions& options) {
     return outcome.code;
 }
 
-std::string axes_help() {
-    std::vector<std::string> rows;
+app::Options<PovOptions> povray_options() {
+    using bridge::PovraySettings;
+    constexpr double largest_time = 1e12;
+    std::vector<app::OptionChoice> axes;
     for (const bridge::PovrayAxes& row : bridge::povray_axes()) {
-        rows.push_back(fmt::format("{} ({})", row.name, row.meaning));
+        axes.push_back({std::string(row.name), std::string(row.meaning)});
     }
-    return fmt::format("axes of the scene: {}", fmt::join(rows, "; "));
+    return {{option({.name = "--samples",
+                     .letter = "-s",
+                     .placeholder = "COUNT",
+                     .meaning = "rays per pixel, evenly spread over its square"},
+                    app::count(1, 65'536), &PovOptions::settings, &PovraySettings::samples),
+             option({.name = "--seed",
+                     .placeholder = "NUMBER",
+                     .meaning = "another number gives a lens other points"},
+                    app::seed_value(), &PovOptions::settings, &PovraySettings::seed),
+             option({.name = "--time",
+                     .placeholder = "T",
+                     .meaning = "t in the camera's formulas, and POV-Ray's clock"},
+                    app::number(-largest_time, largest_time, "give a number", "s"),
+                    &PovOptions::settings, &PovraySettings::time),
+             option({.name = "--axes",
+                     .placeholder = "AXES",
+                     .meaning = "axes of the scene: " + app::described(axes, "; ")},
+                    app::choice(axes), &PovOptions::settings, &PovraySettings::axes),
+             app::words({.name = "OPTION",
+                         .meaning = "options for POV-Ray itself, after --, such as +Q5 or "
+                                    "Declare=Night=1"},
+                        &PovOptions::settings, &PovraySettings::options),
+             quiet_flag(&PovOptions::quiet),
+             json_flag(&PovOptions::json, "print file name, counts and diagnostics as JSON")}};
 }
 
 }  // namespace
 
 void add_pov_command(CLI::App& app, ExitCode& code) {
-    const auto describe = [](CLI::App& command, PovOptions& options) {
-        command.add_option("SCENE.pov", options.scene, "scene file of POV-Ray")
-            ->type_name("")
-            ->required();
-        command
-            .add_option("-c,--camera", options.camera,
-                        "camera: FILE, FILE:NAME, or the name of a built-in camera")
-            ->type_name("CAMERA")
-            ->required();
-        command
-            .add_option("-o,--output", options.output,
-                        "picture file: .png, .jpg, .webp, .tif, or .exr for unclipped light; - is "
-                        "standard output (default: the scene's name with .png, in this folder)")
-            ->type_name("FILE");
-        add_set_option(command, options.set);
-        add_size_options(command, options.size, "size of the picture in pixels");
-        add_aspect_option(command, options.size);
-        const auto value = [&](const char* names, std::string& text, const std::string& meaning,
-                               const char* type) {
-            command.add_option(names, text, meaning)->type_name(type)->capture_default_str();
-        };
-        value("-s,--samples", options.samples, "rays per pixel, evenly spread over its square",
-              "COUNT");
-        value("--seed", options.seed, "another number gives a lens other points", "NUMBER");
-        value("--time", options.time, "t in the camera's formulas, and POV-Ray's clock", "T");
-        value("--axes", options.axes, axes_help(), "AXES");
-        command
-            .add_option("OPTION", options.povray,
-                        "options for POV-Ray itself, after --, such as +Q5 or Declare=Night=1")
-            ->type_name("");
-        add_quiet_option(command, options.quiet);
-        command.add_flag("--json", options.json, "print file name, counts and diagnostics as JSON");
+    const auto describe = [](Command& command, PovOptions& options) {
+        app::Options<PovOptions> all{
+            {option({.name = "SCENE.pov", .meaning = "scene file of POV-Ray", .required = true},
+                    text(OptionType::file), &PovOptions::scene),
+             option({.name = "--camera",
+                     .letter = "-c",
+                     .placeholder = "CAMERA",
+                     .meaning = "camera: FILE, FILE:NAME, or the name of a built-in camera",
+                     .required = true},
+                    text(OptionType::camera), &PovOptions::camera),
+             output_option(&PovOptions::output,
+                           "picture file: .png, .jpg, .webp, .tif, or .exr for unclipped light; - "
+                           "is standard output (default: the scene's name with .png, in this "
+                           "folder)"),
+             app::set_option(&PovOptions::set)}};
+        all.add(&PovOptions::size, app::size_options("size of the picture in pixels"));
+        all.add(&PovOptions::size, app::aspect_options());
+        all.add(povray_options());
+        command.add(std::move(all), options);
         command.footer(
             "Examples:\n"
             "  balcony pov scene.pov --camera superelliptic -o walls.png\n"

@@ -15,8 +15,7 @@
 #include "cli/commands/command.hpp"
 #include "cli/interruption.hpp"
 #include "cli/options/camera_argument.hpp"
-#include "cli/options/common_options.hpp"
-#include "cli/options/option_values.hpp"
+#include "cli/options/command_rows.hpp"
 #include "cli/report/json.hpp"
 #include "cli/report/report.hpp"
 
@@ -29,11 +28,11 @@ using bridge::NumberFormat;
 struct RaysOptions {
     std::string camera;
     std::string output;
-    std::string format;
+    std::optional<NumberFormat> format;
     std::vector<std::string> set;
-    SizeWords size;
-    std::string time = "0";
-    std::string axes;
+    PictureSize size;
+    double time = 0.0;
+    std::optional<Axes> axes;
     std::string layer;
     bool footprints = false;
     bool quiet = false;
@@ -42,37 +41,29 @@ struct RaysOptions {
     [[nodiscard]] bool to_file() const { return !output.empty() && output != "-"; }
 };
 
-// What is asked for, apart from the camera.
-struct RaysRequest {
-    PictureSize size;
-    NumberFormat format = NumberFormat::text;
-    bridge::RaySettings settings{};
-};
-
-constexpr std::array formats{std::pair{"text", NumberFormat::text},
-                             std::pair{"float", NumberFormat::single_precision},
-                             std::pair{"double", NumberFormat::double_precision}};
+constexpr std::array formats{Named{NumberFormat::text, "text"},
+                             Named{NumberFormat::single_precision, "float"},
+                             Named{NumberFormat::double_precision, "double"}};
 
 // EXR files have floats, arrays double precision unless asked otherwise, streams text.
-NumberFormat read_format(const RaysOptions& options, Diagnostics& diagnostics) {
+NumberFormat chosen_format(const RaysOptions& options, Diagnostics& diagnostics) {
     const std::string ending = ending_of(options.output);
     const bool exr = options.to_file() && ending == ".exr";
-    if (options.format.empty()) {
+    if (!options.format) {
         return exr                 ? NumberFormat::single_precision
                : options.to_file() ? NumberFormat::double_precision
                                    : NumberFormat::text;
     }
-    check_name("--format", options.format, {"text", "float", "double"}, diagnostics);
-    NumberFormat format = NumberFormat::text;
-    for (const auto& [name, value] : formats) {
-        format = options.format == name ? value : format;
-    }
+    const NumberFormat format = *options.format;
+    const Names<NumberFormat> names(formats);
+    const std::string_view word = names[format].name;
     if (exr && format != NumberFormat::single_precision) {
-        refuse(diagnostics, "--format", options.format,
-               "EXR files have float numbers; a file that ends in .npy can have double ones");
+        diagnostics.push_back(app::refused(
+            "--format", word,
+            "EXR files have float numbers; a file that ends in .npy can have double ones"));
     } else if (options.to_file() && format == NumberFormat::text) {
-        refuse(diagnostics, "--format", options.format,
-               "text is for standard output: leave out --output");
+        diagnostics.push_back(
+            app::refused("--format", word, "text is for standard output: leave out --output"));
     }
     return format;
 }
@@ -101,26 +92,18 @@ ExitCode check_rays_output(const RaysOptions& options, Diagnostics& diagnostics)
     return has_errors(found) ? ExitCode::environment : ExitCode::done;
 }
 
-RaysRequest read_rays_request(const RaysOptions& options, Diagnostics& diagnostics) {
-    constexpr double any = std::numeric_limits<double>::max();
-    RaysRequest request{.size = read_size(options.size, diagnostics),
-                        .format = read_format(options, diagnostics)};
-    request.settings = {
-        .layer = options.layer,
-        .axes = read_axes(options.axes, diagnostics),
-        .time = read_number("--time", options.time, -any, any, "give a number", diagnostics),
-        .footprints = options.footprints};
-    return request;
-}
-
-Result<bridge::RayGrid> make_grid(const RaysOptions& options, RaysRequest request) {
+Result<bridge::RayGrid> make_grid(const RaysOptions& options) {
     auto picture = load_picture(options.camera, options.set);
     if (!picture) {
         return std::move(picture.diagnostics);
     }
-    std::tie(request.settings.width, request.settings.height) =
-        request.size.resolve(picture->aspect(), picture->parts().size);
-    auto grid = bridge::RayGrid::make(picture->with_fit(request.size.fit), request.settings);
+    bridge::RaySettings settings{.layer = options.layer,
+                                 .axes = options.axes,
+                                 .time = options.time,
+                                 .footprints = options.footprints};
+    std::tie(settings.width, settings.height) =
+        options.size.resolve(picture->aspect(), picture->parts().size);
+    auto grid = bridge::RayGrid::make(picture->with_fit(options.size.fit), settings);
     grid.diagnostics.insert(grid.diagnostics.begin(), picture.diagnostics.begin(),
                             picture.diagnostics.end());
     return grid;
@@ -160,17 +143,17 @@ void write_rays(const RaysOptions& options, NumberFormat format, RaysOutcome& ou
 
 RaysOutcome make_rays(const RaysOptions& options) {
     RaysOutcome outcome;
-    const RaysRequest request = read_rays_request(options, outcome.diagnostics);
+    const NumberFormat format = chosen_format(options, outcome.diagnostics);
     outcome.code = outcome.diagnostics.empty() ? check_rays_output(options, outcome.diagnostics)
                                                : ExitCode::wrong_usage;
     if (outcome.code != ExitCode::done) {
         return outcome;
     }
-    auto grid = make_grid(options, request);
+    auto grid = make_grid(options);
     outcome.diagnostics = std::move(grid.diagnostics);
     outcome.grid = std::move(grid.value);
     if (outcome.grid) {
-        write_rays(options, request.format, outcome);
+        write_rays(options, format, outcome);
     } else {
         outcome.code = ExitCode::bad_input;
     }
@@ -212,35 +195,33 @@ ExitCode rays(const RaysOptions& options) {
 }  // namespace
 
 void add_rays_command(CLI::App& app, ExitCode& code) {
-    const auto describe = [](CLI::App& command, RaysOptions& options) {
-        add_camera_option(command, options.camera);
-        command
-            .add_option("-o,--output", options.output,
-                        "ray map: .exr, or .npy for NumPy (default: a stream of rays on standard "
-                        "output, as Radiance's rtrace reads it)")
-            ->type_name("FILE");
-        command
-            .add_option("--format", options.format,
-                        "numbers of the stream: text, float or double (default: text); of a .npy "
-                        "file: float or double (default: double)")
-            ->type_name("FORMAT");
-        command
-            .add_option("--layer", options.layer,
-                        "the camera layer of a picture: its name or its number, counted from 1 at "
-                        "the back")
-            ->type_name("LAYER");
-        command.add_flag("--footprints", options.footprints,
-                         "add the derivatives of each ray by the picture's x and y to a ray map");
-        add_set_option(command, options.set);
-        add_size_options(command, options.size, "size of the picture in pixels");
-        add_aspect_option(command, options.size);
-        add_time_option(command, options.time);
-        command
-            .add_option("--axes", options.axes,
-                        "axes of the rays: y_up or z_up (default: those of the camera)")
-            ->type_name("AXES");
-        add_quiet_option(command, options.quiet);
-        command.add_flag("--json", options.json, "print facts and diagnostics as JSON");
+    const auto describe = [](Command& command, RaysOptions& options) {
+        command.add<RaysOptions>(
+            {{camera_argument(&RaysOptions::camera),
+              output_option(&RaysOptions::output,
+                            "ray map: .exr, or .npy for NumPy (default: a stream of rays on "
+                            "standard output, as Radiance's rtrace reads it)"),
+              option({.name = "--format",
+                      .placeholder = "FORMAT",
+                      .meaning = "numbers of the stream: text, float or double (default: text); of "
+                                 "a .npy file: float or double (default: double)"},
+                     app::maybe(app::choice(Names<NumberFormat>(formats))), &RaysOptions::format),
+              layer_option(&RaysOptions::layer),
+              flag({.name = "--footprints",
+                    .meaning = "add the derivatives of each ray by the picture's x and y to a ray "
+                               "map"},
+                   true, &RaysOptions::footprints),
+              app::set_option(&RaysOptions::set)}},
+            options);
+        app::Options<RaysOptions> picture;
+        picture.add(&RaysOptions::size, app::size_options("size of the picture in pixels"));
+        picture.add(&RaysOptions::size, app::aspect_options());
+        picture.add({{app::time_option(std::numeric_limits<double>::max(), &RaysOptions::time),
+                      axes_option(&RaysOptions::axes,
+                                  "axes of the rays: y_up or z_up (default: those of the camera)"),
+                      quiet_flag(&RaysOptions::quiet),
+                      json_flag(&RaysOptions::json, "print facts and diagnostics as JSON")}});
+        command.add(std::move(picture), options);
         command.footer(
             "Examples:\n"
             "  balcony rays panorama -o rays.exr\n"

@@ -9,6 +9,7 @@
 #include "cli/commands/command.hpp"
 #include "cli/interruption.hpp"
 #include "cli/options/camera_argument.hpp"
+#include "cli/options/command_rows.hpp"
 #include "cli/options/photo_options.hpp"
 #include "cli/report/st_map_report.hpp"
 
@@ -17,8 +18,8 @@ namespace balcony::cli {
 namespace {
 
 struct StMapOptions {
-    PhotoOptions photo;
-    SizeWords photo_size;
+    PhotoRequest photo;
+    PictureSize photo_size;
     std::string output;
     bool quiet = false;
     bool json = false;
@@ -37,27 +38,23 @@ ExitCode check_st_map_output(const StMapOptions& options, Diagnostics& diagnosti
 }
 
 // Both sides, or what follows from the aspect of the photo's camera.
-std::optional<std::array<std::size_t, 2>> read_photo_size(const SizeWords& words,
-                                                          Diagnostics& diagnostics) {
-    const PictureSize size = read_size(words, diagnostics);
-    if (size.width && !size.height) {
+void check_photo_size(StMapOptions& options, const app::GivenWords&, Diagnostics& diagnostics) {
+    if (options.photo_size.width && !options.photo_size.height) {
         diagnostics.push_back(
             error("--from-size needs both sides of the photo", {}, "write --from-size 4096x2048"));
     }
-    return size.width && size.height ? std::optional(std::array{*size.width, *size.height})
-                                     : std::nullopt;
 }
 
 StMapOutcome make_st_map_file(const StMapOptions& options) {
     StMapOutcome outcome;
-    const PhotoRequest request = read_photo_request(options.photo, outcome.diagnostics);
-    const auto photo_size = read_photo_size(options.photo_size, outcome.diagnostics);
-    outcome.code = outcome.diagnostics.empty() ? check_st_map_output(options, outcome.diagnostics)
-                                               : ExitCode::wrong_usage;
+    outcome.code = check_st_map_output(options, outcome.diagnostics);
     if (outcome.code != ExitCode::done) {
         return outcome;
     }
-    auto map = make_st_map(options.photo, request, photo_size);
+    const PictureSize& size = options.photo_size;
+    auto map =
+        make_st_map(options.photo, size.width ? std::optional(std::array{*size.width, *size.height})
+                                              : std::nullopt);
     outcome.add(map.diagnostics, ExitCode::bad_input);
     outcome.map = std::move(map.value);
     if (outcome.map) {
@@ -74,22 +71,25 @@ ExitCode stmap(const StMapOptions& options) {
 }  // namespace
 
 void add_stmap_command(CLI::App& app, ExitCode& code) {
-    const auto describe = [](CLI::App& command, StMapOptions& options) {
-        add_camera_option(command, options.photo.camera);
-        command
-            .add_option("-o,--output", options.output,
-                        "EXR file: red and green are the position in the photo, alpha is 1 where "
-                        "the photo shows the pixel")
-            ->type_name("FILE")
-            ->required();
-        add_photo_options(command, options.photo);
-        command
-            .add_option("--from-size", options.photo_size.size,
-                        "size of the photo in pixels, if its aspect ratio is not that of its "
-                        "camera")
-            ->type_name("WIDTHxHEIGHT");
-        add_quiet_option(command, options.quiet);
-        command.add_flag("--json", options.json, "print facts and diagnostics as JSON");
+    const auto describe = [](Command& command, StMapOptions& options) {
+        app::Options<StMapOptions> all;
+        all.add(&StMapOptions::photo, {{camera_argument(&PhotoRequest::camera)}});
+        all.rows.push_back(output_option(
+            &StMapOptions::output,
+            "EXR file: red and green are the position in the photo, alpha is 1 where the photo "
+            "shows the pixel",
+            true));
+        all.add(&StMapOptions::photo, photo_options());
+        all.add(&StMapOptions::photo_size,
+                {{app::size_option(
+                    {.name = "--from-size",
+                     .placeholder = "WIDTHxHEIGHT",
+                     .meaning = "size of the photo in pixels, if its aspect ratio is not that of "
+                                "its camera"})}});
+        all.add({{quiet_flag(&StMapOptions::quiet),
+                  json_flag(&StMapOptions::json, "print facts and diagnostics as JSON")},
+                 {check_photo_size}});
+        command.add(std::move(all), options);
         command.footer(
             "Examples:\n"
             "  balcony stmap fisheye --from panorama --size 1024 -o st.exr\n"

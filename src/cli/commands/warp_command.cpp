@@ -9,6 +9,7 @@
 #include "balcony/film.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/interruption.hpp"
+#include "cli/options/command_rows.hpp"
 #include "cli/options/photo_options.hpp"
 #include "cli/report/st_map_report.hpp"
 
@@ -20,7 +21,7 @@ namespace fs = std::filesystem;
 
 struct WarpOptions {
     std::string photo;
-    PhotoOptions view;
+    PhotoRequest view;
     std::string output;
     bool quiet = false;
     bool json = false;
@@ -43,12 +44,7 @@ void check_warp_output(const WarpOptions& options, StMapOutcome& outcome) {
 
 StMapOutcome warp_file(const WarpOptions& options) {
     StMapOutcome outcome;
-    Diagnostics usage;
-    const PhotoRequest request = read_photo_request(options.view, usage);
-    outcome.add(usage, ExitCode::wrong_usage);
-    if (outcome.code == ExitCode::done) {
-        check_warp_output(options, outcome);
-    }
+    check_warp_output(options, outcome);
     if (outcome.code != ExitCode::done) {
         return outcome;
     }
@@ -57,7 +53,7 @@ StMapOutcome warp_file(const WarpOptions& options) {
     if (!photo) {
         return outcome;
     }
-    auto map = make_st_map(options.view, request, std::array{photo->width(), photo->height()});
+    auto map = make_st_map(options.view, std::array{photo->width(), photo->height()});
     outcome.add(map.diagnostics, ExitCode::bad_input);
     outcome.map = std::move(map.value);
     if (outcome.map) {
@@ -74,26 +70,27 @@ ExitCode warp(const WarpOptions& options) {
 }  // namespace
 
 void add_warp_command(CLI::App& app, ExitCode& code) {
-    const auto describe = [](CLI::App& command, WarpOptions& options) {
-        command
-            .add_option("PHOTO", options.photo,
-                        "image: PNG, JPEG, WebP, TIFF, OpenEXR, Radiance HDR, TGA or BMP")
-            ->type_name("FILE")
-            ->required();
-        command
-            .add_option("-c,--camera", options.view.camera,
-                        "camera of the new picture: its file and the NAME of a camera in it "
-                        "(default: the last), or a built-in camera")
-            ->type_name("FILE[:NAME]")
-            ->required();
-        command
-            .add_option("-o,--output", options.output,
-                        "output file: .png, .jpg, .webp, .tif, or .exr")
-            ->type_name("FILE")
-            ->required();
-        add_photo_options(command, options.view);
-        add_quiet_option(command, options.quiet);
-        command.add_flag("--json", options.json, "print facts and diagnostics as JSON");
+    const auto describe = [](Command& command, WarpOptions& options) {
+        app::Options<WarpOptions> all{
+            {option({.name = "PHOTO",
+                     .placeholder = "FILE",
+                     .meaning = "image: PNG, JPEG, WebP, TIFF, OpenEXR, Radiance HDR, TGA or BMP",
+                     .required = true},
+                    text(OptionType::file), &WarpOptions::photo)}};
+        all.add(&WarpOptions::view,
+                {{option({.name = "--camera",
+                          .letter = "-c",
+                          .placeholder = "FILE[:NAME]",
+                          .meaning = "camera of the new picture: its file and the NAME of a camera "
+                                     "in it (default: the last), or a built-in camera",
+                          .required = true},
+                         text(OptionType::camera), &PhotoRequest::camera)}});
+        all.rows.push_back(output_option(&WarpOptions::output,
+                                         "output file: .png, .jpg, .webp, .tif, or .exr", true));
+        all.add(&WarpOptions::view, photo_options());
+        all.add({{quiet_flag(&WarpOptions::quiet),
+                  json_flag(&WarpOptions::json, "print facts and diagnostics as JSON")}});
+        command.add(std::move(all), options);
         command.footer(
             "Examples:\n"
             "  balcony warp photo.png --from panorama --camera pinhole --set yaw=30deg -o "

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "balcony/request.hpp"
 #include "cli/options/camera_argument.hpp"
-#include "cli/options/common_options.hpp"
 #include "cli/report/check_report.hpp"
 
 namespace balcony::cli {
@@ -21,9 +21,9 @@ struct CheckSubject {
 };
 
 struct SubjectRequest {
-    std::vector<std::string> set;
-    std::string layer{};  ///< If set: only this layer of one picture, with its nested layers.
-    PictureSize size;     ///< The size of whole pictures.
+    std::vector<std::string> set{};
+    std::string layer{};      ///< If set: only this layer of one picture, with its nested layers.
+    app::PictureSize size{};  ///< The size of whole pictures.
     double time = 0.0;
 };
 

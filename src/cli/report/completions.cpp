@@ -4,22 +4,18 @@
 #include "cli/report/completions.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <filesystem>
-#include <initializer_list>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
-#include "balcony/diagnose.hpp"
+#include "balcony/catalogue.hpp"
 #include "balcony/lang.hpp"
-#include "balcony/povray.hpp"
-#include "balcony/render.hpp"
-#include "balcony/stereo.hpp"
+#include "balcony/picture_options.hpp"
+#include "cli/commands/command.hpp"
 #include "cli/options/camera_argument.hpp"
 #include "cli/options/scene_argument.hpp"
 
@@ -31,7 +27,7 @@ namespace fs = std::filesystem;
 
 /// The command line before the word to complete.
 struct Before {
-    const CLI::App& command;
+    const Command& command;
     std::span<const std::string> words;
 };
 
@@ -42,9 +38,10 @@ public:
 
     [[nodiscard]] const std::string& prefix() const { return prefix_; }
 
+    // One word a line: names that would control the terminal or break the line are left out.
     void add(std::string_view word, std::string_view meaning = {}) {
-        if (word.starts_with(prefix_)) {
-            text_ += fmt::format("{}{}\t{}\n", front_, word, meaning);
+        if (word.starts_with(prefix_) && printable(word) == word) {
+            text_ += fmt::format("{}{}\t{}\n", front_, word, printable(meaning));
         }
     }
 
@@ -98,10 +95,6 @@ void add_folders(const Before&, Candidates& words) {
 }
 
 void add_scenes(const Before&, Candidates& words) { add_files(words, is_scene_file); }
-
-void add_povray_scenes(const Before&, Candidates& words) {
-    add_files(words, [](const std::string& name) { return name.ends_with(".pov"); });
-}
 
 void add_camera_files(const Before&, Candidates& words) {
     add_files(words, [](const std::string& name) { return name.ends_with(".cam"); });
@@ -162,121 +155,56 @@ void add_parameters(const Before& before, Candidates& words) {
     }
 }
 
-void add_integrators(const Before&, Candidates& words) {
-    for (const render::IntegratorInfo& row : render::integrators()) {
-        words.add(row.name, row.meaning);
-    }
-}
-
-void add_view_transforms(const Before&, Candidates& words) {
-    for (const std::string& name : render::view_transforms().all()) {
-        words.add(name, render::view_transforms()[*render::view_transforms().find(name)].meaning);
-    }
-}
-
-void add_stereo_formats(const Before&, Candidates& words) {
-    for (const std::string& name : camera::stereo_formats().all()) {
-        words.add(name, camera::stereo_formats()[*camera::stereo_formats().find(name)].meaning);
-    }
-    words.add("files", "both eyes' pictures in two files");
-}
-
-void add_baselines(const Before&, Candidates& words) {
-    const auto* row = camera::catalogue().find(camera::StageKind::stereo_view, "stereo");
-    for (const camera::StageParameter& parameter : row->parameters) {
-        if (const auto* type = parameter.as<camera::ChoiceParameter>()) {
-            for (const std::string_view choice : type->choices) {
-                words.add(choice);
-            }
-        }
-    }
-}
-
-void add_shutter_shapes(const Before&, Candidates& words) {
-    for (const std::string& name : render::shutter_shapes().all()) {
-        words.add(name, render::shutter_shapes()[*render::shutter_shapes().find(name)].meaning);
-    }
-}
-
-void add_axes(const Before& before, Candidates& words) {
-    if (before.command.get_name() == "pov") {
-        for (const bridge::PovrayAxes& row : bridge::povray_axes()) {
-            words.add(row.name, row.meaning);
-        }
-        return;
-    }
-    words.add("y_up");
-    words.add("z_up");
-}
-
-void add_number_formats(const Before&, Candidates& words) {
-    for (const char* name : {"text", "float", "double"}) {
-        words.add(name);
-    }
-}
-
-void add_maps(const Before&, Candidates& words) {
-    for (const auto& row : analyse::map_kinds()) {
-        words.add(row.name);
-    }
-}
-
-void add_backgrounds(const Before&, Candidates& words) {
-    for (const char* name : {"transparent", "black", "white"}) {
-        words.add(name);
-    }
-}
-
 void add_what_is_listed(const Before& before, Candidates& words) {
-    words.add("stages");
-    words.add("cameras");
+    for (const char* word : {"stages", "cameras", "options"}) {
+        words.add(word);
+    }
     for (const camera::StageEntry& row : camera::catalogue()) {
         words.add(row.name, name_of(row.kind));
     }
     add_cameras(before, words);
 }
 
-/// The values of an option or argument. Those that are not listed have numbers or names of their
-/// own.
-struct Values {
-    std::string_view option;
-    void (*add)(const Before&, Candidates&);
-};
-
-constexpr std::array values{
-    Values{"SCENE", add_scenes},
-    Values{"--add", add_scenes},
-    Values{"--scene", add_scenes},
-    Values{"SCENE.pov", add_povray_scenes},
-    Values{"CAMERA", add_cameras},
-    Values{"--camera", add_cameras},
-    Values{"--from", add_cameras},
-    Values{"PHOTO", add_any_file},
-    Values{"FILE", add_cameras},
-    Values{"--set", add_parameters},
-    Values{"--integrator", add_integrators},
-    Values{"--view-transform", add_view_transforms},
-    Values{"--shutter-shape", add_shutter_shapes},
-    Values{"--stereo", add_stereo_formats},
-    Values{"--baseline", add_baselines},
-    Values{"--axes", add_axes},
-    Values{"--map", add_maps},
-    Values{"--format", add_number_formats},
-    Values{"--background", add_backgrounds},
-    Values{"WHAT", add_what_is_listed},
-    Values{"--output", add_any_file},
-    Values{"--points", add_any_file},
-    Values{"--markdown", add_folders},
-};
-
-void add_values(const CLI::Option& option, const Before& before, Candidates& words) {
+// The row of an option by its name, for commands that render.
+const app::OptionInfo* row_of_picture(const CLI::Option& option) {
+    static const std::vector<app::OptionInfo> rows = [] {
+        std::vector<app::OptionInfo> made{{.name = "SCENE", .type = app::OptionType::scene},
+                                          {.name = "--output", .type = app::OptionType::file}};
+        app::Options<app::Request> all = app::scene_options();
+        all.add(app::picture_options());
+        all.add(&app::Request::shutter, app::shutter_options());
+        all.add(&app::Request::stereo, app::stereo_options());
+        made.insert(made.end(), all.rows.begin(), all.rows.end());
+        return made;
+    }();
     const std::string name = option.get_positional()        ? option.get_name(true)
                              : !option.get_lnames().empty() ? "--" + option.get_lnames().front()
                                                             : "";
-    for (const Values& row : values) {
-        if (row.option == name) {
-            row.add(before, words);
-        }
+    const auto found = std::find_if(rows.begin(), rows.end(),
+                                    [&name](const auto& row) { return row.name == name; });
+    return found != rows.end() ? &*found : nullptr;
+}
+
+// By the row of an option or argument. Numbers and the like have none.
+void add_values(const CLI::Option& option, const Before& before, Candidates& words) {
+    const app::OptionInfo* row = before.command.row_of(&option);
+    row = row != nullptr ? row : row_of_picture(option);
+    if (row == nullptr) {
+        return;
+    }
+    for (const app::OptionChoice& one : row->choices) {
+        words.add(one.name, one.meaning);
+    }
+    switch (row->type) {
+        case app::OptionType::file: return add_any_file(before, words);
+        case app::OptionType::folder: return add_folders(before, words);
+        case app::OptionType::scene: return add_scenes(before, words);
+        case app::OptionType::camera: return add_cameras(before, words);
+        case app::OptionType::setting: return add_parameters(before, words);
+        default: break;
+    }
+    if (row->name == "WHAT") {
+        add_what_is_listed(before, words);
     }
 }
 
@@ -343,7 +271,10 @@ std::string completions(const CLI::App& app, std::span<const std::string> words)
     }
     const auto chosen = app.get_subcommands(
         [&](const CLI::App* command) { return command->get_name() == before.front(); });
-    return chosen.empty() ? "" : in_command({*chosen.front(), before.subspan(1)}, word);
+    return chosen.empty()
+               ? ""
+               : in_command({static_cast<const Command&>(*chosen.front()), before.subspan(1)},
+                            word);
 }
 
 }  // namespace balcony::cli

@@ -1,0 +1,73 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The options that describe a picture. Each group has its file in src/app/options.
+
+#include <string>
+
+#include "balcony/options.hpp"
+#include "balcony/request.hpp"
+
+namespace balcony::app {
+
+/// A width, or a width and a height, under the name that the info has.
+[[nodiscard]] Option<PictureSize> size_option(OptionInfo info);
+/// --size, --width and --height; the meaning is that of --size.
+[[nodiscard]] Options<PictureSize> size_options(const std::string& meaning);
+/// --aspect
+[[nodiscard]] Options<PictureSize> aspect_options();
+/// --crop and --scale
+[[nodiscard]] Options<Crop> crop_options();
+/// --samples, --noise, --seed and --filter
+[[nodiscard]] Options<Request> sampling_options();
+/// --integrator, --bounces, --clamp and --no-path-reuse
+[[nodiscard]] Options<render::Settings> integrator_options();
+/// --environment and its companions
+[[nodiscard]] Options<LightRequest> light_options();
+/// --shutter, --shutter-shape and --fps
+[[nodiscard]] Options<ShutterRequest> shutter_options();
+/// --stereo and its companions
+[[nodiscard]] Options<StereoRequest> stereo_options();
+/// --exposure, --view-transform, --ambient and --background
+[[nodiscard]] Options<Request> look_options();
+/// --layers, --denoise, --denoiser, --no-dither and --texture-memory
+[[nodiscard]] Options<Request> film_options();
+/// --time-limit, --save-every, --checkpoint-every, --film-memory, --resume and --shard
+[[nodiscard]] Options<JobRequest> job_options();
+/// Only --checkpoint-every and --film-memory.
+[[nodiscard]] Options<JobRequest> safety_options();
+
+/// Of what is rendered, and through which camera: --add, --camera, --set, --fit and --fit-to
+[[nodiscard]] Options<Request> scene_options();
+/// Of what a picture looks like: its size and part, its light and its colours.
+[[nodiscard]] Options<Request> picture_options();
+/// --threads
+[[nodiscard]] Options<Request> thread_options();
+
+/// --time in seconds, at the end of a path of members.
+template <class Target, class First, class... More>
+[[nodiscard]] Option<Target> time_option(double largest, First Target::*first, More... more) {
+    return option({.name = "--time",
+                   .placeholder = "T",
+                   .meaning = "the time in seconds: of the scene's animations, and t in the "
+                              "camera's formulas"},
+                  number(-largest, largest, "give a number", "s"), first, more...);
+}
+
+/// --set, the repeatable NAME=VALUE of a camera's parameters.
+template <class Target>
+[[nodiscard]] Option<Target> set_option(std::vector<std::string> Target::*set) {
+    return words({.name = "--set",
+                  .placeholder = "NAME=VALUE",
+                  .meaning = "value of a parameter of the camera or picture; may be repeated",
+                  .type = OptionType::setting},
+                 set);
+}
+
+/// The seed of random numbers.
+[[nodiscard]] Value<std::uint32_t> seed_value();
+/// PART/PARTS, a shard.
+[[nodiscard]] Value<render::Shard> shard_value();
+
+}  // namespace balcony::app

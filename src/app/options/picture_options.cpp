@@ -1,0 +1,58 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "balcony/picture_options.hpp"
+
+namespace balcony::app {
+
+Options<Request> scene_options() {
+    return {
+        {words({.name = "--add",
+                .placeholder = "SCENE",
+                .meaning = "another scene file, which joins each scene: the arrows of a camera by "
+                           "balcony draw, say; may be repeated",
+                .type = OptionType::scene},
+               &Request::added),
+         option({.name = "--camera",
+                 .letter = "-c",
+                 .placeholder = "FILE[:NAME]",
+                 .meaning = "camera file and the NAME of a camera or picture in it (default: the "
+                            "last), or a built-in camera; scene:NAME is a camera of the scene "
+                            "(default: its first, or one that shows the scene well)"},
+                text(OptionType::camera), &Request::camera),
+         set_option(&Request::set),
+         flag({.name = "--fit",
+               .meaning = "place the camera by the size of the scene, as its file says; "
+                          "--set still sets parameters"},
+              true, &Request::fit),
+         option({.name = "--fit-to",
+                 .placeholder = "OBJECT",
+                 .meaning = "the same by the size of an object of the scene, such as a vase"},
+                text(), &Request::fit_to)}};
+}
+
+Options<Request> picture_options() {
+    Options<Request> made;
+    made.add(&Request::size,
+             size_options("size in pixels (default: that of the picture, or about a million pixels "
+                          "with its aspect ratio)"));
+    made.add(&Request::size, aspect_options());
+    made.add(&Request::crop, crop_options());
+    made.add(sampling_options());
+    made.add(&Request::settings, integrator_options());
+    made.add(&Request::light, light_options());
+    made.add(look_options());
+    made.add(film_options());
+    return made;
+}
+
+Options<Request> thread_options() {
+    return {{option({.name = "--threads",
+                     .letter = "-j",
+                     .placeholder = "COUNT",
+                     .meaning = "number of threads; 0 uses all processors",
+                     .effect = Effect::run},
+                    count(0, 1024), &Request::settings, &render::Settings::threads)}};
+}
+
+}  // namespace balcony::app

@@ -1,0 +1,90 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Rows of options that several commands have.
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "balcony/picture_options.hpp"
+
+namespace balcony::cli {
+
+using app::Effect;
+using app::flag;
+using app::option;
+using app::OptionType;
+using app::PictureSize;
+using app::text;
+
+/// The required argument CAMERA.
+template <class Target>
+[[nodiscard]] app::Option<Target> camera_argument(std::string Target::*camera) {
+    return option({.name = "CAMERA",
+                   .placeholder = "FILE[:NAME]",
+                   .meaning = "camera file and the NAME of a camera or picture in it (default: the "
+                              "last), or a built-in camera",
+                   .required = true},
+                  text(OptionType::camera), camera);
+}
+
+/// -o and --output.
+template <class Target>
+[[nodiscard]] app::Option<Target> output_option(std::string Target::*output, std::string meaning,
+                                                bool required = false) {
+    return option({.name = "--output",
+                   .letter = "-o",
+                   .placeholder = "FILE",
+                   .meaning = std::move(meaning),
+                   .required = required,
+                   .effect = Effect::run},
+                  text(OptionType::file), output);
+}
+
+/// --scene, of a command for cameras.
+template <class Target>
+[[nodiscard]] app::Option<Target> scene_option(std::string Target::*scene, std::string meaning) {
+    return option({.name = "--scene", .placeholder = "SCENE", .meaning = std::move(meaning)},
+                  text(OptionType::scene), scene);
+}
+
+/// --layer, of a picture.
+template <class Target>
+[[nodiscard]] app::Option<Target> layer_option(std::string Target::*layer) {
+    return option({.name = "--layer",
+                   .placeholder = "LAYER",
+                   .meaning = "the camera layer of a picture: its name or its number, counted from "
+                              "1 at the back"},
+                  text(), layer);
+}
+
+/// --axes; none if they are not given.
+template <class Target>
+[[nodiscard]] app::Option<Target> axes_option(std::optional<Axes> Target::*axes,
+                                              std::string meaning) {
+    static constexpr std::array rows{Named{Axes::y_up, "y_up"}, Named{Axes::z_up, "z_up"}};
+    auto value = app::maybe(app::choice(Names<Axes>(rows)));
+    value.remedy = [](std::string_view) { return "write y_up or z_up"; };
+    return option({.name = "--axes", .placeholder = "AXES", .meaning = std::move(meaning)}, value,
+                  axes);
+}
+
+/// -q and --quiet.
+template <class Target>
+[[nodiscard]] app::Option<Target> quiet_flag(bool Target::*quiet) {
+    return flag({.name = "--quiet",
+                 .letter = "-q",
+                 .meaning = "print only warnings and errors",
+                 .effect = Effect::run},
+                true, quiet);
+}
+
+template <class Target>
+[[nodiscard]] app::Option<Target> json_flag(bool Target::*json, std::string meaning) {
+    return flag({.name = "--json", .meaning = std::move(meaning), .effect = Effect::run}, true,
+                json);
+}
+
+}  // namespace balcony::cli

@@ -1,0 +1,144 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Rows of options: each reads words into values and writes values as words.
+
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "balcony/picture_options.hpp"
+
+namespace balcony::app::options_test {
+namespace {
+
+Options<Request> all_options() {
+    Options<Request> all = scene_options();
+    all.rows.push_back(time_option(1e12, &Request::settings, &render::Settings::time));
+    all.add(&Request::shutter, shutter_options());
+    all.add(&Request::stereo, stereo_options());
+    all.add(picture_options());
+    all.add(&Request::job, job_options());
+    all.add(thread_options());
+    return all;
+}
+
+// A word that is not the default of each option, as it is written back; none is the same word.
+const std::map<std::string, std::pair<std::string, std::string>>& examples() {
+    static const std::map<std::string, std::pair<std::string, std::string>> words{
+        {"--add", {"lamp.glb", ""}},
+        {"--camera", {"my.cam:closeup", ""}},
+        {"--set", {"fov=60deg", ""}},
+        {"--fit", {"true", ""}},
+        {"--fit-to", {"vase", ""}},
+        {"--time", {"0.5", ""}},
+        {"--shutter", {"1/50", "0.02"}},
+        {"--shutter-shape", {"trapezoid", ""}},
+        {"--fps", {"30000/1001", ""}},
+        {"--stereo", {"files", ""}},
+        {"--separation", {"0.1", ""}},
+        {"--convergence", {"2.5", ""}},
+        {"--baseline", {"level", ""}},
+        {"--merge", {"45,90", ""}},
+        {"--size", {"320X200", "320x200"}},
+        {"--width", {"+32", "32"}},
+        {"--height", {"20", ""}},
+        {"--aspect", {"fill", ""}},
+        {"--crop", {"40x30+10+5", ""}},
+        {"--scale", {"0.5", "50%"}},
+        {"--samples", {"64", ""}},
+        {"--noise", {"0.25", ""}},
+        {"--seed", {"4294967295", ""}},
+        {"--filter", {"box", ""}},
+        {"--integrator", {"direct", ""}},
+        {"--bounces", {"2", "all=2,diffuse=2,glossy=2,transmission=2"}},
+        {"--clamp", {"1.5", ""}},
+        {"--no-path-reuse", {"true", ""}},
+        {"--environment", {"1,2,3", ""}},
+        {"--environment-rotation", {"90deg", "90"}},
+        {"--environment-strength", {"2", ""}},
+        {"--sun-angle", {"45", ""}},
+        {"--exposure", {"-1.5", ""}},
+        {"--view-transform", {"filmic", ""}},
+        {"--ambient", {"0.5", ""}},
+        {"--background", {"white", "1"}},
+        {"--layers", {"none", ""}},
+        {"--denoise", {"true", ""}},
+        {"--denoiser", {"features", ""}},
+        {"--no-dither", {"true", ""}},
+        {"--texture-memory", {"512", "512MiB"}},
+        {"--time-limit", {"1.5min", "90s"}},
+        {"--save-every", {"10s", ""}},
+        {"--checkpoint-every", {"off", ""}},
+        {"--film-memory", {"4GiB", ""}},
+        {"--resume", {"true", ""}},
+        {"--shard", {"2/5", ""}},
+        {"--threads", {"3", ""}},
+    };
+    return words;
+}
+
+TEST(OptionRow, WritesWhatItHasRead) {
+    for (const Option<Request>& row : all_options().rows) {
+        ASSERT_TRUE(examples().contains(row.name)) << row.name << " needs an example";
+        const auto& [word, other] = examples().at(row.name);
+        const std::vector<std::string> written{other.empty() ? word : other};
+        for (const std::vector<std::string>& words : {std::vector{word}, written}) {
+            Request request;
+            Diagnostics found;
+            EXPECT_NE(row.write(request), written) << row.name << " has the default";
+            row.read(words, request, found);
+            EXPECT_TRUE(found.empty()) << row.name << ": " << to_text(found);
+            EXPECT_EQ(row.write(request), written) << row.name;
+        }
+    }
+}
+
+TEST(OptionRow, RefusesAWordByTheNameOfItsOption) {
+    for (const Option<Request>& row : all_options().rows) {
+        if (row.type == OptionType::flag || row.repeated || row.name == "--camera" ||
+            row.name == "--fit-to" || row.name == "--environment") {
+            continue;
+        }
+        Request request;
+        Diagnostics found;
+        row.read(std::vector<std::string>{"?!"}, request, found);
+        ASSERT_EQ(found.size(), 1U) << row.name;
+        EXPECT_TRUE(found.front().message.starts_with(row.name)) << found.front().message;
+        EXPECT_EQ(found.front().kind, Kind::usage) << row.name;
+        EXPECT_FALSE(found.front().remedy.empty()) << row.name;
+    }
+}
+
+TEST(OptionRow, HasTheDefaultOfItsTarget) {
+    std::map<std::string, std::string> defaults;
+    for (const Option<Request>& row : all_options().rows) {
+        defaults[row.name] = row.fallback;
+    }
+    EXPECT_EQ(defaults["--noise"], "0");
+    EXPECT_EQ(defaults["--checkpoint-every"], "60s");
+    EXPECT_EQ(defaults["--texture-memory"], "1GiB");
+    EXPECT_EQ(defaults["--view-transform"], "neutral");
+    EXPECT_EQ(defaults["--fps"], "24");
+    EXPECT_EQ(defaults["--bounces"], "auto");
+    EXPECT_EQ(defaults["--background"], "auto");
+    EXPECT_EQ(defaults["--separation"], "");
+    EXPECT_EQ(defaults["--samples"], "");
+}
+
+TEST(OptionRow, IsCheckedTogetherWithOthers) {
+    const Options<Request> all = all_options();
+    const auto errors_of = [&](const GivenWords& given) {
+        Request request;
+        Diagnostics found;
+        all.read(given, request, found);
+        return found.size();
+    };
+    EXPECT_EQ(errors_of({{"--size", {"8x8"}}, {"--width", {"8"}}}), 1U);
+    EXPECT_EQ(errors_of({{"--separation", {"0.1"}}}), 1U);
+    EXPECT_EQ(errors_of({{"--separation", {"0.1"}}, {"--stereo", {"anaglyph"}}}), 0U);
+    EXPECT_EQ(errors_of({{"--shard", {"1/2"}}, {"--save-every", {"1min"}}}), 1U);
+}
+
+}  // namespace
+}  // namespace balcony::app::options_test
