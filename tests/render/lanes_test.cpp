@@ -210,7 +210,7 @@ TEST(SurfaceLanes, LightIsTheSameOnAllMachines) {
             radiances.set(5, {std::numeric_limits<float>::quiet_NaN(), 1.0F, 1.0F, 1.0F});
             std::array<Color4f, Packet::size> colors;
             std::uint64_t broken = 0;
-            constexpr surface_lanes::LaneBits counted = 0x7ff3U;
+            constexpr LaneBits counted = 0x7ff3U;
             const auto counts = surface_lanes::write(packet, radiances, counted, Packet::side,
                                                      colors.data(), broken);
             EXPECT_EQ(broken, 1U);

@@ -14,8 +14,6 @@ namespace balcony::render::plain_lanes_test {
 namespace {
 
 using namespace test;
-using plain_lanes::bit;
-using plain_lanes::LaneBits;
 constexpr std::size_t size = plain_lanes::size;
 
 // Sixteen points of rough materials without further layers.
@@ -51,7 +49,7 @@ struct Points {
         return {materials[lane], normals[lane], geometric[lane]};
     }
 
-    static constexpr LaneBits all = bit(size) - 1;
+    static constexpr LaneBits all = lane_bit(size) - 1;
     std::vector<BsdfMaterial> materials;
     std::vector<std::shared_ptr<const void>> rows;
     std::vector<V3f> normals, geometric;
@@ -74,7 +72,7 @@ TEST(PlainLanes, ReflectAsEachBsdf) {
         evaluate(asked, points.surfaces, points.views, to_light, found);
         for (std::size_t lane = 0; lane < size; ++lane) {
             const Bsdf::Value expected =
-                (asked & bit(lane)) != 0
+                (asked & lane_bit(lane)) != 0
                     ? points.bsdf(lane).evaluate(points.to_viewer.of(lane), to_light.of(lane))
                     : Bsdf::Value{};
             ASSERT_EQ(Color3f(found.reflected.of(lane)), expected.reflected) << lane;
@@ -103,7 +101,7 @@ TEST(PlainLanes, SampleTheDirectionsOfEachBsdf) {
             if (!expected) {
                 continue;
             }
-            const bool facet = (found.by_facet & bit(lane)) != 0;
+            const bool facet = (found.by_facet & lane_bit(lane)) != 0;
             ASSERT_EQ(facet, expected->lobe == BsdfLobe::glossy);
             ASSERT_EQ(found.to_light.of(lane), expected->to_light) << lane << facet;
             ASSERT_EQ(found.facet_normal.of(lane), expected->facet_normal) << lane << facet;

@@ -20,15 +20,15 @@ constexpr float min_weight = 1.0F / 512.0F;
 
 bool is_mirror(const Appearance& appearance) { return appearance.roughness < mirror_roughness; }
 
-Bsdf bsdf_at(const Interaction& at, const V3f& geometric_normal) {
+Bsdf bsdf_at(const Interaction& at, const V3f& side_normal) {
     if (at.uniform != nullptr && !at.uniform->transmits() && !is_mirror(at.appearance())) {
-        return {*at.uniform, at.surface.normal, geometric_normal};
+        return {*at.uniform, at.surface.normal, side_normal};
     }
     Appearance appearance = at.appearance();
     if (is_mirror(appearance)) {
         appearance.roughness = 0.0F;
     }
-    Bsdf made(appearance, at.surface.normal, geometric_normal);
+    Bsdf made(appearance, at.surface.normal, side_normal);
     made.set_coat_normal(at.surface.coat_normal);
     return made;
 }

@@ -28,9 +28,6 @@ namespace balcony::render {
 
 namespace {
 
-using plain_lanes::bit;
-using plain_lanes::for_each_lane;
-
 // A ray to an emissive triangle ends before it by more than the rounding error of the point where
 // it meets the triangle, also at a grazing angle.
 constexpr float before_emitter = 1.0F - 1e-4F;
@@ -61,7 +58,6 @@ public:
 private:
     static constexpr std::size_t block_size = SampleBlock::size;
     static_assert(block_size == BsdfBlock::size);
-    using LaneBits = BsdfBlock::LaneBits;
 
     void start(std::span<const CameraRay> rays, std::span<Seen> seen);
     void trace_next();
@@ -170,8 +166,8 @@ void PathTracer::advance_all(std::span<Seen> seen) {
             Path& path = paths_[active_[first + place]];
             switch (meet(path, place, seen[path.index])) {
                 case Encounter::ends: break;
-                case Encounter::passes: going_on |= bit(place); break;
-                case Encounter::scatters: scattering |= bit(place); break;
+                case Encounter::passes: going_on |= lane_bit(place); break;
+                case Encounter::scatters: scattering |= lane_bit(place); break;
             }
         }
         going_on |= scatter_all(first, scattering);
@@ -183,7 +179,7 @@ void PathTracer::advance_all(std::span<Seen> seen) {
 
 // Lights the paths of a block that are scattered, and finds their next rays. Returns those that go
 // on.
-PathTracer::LaneBits PathTracer::scatter_all(std::size_t first, LaneBits scattering) {
+LaneBits PathTracer::scatter_all(std::size_t first, LaneBits scattering) {
     const auto path_at = [&](std::size_t place) -> Path& { return paths_[active_[first + place]]; };
     bsdfs_.set_views();
     LaneBits lit = 0;
@@ -193,12 +189,12 @@ PathTracer::LaneBits PathTracer::scatter_all(std::size_t first, LaneBits scatter
         const bool ends = path.bounces.all >= settings_->bounces.all &&
                           bsdfs_.material(place).is_rough() &&
                           settings_->lamp_sampling != LampSampling::surfaces;
-        alone |= ends ? bit(place) : 0;
-        lit |= choose_light(place) ? bit(place) : 0;
+        alone |= ends ? lane_bit(place) : 0;
+        lit |= choose_light(place) ? lane_bit(place) : 0;
     });
     bsdfs_.evaluate(lit);
     for_each_lane(lit, [&](std::size_t place) {
-        add_lamp(path_at(place), place, (alone & bit(place)) != 0);
+        add_lamp(path_at(place), place, (alone & lane_bit(place)) != 0);
     });
     const LaneBits going_on = scattering & ~alone;
     for_each_lane(going_on, [&](std::size_t place) {
@@ -208,7 +204,7 @@ PathTracer::LaneBits PathTracer::scatter_all(std::size_t first, LaneBits scatter
     bsdfs_.sample(going_on);
     LaneBits scattered = 0;
     for_each_lane(going_on, [&](std::size_t place) {
-        scattered |= scatter(path_at(place), place) ? bit(place) : 0;
+        scattered |= scatter(path_at(place), place) ? lane_bit(place) : 0;
     });
     return scattered;
 }

@@ -14,9 +14,6 @@ namespace balcony::render {
 
 namespace {
 
-using plain_lanes::bit;
-using plain_lanes::for_each_lane;
-using plain_lanes::LaneBits;
 using plain_lanes::Vectors;
 
 // Above this cosine no normal of a surface is bent towards its viewer (surface.cpp).
@@ -118,7 +115,7 @@ void SharedTails::share(Indices group, const SceneTracer& tracer) {
             continue;
         }
         const auto turn = static_cast<std::size_t>(std::popcount(owners));
-        owners |= bit(turn * group_size + own);
+        owners |= lane_bit(turn * group_size + own);
         if (turn + 1 == tails_at_once) {
             connect_all();
         }
@@ -135,7 +132,7 @@ void SharedTails::gather(Indices group) {
         }
         const Head& head = head_of(group[i]);
         for (std::size_t lane = i; lane < plain_lanes::size; lane += group_size) {
-            lanes_.all |= bit(lane);
+            lanes_.all |= lane_bit(lane);
             lanes_.surfaces.set(lane, head.surface);
             lanes_.to_viewer.set(lane, head.to_viewer);
             lanes_.start.set(lane, head.start);
@@ -151,9 +148,10 @@ LaneBits SharedTails::like(Indices group, std::size_t own) const {
     const std::size_t first = own - own % group_size;
     LaneBits found = 0;
     for (std::size_t i = 0; i < group.size(); ++i) {
-        if ((lanes_.all & bit(first + i)) != 0) {
+        if ((lanes_.all & lane_bit(first + i)) != 0) {
             const Head& other = head_of(group[i]);
-            found |= head.time == other.time && head.bounces == other.bounces ? bit(first + i) : 0;
+            found |=
+                head.time == other.time && head.bounces == other.bounces ? lane_bit(first + i) : 0;
         }
     }
     return found;
@@ -185,7 +183,7 @@ void SharedTails::set_ways() {
         }
         const Tail& tail = *at_.tails[part];
         const V3f& n = tail.surface.normal;
-        const V3f& s = tail.surface.geometric_normal;
+        const V3f& s = tail.surface.side_normal;
         const V3f& f = tail.flat_normal;
         for (std::size_t i = part * group_size; i < (part + 1) * group_size; ++i) {
             const float x = tail.position.x - lanes_.start.x[i];
@@ -211,12 +209,13 @@ void SharedTails::set_ways() {
 LaneBits SharedTails::facing(LaneBits heads) {
     LaneBits before = 0;
     for_each_lane(heads, [&](std::size_t lane) {
-        before |= at_.facing[lane] > least_cosine ? bit(lane) : 0;
+        before |= at_.facing[lane] > least_cosine ? lane_bit(lane) : 0;
     });
     evaluate(before, lanes_.surfaces, lanes_.views, at_.to_tail, at_.at_head);
     LaneBits found = 0;
-    for_each_lane(before,
-                  [&](std::size_t lane) { found |= at_.at_head.pdf[lane] > 0.0F ? bit(lane) : 0; });
+    for_each_lane(before, [&](std::size_t lane) {
+        found |= at_.at_head.pdf[lane] > 0.0F ? lane_bit(lane) : 0;
+    });
     return found;
 }
 
@@ -235,7 +234,7 @@ void SharedTails::trace(Indices group, LaneBits lanes, LaneBits owners, const Sc
     }
     count = 0;
     for_each_lane(lanes, [&](std::size_t lane) {
-        const bool own = (owners & bit(lane)) != 0;
+        const bool own = (owners & lane_bit(lane)) != 0;
         const float transmittance =
             own ? at_.tails[lane / group_size]->transmittance : passed[count++];
         at_.per_area[lane] =
@@ -263,7 +262,7 @@ void SharedTails::reflect(LaneBits lanes) {
         LaneBits lit = 0;
         for (std::size_t part = 0; part < tails_at_once; ++part) {
             if (at_.tails[part] != nullptr && !is_black((at_.tails[part]->*light).radiance)) {
-                lit |= bit(part * group_size) * (bit(group_size) - 1);
+                lit |= lane_bit(part * group_size) * (lane_bit(group_size) - 1);
                 at_.to_light.fill(part * group_size, group_size,
                                   (at_.tails[part]->*light).direction);
             }
@@ -286,7 +285,7 @@ void SharedTails::add(LaneBits lanes, LaneBits owners) {
         Color3f light = at_.per_area[lane] / at_.density[lane] * lanes_.throughput.of(lane) *
                         at_.at_head.reflected.of(lane) *
                         (lamp * tail.lamp.radiance + onward * tail.onward.radiance);
-        if (!tail.is_whole && (owners & bit(lane)) != 0) {
+        if (!tail.is_whole && (owners & lane_bit(lane)) != 0) {
             light += tail.throughput * ((tail.lamp.reflected - lamp) * tail.lamp.radiance +
                                         (tail.onward.reflected - onward) * tail.onward.radiance);
         }

@@ -90,7 +90,6 @@ private:
     static constexpr std::size_t group_size = PixelGroups::size;
     static constexpr std::size_t tails_at_once = plain_lanes::size / group_size;
     using Indices = std::span<const std::uint32_t>;
-    using LaneBits = plain_lanes::LaneBits;
 
     // The heads of one group, once for each tail that is connected with them at the same time.
     struct alignas(64) Lanes {

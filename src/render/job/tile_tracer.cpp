@@ -56,9 +56,9 @@ Region both(const Region& a, const Region& b) {
 }
 
 // The lanes of a square at a place whose points are in a region.
-surface_lanes::LaneBits lanes_within(const Region& region, std::size_t x, std::size_t y) {
+LaneBits lanes_within(const Region& region, std::size_t x, std::size_t y) {
     constexpr std::size_t side = embree::Packet::side;
-    surface_lanes::LaneBits bits = 0;
+    LaneBits bits = 0;
     for (std::size_t lane = 0; lane < embree::Packet::size; ++lane) {
         bits |= region.contains(x + lane % side, y + lane / side) ? 1U << lane : 0U;
     }
@@ -151,7 +151,7 @@ surface_lanes::LaneCounts TileTracer::write_square(const Region& region, const R
     const std::size_t x = region.x + left;
     const std::size_t y = region.y + top;
     const bool is_whole = counted.contains(x, y) && counted.contains(x + side - 1, y + side - 1);
-    const auto lanes = is_whole ? surface_lanes::all_lanes : lanes_within(counted, x, y);
+    const auto lanes = is_whole ? all_lanes : lanes_within(counted, x, y);
     const auto write = [&](std::size_t stride, Color4f* to) {
         return surface_lanes::write(packets_[packet], radiances_[packet], lanes, stride, to,
                                     repaired_);

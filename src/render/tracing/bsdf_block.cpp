@@ -5,8 +5,6 @@
 
 namespace balcony::render {
 
-using plain_lanes::for_each_lane;
-
 void BsdfBlock::clear() { plain_ = 0; }
 
 void BsdfBlock::add(std::size_t place, const Interaction& at, const V3f& to_viewer) {
@@ -21,21 +19,21 @@ void BsdfBlock::add(std::size_t place, const Interaction& at, const V3f& to_view
         singles_[place].emplace(Single{bsdf, bsdf.view_from(to_viewer)});
         return;
     }
-    plain_ |= plain_lanes::bit(place);
+    plain_ |= lane_bit(place);
     if (at.uniform == nullptr || known_[place] != at.uniform) {
         surfaces_.set_material(place, material);
         known_[place] = at.uniform;
     }
     surfaces_.normal.set(place, surface.normal);
-    surfaces_.geometric_normal.set(place, surface.smooth_normal);
+    surfaces_.side_normal.set(place, surface.smooth_normal);
     to_viewer_.set(place, to_viewer);
 }
 
 void BsdfBlock::set_views() { plain_lanes::set_views(plain_, surfaces_, to_viewer_, views_); }
 
 V3f BsdfBlock::lit_side(std::size_t place) const {
-    return (plain_ & plain_lanes::bit(place)) != 0 ? surfaces_.normal.of(place)
-                                                   : singles_[place]->bsdf.lit_side();
+    return (plain_ & lane_bit(place)) != 0 ? surfaces_.normal.of(place)
+                                           : singles_[place]->bsdf.lit_side();
 }
 
 void BsdfBlock::evaluate(LaneBits places) {
@@ -47,7 +45,7 @@ void BsdfBlock::evaluate(LaneBits places) {
 }
 
 Bsdf::Value BsdfBlock::value(std::size_t place) const {
-    return (plain_ & plain_lanes::bit(place)) != 0
+    return (plain_ & lane_bit(place)) != 0
                ? Bsdf::Value{values_.reflected.of(place), values_.pdf[place]}
                : singles_[place]->value;
 }
@@ -64,10 +62,10 @@ void BsdfBlock::sample(LaneBits places) {
 }
 
 std::optional<BsdfSample> BsdfBlock::sampled(std::size_t place) const {
-    if ((plain_ & plain_lanes::bit(place)) == 0) {
+    if ((plain_ & lane_bit(place)) == 0) {
         return singles_[place]->sample;
     }
-    const bool by_facet = (directions_.by_facet & plain_lanes::bit(place)) != 0;
+    const bool by_facet = (directions_.by_facet & lane_bit(place)) != 0;
     BsdfSample sample;
     sample.to_light = directions_.to_light.of(place);
     sample.facet_normal = directions_.facet_normal.of(place);

@@ -19,7 +19,6 @@ namespace balcony::render {
 class BsdfBlock {
 public:
     static constexpr std::size_t size = plain_lanes::size;
-    using LaneBits = plain_lanes::LaneBits;
 
     void clear();
     /// The direction to the viewer is unit.

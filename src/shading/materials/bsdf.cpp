@@ -5,36 +5,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-
-#include "shading/geometry/frame.hpp"
 
 namespace balcony::render {
 
-namespace {
-
-using std::numbers::pi_v;
-
-}  // namespace
-
-Bsdf::Bsdf(const Appearance& appearance, const V3f& normal, const V3f& geometric_normal,
-           bool entering)
+Bsdf::Bsdf(const Appearance& appearance, const V3f& normal, const V3f& side_normal, bool entering)
     : material_(BsdfMaterial(appearance, entering)),
       normal_(normal),
-      geometric_normal_(geometric_normal),
+      side_normal_(side_normal),
       coat_normal_(normal) {}
 
-Bsdf::Bsdf(const BsdfMaterial& material, const V3f& normal, const V3f& geometric_normal)
-    : material_(&material),
-      normal_(normal),
-      geometric_normal_(geometric_normal),
-      coat_normal_(normal) {}
+Bsdf::Bsdf(const BsdfMaterial& material, const V3f& normal, const V3f& side_normal)
+    : material_(&material), normal_(normal), side_normal_(side_normal), coat_normal_(normal) {}
 
 V3f Bsdf::lit_side() const {
     if (material().transmits()) {
         return V3f(0.0F);
     }
-    return material().layers && material().layers->coat ? geometric_normal_ : normal_;
+    return material().layers && material().layers->coat ? side_normal_ : normal_;
 }
 
 Bsdf::View Bsdf::view_from(const V3f& to_viewer) const {
@@ -61,57 +48,35 @@ std::optional<BsdfSample> Bsdf::sample(const V3f& to_viewer, const V3f& random) 
     return sample(view_from(to_viewer), random);
 }
 
-Bsdf::PlainView Bsdf::plain_view_from(const V3f& to_viewer) const {
-    PlainView view;
-    view.direction = to_viewer;
-    view.cosine = normal_.dot(to_viewer);
-    view.energy = material().energies.at(view.cosine);
-    view.below = material().below(view.energy);
-    const float specular = largest(material().specular.albedo(view.energy));
-    const float diffuse = largest(material().diffuse) * view.below;
-    view.specular = specular > 0.0F ? specular / (specular + diffuse) : 0.0F;
-    return view;
+PlainView Bsdf::plain_view_from(const V3f& to_viewer) const {
+    const float cosine = normal_.dot(to_viewer);
+    return plain_view(material(), to_viewer, cosine, material().energies.at(cosine));
 }
 
 Bsdf::Value Bsdf::evaluate_plain(const PlainView& view, const V3f& to_light) const {
     const float cosine = normal_.dot(to_light);
-    if (cosine < min_cosine || view.cosine < min_cosine ||
-        geometric_normal_.dot(to_light) <= 0.0F) {
+    if (!is_lit(cosine, view.cosine, side_normal_.dot(to_light))) {
         return {};
     }
-    const LayerEnergy energy = material().energies.at(cosine);
-    const float lambert = cosine / pi_v<float>;
-    Value value{lambert * view.below * material().below(energy) * material().per_mean_below *
-                    material().diffuse,
-                (1.0F - view.specular) * lambert};
-    if (!material().is_mirror()) {
-        const HalfVector halfway(normal_, view.direction, to_light);
-        const Microfacets at(material().facets, halfway, view.cosine, cosine);
-        const float scale = view.energy.scale * energy.scale;
-        value.reflected +=
-            cosine * at.reflectance * material().specular.at_facet(schlick(halfway.viewer), scale);
-        value.pdf += view.specular * at.pdf;
-    }
-    return value;
+    const PlainValue found =
+        plain_value(material(), normal_, view, to_light, cosine, material().energies.at(cosine));
+    return {found.reflected, found.pdf};
 }
 
 std::optional<BsdfSample> Bsdf::sample_plain(const PlainView& view, const V3f& random) const {
-    const bool by_facet = random.x < view.specular;
-    if (by_facet && material().is_mirror()) {
+    if (material().is_mirror() && random.x < view.specular) {
         return mirror_sample(
             view.direction,
             material().specular.at_facet(schlick(view.cosine), 1.0F) / view.specular);
     }
-    const Frame frame(normal_);
+    const PlainDirection found =
+        plain_direction(material().facets, normal_, view.direction, view.specular, random);
     BsdfSample sample;
-    if (by_facet) {
-        sample.facet_normal = frame.to_world(
-            material().facets.sample_visible(frame.to_local(view.direction), random.y, random.z));
-        sample.to_light = mirrored(view.direction, sample.facet_normal).normalized();
+    sample.to_light = found.to_light;
+    sample.facet_normal = found.facet_normal;
+    if (found.by_facet) {
         sample.roughness = material().roughness;
     } else {
-        sample.facet_normal = normal_;
-        sample.to_light = frame.to_world(sample_cosine(random.y, random.z)).normalized();
         sample.lobe = BsdfLobe::diffuse;
     }
     return weighted(sample, evaluate_plain(view, sample.to_light));
@@ -139,8 +104,8 @@ std::optional<BsdfSample> Bsdf::sample_mirror(const V3f& to_viewer) const {
 BsdfSample Bsdf::mirror_sample(const V3f& to_viewer, const Color3f& weight) const {
     BsdfSample sample;
     sample.facet_normal = normal_;
-    if (mirrored(to_viewer, normal_).dot(geometric_normal_) <= 0.0F) {
-        sample.facet_normal = geometric_normal_;
+    if (mirrored(to_viewer, normal_).dot(side_normal_) <= 0.0F) {
+        sample.facet_normal = side_normal_;
     }
     sample.to_light = mirrored(to_viewer, sample.facet_normal).normalized();
     sample.weight = weight;

@@ -22,8 +22,6 @@ namespace balcony::render {
 using Imath::Color3f;
 using Imath::V3f;
 
-struct Frame;
-
 /// What a surface does with the light of a sample.
 enum class BsdfLobe : std::uint8_t { diffuse, glossy, transmission };
 
@@ -70,13 +68,14 @@ struct BsdfSample {
 /// the surface, in front of both normals.
 class Bsdf {
 public:
-    /// Light comes from outside, where `entering` says that the viewer is, through the boundary of
-    /// a closed solid; elsewhere it has no meaning.
-    Bsdf(const Appearance& appearance, const V3f& normal, const V3f& geometric_normal,
+    /// Light is reflected in front of `side_normal` and passes through the surface behind it: the
+    /// normal of the triangle, or the smooth one. Light comes from outside, where `entering` says
+    /// that the viewer is, through the boundary of a closed solid; elsewhere it has no meaning.
+    Bsdf(const Appearance& appearance, const V3f& normal, const V3f& side_normal,
          bool entering = true);
 
     /// The same from a material that outlives it and that suits the viewer's side.
-    Bsdf(const BsdfMaterial& material, const V3f& normal, const V3f& geometric_normal);
+    Bsdf(const BsdfMaterial& material, const V3f& normal, const V3f& side_normal);
 
     /// Gives the clearcoat, if there is one, a normal of its own, which the viewer is in front of.
     void set_coat_normal(const V3f& normal) { coat_normal_ = normal; }
@@ -127,14 +126,6 @@ public:
     }
 
 private:
-    // Materials without further layers.
-    struct PlainView {
-        V3f direction;
-        float cosine = 0.0F;
-        LayerEnergy energy{};
-        float below = 0.0F;     // The part of the light that passes the dielectric layer.
-        float specular = 0.0F;  // The probability with which sample() chooses the layer.
-    };
     [[nodiscard]] PlainView plain_view_from(const V3f& to_viewer) const;
     [[nodiscard]] Value evaluate_plain(const PlainView& view, const V3f& to_light) const;
     [[nodiscard]] std::optional<BsdfSample> sample_plain(const PlainView& view,
@@ -142,7 +133,7 @@ private:
     [[nodiscard]] BsdfSample mirror_sample(const V3f& to_viewer, const Color3f& weight) const;
     std::variant<const BsdfMaterial*, BsdfMaterial> material_;
     V3f normal_;
-    V3f geometric_normal_;
+    V3f side_normal_;
     V3f coat_normal_;
 
     // Materials with layers beyond the plain ones: bsdf_layers.cpp.

@@ -46,7 +46,7 @@ Bsdf::LayersView Bsdf::layers_view_from(const V3f& to_viewer) const {
     view.cosine = normal_.dot(to_viewer);
     view.covered = material().covered(view.cosine);
     view.coat = coat_at(view.covered, to_viewer);
-    view.below = material().below(view.covered.layer, view.covered.passed);
+    view.below = passed_below(material(), view.covered.layer, view.covered.passed);
     const float shade = view.coat.shade;
     auto& weights = view.probability;
     weights[coat_lobe] = view.coat.cosine < min_cosine ? 0.0F : view.coat.reflected;
@@ -78,15 +78,14 @@ Bsdf::LayersView Bsdf::layers_view_from(const V3f& to_viewer) const {
 
 Bsdf::Value Bsdf::evaluate_layers(const LayersView& view, const V3f& to_light) const {
     const float cosine = normal_.dot(to_light);
-    const float geometric = geometric_normal_.dot(to_light);
+    const float side = side_normal_.dot(to_light);
     if (view.cosine < min_cosine) {
         return {};
     }
-    if (geometric > 0.0F) {
+    if (side > 0.0F) {
         return evaluate_above(view, to_light);
     }
-    if (cosine > -min_cosine || geometric >= 0.0F || !material().transmits() ||
-        material().is_mirror()) {
+    if (cosine > -min_cosine || side >= 0.0F || !material().transmits() || material().is_mirror()) {
         return {};
     }
     return material().layers->passage->refracts ? evaluate_refracted(view, to_light)
@@ -104,8 +103,9 @@ Bsdf::Value Bsdf::evaluate_above(const LayersView& view, const V3f& to_light) co
     }
     const float shade = view.coat.shade * coat.shade;
     const float lambert = cosine / pi_v<float>;
-    value.reflected += shade * lambert * view.below * material().below(lit.layer, lit.passed) *
-                       material().per_mean_below * material().diffuse;
+    value.reflected += shade * lambert * view.below *
+                       passed_below(material(), lit.layer, lit.passed) * material().per_mean_below *
+                       material().diffuse;
     value.pdf += view.probability[diffuse_lobe] * lambert;
     const HalfVector halfway(normal_, view.direction, to_light);
     const float edge = schlick(halfway.viewer);
@@ -238,7 +238,7 @@ std::optional<BsdfSample> Bsdf::sample_straight(const LayersView& view) const {
         passed =
             square(view.coat.shade) * material().layers->cover_factor(view.covered, view.covered);
     }
-    if (geometric_normal_.dot(sample.to_light) >= 0.0F) {
+    if (side_normal_.dot(sample.to_light) >= 0.0F) {
         return std::nullopt;
     }
     sample.weight =
@@ -251,7 +251,7 @@ BsdfSample Bsdf::sample_lobe(const LayersView& view, std::size_t lobe, const V3f
     const Frame frame(lobe == coat_lobe ? coat_normal_ : normal_);
     const auto sample_facet = [&](const Ggx& facets) {
         return frame.to_world(
-            facets.sample_visible(frame.to_local(view.direction), random.y, random.z));
+            facets.visible_facet(frame.to_local(view.direction), on_circle(random.y), random.z));
     };
     BsdfSample sample;
     sample.facet_normal = normal_;
@@ -333,7 +333,7 @@ std::optional<BsdfSample> Bsdf::sample_layers(const LayersView& view, const V3f&
     BsdfSample sample = sample_lobe(view, lobe, {rest / probability, random.y, random.z});
     const V3f& side = lobe == coat_lobe ? coat_normal_ : normal_;
     if (sample.transmitted != (side.dot(sample.to_light) < 0.0F) ||
-        sample.transmitted != (geometric_normal_.dot(sample.to_light) < 0.0F)) {
+        sample.transmitted != (side_normal_.dot(sample.to_light) < 0.0F)) {
         return std::nullopt;
     }
     return weighted(sample, evaluate_layers(view, sample.to_light));

@@ -50,7 +50,7 @@ BsdfMaterial::BsdfMaterial(const Appearance& appearance, bool entering)
     if (appearance.clearcoat > 0.0F || largest(appearance.sheen_color) > 0.0F) {
         add_covers(appearance);
     }
-    const float mean = layers ? mean_below_covers() : below(energies.mean());
+    const float mean = layers ? mean_below_covers() : passed_below(*this, energies.mean(), 1.0F);
     per_mean_below = mean > 0.0F ? 1.0F / mean : 0.0F;
 }
 
@@ -75,10 +75,6 @@ void BsdfMaterial::add_covers(const Appearance& appearance) {
     }
 }
 
-float PlainMaterial::below(const LayerEnergy& energy, float reaching) const {
-    return std::max(reaching - dielectric.albedo(energy), 0.0F);
-}
-
 Covered BsdfMaterial::covered(float cosine) const {
     const LayerEnergy layer = energies.at(cosine);
     return layers->is_below_covers() ? Covered{.layer = layer} : layers->at(layer, cosine);
@@ -93,7 +89,7 @@ float BsdfMaterial::mean_below_covers() const {
     float mean = 0.0F;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Covered at = covered(points[i]);
-        mean += 2.0F * points[i] * weights[i] * below(at.layer, at.passed);
+        mean += 2.0F * points[i] * weights[i] * passed_below(*this, at.layer, at.passed);
     }
     return mean;
 }

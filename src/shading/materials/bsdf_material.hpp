@@ -4,10 +4,12 @@
 
 // What the reflection at a point of a surface takes from the material alone.
 
+#include <numbers>
 #include <optional>
 
 #include <Imath/ImathColor.h>
 
+#include "shading/geometry/frame.hpp"
 #include "shading/materials/appearance.hpp"
 #include "shading/materials/energy.hpp"
 #include "shading/materials/layers.hpp"
@@ -27,9 +29,9 @@ struct PlainMaterial {
     LayerEnergies energies;
 
     [[nodiscard]] bool is_mirror() const { return roughness == 0.0F; }
-    /// What passes the dielectric layer of the part that reaches it.
-    [[nodiscard]] float below(const LayerEnergy& energy, float reaching = 1.0F) const;
 };
+
+#include "shading/materials/plain_bsdf.inl"
 
 /// The part of a Bsdf that does not depend on the normals: made once for a material that is the
 /// same everywhere. The formulas are in bsdf.hpp.

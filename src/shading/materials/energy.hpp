@@ -25,48 +25,7 @@
 
 namespace balcony::render {
 
-/// What a GGX layer reflects of even light, seen from a direction. It is linear in the reflectance
-/// f0 + (f90 - f0) schlick(cosine) of the facets:
-///
-///     f0 single + (f90 - f0) single_edge      by the facets that the light meets first,
-///     f0 all    + (f90 - f0) all_edge         multiplied by c(viewer) c(light).
-struct LayerEnergy {
-    float scale;  ///< c
-    float single;
-    float single_edge;
-    float all;  ///< 1, unless something covers the layer.
-    float all_edge;
-};
-
-/// The reflectance of a layer as factors of LayerEnergy: of the parts with and without c, each at
-/// normal incidence and rising to the edge.
-template <typename T>
-struct LayerReflectance {
-    T single{0.0F};
-    T single_edge{0.0F};
-    T all{0.0F};
-    T all_edge{0.0F};
-
-    /// Adds a layer with the reflectance f0 + (f90 - f0) schlick(cosine), of which c acts on the
-    /// part `repeated`.
-    void add(const T& share, const T& f0, const T& f90, const T& repeated) {
-        const T repeats = share * repeated;
-        const T once = share - repeats;
-        single += once * f0;
-        single_edge += once * (f90 - f0);
-        all += repeats * f0;
-        all_edge += repeats * (f90 - f0);
-    }
-    /// Of even light.
-    [[nodiscard]] T albedo(const LayerEnergy& energy) const {
-        return single * energy.single + single_edge * energy.single_edge + all * energy.all +
-               all_edge * energy.all_edge;
-    }
-    /// Of one facet; `scale` is c(viewer) c(light).
-    [[nodiscard]] T at_facet(float edge, float scale) const {
-        return single + edge * single_edge + scale * (all + edge * all_edge);
-    }
-};
+#include "shading/materials/energy.inl"
 
 /// LayerEnergy in a table, where `all` is 1.
 struct EnergyEntry {

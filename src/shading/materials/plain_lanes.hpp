@@ -5,51 +5,20 @@
 // The reflection of plain materials at sixteen points together, in the widest registers of the
 // machine. The results are the same on all machines, and those of Bsdf, bit for bit.
 
-#include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 
 #include <Imath/ImathVec.h>
 
+#include "shading/lanes/lane_arrays.hpp"
 #include "shading/materials/bsdf_material.hpp"
 
 namespace balcony::render::plain_lanes {
 
-inline constexpr std::size_t size = 16;
-
-/// Lane i is bit i.
-using LaneBits = std::uint32_t;
-
-[[nodiscard]] constexpr LaneBits bit(std::size_t lane) { return LaneBits{1} << lane; }
-
-/// Calls visit(lane).
-template <class Visit>
-void for_each_lane(LaneBits lanes, const Visit& visit) {
-    for (; lanes != 0; lanes &= lanes - 1) {
-        visit(static_cast<std::size_t>(std::countr_zero(lanes)));
-    }
-}
-
-using Floats = std::array<float, size>;
-
-struct alignas(64) Vectors {
-    Floats x{}, y{}, z{};
-
-    [[nodiscard]] V3f of(std::size_t lane) const { return {x[lane], y[lane], z[lane]}; }
-    void set(std::size_t lane, const V3f& v) {
-        x[lane] = v.x;
-        y[lane] = v.y;
-        z[lane] = v.z;
-    }
-    /// In a range of lanes.
-    void fill(std::size_t first, std::size_t count, const V3f& v) {
-        std::fill_n(x.begin() + first, count, v.x);
-        std::fill_n(y.begin() + first, count, v.y);
-        std::fill_n(z.begin() + first, count, v.z);
-    }
-};
+inline constexpr std::size_t size = lane_count;
+using Floats = LaneFloats;
+using Vectors = LaneVectors;
 
 /// As LayerReflectance.
 template <class T>
@@ -61,7 +30,7 @@ struct Reflectance {
 struct Surface {
     PlainMaterial material;
     V3f normal;
-    V3f geometric_normal;
+    V3f side_normal;
 };
 
 /// The materials must outlive it.
@@ -71,7 +40,7 @@ struct alignas(64) Surfaces {
     /// In a range of lanes.
     void fill(std::size_t first, std::size_t count, const Surface& surface);
 
-    Vectors normal, geometric_normal;
+    Vectors normal, side_normal;
     /// Of PlainMaterial.
     Reflectance<Vectors> specular;
     Reflectance<Floats> dielectric;
@@ -96,7 +65,7 @@ struct alignas(64) Cosines {
     alignas(64) std::array<EnergyEntry, size> upper;
 };
 
-/// What the viewers' directions alone decide, as Bsdf::View.
+/// What the viewers' directions alone decide, as PlainView.
 struct alignas(64) Views {
     Vectors direction;
     Floats cosine{};

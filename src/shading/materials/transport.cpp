@@ -47,8 +47,8 @@ void for_paths(const Ggx& layer, std::size_t count, Visit visit) {
             const float rest = 1.0F - midpoint(row);
             const float part = 2.0F * rest / static_cast<float>(count * count);
             for (std::size_t column = 0; column < count; ++column) {
-                const V3f facet =
-                    layer.sample_visible(to_viewer, 0.5F * midpoint(column), 1.0F - square(rest));
+                const V3f facet = layer.visible_facet(to_viewer, on_circle(0.5F * midpoint(column)),
+                                                      1.0F - square(rest));
                 visit(node, VisibleFacet{layer, viewer, slant, facet, to_viewer.dot(facet), part});
             }
         }

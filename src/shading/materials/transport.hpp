@@ -13,33 +13,11 @@
 #include <span>
 #include <vector>
 
+#include "shading/lanes/scalar.hpp"
+
 namespace balcony::render {
 
-/// Where a value lies between the nodes of a table.
-struct TablePosition {
-    std::size_t node;  ///< The lower one.
-    float fraction;    ///< From it to the next.
-};
-
-/// `position` counts nodes from the first of `count`; beyond them it is moved to the nearest.
-[[nodiscard]] inline TablePosition table_position(float position, std::size_t count) {
-    const float last = static_cast<float>(count - 1);
-    const float inside = position > 0.0F ? std::min(position, last) : 0.0F;
-    // Processors convert signed numbers in one step.
-    const auto node = static_cast<std::int32_t>(std::min(inside, last - 1.0F));
-    return {static_cast<std::size_t>(node), inside - static_cast<float>(node)};
-}
-
-[[nodiscard]] inline float mix(float a, float b, float fraction) { return a + fraction * (b - a); }
-
-/// The cosines of the tables: narrow where they are small, since there the masking of a smooth
-/// layer changes within its width.
-inline constexpr std::size_t cosine_count = 48;
-
-[[nodiscard]] inline TablePosition position_of_cosine(float cosine) {
-    return table_position(std::sqrt(std::sqrt(std::max(0.0F, cosine))) * (cosine_count - 1),
-                          cosine_count);
-}
+#include "shading/materials/table.inl"
 
 using ByCosine = std::array<float, cosine_count>;
 

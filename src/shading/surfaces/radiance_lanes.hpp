@@ -10,12 +10,9 @@
 #include <Imath/ImathColor.h>
 
 #include "shading/geometry/ray.hpp"
+#include "shading/lanes/lane_arrays.hpp"
 
 namespace balcony::render::surface_lanes {
-
-/// Lane i of a packet is bit i.
-using LaneBits = std::uint32_t;
-inline constexpr LaneBits all_lanes = (LaneBits{1} << embree::Packet::size) - 1;
 
 struct alignas(64) Radiances {
     embree::Packet::Floats red, green, blue, alpha;

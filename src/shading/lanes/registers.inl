@@ -1,0 +1,127 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// The vocabulary of scalar.hpp for a register of lanes, and how lanes are loaded and stored. A file
+// that Highway compiles for each instruction set includes this within its HWY_NAMESPACE, and then
+// the formulas (*.inl).
+
+#undef BALCONY_FORMULA
+#define BALCONY_FORMULA HWY_INLINE
+
+namespace lanes = hwy::HWY_NAMESPACE;
+
+using Tag = lanes::CappedTag<float, lane_count>;
+using IntTag = lanes::RebindToSigned<Tag>;
+constexpr Tag tag;
+constexpr IntTag int_tag;
+
+struct Where {
+    HWY_INLINE Where(lanes::Mask<Tag> mask) : m(mask) {}
+    lanes::Mask<Tag> m;
+};
+
+struct Float {
+    Float() = default;
+    HWY_INLINE Float(lanes::Vec<Tag> vector) : v(vector) {}
+    HWY_INLINE Float(float value) : v(lanes::Set(tag, value)) {}
+    lanes::Vec<Tag> v;
+};
+
+struct Int {
+    Int() = default;
+    HWY_INLINE Int(lanes::Vec<IntTag> vector) : v(vector) {}
+    HWY_INLINE Int(std::int32_t value) : v(lanes::Set(int_tag, value)) {}
+    lanes::Vec<IntTag> v;
+};
+
+HWY_INLINE Float operator+(Float a, Float b) { return lanes::Add(a.v, b.v); }
+HWY_INLINE Float operator-(Float a, Float b) { return lanes::Sub(a.v, b.v); }
+HWY_INLINE Float operator*(Float a, Float b) { return lanes::Mul(a.v, b.v); }
+HWY_INLINE Float operator/(Float a, Float b) { return lanes::Div(a.v, b.v); }
+HWY_INLINE Float operator-(Float a) { return lanes::Neg(a.v); }
+HWY_INLINE Where operator>(Float a, Float b) { return lanes::Gt(a.v, b.v); }
+HWY_INLINE Where operator>=(Float a, Float b) { return lanes::Ge(a.v, b.v); }
+HWY_INLINE Where operator<(Float a, Float b) { return lanes::Lt(a.v, b.v); }
+
+HWY_INLINE Float square(Float a) { return a * a; }
+HWY_INLINE Float root(Float a) { return lanes::Sqrt(a.v); }
+HWY_INLINE Float larger(Float a, Float b) { return lanes::Max(a.v, b.v); }
+HWY_INLINE Float smaller(Float a, Float b) { return lanes::Min(a.v, b.v); }
+HWY_INLINE Float clamped(Float a, Float low, Float high) {
+    return lanes::Clamp(a.v, low.v, high.v);
+}
+HWY_INLINE Float sign_of(Float a) { return lanes::CopySign(Float(1.0F).v, a.v); }
+HWY_INLINE Float mix(Float a, Float b, Float fraction) { return a + fraction * (b - a); }
+
+HWY_INLINE Float select(Where where, Float a, Float b) {
+    return lanes::IfThenElse(where.m, a.v, b.v);
+}
+HWY_INLINE Float or_zero(Where where, Float a) { return lanes::IfThenElseZero(where.m, a.v); }
+HWY_INLINE Float negated_if(Where where, Float a) { return select(where, -a, a); }
+HWY_INLINE Where both(Where a, Where b) { return lanes::And(a.m, b.m); }
+HWY_INLINE bool none(Where where) { return lanes::AllFalse(tag, where.m); }
+
+HWY_INLINE Int operator+(Int a, Int b) { return lanes::Add(a.v, b.v); }
+HWY_INLINE Int truncated(Float a) { return lanes::ConvertTo(int_tag, a.v); }
+HWY_INLINE Float as_float(Int a) { return lanes::ConvertTo(tag, a.v); }
+HWY_INLINE Where has_bit(Int a, Int bit) {
+    return lanes::RebindMask(tag, lanes::TestBit(a.v, bit.v));
+}
+
+struct Float2 {
+    Float x, y;
+};
+
+struct Float3 {
+    Float x, y, z;
+};
+
+HWY_INLINE Float3 operator+(const Float3& a, const Float3& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+HWY_INLINE Float3 operator-(const Float3& a, const Float3& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+HWY_INLINE Float3 operator*(Float a, const Float3& b) { return {a * b.x, a * b.y, a * b.z}; }
+HWY_INLINE Float3 operator*(const Float3& a, Float b) { return b * a; }
+HWY_INLINE Float3 operator/(const Float3& a, Float b) { return {a.x / b, a.y / b, a.z / b}; }
+HWY_INLINE Float dot(const Float3& a, const Float3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+HWY_INLINE Float3 cross(const Float3& a, const Float3& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+HWY_INLINE Float3 unit(const Float3& a) { return a / root(dot(a, a)); }
+HWY_INLINE Float largest(const Float3& color) { return larger(larger(color.x, color.y), color.z); }
+HWY_INLINE Float3 select(Where where, const Float3& a, const Float3& b) {
+    return {select(where, a.x, b.x), select(where, a.y, b.y), select(where, a.z, b.z)};
+}
+HWY_INLINE Float3 or_zero(Where where, const Float3& a) {
+    return {or_zero(where, a.x), or_zero(where, a.y), or_zero(where, a.z)};
+}
+
+HWY_INLINE Float load(const LaneFloats& values, std::size_t lane) {
+    return lanes::Load(tag, values.data() + lane);
+}
+HWY_INLINE Float3 load(const LaneVectors& v, std::size_t lane) {
+    return {load(v.x, lane), load(v.y, lane), load(v.z, lane)};
+}
+HWY_INLINE void store(Float value, LaneFloats& values, std::size_t lane) {
+    lanes::Store(value.v, tag, values.data() + lane);
+}
+HWY_INLINE void store(const Float3& v, LaneVectors& values, std::size_t lane) {
+    store(v.x, values.x, lane);
+    store(v.y, values.y, lane);
+    store(v.z, values.z, lane);
+}
+
+// The lanes from `lane` on, as many as a register has.
+HWY_INLINE Where where_of(LaneBits bits, std::size_t lane) {
+    const std::uint32_t rest = bits >> lane;
+    const std::uint8_t bytes[8]{static_cast<std::uint8_t>(rest),
+                                static_cast<std::uint8_t>(rest >> 8U)};
+    return lanes::LoadMaskBits(tag, bytes);
+}
+HWY_INLINE LaneBits bits_of(Where where, std::size_t lane) {
+    std::uint8_t bytes[8]{};
+    lanes::StoreMaskBits(tag, where.m, bytes);
+    return (std::uint32_t{bytes[0]} | std::uint32_t{bytes[1]} << 8U) << lane;
+}
