@@ -211,7 +211,8 @@ TEST(PictureComposition, ModesLeaveDisplayColoursAlone) {
         above.blend = mode;
         const Rendered made = rendered({framed, above});
         EXPECT_EQ(made.film.display_color(1, height / 2), alone.film.display_color(1, height / 2));
-        EXPECT_EQ(made.film.light(1, height / 2), Color4f(0.0F)) << camera::blend_modes()[mode].name;
+        EXPECT_EQ(made.film.light(1, height / 2), Color4f(0.0F))
+            << camera::blend_modes()[mode].name;
         EXPECT_EQ(made.film.pixel(width / 2, height / 2).a, 1.0F);
     }
 }
@@ -332,7 +333,8 @@ TEST(Blend, FollowsTheFormulasInEveryPart) {
     };
     for (const auto& [mode, b, s, wanted] : cases) {
         const Color4f made = blended(mode, Color4f(b, b, b, 1.0F), Color4f(s, s, s, 1.0F));
-        EXPECT_NEAR(made.r, wanted, 1e-6) << camera::blend_modes()[mode].name << ' ' << b << ' ' << s;
+        EXPECT_NEAR(made.r, wanted, 1e-6)
+            << camera::blend_modes()[mode].name << ' ' << b << ' ' << s;
     }
 }
 
