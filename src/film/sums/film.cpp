@@ -62,18 +62,20 @@ Diagnostics check(const FilmLayout& layout, const Region& window) {
     };
     if (!within(window.x, window.width, layout.width) ||
         !within(window.y, window.height, layout.height)) {
-        return {error(fmt::format(
-            "the region of {} x {} pixels at ({}, {}) is not part of the "
-            "picture of {} x {} pixels",
-            window.width, window.height, window.x, window.y, layout.width, layout.height))};
+        return {error(Kind::usage,
+                      fmt::format("the region of {} x {} pixels at ({}, {}) is not part of the "
+                                  "picture of {} x {} pixels",
+                                  window.width, window.height, window.x, window.y, layout.width,
+                                  layout.height))};
     }
     const double bytes = film_bytes(layout);
     const double memory = physical_memory();
     if (memory > 0.0 && bytes > memory) {
         return {error(
+            Kind::environment,
             fmt::format("a film of {} x {} pixels needs {:.1f} GB, but this machine has {:.1f} GB",
                         window.width, window.height, bytes / 1e9, memory / 1e9),
-            {}, "make the picture smaller, omit layers, or write an .exr file, in bands")};
+            "make the picture smaller, omit layers, or write an .exr file, in bands")};
     }
     return {};
 }
@@ -214,7 +216,7 @@ Result<Film> make_film(const FilmLayout& layout) {
         film.passes.assign(film.tile_count(), 0);
         return film;
     } catch (const std::bad_alloc&) {
-        return error("out of memory while creating the film", {},
+        return error(Kind::environment, "out of memory while creating the film",
                      "make the picture smaller, or omit the data layers");
     }
 }
