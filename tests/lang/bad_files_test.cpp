@@ -121,6 +121,15 @@ TEST(GeneratedBadFile, ADeviceIsNeverRead) {
     EXPECT_TRUE(said[0].span.source);
 }
 
+TEST(GeneratedBadFile, NoLineOfAnotherKindOfFileIsShown) {
+    const test::TemporaryFolder folder;
+    folder.write("secrets", "root:x:0:0:secret\nname = secret\n");
+    const Diagnostics said = test::check(folder.write("a.cam", "import \"secrets\"\n"));
+    ASSERT_FALSE(said.empty());
+    EXPECT_NE(said[0].message.find("is not a camera file"), std::string::npos);
+    EXPECT_EQ(to_text(said).find("secret\n"), std::string::npos) << to_text(said);
+}
+
 TEST(GeneratedBadFile, NestingIsBounded) {
     for (const char* bracket : {"(", "-", "2^", "sin(", "if(1, 2, "}) {
         std::string text = "let a = ";

@@ -46,6 +46,14 @@ std::string instead_of(std::string_view name) {
             : fmt::format("'{}' is in the description of {}", name, all_of(described)));
 }
 
+// Whether nothing in a text is a definition. Messages show no line of such a file, which a
+// stranger's camera may import.
+bool is_foreign(const SyntaxTree& tree) {
+    return tree.broken && std::none_of(tree.items.begin(), tree.items.end(), [](const Item& item) {
+               return std::holds_alternative<DefinitionSyntax>(item);
+           });
+}
+
 std::string standard_key(std::string_view name) { return fmt::format("standard/{}.cam", name); }
 
 }  // namespace
@@ -178,6 +186,11 @@ Module* Session::open_file(const std::string& key, const fs::path& file, const s
     }
     const auto parsed = files_.camera_file(key, file, name, asked);
     reporter_.add(parsed.diagnostics);
+    if (parsed && file.extension() != ".cam" && is_foreign((*parsed)->tree)) {
+        reporter_.error(asked, fmt::format("'{}' is not a camera file", name),
+                        "a camera file has definitions: camera name { ... }");
+        return nullptr;
+    }
     return parsed ? resolve(*parsed, file.parent_path(), false, key) : nullptr;
 }
 
