@@ -70,8 +70,8 @@ struct FrameRate {
     double frames = 24.0;
     double seconds = 1.0;
 
-    [[nodiscard]] double frame_time() const { return seconds / frames; }  ///< In seconds.
-    [[nodiscard]] std::string text() const;                               ///< "24", "30000/1001".
+    [[nodiscard]] double frame_time() const { return 1.0 / (frames / seconds); }  ///< In seconds.
+    [[nodiscard]] std::string text() const;  ///< "24", "30000/1001".
     bool operator==(const FrameRate&) const = default;
 };
 

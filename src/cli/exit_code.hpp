@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "balcony/base.hpp"
+
 namespace balcony::cli {
 
 /// Exit codes of the command.
@@ -12,5 +14,8 @@ enum class ExitCode : int {
     environment = 3,  ///< The disk is full, a program is missing, ...
     interrupted = 130,
 };
+
+/// That of what a command reports: by the kind of its first error.
+[[nodiscard]] ExitCode exit_code_of(const Diagnostics& diagnostics, bool interrupted = false);
 
 }  // namespace balcony::cli

@@ -5,6 +5,7 @@
 
 #include <csignal>
 #include <mutex>
+#include <utility>
 
 #include <unistd.h>
 
@@ -67,7 +68,7 @@ Interruption::Interruption() {
 
 Interruption::~Interruption() { pthread_kill(watcher_.native_handle(), wake_signal()); }
 
-Job::Job() {
+Job::Job(std::stop_source stop) : stop_(std::move(stop)) {
     const std::lock_guard lock(job_mutex);
     job = &stop_;
 }

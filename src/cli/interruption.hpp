@@ -23,9 +23,10 @@ private:
 };
 
 /// During its lifetime, the first signal requests a stop through it. Only one may exist at a time.
+/// A stop that was requested of an earlier one with the same source remains.
 class Job {
 public:
-    Job();
+    explicit Job(std::stop_source stop = {});
     ~Job();
     Job(const Job&) = delete;
     Job& operator=(const Job&) = delete;

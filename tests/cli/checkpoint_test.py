@@ -237,7 +237,7 @@ class Crop(support.CommandTest):
                          helps="--crop 400x300+100+50")
         for text in ("0", "-50%", "big", "nan", "1e9"):
             self.refused(*self.WORDS, "p.png", f"--scale={text}", code=2, says="--scale cannot be")
-        self.refused(*self.WORDS, "p.png", "--crop", "20x15+50+0", code=1,
+        self.refused(*self.WORDS, "p.png", "--crop", "20x15+50+0", code=2,
                      says="not part of the picture of 60 x 40 pixels")
 
 
@@ -302,14 +302,14 @@ class Bands(support.CommandTest):
         self.killed_with_checkpoint()
         checkpoint = self.bytes_of("p.exr.checkpoint")
         words = [word.replace("600", "601") for word in self.LONG]
-        self.refused(*words, "--resume", "-o", "p.exr", code=3, says="--samples was '600'")
+        self.refused(*words, "--resume", "-o", "p.exr", code=1, says="--samples was '600'")
         (self.folder / "p.exr.part").rename(self.folder / "aside")
-        self.refused(*self.LONG, "--resume", "-o", "p.exr", code=3, says="is missing",
+        self.refused(*self.LONG, "--resume", "-o", "p.exr", code=1, says="is missing",
                      helps="render without --resume")
         (self.folder / "p.exr.part").write_bytes(b"no picture")
-        self.refused(*self.LONG, "--resume", "-o", "p.exr", code=3, says="is damaged")
+        self.refused(*self.LONG, "--resume", "-o", "p.exr", code=1, says="is damaged")
         (self.folder / "p.exr.checkpoint").write_bytes(b"no checkpoint")
-        self.refused(*self.LONG, "--resume", "-o", "p.exr", code=3, says="damaged")
+        self.refused(*self.LONG, "--resume", "-o", "p.exr", code=1, says="damaged")
         (self.folder / "aside").rename(self.folder / "p.exr.part")
         (self.folder / "p.exr.checkpoint").write_bytes(checkpoint)
         self.run_command(*self.LONG, "--resume", "-o", "p.exr")

@@ -79,7 +79,7 @@ class Shards(support.CommandTest):
                 err = self.refused("merge", first, second, code=1, says=f"'{second}'")
                 self.assertRegex(err, "damaged or no shard|do not belong together")
         self.refused("merge", "room.glb", code=1, says="'room.glb' is damaged or no shard")
-        self.refused("merge", "nowhere", code=1, says="'nowhere' is damaged or no shard")
+        self.refused("merge", "nowhere", code=1, says="there is no file 'nowhere'")
 
     def test_shards_of_other_renders(self):
         self.render("--shard", "1/2", "-o", "p.png")

@@ -35,14 +35,17 @@ constexpr std::array<std::string_view, 14> of_no_frame = {"SCENE",
                                                           "--parts-per-frame",
                                                           "--frames"};
 
-void read_output(const std::string& output, const AnimationWords& words, AnimationRequest& request,
-                 Diagnostics& diagnostics) {
-    if (is_film(output)) {
+void read_output(const std::string& output, const AnimationWords& words,
+                 app::AnimationRequest& request, Diagnostics& diagnostics) {
+    if (app::is_film(output)) {
         request.film.emplace().file = output;
-        request.pattern = pattern_of_film(output);
+        request.film->rate = request.picture.shutter.rate;
+        request.pattern = app::pattern_of_film(output);
     } else {
-        request.pattern = FramePattern::read(output);
-        if (!request.pattern) {
+        const auto pattern = app::FramePattern::read(output);
+        if (pattern) {
+            request.pattern = *pattern;
+        } else {
             const fs::path file(output);
             fs::path example = file;
             example.replace_extension();
@@ -50,7 +53,7 @@ void read_output(const std::string& output, const AnimationWords& words, Animati
                 fmt::format("'{}' has no # for the number of the frame", output), {},
                 fmt::format("write --output '{}.####{}', or name a film ({})", example.string(),
                             ending_of(file).empty() ? ".png" : ending_of(file),
-                            fmt::join(film_extensions(), ", "))));
+                            fmt::join(app::film_extensions(), ", "))));
         }
     }
     if (!request.film && (!words.crf.empty() || words.keep_frames)) {
@@ -93,7 +96,7 @@ void add_animation_options(CLI::App& command, AnimateOptions& options) {
             "-o,--output", [&options](const std::string& file) { options.render.output = file; },
             fmt::format("a film ({}), or a sequence whose name has # for the digits of the "
                         "frame's number, such as frame.####.png",
-                        fmt::join(film_extensions(), ", ")))
+                        fmt::join(app::film_extensions(), ", ")))
         ->type_name("FILE")
         ->required();
     command
@@ -119,23 +122,25 @@ void add_animation_options(CLI::App& command, AnimateOptions& options) {
         ->capture_default_str();
 }
 
-AnimationRequest read_animation(const AnimateOptions& options, Diagnostics& diagnostics) {
+app::AnimationRequest read_animation(const AnimateOptions& options, Diagnostics& diagnostics) {
     const AnimationWords& words = options.words;
     constexpr double longest = 1e9;
-    AnimationRequest request;
+    app::AnimationRequest request;
+    request.picture = read_request(options.render, diagnostics);
+    request.picture.scene = words.scene;
+    request.picture.output = options.render.output.value_or("");
+    request.picture.given = option_facts(*options.render.command, of_no_frame);
     if (!words.frames.empty()) {
-        request.frames = frame_numbers_of(words.frames);
+        request.frames = app::frame_numbers_of(words.frames);
         if (!request.frames) {
             refuse(diagnostics, "--frames", words.frames,
                    fmt::format("write the first and the last frame, such as 1-240, numbers from 0 "
                                "to {}",
-                               max_frame));
+                               app::max_frame));
         }
     }
     request.start_time = read_number("--start-time", words.start_time, -longest, longest,
                                      "give a number of seconds", diagnostics);
-    Diagnostics reported_by_render;
-    request.frame_time = read_frame_time(options.render.shutter, reported_by_render);
     request.turntable = words.turntable || !words.around.empty();
     request.around = words.around;
     request.keep_frames = words.keep_frames;
@@ -145,20 +150,11 @@ AnimationRequest read_animation(const AnimateOptions& options, Diagnostics& diag
     request.parts_per_frame =
         read_count("--parts-per-frame", words.parts_per_frame, 1, render::max_shards, diagnostics);
     read_output(options.render.output.value_or(""), words, request, diagnostics);
-    if (request.film) {
-        request.film->fps = options.render.shutter.fps;
+    if (request.picture.stereo.has_two_files()) {
+        diagnostics.push_back(error("an animation is one film or sequence, not two", {},
+                                    "write --stereo left, and then --stereo right"));
     }
     return request;
-}
-
-FramePattern pattern_of_film(const fs::path& film) {
-    fs::path folder = film;
-    folder += ".frames";
-    return *FramePattern::read((folder / "frame.#####.png").string());
-}
-
-render::RenderFacts frame_facts(const AnimateOptions& options) {
-    return option_facts(*options.render.command, of_no_frame);
 }
 
 }  // namespace balcony::cli

@@ -4,13 +4,9 @@
 
 // The options of `balcony animate`.
 
-#include <cstddef>
-#include <optional>
 #include <string>
 
-#include "cli/animation/film_file.hpp"
-#include "cli/animation/frame_numbers.hpp"
-#include "cli/animation/frame_pattern.hpp"
+#include "balcony/animation.hpp"
 #include "cli/options/render_options.hpp"
 
 namespace balcony::cli {
@@ -36,36 +32,10 @@ struct AnimateOptions {
     AnimationWords words;
 };
 
-/// What they ask for.
-struct AnimationRequest {
-    std::optional<FrameNumbers> frames;  ///< As many as the scene's animations need if empty.
-    double start_time = 0.0;             ///< Of frame 1.
-    double frame_time = 1.0 / 24.0;      ///< Seconds from frame to frame.
-    bool turntable = false;
-    std::string around;  ///< The object that the turntable is for; empty for the scene.
-    bool keep_frames = false;
-    bool overwrite = false;
-    bool same_noise = false;
-    std::optional<render::Shard> shard;
-    std::size_t parts_per_frame = 1;
-    std::optional<FramePattern> pattern;  ///< Of the frames; missing only if that is an error.
-    std::optional<FilmRequest> film;      ///< That the frames become.
-
-    [[nodiscard]] double time_of(std::size_t frame) const {
-        return start_time + (static_cast<double>(frame) - 1.0) * frame_time;
-    }
-};
-
 void add_animation_options(CLI::App& command, AnimateOptions& options);
 
-/// What cannot be read is added to `diagnostics`.
-[[nodiscard]] AnimationRequest read_animation(const AnimateOptions& options,
-                                              Diagnostics& diagnostics);
-
-/// The frames of a film are in a folder beside it until it is complete.
-[[nodiscard]] FramePattern pattern_of_film(const std::filesystem::path& film);
-
-/// All that the frames depend on, apart from files.
-[[nodiscard]] render::RenderFacts frame_facts(const AnimateOptions& options);
+/// What they ask for. What cannot be read is added to `diagnostics`.
+[[nodiscard]] app::AnimationRequest read_animation(const AnimateOptions& options,
+                                                   Diagnostics& diagnostics);
 
 }  // namespace balcony::cli

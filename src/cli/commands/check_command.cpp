@@ -275,7 +275,7 @@ private:
                                   .height = static_cast<std::size_t>(subject.height),
                                   .time = options_.cameras.time});
         if (miss && found.never_seen.size() == scene_->objects.size()) {
-            found.miss = miss_text(*miss, subject.camera);
+            found.miss = app::miss_text(*miss, subject.camera);
         }
     }
 

@@ -12,16 +12,15 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "balcony/inputs.hpp"
 #include "balcony/motion.hpp"
 #include "balcony/render.hpp"
 #include "balcony/scene.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/options/command_rows.hpp"
-#include "cli/options/default_camera.hpp"
 #include "cli/options/scene_argument.hpp"
 #include "cli/report/json.hpp"
 #include "cli/report/report.hpp"
-#include "cli/report/unseen_points.hpp"
 
 namespace balcony::cli {
 
@@ -90,7 +89,8 @@ constexpr std::string_view unknown_light = "unknown";
 // and unknown if there is no such picture.
 std::string default_light(const std::shared_ptr<const scene::Scene>& scene) {
     const auto renderer = render::Renderer::make(scene, {.textures_on_demand = true});
-    const auto picture = renderer ? default_picture(*scene, *renderer) : Result<camera::Picture>();
+    const auto picture =
+        renderer ? app::default_picture(*scene, *renderer) : Result<camera::Picture>();
     auto film = render::make_film({.width = 64, .height = 36});
     const auto job =
         picture && film
@@ -113,7 +113,7 @@ nlohmann::json scene_json(const scene::Scene& scene, const std::string& light) {
     }
     return {
         {"format", scene.format},
-        {"axes", axes_text(scene.axes)},
+        {"axes", app::axes_text(scene.axes)},
         {"meters_per_unit", scene.meters_per_unit},
         {"triangles", scene.triangle_count()},
         {"meshes", scene.meshes.size()},
@@ -144,7 +144,8 @@ std::string scene_text(const scene::Scene& scene, const std::string& light, bool
         text += fmt::format("  {:<10} {}\n", name, value);
     };
     line("format", scene.format);
-    line("axes", fmt::format("{}; a unit is {} m", axes_text(scene.axes), scene.meters_per_unit));
+    line("axes",
+         fmt::format("{}; a unit is {} m", app::axes_text(scene.axes), scene.meters_per_unit));
     line("extent", fmt::format("{:.4g} x {:.4g} x {:.4g} units", size.x, size.y, size.z));
     line("bounds",
          fmt::format("({:.4g}, {:.4g}, {:.4g}) .. ({:.4g}, {:.4g}, {:.4g})", bounds.min.x,

@@ -22,7 +22,6 @@
 #include "cli/options/scene_argument.hpp"
 #include "cli/report/json.hpp"
 #include "cli/report/report.hpp"
-#include "cli/report/unseen_points.hpp"
 
 namespace balcony::cli {
 
@@ -208,9 +207,9 @@ Result<Located> find_all(const LocateOptions& options, std::vector<V3d> points) 
                                 counted(in_part.size(), "point", "points"))));
     }
     if (found.sightings.empty() && !found.points.empty()) {
-        add_to(diagnostics, explain_unseen({*picture, static_cast<double>(found.width),
-                                            static_cast<double>(found.height), options.time,
-                                            found.axes, found.points}));
+        add_to(diagnostics, app::explain_unseen({*picture, static_cast<double>(found.width),
+                                                 static_cast<double>(found.height), options.time,
+                                                 found.axes, found.points}));
     }
     if (scene) {
         look_for_obstacles(*scene, locator->axes(), found, diagnostics);
@@ -246,7 +245,7 @@ std::string text_of(const Located& located) {
     const std::string_view heading = located.obstacles ? " is in the picture at" : " is visible at";
     std::string text =
         fmt::format("{}, {} x {} pixels; points are read with {} ({})\n", printable(located.camera),
-                    located.width, located.height, axes_text(located.axes), located.axes_from);
+                    located.width, located.height, app::axes_text(located.axes), located.axes_from);
     std::size_t next = 0;
     for (std::size_t number = 0; number < located.points.size(); ++number) {
         const V3d& point = located.points[number];

@@ -4,7 +4,6 @@
 // balcony merge: joins the shards of a picture or of an animation.
 
 #include <algorithm>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -12,15 +11,13 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "balcony/shard.hpp"
-#include "cli/animation/merged_animation.hpp"
+#include "balcony/animation.hpp"
 #include "cli/commands/command.hpp"
-#include "cli/merged_picture.hpp"
 #include "cli/options/common_options.hpp"
 #include "cli/report/json.hpp"
+#include "cli/report/render_observer.hpp"
 #include "cli/report/render_report.hpp"
 #include "cli/report/report.hpp"
-#include "cli/shard_picture.hpp"
 
 namespace balcony::cli {
 
@@ -55,83 +52,64 @@ std::vector<std::string> shards_beside(const std::string& name) {
     return shards.empty() ? std::vector{name} : shards;
 }
 
-// The shards of each frame; those of a picture have no frame.
-Result<std::map<std::string, std::vector<fs::path>>> shards_of_frames(
-    const std::vector<fs::path>& files) {
-    std::map<std::string, std::vector<fs::path>> frames;
-    for (const fs::path& file : files) {
-        const auto heading = render::read_shard_heading(file);
-        if (!heading) {
-            return heading.diagnostics;
+ExitCode finish(const nlohmann::json& facts, const std::string& text,
+                const Diagnostics& diagnostics, bool interrupted, const MergeOptions& options) {
+    if (options.json) {
+        print_json(facts);
+    } else {
+        report(diagnostics);
+        if (!options.quiet && !text.empty()) {
+            print_result(text);
         }
-        const auto& facts = heading->facts;
-        const auto frame =
-            std::find_if(facts.begin(), facts.end(),
-                         [](const render::RenderFact& fact) { return fact.name == frame_fact; });
-        frames[frame == facts.end() ? "" : merged_output(heading->output).picture.string()]
-            .push_back(file);
     }
-    return frames;
+    return exit_code_of(diagnostics, interrupted);
 }
 
-RenderReport merge_files(const MergeOptions& options) {
-    std::vector<std::string> names;
+ExitCode merge_files(const MergeOptions& options) {
+    std::vector<fs::path> files;
     for (const std::string& name : options.shards) {
         const std::vector<std::string> found = shards_beside(name);
-        names.insert(names.end(), found.begin(), found.end());
+        files.insert(files.end(), found.begin(), found.end());
     }
-    const std::vector<fs::path> files(names.begin(), names.end());
-    if (!options.output.empty()) {
-        return merge_picture(files, options.output);
+    RenderObserver observer(true);
+    const std::vector<app::MergedPicture> pictures =
+        app::merge_pictures(files, options.output, observer.observer());
+    if (pictures.size() == 1) {
+        return finish(report_json(pictures.front()), report_text(pictures.front()),
+                      pictures.front().diagnostics, false, options);
     }
-    RenderReport outcome;
-    const auto pictures = shards_of_frames(files);
-    if (!pictures) {
-        add(outcome, pictures.diagnostics);
-        outcome.code = ExitCode::bad_input;
-        return outcome;
+    nlohmann::json facts{{"pictures", nlohmann::json::array()}};
+    std::string text;
+    Diagnostics all;
+    for (const app::MergedPicture& merged : pictures) {
+        facts["pictures"].push_back(report_json(merged));
+        text += report_text(merged);
+        all.insert(all.end(), merged.diagnostics.begin(), merged.diagnostics.end());
     }
-    if (pictures->size() == 1) {
-        return merge_picture(files, "");
-    }
-    outcome.facts["pictures"] = nlohmann::json::array();
-    for (const auto& [picture, shards] : *pictures) {
-        const RenderReport merged = merge_picture(shards, "");
-        add(outcome, merged.diagnostics);
-        outcome.sentence += merged.sentence;
-        outcome.facts["pictures"].push_back(merged.facts);
-        outcome.code = outcome.code == ExitCode::done ? merged.code : outcome.code;
-    }
-    return outcome;
+    facts["diagnostics"] = to_json(all);
+    return finish(facts, text, all, false, options);
 }
 
-RenderReport merge_all(const MergeOptions& options) {
-    const auto animation = std::find_if(options.shards.begin(), options.shards.end(), is_animation);
+ExitCode merge(const MergeOptions& options) {
+    const auto animation =
+        std::find_if(options.shards.begin(), options.shards.end(), app::is_animation);
     if (animation == options.shards.end()) {
         return merge_files(options);
     }
     if (options.shards.size() > 1) {
-        RenderReport outcome;
-        add(outcome, {error(fmt::format("'{}' is an animation, which is merged alone", *animation),
-                            {}, "quote the name of a sequence: 'frame.####.png'")});
-        outcome.code = ExitCode::wrong_usage;
-        return outcome;
+        app::MergedAnimation refused;
+        refused.diagnostics = {error(
+            Kind::usage, fmt::format("'{}' is an animation, which is merged alone", *animation),
+            "quote the name of a sequence: 'frame.####.png'")};
+        return finish({{"diagnostics", to_json(refused.diagnostics)}}, "", refused.diagnostics,
+                      false, options);
     }
-    ProgressDisplay display(options.quiet || options.json);
-    return merge_animation(*animation, options.output, display);
-}
-
-ExitCode merge(const MergeOptions& options) {
-    const RenderReport outcome = merge_all(options);
-    if (options.json) {
-        print_json(json_of(outcome));
-        return outcome.code;
-    }
-    report(outcome.diagnostics);
-    if (!options.quiet && !outcome.sentence.empty()) {
-        print_result(outcome.sentence);
-    }
-    return outcome.code;
+    RenderObserver observer(options.quiet || options.json);
+    const app::MergedAnimation merged =
+        app::merge_animation(*animation, options.output, observer.observer(), observer.token());
+    observer.clear();
+    return finish(report_json(merged), report_text(merged), merged.diagnostics, merged.interrupted,
+                  options);
 }
 
 }  // namespace

@@ -5,22 +5,24 @@
 #include <filesystem>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
+#include "balcony/app.hpp"
 #include "balcony/images.hpp"
+#include "balcony/inputs.hpp"
 #include "balcony/povray.hpp"
 #include "cli/commands/command.hpp"
-#include "cli/interruption.hpp"
 #include "cli/options/camera_argument.hpp"
 #include "cli/options/command_rows.hpp"
 #include "cli/options/picture_output.hpp"
 #include "cli/report/json.hpp"
 #include "cli/report/peak_memory.hpp"
-#include "cli/report/progress_display.hpp"
-#include "cli/report/render_report.hpp"
+#include "cli/report/render_observer.hpp"
 #include "cli/report/report.hpp"
 
 namespace balcony::cli {
@@ -43,30 +45,36 @@ struct PovOptions {
 struct PovRequest {
     bridge::PovraySettings settings;
     PictureSize size;
-    PictureOutput output;
+    app::Finish finish;
+};
+
+/// What there is to say of a picture, as text or JSON.
+struct PovReport {
+    Diagnostics diagnostics;
+    bool interrupted = false;
+    nlohmann::json facts = nlohmann::json::object();
+    std::string sentence;
 };
 
 PovRequest pov_request(const PovOptions& options) {
     const fs::path file = options.output.empty()
                               ? fs::path(fs::path(options.scene).stem().string() + ".png")
                               : fs::path(options.output);
-    PovRequest request{options.settings, options.size, PictureOutput(file)};
-    request.settings.unclipped = request.output.display_format() == nullptr;
+    PovRequest request{options.settings, options.size, {.output = file}};
+    // POV-Ray's picture is meant for the display as it is.
+    request.finish.exposure = 0.0;
+    request.finish.view = render::ViewTransform::standard;
+    request.finish.dither = false;
+    request.settings.unclipped = request.finish.display_format() == nullptr;
     return request;
 }
 
-ExitCode check_pov_files(const PovOptions& options, const PictureOutput& output,
-                         Diagnostics& diagnostics) {
-    for (const fs::path& input : {fs::path(options.scene), camera_file(options.camera)}) {
-        std::error_code failed;
-        if (fs::equivalent(input, output.file(), failed) && !failed) {
-            diagnostics.push_back(
-                error(fmt::format("'{}' is an input and would be overwritten", output.name()), {},
-                      "name another picture with --output"));
-            return ExitCode::wrong_usage;
-        }
-    }
-    return output.check(diagnostics);
+std::string name_of_pov(const fs::path& output) {
+    return output == "-" ? "standard output" : output.string();
+}
+
+void join_to(Diagnostics& diagnostics, const Diagnostics& more) {
+    diagnostics.insert(diagnostics.end(), more.begin(), more.end());
 }
 
 std::size_t transparent_pixels(const render::Film& film) {
@@ -79,7 +87,7 @@ std::size_t transparent_pixels(const render::Film& film) {
     return count;
 }
 
-void describe_pov(RenderReport& outcome, const PovRequest& request, const camera::Picture& picture,
+void describe_pov(PovReport& outcome, const PovRequest& request, const camera::Picture& picture,
                   const render::Film& film, const bridge::PovrayProgram& program,
                   const bridge::PovraySummary& summary) {
     const std::size_t transparent = transparent_pixels(film);
@@ -88,7 +96,7 @@ void describe_pov(RenderReport& outcome, const PovRequest& request, const camera
             warning(fmt::format("no camera has a ray at {} of {} pixels; they are transparent",
                                 transparent, film.window.size())));
     }
-    warn_of_lost_alpha(outcome, film, request.output);
+    join_to(outcome.diagnostics, app::warn_of_lost_alpha(film, request.finish));
     const bool interrupted = summary.end == bridge::PovrayEnd::interrupted;
     outcome.facts = {{"output", nullptr},
                      {"camera", picture.name()},
@@ -105,63 +113,59 @@ void describe_pov(RenderReport& outcome, const PovRequest& request, const camera
                      {"camera_seconds", summary.camera_seconds},
                      {"peak_memory", peak_memory()},
                      {"interrupted", interrupted}};
-    outcome.sentence = fmt::format(
-        "{}{}: {} x {} pixels through '{}', {}, {} rays; POV-Ray {} ran {} for {}\n",
-        interrupted ? "interrupted; the partial picture is " : "", printable(request.output.name()),
-        film.width, film.height, picture.name(), counted(film.passes.front(), "pass", "passes"),
-        count_text(static_cast<double>(summary.camera_rays)), program.version,
-        summary.runs == 1 ? "once" : fmt::format("{} times", summary.runs),
-        duration_text(summary.povray_seconds));
+    outcome.sentence =
+        fmt::format("{}{}: {} x {} pixels through '{}', {}, {} rays; POV-Ray {} ran {} for {}\n",
+                    interrupted ? "interrupted; the partial picture is " : "",
+                    printable(name_of_pov(request.finish.output)), film.width, film.height,
+                    picture.name(), counted(film.passes.front(), "pass", "passes"),
+                    count_text(static_cast<double>(summary.camera_rays)), program.version,
+                    summary.runs == 1 ? "once" : fmt::format("{} times", summary.runs),
+                    duration_text(summary.povray_seconds));
 }
 
-ExitCode code_of(bridge::PovrayEnd end) {
-    switch (end) {
-        case bridge::PovrayEnd::done: return ExitCode::done;
-        case bridge::PovrayEnd::interrupted: return ExitCode::interrupted;
-        case bridge::PovrayEnd::bad_input: return ExitCode::bad_input;
-        case bridge::PovrayEnd::environment: break;
-    }
-    return ExitCode::environment;
+// Of each way in which POV-Ray can fail.
+Kind kind_of(bridge::PovrayEnd end) {
+    return end == bridge::PovrayEnd::environment ? Kind::environment : Kind::input;
 }
 
-void render_pov_picture(const PovOptions& options, RenderReport& outcome) {
-    const auto fail = [&outcome](ExitCode code, const Diagnostics& diagnostics = {}) {
-        add(outcome, diagnostics);
-        outcome.code = code;
+void render_pov_picture(const PovOptions& options, PovReport& outcome) {
+    const auto fails = [&outcome](Diagnostics found, Kind kind = Kind::input) {
+        for (Diagnostic& one : found) {
+            one.kind = one.kind == Kind::input ? kind : one.kind;
+        }
+        join_to(outcome.diagnostics, found);
+        return has_errors(found);
     };
     PovRequest request = pov_request(options);
-    if (const ExitCode code = check_pov_files(options, request.output, outcome.diagnostics);
-        code != ExitCode::done) {
-        return fail(code);
+    lang::Workspace cameras;
+    if (fails(check_output(request.finish.output))) {
+        return;
     }
-    Result<camera::Picture> picture = load_picture(options.camera, options.set);
-    add(outcome, picture.diagnostics);
-    if (!picture) {
-        return fail(ExitCode::bad_input);
+    Result<camera::Picture> picture = load_picture(options.camera, options.set, cameras);
+    std::vector<fs::path> inputs = cameras.files();
+    inputs.emplace_back(options.scene);
+    inputs.push_back(camera_file(options.camera));
+    if (fails(app::check_overwrites(request.finish.output, inputs)) || fails(picture.diagnostics)) {
+        return;
     }
     *picture = picture->with_fit(request.size.fit);
     const auto [width, height] = request.size.resolve(picture->aspect(), picture->parts().size);
     Result<render::Film> film =
         render::make_film({.width = width, .height = height, .data_layers = false});
-    if (!film) {
-        return fail(ExitCode::bad_input, film.diagnostics);
-    }
     const Result<bridge::PovrayProgram> program = bridge::find_povray();
-    if (!program) {
-        return fail(ExitCode::environment, program.diagnostics);
-    }
     // POV-Ray writes images, whatever becomes of them.
-    if (const Diagnostics missing = images::require(); has_errors(missing)) {
-        return fail(ExitCode::environment, missing);
+    if (fails(film.diagnostics) || fails(program.diagnostics, Kind::environment) ||
+        fails(images::require(), Kind::environment)) {
+        return;
     }
-    const Job interruption;
-    ProgressDisplay display(options.quiet || options.json);
-    const bridge::PovraySummary summary = bridge::render_with_povray(
-        *program, options.scene, *picture, request.settings, *film,
-        [&](const render::Progress& progress) { display.show(progress); }, interruption.token());
-    display.clear();
-    fail(code_of(summary.end), summary.diagnostics);
-    if (has_errors(summary.diagnostics)) {
+    RenderObserver observer(options.quiet || options.json);
+    observer.observer().stoppable(true);
+    const bridge::PovraySummary summary =
+        bridge::render_with_povray(*program, options.scene, *picture, request.settings, *film,
+                                   observer.observer().progress, observer.token());
+    observer.clear();
+    outcome.interrupted = summary.end == bridge::PovrayEnd::interrupted;
+    if (fails(summary.diagnostics, kind_of(summary.end))) {
         return;
     }
     if (film->passes.front() == 0) {
@@ -169,31 +173,28 @@ void render_pov_picture(const PovOptions& options, RenderReport& outcome) {
         return;
     }
     describe_pov(outcome, request, *picture, *film, *program, summary);
-    // POV-Ray's picture is meant for the display as it is.
-    if (const Diagnostics failed =
-            request.output.write(*film, {.view = render::ViewTransform::standard, .dither = false});
-        has_errors(failed)) {
-        return fail(ExitCode::environment, failed);
+    if (!fails(app::write(request.finish, *film, observer.observer()))) {
+        outcome.facts["output"] = request.finish.output.string();
     }
-    outcome.facts["output"] = request.output.is_stream() ? "-" : request.output.file().string();
 }
 
 ExitCode pov(const PovOptions& options) {
-    RenderReport outcome;
+    PovReport outcome;
     render_pov_picture(options, outcome);
     if (options.json) {
-        print_json(json_of(outcome));
-        return outcome.code;
-    }
-    report(outcome.diagnostics);
-    if (!options.quiet && !has_errors(outcome.diagnostics)) {
-        if (options.output == "-") {
-            print_aside(outcome.sentence);
-        } else {
-            print_result(outcome.sentence);
+        outcome.facts["diagnostics"] = to_json(outcome.diagnostics);
+        print_json(outcome.facts);
+    } else {
+        report(outcome.diagnostics);
+        if (!options.quiet && !has_errors(outcome.diagnostics)) {
+            if (options.output == "-") {
+                print_aside(outcome.sentence);
+            } else {
+                print_result(outcome.sentence);
+            }
         }
     }
-    return outcome.code;
+    return exit_code_of(outcome.diagnostics, outcome.interrupted);
 }
 
 app::Options<PovOptions> povray_options() {

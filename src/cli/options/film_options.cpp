@@ -15,13 +15,9 @@ render::LayerSet read_layers(const FilmOptions& options, Diagnostics& diagnostic
     return layers.value.value_or(render::LayerSet{});
 }
 
-std::optional<render::DenoiseOptions> read_denoise(const FilmOptions& options,
-                                                   Diagnostics& diagnostics) {
+render::Denoiser read_denoiser(const FilmOptions& options, Diagnostics& diagnostics) {
     check_name("--denoiser", options.denoiser, render::denoisers().all(), diagnostics);
-    const auto denoiser = render::denoisers().find(options.denoiser);
-    return options.denoise && denoiser
-               ? std::optional(render::DenoiseOptions{.denoiser = *denoiser, .library = {}})
-               : std::nullopt;
+    return render::denoisers().find(options.denoiser).value_or(render::Denoiser::automatic);
 }
 
 void add_film_options(CLI::App& command, FilmOptions& options) {

@@ -24,9 +24,7 @@ struct FilmOptions {
 /// The layers that an EXR file shall have.
 [[nodiscard]] render::LayerSet read_layers(const FilmOptions& options, Diagnostics& diagnostics);
 
-/// How to denoise; nothing if that is not wanted.
-[[nodiscard]] std::optional<render::DenoiseOptions> read_denoise(const FilmOptions& options,
-                                                                 Diagnostics& diagnostics);
+[[nodiscard]] render::Denoiser read_denoiser(const FilmOptions& options, Diagnostics& diagnostics);
 
 void add_film_options(CLI::App& command, FilmOptions& options);
 

@@ -4,6 +4,7 @@
 #include "cli/options/light_options.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <limits>
 #include <numbers>
 #include <string_view>
@@ -70,18 +71,24 @@ std::optional<render::Sky> sky_of(std::string_view text) {
     return sky;
 }
 
-std::optional<render::Environment> read_sky(const std::string& text, Diagnostics& diagnostics) {
+void read_environment(const std::string& text, app::LightRequest& light, Diagnostics& diagnostics) {
+    const auto color = color_of(text);
+    if (!is_sky(text)) {
+        if (color && std::min({color->x, color->y, color->z}) >= 0.0F) {
+            light.environment = *color;
+        } else {
+            light.environment = std::filesystem::path(text);
+        }
+        return;
+    }
     const auto sky = sky_of(std::string_view(text).substr(std::min<std::size_t>(text.size(), 4)));
-    if (!sky) {
-        refuse(diagnostics, "--environment", text, std::string(sky_syntax));
-        return std::nullopt;
+    const auto made = sky ? render::Environment::sky(*sky) : Result<render::Environment>();
+    if (!sky || !made) {
+        refuse(diagnostics, "--environment", text,
+               sky ? made.diagnostics.front().remedy : std::string(sky_syntax));
+        return;
     }
-    auto made = render::Environment::sky(*sky);
-    if (!made) {
-        refuse(diagnostics, "--environment", text, made.diagnostics.front().remedy);
-        return std::nullopt;
-    }
-    return *made;
+    light.environment = *sky;
 }
 
 }  // namespace
@@ -112,53 +119,19 @@ void add_light_options(CLI::App& command, LightWords& words) {
         ->type_name("DEGREES");
 }
 
-void read_light(const LightWords& words, render::Settings& settings, Diagnostics& diagnostics) {
+app::LightRequest read_light(const LightWords& words, Diagnostics& diagnostics) {
     constexpr double any = 1e6;
-    const double rotation =
-        read_degrees("--environment-rotation", words.rotation, -any, any, diagnostics);
-    const float strength = read_number("--environment-strength", words.strength, 0.0F, 1e30F,
-                                       "give a factor of at least 0", diagnostics);
-    settings.light.sky_beside_suns = true;
+    app::LightRequest light;
+    light.rotation = read_degrees("--environment-rotation", words.rotation, -any, any, diagnostics);
+    light.strength = read_number("--environment-strength", words.strength, 0.0F, 1e30F,
+                                 "give a factor of at least 0", diagnostics);
     if (words.sun_angle) {
-        settings.light.sun_angle =
-            read_degrees("--sun-angle", *words.sun_angle, 0.0, 180.0, diagnostics);
+        light.sun_angle = read_degrees("--sun-angle", *words.sun_angle, 0.0, 180.0, diagnostics);
     }
-    if (!words.environment || is_file(words)) {
-        return;
+    if (words.environment) {
+        read_environment(*words.environment, light, diagnostics);
     }
-    std::optional<render::Environment> environment =
-        is_sky(*words.environment)
-            ? read_sky(*words.environment, diagnostics)
-            : std::optional(render::Environment::constant(*color_of(*words.environment)));
-    if (environment) {
-        settings.light.environment = environment->rotated(rotation).scaled(strength);
-    }
-}
-
-bool is_file(const LightWords& words) {
-    if (!words.environment || is_sky(*words.environment)) {
-        return false;
-    }
-    const auto color = color_of(*words.environment);
-    return !color || std::min({color->x, color->y, color->z}) < 0.0F;
-}
-
-std::vector<std::filesystem::path> environment_files(const LightWords& words) {
-    return is_file(words) ? std::vector<std::filesystem::path>{*words.environment}
-                          : std::vector<std::filesystem::path>{};
-}
-
-Diagnostics load_environment(const LightWords& words, render::Settings& settings) {
-    if (!is_file(words)) {
-        return {};
-    }
-    Result<render::Environment> read = render::Environment::load(*words.environment);
-    if (read) {
-        const double rotation = degree * degrees_of(words.rotation).value_or(0.0);
-        const float strength = number_of<float>(words.strength).value_or(1.0F);
-        settings.light.environment = read->rotated(rotation).scaled(strength);
-    }
-    return std::move(read.diagnostics);
+    return light;
 }
 
 }  // namespace balcony::cli

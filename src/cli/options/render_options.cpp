@@ -12,6 +12,7 @@
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
+#include "balcony/app.hpp"
 #include "cli/options/camera_argument.hpp"
 #include "cli/options/option_values.hpp"
 
@@ -33,6 +34,34 @@ std::optional<render::Color3f> read_background(const std::string& text, Diagnost
             "write auto, transparent, black, white, a grey level such as 0.2, or red,green,blue");
     }
     return color;
+}
+
+// More stops than between the smallest and the largest float would give 0 or infinity.
+std::optional<double> read_exposure(const RenderOptions& options, Diagnostics& diagnostics) {
+    if (options.exposure == "auto") {
+        return std::nullopt;
+    }
+    constexpr double max_stops = 200.0;
+    return read_number("--exposure", options.exposure, -max_stops, max_stops,
+                       fmt::format("give auto, or stops from -{0} to {0}, such as -1.5", max_stops),
+                       diagnostics);
+}
+
+void read_settings(const RenderOptions& options, app::Request& request, Diagnostics& diagnostics) {
+    constexpr double any = std::numeric_limits<double>::max();
+    constexpr float brightest = std::numeric_limits<float>::max();
+    render::Settings& settings = request.settings;
+    read_sampling(options.sampling, request, diagnostics);
+    settings.threads = read_count("--threads", options.threads, 0, 1024, diagnostics);
+    settings.time = read_number("--time", options.time, -any, any, "give a number", diagnostics);
+    if (options.ambient != "auto") {
+        settings.ambient =
+            render::Color3f(read_number("--ambient", options.ambient, 0.0F, brightest,
+                                        "give auto, or a number of at least 0", diagnostics));
+    }
+    read_integrator(options.integrator, settings, diagnostics);
+    settings.background = read_background(options.background, diagnostics);
+    settings.light.visible = options.background == "auto";
 }
 
 }  // namespace
@@ -108,41 +137,34 @@ void add_run_options(CLI::App& command, RenderOptions& options) {
     command.add_flag("--json", options.json, "print facts and diagnostics as JSON");
 }
 
-render::Settings read_settings(const RenderOptions& options, Diagnostics& diagnostics) {
-    constexpr double any = std::numeric_limits<double>::max();
-    constexpr float brightest = std::numeric_limits<float>::max();
-    render::Settings settings;
-    read_sampling(options.sampling, settings, diagnostics);
-    read_light(options.light, settings, diagnostics);
-    settings.threads = read_count("--threads", options.threads, 0, 1024, diagnostics);
-    settings.time = read_number("--time", options.time, -any, any, "give a number", diagnostics);
-    settings.shutter = read_shutter(options.shutter, diagnostics);
-    settings.frames.duration = read_frame_time(options.shutter, diagnostics);
-    if (options.ambient != "auto") {
-        settings.ambient =
-            render::Color3f(read_number("--ambient", options.ambient, 0.0F, brightest,
-                                        "give auto, or a number of at least 0", diagnostics));
-    }
-    read_integrator(options.integrator, settings, diagnostics);
-    settings.background = read_background(options.background, diagnostics);
-    settings.light.visible = options.background == "auto";
-    return settings;
-}
-
-render::ViewTransform read_view(const RenderOptions& options, Diagnostics& diagnostics) {
+app::Request read_request(const RenderOptions& options, Diagnostics& diagnostics) {
+    app::Request request;
+    request.added = options.add;
+    request.camera = options.camera;
+    request.set = options.set;
+    request.fit = options.fit.fit;
+    request.fit_to = options.fit.object;
+    read_settings(options, request, diagnostics);
+    request.light = read_light(options.light, diagnostics);
+    request.shutter = read_shutter(options.shutter, diagnostics);
+    request.exposure = read_exposure(options, diagnostics);
     check_name("--view-transform", options.view, render::view_transforms().all(), diagnostics);
-    return render::view_transforms().find(options.view).value_or(render::ViewTransform::neutral);
-}
-
-// More stops than between the smallest and the largest float would give 0 or infinity.
-std::optional<double> read_exposure(const RenderOptions& options, Diagnostics& diagnostics) {
-    if (options.exposure == "auto") {
-        return std::nullopt;
+    if (options.command->count("--view-transform") > 0) {
+        request.view = render::view_transforms().find(options.view);
     }
-    constexpr double max_stops = 200.0;
-    return read_number("--exposure", options.exposure, -max_stops, max_stops,
-                       fmt::format("give auto, or stops from -{0} to {0}, such as -1.5", max_stops),
-                       diagnostics);
+    request.size = read_size(options.size, diagnostics);
+    request.layers = read_layers(options.film, diagnostics);
+    request.crop = read_crop(options.crop, diagnostics);
+    request.job = read_job(options.job, diagnostics);
+    request.texture_memory = read_texture_memory(options.textures, diagnostics);
+    request.denoise = options.film.denoise;
+    request.denoiser = read_denoiser(options.film, diagnostics);
+    request.dither = !options.film.no_dither;
+    request.stereo = read_stereo(options.stereo, diagnostics);
+    request.given = option_facts(*options.command);
+    const Diagnostics found = app::check_request(request);
+    diagnostics.insert(diagnostics.end(), found.begin(), found.end());
+    return request;
 }
 
 }  // namespace balcony::cli

@@ -58,17 +58,8 @@ void add_picture_options(CLI::App& command, RenderOptions& options);
 /// Adds the options of how the command runs and reports.
 void add_run_options(CLI::App& command, RenderOptions& options);
 
-/// The settings that the options ask for; what cannot be read is added to
-/// `diagnostics`, each with its option.
-[[nodiscard]] render::Settings read_settings(const RenderOptions& options,
-                                             Diagnostics& diagnostics);
-
-/// The requested exposure in stops; nothing if it depends on the picture.
-[[nodiscard]] std::optional<double> read_exposure(const RenderOptions& options,
-                                                  Diagnostics& diagnostics);
-
-/// The requested view transform.
-[[nodiscard]] render::ViewTransform read_view(const RenderOptions& options,
-                                              Diagnostics& diagnostics);
+/// A picture as the options ask for it, but for its scene and its output; what cannot be read is
+/// added to `diagnostics`, each with its option.
+[[nodiscard]] app::Request read_request(const RenderOptions& options, Diagnostics& diagnostics);
 
 }  // namespace balcony::cli

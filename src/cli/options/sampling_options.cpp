@@ -15,12 +15,8 @@
 
 namespace balcony::cli {
 
-namespace {
-
-constexpr std::size_t default_samples = 16;
-constexpr std::size_t default_max_samples = 1024;
-
-}  // namespace
+using app::default_max_samples;
+using app::default_samples;
 
 void add_sampling_options(CLI::App& command, SamplingWords& words) {
     command
@@ -49,13 +45,12 @@ void add_sampling_options(CLI::App& command, SamplingWords& words) {
         ->capture_default_str();
 }
 
-void read_sampling(const SamplingWords& words, render::Settings& settings,
-                   Diagnostics& diagnostics) {
+void read_sampling(const SamplingWords& words, app::Request& request, Diagnostics& diagnostics) {
+    render::Settings& settings = request.settings;
     settings.sampling.noise = read_number("--noise", words.noise, 0.0, 1.0,
                                           "give a level from 0 to 1, such as 0.01", diagnostics);
-    settings.samples = settings.sampling.noise > 0.0 ? default_max_samples : default_samples;
     if (!words.samples.empty()) {
-        settings.samples = read_count("--samples", words.samples, 1, 1'000'000, diagnostics);
+        request.samples = read_count("--samples", words.samples, 1, 1'000'000, diagnostics);
     }
     settings.sampling.seed = static_cast<std::uint32_t>(read_count(
         "--seed", words.seed, 0, std::numeric_limits<std::uint32_t>::max(), diagnostics));

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "balcony/render.hpp"
+#include "balcony/request.hpp"
 #include "cli/command_line.hpp"
 
 namespace balcony::cli {
@@ -22,7 +22,6 @@ struct SamplingWords {
 void add_sampling_options(CLI::App& command, SamplingWords& words);
 
 /// Sets the number of samples and the sampling settings.
-void read_sampling(const SamplingWords& words, render::Settings& settings,
-                   Diagnostics& diagnostics);
+void read_sampling(const SamplingWords& words, app::Request& request, Diagnostics& diagnostics);
 
 }  // namespace balcony::cli

@@ -3,59 +3,13 @@
 
 #include "cli/options/scene_argument.hpp"
 
-#include <algorithm>
-#include <filesystem>
-#include <iterator>
-#include <utility>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include "balcony/lang.hpp"
-#include "balcony/motion.hpp"
 
 namespace balcony::cli {
 
 std::string scene_files_text() {
     return fmt::format("scene file ({})", fmt::join(scene::file_extensions(), ", "));
-}
-
-bool is_scene_file(std::string_view name) {
-    const auto extensions = scene::file_extensions();
-    return std::any_of(extensions.begin(), extensions.end(),
-                       [name](std::string_view extension) { return name.ends_with(extension); });
-}
-
-Result<scene::Scene> load_scene(const std::string& name, double time,
-                                const std::vector<std::string>& added) {
-    const auto& built_in = lang::built_in_cameras();
-    std::error_code ignored;
-    const bool is_built_in = std::find(built_in.begin(), built_in.end(), name) != built_in.end() &&
-                             !std::filesystem::exists(name, ignored);
-    if (is_built_in || name.ends_with(".cam")) {
-        return error(
-            fmt::format("'{}' is a camera, not a scene", name), {},
-            fmt::format("give a scene, and this camera with --camera {0}; balcony list {0} lists "
-                        "the cameras in the file, balcony explain {0} describes one",
-                        name));
-    }
-    Result<scene::Scene> scene = scene::load(name);
-    for (const std::string& file : added) {
-        Result<scene::Scene> part = scene::load(file);
-        std::move(part.diagnostics.begin(), part.diagnostics.end(),
-                  std::back_inserter(scene.diagnostics));
-        if (!part) {
-            return std::move(scene.diagnostics);
-        }
-        if (scene) {
-            scene::add_scene(*scene, std::move(*part));
-        }
-    }
-    if (scene) {
-        Diagnostics moved = scene::move_to(*scene, time);
-        std::move(moved.begin(), moved.end(), std::back_inserter(scene.diagnostics));
-    }
-    return scene;
 }
 
 }  // namespace balcony::cli

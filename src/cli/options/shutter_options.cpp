@@ -20,7 +20,7 @@ namespace {
 constexpr double longest = 1e9;
 
 // A number or, as photographers write seconds, a fraction: 1/50.
-std::optional<double> fraction_of(std::string_view text) {
+std::optional<app::FrameRate> fraction_of(std::string_view text) {
     const std::size_t slash = text.find('/');
     const auto above = number_of<double>(text.substr(0, slash));
     const auto below = slash == std::string_view::npos ? std::optional(1.0)
@@ -28,24 +28,7 @@ std::optional<double> fraction_of(std::string_view text) {
     if (!above || !below || !(*above >= 0.0) || !(*below > 0.0) || !(*above / *below <= longest)) {
         return std::nullopt;
     }
-    return *above / *below;
-}
-
-std::optional<double> frame_time_of(const ShutterWords& words) {
-    const auto fps = fraction_of(words.fps);
-    return fps && *fps >= 1.0 / longest ? std::optional(1.0 / *fps) : std::nullopt;
-}
-
-// In seconds. Film cameras have a disc that turns once a frame and lets light pass for an angle.
-std::optional<double> exposure_of(const ShutterWords& words) {
-    constexpr std::string_view degrees = "deg";
-    const std::string_view text = words.duration;
-    if (!text.ends_with(degrees)) {
-        return fraction_of(text);
-    }
-    const auto angle = fraction_of(text.substr(0, text.size() - degrees.size()));
-    const auto frame = frame_time_of(words);
-    return angle && frame ? std::optional(*angle / 360.0 * *frame) : std::nullopt;
+    return app::FrameRate{*above, *below};
 }
 
 }  // namespace
@@ -78,9 +61,15 @@ void add_shutter_options(CLI::App& command, ShutterWords& words) {
         ->capture_default_str();
 }
 
-render::Shutter read_shutter(const ShutterWords& words, Diagnostics& diagnostics) {
-    const auto duration = exposure_of(words);
-    if (!duration) {
+app::ShutterRequest read_shutter(const ShutterWords& words, Diagnostics& diagnostics) {
+    constexpr std::string_view degrees = "deg";
+    app::ShutterRequest shutter;
+    std::string_view text = words.duration;
+    shutter.in_degrees = text.ends_with(degrees);
+    text.remove_suffix(shutter.in_degrees ? degrees.size() : 0);
+    if (const auto duration = fraction_of(text)) {
+        shutter.duration = duration->frames / duration->seconds;
+    } else {
         refuse(diagnostics, "--shutter", words.duration,
                "give seconds from 0, such as 0.02 or 1/50, or an angle such as 180deg");
     }
@@ -89,15 +78,14 @@ render::Shutter read_shutter(const ShutterWords& words, Diagnostics& diagnostics
         refuse(diagnostics, "--shutter-shape", words.shape,
                suggestion(words.shape, render::shutter_shapes().all(), "the shapes are"));
     }
-    return {duration.value_or(0.0), shape.value_or(render::ShutterShape::box)};
-}
-
-double read_frame_time(const ShutterWords& words, Diagnostics& diagnostics) {
-    const auto seconds = frame_time_of(words);
-    if (!seconds) {
+    shutter.shape = shape.value_or(render::ShutterShape::box);
+    const auto rate = fraction_of(words.fps);
+    if (rate && rate->frames / rate->seconds >= 1.0 / longest) {
+        shutter.rate = *rate;
+    } else {
         refuse(diagnostics, "--fps", words.fps, "give a number above 0, such as 24 or 30000/1001");
     }
-    return seconds.value_or(1.0);
+    return shutter;
 }
 
 }  // namespace balcony::cli

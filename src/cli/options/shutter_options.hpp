@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "balcony/shutter.hpp"
+#include "balcony/request.hpp"
 #include "cli/command_line.hpp"
 
 namespace balcony::cli {
@@ -18,8 +18,6 @@ struct ShutterWords {
 void add_shutter_options(CLI::App& command, ShutterWords& words);
 
 /// What cannot be read is added to `diagnostics`.
-[[nodiscard]] render::Shutter read_shutter(const ShutterWords& words, Diagnostics& diagnostics);
-/// The seconds from frame to frame; likewise.
-[[nodiscard]] double read_frame_time(const ShutterWords& words, Diagnostics& diagnostics);
+[[nodiscard]] app::ShutterRequest read_shutter(const ShutterWords& words, Diagnostics& diagnostics);
 
 }  // namespace balcony::cli

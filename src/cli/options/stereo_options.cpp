@@ -96,10 +96,10 @@ void add_stereo_options(CLI::App& command, StereoWords& words) {
         ->type_name("FROM,TO");
 }
 
-std::optional<StereoRequest> read_stereo(const StereoWords& words, Diagnostics& diagnostics) {
+StereoRequest read_stereo(const StereoWords& words, Diagnostics& diagnostics) {
     if (words.format.empty()) {
         refuse_alone(words, diagnostics);
-        return std::nullopt;
+        return {};
     }
     StereoRequest request;
     std::vector<std::string> known = camera::stereo_formats().all();

@@ -24,8 +24,7 @@ using app::StereoRequest;
 
 void add_stereo_options(CLI::App& command, StereoWords& words);
 
-/// Nothing without --stereo. What cannot be read is added to `diagnostics`.
-[[nodiscard]] std::optional<StereoRequest> read_stereo(const StereoWords& words,
-                                                       Diagnostics& diagnostics);
+/// What cannot be read is added to `diagnostics`.
+[[nodiscard]] StereoRequest read_stereo(const StereoWords& words, Diagnostics& diagnostics);
 
 }  // namespace balcony::cli

@@ -9,9 +9,9 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "balcony/diagnose.hpp"
+#include "balcony/inputs.hpp"
 #include "balcony/probe.hpp"
 #include "balcony/scene.hpp"
-#include "cli/report/miss_text.hpp"
 
 namespace balcony::cli {
 
@@ -37,7 +37,7 @@ struct CameraCheck {
         std::string scene;
         std::vector<std::string> never_seen;
         std::vector<Start> starts_inside;
-        std::optional<MissText> miss;  ///< If no ray meets anything.
+        std::optional<app::MissText> miss;  ///< If no ray meets anything.
     };
     std::optional<InScene> in_scene;
 

@@ -3,61 +3,20 @@
 
 #include "cli/report/render_report.hpp"
 
-#include <algorithm>
-#include <limits>
+#include <numbers>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
-#include "balcony/probe.hpp"
 #include "cli/report/json.hpp"
-#include "cli/report/miss_text.hpp"
 #include "cli/report/peak_memory.hpp"
 #include "cli/report/report.hpp"
 
 namespace balcony::cli {
 
 namespace {
-
-/// Reports where a layer has no ray.
-void describe_gaps(RenderReport& report, const render::Film& film, const render::Summary& summary) {
-    const bool single = summary.layers.size() == 1;
-    const std::string_view shown = film.background ? "show the background" : "are transparent";
-    for (const render::Summary::Layer& layer : summary.layers) {
-        const std::string what =
-            fmt::format("{} '{}'", single ? "camera" : "layer", printable(layer.name));
-        if (layer.invalid_rays == 0) {
-            continue;
-        }
-        if (layer.invalid_rays == layer.camera_rays) {
-            report.diagnostics.push_back(
-                warning(fmt::format("{} has no ray anywhere; {}", what,
-                                    single ? "the picture is empty" : "it is invisible")));
-            continue;
-        }
-        const std::string pixels = single ? fmt::format(" ({} of {} pixel centres)",
-                                                        summary.invalid_pixels, film.window.size())
-                                          : "";
-        report.diagnostics.push_back(
-            warning(fmt::format("{} has no ray at {} of {} picture points{}; they {}", what,
-                                layer.invalid_rays, layer.camera_rays, pixels, shown)));
-    }
-}
-
-// Pixels whose motion is not certain.
-void describe_motion(RenderReport& report, const render::Summary& summary) {
-    if (summary.unknown_motion > 0) {
-        report.diagnostics.push_back(warning(fmt::format(
-            "the motion of {} is 0 because neither the previous nor the next frame shows the "
-            "surface there",
-            counted(summary.unknown_motion, "pixel", "pixels"))));
-    }
-    if (summary.ambiguous_motion > 0) {
-        report.diagnostics.push_back(warning(fmt::format(
-            "the previous or next frame shows the surface of {} at several places; the layer "
-            "motion is that to the nearest",
-            counted(summary.ambiguous_motion, "pixel", "pixels"))));
-    }
-}
 
 nlohmann::json layers_json(const render::Summary& summary) {
     nlohmann::json layers = nlohmann::json::array();
@@ -70,25 +29,6 @@ nlohmann::json layers_json(const render::Summary& summary) {
     return layers;
 }
 
-// The numbers of samples of adaptive sampling: the fewest, the most, and the mean.
-struct SampleRange {
-    std::uint32_t fewest = std::numeric_limits<std::uint32_t>::max();
-    std::uint32_t most = 0;
-    double mean = 0.0;
-};
-
-SampleRange sample_range(const render::Film& film) {
-    SampleRange range;
-    double total = 0.0;
-    for (const std::uint32_t count : film.pixel_passes) {
-        range.fewest = std::min(range.fewest, count);
-        range.most = std::max(range.most, count);
-        total += count;
-    }
-    range.mean = total / static_cast<double>(film.window.size());
-    return range;
-}
-
 // One line per layer of a picture with several layers.
 std::string layers_text(const render::Summary& summary) {
     std::string text;
@@ -99,109 +39,165 @@ std::string layers_text(const render::Summary& summary) {
     return summary.layers.size() > 1 ? text : "";
 }
 
+// What the `fit` statements of the camera have set.
+std::string fitted_text(const std::vector<lang::FittedParameter>& fitted) {
+    std::vector<std::string> texts;
+    for (const lang::FittedParameter& parameter : fitted) {
+        if (parameter.value) {
+            const double value =
+                parameter.is_angle ? *parameter.value * 180.0 / std::numbers::pi : *parameter.value;
+            texts.push_back(
+                fmt::format("{}={:.4g}{}", parameter.name, value, parameter.is_angle ? "deg" : ""));
+        }
+    }
+    return texts.empty() ? std::string() : fmt::format("  fitted: {}\n", fmt::join(texts, " "));
+}
+
+// Most scenes are ready at once.
+std::string preparation_text(const app::Report& report) {
+    constexpr double noticeable = 0.5;
+    const double preparing = report.preparation.build_seconds + report.preparation.texture_seconds;
+    return report.load_seconds + preparing < noticeable
+               ? std::string()
+               : fmt::format("  scene read in {}, prepared in {}\n",
+                             duration_text(report.load_seconds), duration_text(preparing));
+}
+
+std::string exposure_text(const app::Report& report) {
+    if (!report.is_exposure_chosen || report.exposure == 0.0) {
+        return {};
+    }
+    return report.summary.light.empty()
+               ? fmt::format(
+                     "  exposure {:+} stops, ambient light {:.3g}; --exposure and "
+                     "--ambient set them\n",
+                     report.exposure, report.summary.ambient.x)
+               : fmt::format("  exposure {:+} stops; --exposure sets it\n", report.exposure);
+}
+
+std::string text_of_shard(const app::Report& report, const render::Shard& shard) {
+    if (!report.interrupted) {
+        return fmt::format("{}: shard {} of {} in {}\n", report.output.string(), shard.index + 1,
+                           shard.count, duration_text(report.summary.seconds));
+    }
+    return report.checkpoint.empty() ? std::string("interrupted before there was a checkpoint\n")
+                                     : fmt::format("interrupted; --resume continues from {}\n",
+                                                   report.checkpoint.string());
+}
+
+std::string name_of_output(const std::filesystem::path& output) {
+    return output == "-" ? "standard output" : output.string();
+}
+
 }  // namespace
 
-void add(RenderReport& report, const Diagnostics& diagnostics) {
-    report.diagnostics.insert(report.diagnostics.end(), diagnostics.begin(), diagnostics.end());
-}
-
-RenderReport failed(RenderReport report, ExitCode code, const Diagnostics& diagnostics) {
-    add(report, diagnostics);
-    report.code = code;
-    return report;
-}
-
-void describe(RenderReport& report, const PictureOutput& output, const camera::Picture& picture,
-              const render::Film& film, const render::Summary& summary) {
-    describe_gaps(report, film, summary);
-    if (summary.repaired > 0) {
-        report.diagnostics.push_back(warning(fmt::format(
-            "{} samples had no finite colour and were replaced by black", summary.repaired)));
+nlohmann::json report_json(const app::Report& report) {
+    nlohmann::json facts{{"diagnostics", to_json(report.diagnostics)}};
+    const render::Summary& summary = report.summary;
+    if (report.shard) {
+        if (!report.output.empty()) {
+            facts["output"] = report.output.string();
+            facts["seconds"] = summary.seconds;
+            facts["rays"] = summary.camera_rays;
+        }
+        return facts;
     }
-    describe_motion(report, summary);
-    report.facts = {{"output", nullptr},
-                    {"camera", picture.name()},
-                    {"layers", layers_json(summary)},
-                    {"width", film.window.width},
-                    {"height", film.window.height},
-                    {"passes", summary.passes},
-                    {"rays", summary.camera_rays},
-                    {"invalid_rays", summary.invalid_rays},
-                    {"invalid_pixels", summary.invalid_pixels},
-                    {"repaired", summary.repaired},
-                    {"seconds", summary.seconds},
-                    {"compile_seconds", summary.compile_seconds},
-                    {"camera_share", summary.camera_share},
-                    {"ambient", summary.ambient.x},
-                    {"light", summary.light},
-                    {"peak_memory", peak_memory()},
-                    {"interrupted", summary.interrupted}};
-    report.sentence =
+    if (!report.is_traced) {
+        return facts;
+    }
+    facts.update({{"output", nullptr},
+                  {"camera", report.camera},
+                  {"layers", layers_json(summary)},
+                  {"width", report.width},
+                  {"height", report.height},
+                  {"passes", summary.passes},
+                  {"rays", summary.camera_rays},
+                  {"invalid_rays", summary.invalid_rays},
+                  {"invalid_pixels", summary.invalid_pixels},
+                  {"repaired", summary.repaired},
+                  {"seconds", summary.seconds},
+                  {"compile_seconds", summary.compile_seconds},
+                  {"camera_share", summary.camera_share},
+                  {"ambient", summary.ambient.x},
+                  {"light", summary.light},
+                  {"peak_memory", peak_memory()},
+                  {"interrupted", summary.interrupted},
+                  {"load_seconds", report.load_seconds},
+                  {"build_seconds", report.preparation.build_seconds},
+                  {"texture_seconds", report.preparation.texture_seconds}});
+    if (report.samples) {
+        facts["mean_samples"] = report.samples->mean;
+    }
+    if (report.denoised) {
+        facts["denoiser"] = report.denoised->used;
+    }
+    if (report.has_samples) {
+        facts["exposure"] = report.exposure;
+    }
+    if (!report.output.empty()) {
+        facts["output"] = report.output.string();
+    }
+    return facts;
+}
+
+std::string report_text(const app::Report& report, const app::Request& request) {
+    const render::Summary& summary = report.summary;
+    if (report.shard) {
+        return text_of_shard(report, *report.shard);
+    }
+    if (report.in_bands && report.interrupted) {
+        return fmt::format("interrupted after {:.0f} %; --resume continues from {}\n",
+                           100.0 * report.done, report.checkpoint.string());
+    }
+    if (!report.has_samples) {
+        return "interrupted before there was anything to save\n";
+    }
+    std::string text =
         fmt::format("{}{}: {} x {} pixels through '{}', {}, {} rays in {}, {:.0f} MiB\n",
-                    summary.interrupted ? "interrupted; the partial picture is " : "",
-                    printable(output.name()), film.window.width, film.window.height, picture.name(),
-                    counted(summary.passes, "pass", "passes"),
+                    report.interrupted ? "interrupted; the partial picture is " : "",
+                    printable(name_of_output(request.output)), report.width, report.height,
+                    report.camera, counted(summary.passes, "pass", "passes"),
                     count_text(static_cast<double>(summary.camera_rays)),
                     duration_text(summary.seconds), static_cast<double>(peak_memory()) / 0x1p20);
     if (!summary.light.empty()) {
-        report.sentence += fmt::format("  lit by {}\n", printable(summary.light));
+        text += fmt::format("  lit by {}\n", printable(summary.light));
     }
-    if (!film.pixel_passes.empty()) {
-        const SampleRange range = sample_range(film);
-        report.facts["mean_samples"] = range.mean;
-        report.sentence += fmt::format("  {} to {} samples per pixel, on average {:.1f}\n",
-                                       range.fewest, range.most, range.mean);
+    if (report.samples) {
+        text += fmt::format("  {} to {} samples per pixel, on average {:.1f}\n",
+                            report.samples->fewest, report.samples->most, report.samples->mean);
     }
-    report.sentence += layers_text(summary);
+    text += layers_text(summary) + fitted_text(report.fitted) + preparation_text(report);
+    if (report.denoised) {
+        text += fmt::format("  denoised by {} in {:.1f} s\n", report.denoised->used,
+                            report.denoised->seconds);
+    }
+    text += exposure_text(report);
+    if (!report.checkpoint.empty()) {
+        text += fmt::format("  --resume continues from {}\n", report.checkpoint.string());
+    }
+    return text;
 }
 
-void describe_misses(RenderReport& report, const scene::Scene& scene,
-                     const camera::Picture& picture, const render::Settings& settings,
-                     const render::Film& film, const render::Summary& summary) {
-    for (const camera::ShownCamera& shown : shown_cameras(picture)) {
-        for (const camera::ShownCamera::LayerUse& use : shown.uses) {
-            const render::Summary::Layer& layer = summary.layers[use.index];
-            if (layer.hits > 0 || layer.camera_rays == layer.invalid_rays) {
-                continue;
-            }
-            const Result<render::Miss> miss = render::explain_miss(
-                scene, shown.camera,
-                {.width = film.width, .height = film.height, .time = settings.time});
-            const MissText text = miss ? miss_text(*miss, shown.camera) : MissText{};
-            report.diagnostics.push_back(warning(
-                fmt::format("no ray of {} '{}' meets anything{}{}",
-                            summary.layers.size() == 1 ? "camera" : "layer", printable(layer.name),
-                            text.reason.empty() ? "" : ": ", text.reason),
-                {}, text.remedy));
-        }
+nlohmann::json report_json(const app::MergedPicture& merged) {
+    nlohmann::json facts{{"diagnostics", to_json(merged.diagnostics)}};
+    if (merged.denoised) {
+        facts["denoiser"] = merged.denoised->used;
     }
-}
-
-void warn_of_lost_alpha(RenderReport& report, const render::Film& film,
-                        const PictureOutput& output) {
-    const render::DisplayFormat* const format = output.display_format();
-    if (format == nullptr || format->has_alpha || film.background) {
-        return;
+    if (!merged.output.empty()) {
+        facts.update({{"output", name_of_output(merged.output)},
+                      {"exposure", merged.exposure},
+                      {"shards", merged.shards},
+                      {"width", merged.width},
+                      {"height", merged.height}});
     }
-    const render::Region& window = film.window;
-    for (std::size_t y = window.y; y < window.y + window.height; ++y) {
-        for (std::size_t x = window.x; x < window.x + window.width; ++x) {
-            // Rounding to a byte hides less than this.
-            if (film.pixel(x, y).a < 1.0F - 0.5F / 255.0F) {
-                report.diagnostics.push_back(warning(
-                    fmt::format("a {} file has no transparency; transparent places are black",
-                                format->extension),
-                    {}, "choose a colour with --background, or write a .png file"));
-                return;
-            }
-        }
-    }
-}
-
-nlohmann::json json_of(const RenderReport& report) {
-    nlohmann::json facts = report.facts;
-    facts["diagnostics"] = to_json(report.diagnostics);
     return facts;
+}
+
+std::string report_text(const app::MergedPicture& merged) {
+    return merged.output.empty() ? std::string()
+                                 : fmt::format("{}: {} x {} pixels, merged from {} shards\n",
+                                               name_of_output(merged.output), merged.width,
+                                               merged.height, merged.shards);
 }
 
 }  // namespace balcony::cli

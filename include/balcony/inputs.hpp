@@ -1,0 +1,107 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Inputs: the scenes and cameras that a program names, why a camera sees nothing of them, and that
+// no output replaces them.
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "balcony/inverse.hpp"
+#include "balcony/lang.hpp"
+#include "balcony/probe.hpp"
+#include "balcony/render.hpp"
+#include "balcony/scene.hpp"
+
+namespace balcony::app {
+
+// ------------------------------------------------------------------------------------- cameras
+
+/// The file of a camera given as FILE, FILE:NAME or the name of a built-in camera.
+[[nodiscard]] std::filesystem::path camera_file(const std::string& camera);
+
+/// Whether a camera is given as scene:NAME, or scene: for the first camera of the scene.
+[[nodiscard]] bool is_of_scene(const std::string& camera);
+
+/// A selected camera, with values for its parameters.
+struct CameraArgument {
+    std::filesystem::path file;
+    std::string name;  ///< Empty for the file's last camera.
+    std::vector<lang::Override> overrides;
+};
+
+/// Reads FILE[:NAME] and values of parameters, each NAME=VALUE.
+[[nodiscard]] Result<CameraArgument> read_camera(const std::string& camera,
+                                                 const std::vector<std::string>& set);
+
+/// Makes the selected camera, with values of its parameters, each NAME=VALUE.
+[[nodiscard]] Result<camera::Camera> load_camera(const std::string& camera,
+                                                 const std::vector<std::string>& set);
+
+/// Makes the selected picture; a camera becomes a picture with one layer.
+[[nodiscard]] Result<camera::Picture> load_picture(const std::string& picture,
+                                                   const std::vector<std::string>& set);
+[[nodiscard]] Result<camera::Picture> load_picture(const std::string& picture,
+                                                   const std::vector<std::string>& set,
+                                                   lang::Workspace& workspace);
+/// The same with a scene, whose cameras can be selected.
+[[nodiscard]] Result<camera::Picture> load_picture(const std::string& picture,
+                                                   const std::vector<std::string>& set,
+                                                   const scene::Scene& scene);
+
+/// The picture of a camera of a scene with these axes.
+[[nodiscard]] Result<camera::Picture> picture_of(const scene::Camera& camera, Axes axes);
+
+/// That of the default camera: the first of the scene, or else that of its renderer.
+[[nodiscard]] Result<camera::Picture> default_picture(const scene::Scene& scene,
+                                                      const render::Renderer& renderer);
+
+// -------------------------------------------------------------------------------------- scenes
+
+/// Whether a file name has the extension of a scene.
+[[nodiscard]] bool is_scene_file(std::string_view name);
+
+/// Loads a scene as it stands at a time in seconds, with what other files add to it. A camera in
+/// its place gives a specific error.
+[[nodiscard]] Result<scene::Scene> load_scene(const std::string& name, double time = 0.0,
+                                              const std::vector<std::string>& added = {});
+
+// ---------------------------------------------------------------------------------- explaining
+
+/// Why the rays of a camera meet nothing, as far as it can be known, and what may help.
+struct MissText {
+    std::string reason;
+    std::string remedy;
+};
+
+[[nodiscard]] MissText miss_text(const render::Miss& miss, const camera::Camera& camera);
+
+/// A request to locate points.
+struct PointSearch {
+    const camera::Picture& picture;
+    double width = 0.0;
+    double height = 0.0;
+    double time = 0.0;
+    Axes axes = Axes::z_up;  ///< Of the points.
+    std::span<const analyse::V3d> points;
+};
+
+/// "y up" or "z up".
+[[nodiscard]] std::string_view axes_text(Axes axes);
+
+/// Why none of the points is in the picture, if that is known: they would be in it with the other
+/// axes, or they all lie behind the camera.
+[[nodiscard]] Diagnostics explain_unseen(const PointSearch& search);
+
+// ------------------------------------------------------------------------------------- outputs
+
+/// An error of Kind::usage if an output is one of the files that are read, even under another name
+/// or through a link.
+[[nodiscard]] Diagnostics check_overwrites(const std::filesystem::path& output,
+                                           std::span<const std::filesystem::path> inputs);
+
+}  // namespace balcony::app

@@ -1,0 +1,241 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/animation/animation_film.hpp"
+#include "app/animation/film_file.hpp"
+#include "app/animation/frame_loop.hpp"
+#include "app/animation/turntable.hpp"
+#include "app/picture/paused_run.hpp"
+#include "app/words.hpp"
+#include "balcony/animation.hpp"
+#include "balcony/bands.hpp"
+#include "balcony/inputs.hpp"
+#include "balcony/motion.hpp"
+
+namespace balcony::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// As long as the longest of the scene's animations, or five seconds of a turntable.
+Result<FrameNumbers> default_frames(const scene::Scene& scene, const AnimationRequest& request) {
+    constexpr double turntable_seconds = 5.0;
+    constexpr double rounding = 1e-6;
+    const double frame_time = request.picture.shutter.rate.frame_time();
+    double frames = 0.0;
+    if (scene.motion) {
+        for (const scene::Animation& animation : scene.motion->animations) {
+            frames = std::max(frames, std::floor(animation.duration / frame_time + rounding) + 1.0);
+        }
+    }
+    if (frames == 0.0 && request.turntable) {
+        frames = std::max(std::round(turntable_seconds / frame_time), 1.0);
+    }
+    if (frames == 0.0) {
+        return error(Kind::usage,
+                     "nothing tells how many frames there are, since the scene has no animation",
+                     "add --frames 1-240");
+    }
+    FrameNumbers numbers(
+        static_cast<std::size_t>(std::min(frames, static_cast<double>(max_frame))));
+    std::iota(numbers.begin(), numbers.end(), 1);
+    return numbers;
+}
+
+Diagnostics check_shards(const AnimationRequest& request, const FrameNumbers& frames) {
+    if (!request.shard || request.shard->count <= frames.size() * request.parts_per_frame) {
+        return {};
+    }
+    const std::size_t shards = request.shard->count;
+    const bool parts = request.parts_per_frame > 1;
+    return {error(Kind::usage,
+                  fmt::format("there are {} shards, but only {}", shards,
+                              counted(frames.size() * request.parts_per_frame,
+                                      parts ? "part of a frame" : "frame",
+                                      parts ? "parts of frames" : "frames")),
+                  fmt::format("use at most as many shards as frames, or divide each frame: "
+                              "--parts-per-frame {}",
+                              (shards + frames.size() - 1) / frames.size()))};
+}
+
+// The film's pixels are in pairs, so a chosen size becomes even.
+render::FilmLayout layout_of(const AnimationRequest& animation, const camera::Picture& picture,
+                             Diagnostics& found) {
+    const bool displayed = render::display_format(animation.pattern.file(1)) != nullptr;
+    const Request& request = animation.picture;
+    render::FilmLayout layout = film_layout(request, picture, displayed);
+    if (!animation.film || !has_even_sides(animation.film->file)) {
+        return layout;
+    }
+    if (!request.size.width && !request.size.height && !layout.window) {
+        const auto even = [](std::size_t side) { return std::max<std::size_t>(side / 2 * 2, 2); };
+        layout.width = even(layout.width);
+        layout.height = even(layout.height);
+    }
+    const render::Region shown =
+        layout.window.value_or(render::Region{0, 0, layout.width, layout.height});
+    if (shown.width % 2 != 0 || shown.height % 2 != 0) {
+        found.push_back(warning(fmt::format("the film has sides of an even number of pixels: {} x "
+                                            "{}",
+                                            shown.width / 2 * 2, shown.height / 2 * 2),
+                                {}, "choose even sides with --size"));
+    }
+    return layout;
+}
+
+// Numbers that are longer than their place no longer sort by name.
+void warn_of_long_numbers(const FramePattern& pattern, const FrameNumbers& frames,
+                          Diagnostics& found) {
+    const std::size_t digits = fmt::format("{}", frames.back()).size();
+    if (pattern.digits() > 1 && digits > pattern.digits()) {
+        found.push_back(warning(fmt::format("frame {} has more digits than '{}', so the names of "
+                                            "the files do not sort by frame",
+                                            frames.back(), pattern.text()),
+                                {}, fmt::format("write {}", std::string(digits, '#'))));
+    }
+}
+
+// The picture of a turntable. Without a camera, it shows the whole scene, or object, from all
+// sides.
+std::optional<camera::Picture> turned_round(const AnimationRequest& animation,
+                                            const FrameNumbers& frames, const scene::Scene& scene,
+                                            camera::Picture picture, Diagnostics& found) {
+    const Request& request = animation.picture;
+    const Result<render::SceneExtent> extent = render::measure_scene(scene, animation.around);
+    add(found, extent.diagnostics);
+    if (!extent) {
+        return std::nullopt;
+    }
+    if (request.camera.empty()) {
+        const auto [width, height] = request.size.resolve(camera::default_aspect);
+        const Result<camera::Picture> whole = turntable_picture(
+            scene, *extent, static_cast<double>(width) / static_cast<double>(height));
+        add(found, whole.diagnostics);
+        if (!whole) {
+            return std::nullopt;
+        }
+        picture = whole->with_fit(request.size.fit);
+    }
+    return picture.with_turn(turn_of(*extent, animation, frames));
+}
+
+// What two eyes see of a picture, in one picture.
+std::optional<camera::Picture> stereo_view(const Request& request, camera::Picture picture,
+                                           const scene::Scene& scene, Diagnostics& found) {
+    if (!request.stereo.is_wanted()) {
+        return picture;
+    }
+    if (has_moving_camera(request, scene)) {
+        found.push_back(error("--stereo cannot follow a camera of the scene that moves", {},
+                              "name a camera of a file with --camera"));
+        return std::nullopt;
+    }
+    auto views =
+        camera::stereo_picture(picture, request.stereo.formats.front(), request.stereo.pair);
+    add(found, views.diagnostics);
+    return std::move(views.value);
+}
+
+Diagnostics check_inputs(const FramePattern& pattern, const std::vector<fs::path>& inputs) {
+    Diagnostics found;
+    for (const fs::path& input : inputs) {
+        if (const auto frame = pattern.number_of_file(input.filename().string())) {
+            add(found, check_overwrites(pattern.file(*frame), std::array{input}));
+        }
+    }
+    return found;
+}
+
+// Everything before the first frame.
+struct Prepared {
+    Loaded loaded;
+    std::optional<camera::Picture> picture;
+    FrameNumbers frames;
+    render::FilmLayout layout;
+};
+
+bool prepare(const AnimationRequest& animation, Prepared& made, Diagnostics& found) {
+    const Request& request = animation.picture;
+    Loaded& loaded = made.loaded;
+    loaded.since = FileWatch::Time::clock::now();
+    add(found, check_request(request));
+    if (has_errors(found) || !load_settings(request, loaded, found)) {
+        return false;
+    }
+    auto picture = load_all(request, loaded, found);
+    if (!picture) {
+        return false;
+    }
+    add(found, check_inputs(animation.pattern, loaded.files()));
+    Result<FrameNumbers> frames = animation.frames ? Result<FrameNumbers>(*animation.frames)
+                                                   : default_frames(*loaded.scene, animation);
+    add(found, frames.diagnostics);
+    if (has_errors(found)) {
+        return false;
+    }
+    made.frames = std::move(*frames);
+    add(found, check_shards(animation, made.frames));
+    if (has_errors(found)) {
+        return false;
+    }
+    warn_of_long_numbers(animation.pattern, made.frames, found);
+    if (animation.turntable) {
+        picture = turned_round(animation, made.frames, *loaded.scene, *picture, found);
+    }
+    made.picture = picture ? stereo_view(request, *picture, *loaded.scene, found) : std::nullopt;
+    if (!made.picture) {
+        return false;
+    }
+    made.layout = layout_of(animation, *made.picture, found);
+    if (render::film_bytes(made.layout) > request.job.film_bytes()) {
+        found.push_back(error("a frame of this size needs more memory than --film-memory allows",
+                              {}, "raise --film-memory, or make the frames smaller"));
+    }
+    return !has_errors(found);
+}
+
+}  // namespace
+
+Diagnostics prepare_output(const AnimationRequest& request) {
+    if (!request.film) {
+        return check_output(request.pattern.file(1));
+    }
+    Diagnostics found = make_film_folder(*request.film);
+    add(found, check_film(*request.film));
+    return found;
+}
+
+AnimationReport animate(const AnimationRequest& request, const Observer& observer,
+                        const std::stop_token& stop) {
+    AnimationReport report;
+    AnimationRequest animation = request;
+    animation.picture.settings.time = animation.time_of(1);
+    Prepared made;
+    if (!prepare(animation, made, report.diagnostics)) {
+        return report;
+    }
+    const Stoppable stoppable(observer);
+    FrameLoop(animation, made.loaded, *made.picture, made.layout, observer, report)
+        .run(made.frames, stop);
+    const bool is_whole = !animation.shard && animation.parts_per_frame == 1;
+    if (has_errors(report.diagnostics) || report.interrupted || !animation.film || !is_whole) {
+        return report;
+    }
+    const Diagnostics found = make_film_of_frames(*animation.film, animation.pattern, made.frames,
+                                                  !animation.keep_frames, observer, stop);
+    report.is_film_missing = report.interrupted = kind_of_errors(found) == Kind::interrupted;
+    if (!report.interrupted) {
+        add(report.diagnostics, found);
+    }
+    return report;
+}
+
+}  // namespace balcony::app

@@ -1,0 +1,309 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "app/animation/frame_loop.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/animation/held_look.hpp"
+#include "app/picture/checkpoint_file.hpp"
+#include "app/picture/findings.hpp"
+#include "app/picture/paused_run.hpp"
+#include "app/picture/shard_picture.hpp"
+#include "app/words.hpp"
+#include "balcony/content_hash.hpp"
+#include "balcony/motion.hpp"
+
+namespace balcony::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+// With the number of frames if the turn depends on it, and hashes of all files.
+render::RenderFacts frame_facts(const AnimationRequest& animation, const FrameNumbers& frames,
+                                const render::FilmLayout& layout,
+                                const std::vector<fs::path>& files) {
+    render::RenderFacts facts{{"Balcony", BALCONY_VERSION},
+                              {"the size", fmt::format("{}x{}", layout.width, layout.height)}};
+    const render::RenderFacts& asked = animation.picture.given;
+    facts.insert(facts.end(), asked.begin(), asked.end());
+    if (animation.turntable) {
+        facts.push_back({"--frames", text_of(frames)});
+    }
+    for (const fs::path& file : files) {
+        const auto hash = content_hash(file);
+        facts.push_back({fmt::format("the file '{}'", file.string()),
+                         hash ? fmt::format("#{:016x}", *hash) : "#unreadable"});
+    }
+    return facts;
+}
+
+}  // namespace
+
+std::vector<FrameUnit> units_of(const FrameNumbers& frames, std::size_t parts,
+                                const render::Shard& shard) {
+    std::vector<FrameUnit> units;
+    for (std::size_t i = shard.index; i < frames.size() * parts; i += shard.count) {
+        units.push_back({frames[i / parts], {i % parts, parts}});
+    }
+    return units;
+}
+
+FrameLoop::FrameLoop(const AnimationRequest& animation, Loaded& loaded, camera::Picture picture,
+                     const render::FilmLayout& layout, const Observer& observer,
+                     AnimationReport& report)
+    : animation_(animation),
+      request_(animation.picture),
+      loaded_(loaded),
+      wanted_(picture),
+      picture_(std::move(picture)),
+      layout_(layout),
+      observer_(observer),
+      report_(report),
+      inverses_(request_, {layout.width, layout.height}),
+      seed_(request_.settings.sampling.seed) {}
+
+bool FrameLoop::fails(const Diagnostics& found) {
+    add(report_.diagnostics, found);
+    return has_errors(found);
+}
+
+fs::path FrameLoop::file_of(const FrameUnit& unit) const {
+    const fs::path frame = animation_.pattern.file(unit.frame);
+    return unit.part.count > 1 ? shard_file(frame, unit.part) : frame;
+}
+
+bool FrameLoop::is_finished(const FrameUnit& unit) const {
+    return record_.is_finished(animation_.pattern.file(unit.frame)) ||
+           record_.is_finished(file_of(unit));
+}
+
+bool FrameLoop::is_displayed() const {
+    return render::display_format(animation_.pattern.file(1)) != nullptr;
+}
+
+// Continues the frames that are there if they are of the same settings.
+bool FrameLoop::begin_frames(const FrameNumbers& frames) {
+    const FramePattern& pattern = animation_.pattern;
+    auto before = read_record(pattern);
+    if (!before && !animation_.overwrite) {
+        return !fails(before.diagnostics);
+    }
+    record_ = {frame_facts(animation_, frames, layout_, loaded_.files()),
+               frames,
+               request_.shutter.rate,
+               animation_.film ? animation_.film->crf : std::nullopt,
+               {}};
+    const bool has_record = before && before->has_value();
+    Diagnostics found;
+    if (has_record && !animation_.overwrite) {
+        const std::string why = (*before)->difference_from(record_.facts);
+        if (!why.empty()) {
+            return !fails({error(
+                fmt::format("the frames at '{}' are of another animation: {}", pattern.text(), why),
+                {},
+                "restore that to continue them, add --overwrite to replace them, or name "
+                "another output")});
+        }
+        record_.since = (*before)->since;
+        const bool same = (*before)->frames == frames && (*before)->rate == record_.rate &&
+                          (*before)->crf == record_.crf;
+        found = same ? Diagnostics{} : change_record(pattern, record_);
+    } else {
+        const FrameNumbers there = animation_.overwrite ? FrameNumbers{} : pattern.existing();
+        const auto in_the_way =
+            std::find_first_of(there.begin(), there.end(), frames.begin(), frames.end());
+        if (in_the_way != there.end()) {
+            return !fails(
+                {error(fmt::format("'{}' is there already, and nothing tells how it was rendered",
+                                   pattern.file(*in_the_way).string()),
+                       {}, "add --overwrite to replace such frames, or name another output")});
+        }
+        found = begin_record(pattern, record_);
+    }
+    return !fails(of_kind(Kind::environment, std::move(found)));
+}
+
+// The warnings of one frame stand for those of all.
+void FrameLoop::add_once(const Diagnostics& diagnostics) {
+    for (const Diagnostic& one : diagnostics) {
+        if (told_.insert(one.message).second) {
+            report_.diagnostics.push_back(one);
+        }
+    }
+}
+
+// What stands still is not prepared again.
+bool FrameLoop::go_to(std::size_t frame) {
+    render::Settings& settings = loaded_.settings;
+    settings.time = animation_.time_of(frame);
+    settings.sampling.seed =
+        seed_ + (animation_.same_noise ? 0U : static_cast<std::uint32_t>(frame));
+    const Diagnostics not_moved = scene::move_to(*loaded_.scene, settings.time);
+    if (!not_moved.empty() && !std::exchange(warned_of_motion_, true)) {
+        add(report_.diagnostics, not_moved);
+    }
+    Diagnostics found;
+    if (has_moving_camera(request_, *loaded_.scene)) {
+        const Result<camera::Picture> moved =
+            picture_at(request_, *loaded_.scene, wanted_, settings.time);
+        add_once(moved.diagnostics);
+        if (!moved) {
+            return false;
+        }
+        picture_ = *moved;
+        job_.reset();
+    }
+    const bool moved = move_along(picture_, loaded_, found);
+    if (moved && layout_.layers.contains(render::LayerId::motion)) {
+        add(found, inverses_.add_to(settings, *loaded_.scene, picture_));
+    }
+    add_once(found);
+    return moved;
+}
+
+Result<render::Summary> FrameLoop::trace_unit(const FrameUnit& unit, render::Film& film,
+                                              CheckpointFile& checkpoint,
+                                              const std::stop_token& stop) {
+    Result<render::Job> job =
+        job_ ? job_->again(*loaded_.renderer, loaded_.settings, film)
+             : render::Job::make(*loaded_.renderer, picture_, loaded_.settings, film);
+    if (!job) {
+        return std::move(job.diagnostics);
+    }
+    job_ = *job;
+    if (checkpoint.exists() && !animation_.overwrite) {
+        Diagnostics found = checkpoint.load(film);
+        for (Diagnostic& one : found) {
+            one.severity = Severity::warning;
+            one.remedy = "the frame begins anew";
+        }
+        tell(observer_, found);
+    }
+    TraceLimits limits{.samples = loaded_.settings.samples,
+                       .remedy = "restore it and give the same command again"};
+    if (unit.part.count > 1) {
+        limits.shard = unit.part;
+    }
+    if (request_.job.checkpoint_every) {
+        limits.pauses.push_back(
+            {*request_.job.checkpoint_every, [&] { tell(observer_, checkpoint.save(film)); }});
+    }
+    Result<render::Summary> summary =
+        trace(*job_, film, checkpoint, limits, observer_.progress, stop);
+    if (summary && summary->interrupted) {
+        tell(observer_, checkpoint.save(film));
+    }
+    return summary;
+}
+
+Diagnostics FrameLoop::write_unit(const FrameUnit& unit, render::Film& film,
+                                  const render::RenderFacts& facts) {
+    if (animation_.film && !film.background) {
+        film.background = render::Color3f(0.0F);
+    }
+    Finish finish = finish_of(request_);
+    finish.output = animation_.pattern.file(unit.frame);
+    finish.exposure = request_.exposure.value_or(0.0);
+    if (unit.part.count > 1) {
+        return of_kind(Kind::environment, render::write_shard(film, unit.part, facts,
+                                                              facts_of(finish), file_of(unit)));
+    }
+    Diagnostics found;
+    static_cast<void>(try_to_denoise(finish, film, found));
+    add_once(found);
+    return write(finish, film, observer_);
+}
+
+void FrameLoop::describe_first(const FrameUnit& unit, const render::Film& film,
+                               const render::Summary& summary) {
+    if (std::exchange(described_, true) || unit.part.count > 1) {
+        return;
+    }
+    Finish finish = finish_of(request_);
+    finish.output = animation_.pattern.file(unit.frame);
+    Report found;
+    describe(found, loaded_, picture_, {film.window, film.background.has_value()}, summary);
+    describe_misses(found, loaded_, picture_, {film.width, film.height});
+    add(found.diagnostics, warn_of_lost_alpha(film, finish));
+    for (Diagnostic& one : found.diagnostics) {
+        one.message = fmt::format("frame {}: {}", unit.frame, one.message);
+    }
+    add(report_.diagnostics, found.diagnostics);
+}
+
+bool FrameLoop::render(const FrameUnit& unit, const std::stop_token& stop) {
+    const Clock::time_point begin = Clock::now();
+    if (!go_to(unit.frame)) {
+        return false;
+    }
+    Result<render::Film> film = make_film(layout_, request_);
+    if (fails(film.diagnostics)) {
+        return false;
+    }
+    render::RenderFacts facts = record_.facts;
+    facts.push_back({std::string(frame_fact), fmt::format("{}", unit.frame)});
+    const fs::path file = file_of(unit);
+    CheckpointFile checkpoint(file, facts, {}, loaded_.since);
+    const Result<render::Summary> summary = trace_unit(unit, *film, checkpoint, stop);
+    add_once(summary.diagnostics);
+    if (!summary || summary->interrupted) {
+        report_.interrupted = summary.value.has_value();
+        return false;
+    }
+    describe_first(unit, *film, *summary);
+    const Clock::time_point traced = Clock::now();
+    if (Diagnostics found = write_unit(unit, *film, facts); has_errors(found)) {
+        found.front().remedy =
+            "correct that and give the same command again; the frames before "
+            "this one are finished";
+        return !fails(found);
+    }
+    checkpoint.remove();
+    report_.rendered.push_back(
+        {unit.frame, file, summary->seconds, seconds_since(traced), seconds_since(begin)});
+    return true;
+}
+
+void FrameLoop::run(const FrameNumbers& frames, const std::stop_token& stop) {
+    const Clock::time_point begin = Clock::now();
+    if (!begin_frames(frames)) {
+        return;
+    }
+    const std::vector<FrameUnit> all =
+        units_of(frames, animation_.parts_per_frame, animation_.shard.value_or(render::Shard{}));
+    std::vector<FrameUnit> units = all;
+    std::erase_if(units, [this](const FrameUnit& unit) { return is_finished(unit); });
+    bool good = units.empty() || hold_look(request_, loaded_, picture_, layout_, is_displayed(),
+                                           report_.diagnostics, stop);
+    for (std::size_t i = 0; i < units.size() && good; ++i) {
+        if (stop.stop_requested()) {
+            report_.interrupted = true;
+            break;
+        }
+        if (observer_.frame) {
+            observer_.frame(units[i].frame, i, units.size());
+        }
+        good = render(units[i], stop);
+    }
+    report_.is_rendered = true;
+    report_.frames = frames;
+    report_.skipped = all.size() - units.size();
+    report_.exposure = request_.exposure.value_or(0.0);
+    report_.width = layout_.width;
+    report_.height = layout_.height;
+    report_.seconds = seconds_since(begin);
+}
+
+}  // namespace balcony::app

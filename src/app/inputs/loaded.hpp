@@ -1,0 +1,55 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// What a picture is rendered from.
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/inputs/file_watch.hpp"
+#include "balcony/lang.hpp"
+#include "balcony/render.hpp"
+#include "balcony/request.hpp"
+
+namespace balcony::app {
+
+/// What remains loaded from one picture to the next.
+struct Loaded {
+    lang::Workspace cameras;
+    std::shared_ptr<scene::Scene> scene;
+    std::optional<render::Renderer> renderer;
+    scene::TimeInterval times{};                       ///< Of the renderer's rays.
+    double load_seconds = 0.0;                         ///< To read the scene.
+    render::Settings settings{};                       ///< With an environment that is a file.
+    std::vector<std::filesystem::path> environment{};  ///< Its file, if there is one.
+    FileWatch::Time since{};                           ///< Before the first file was read.
+
+    /// The files that the picture depends on.
+    [[nodiscard]] std::vector<std::filesystem::path> files() const;
+};
+
+/// The file of the environment of a request, if it is one.
+[[nodiscard]] std::vector<std::filesystem::path> environment_files(const Request& request);
+
+/// The settings of a request, with its environment. False if that fails, as the diagnostics say.
+[[nodiscard]] bool load_settings(const Request& request, Loaded& loaded, Diagnostics& found);
+
+/// The camera that a request names, or that of the scene, and the scene, both loaded and prepared
+/// for the times of the picture's rays, as far as that is not done. Nothing if that fails, as the
+/// diagnostics say.
+[[nodiscard]] std::optional<camera::Picture> load_all(const Request& request, Loaded& loaded,
+                                                      Diagnostics& found);
+
+/// Prepares a scene that was moved for the rays of a picture at another time. False if it fails, as
+/// the diagnostics say.
+[[nodiscard]] bool move_along(const camera::Picture& picture, Loaded& loaded, Diagnostics& found);
+
+/// The film that a picture needs. A picture for the display has no layers.
+[[nodiscard]] render::FilmLayout film_layout(const Request& request, const camera::Picture& picture,
+                                             bool is_displayed);
+
+}  // namespace balcony::app

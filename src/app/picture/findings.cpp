@@ -1,0 +1,138 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "app/picture/findings.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "app/words.hpp"
+#include "balcony/inputs.hpp"
+
+namespace balcony::app {
+
+namespace {
+
+/// Reports where a layer has no ray.
+void describe_gaps(Report& report, const Shown& film, const render::Summary& summary) {
+    const bool single = summary.layers.size() == 1;
+    const std::string_view shown = film.has_background ? "show the background" : "are transparent";
+    for (const render::Summary::Layer& layer : summary.layers) {
+        const std::string what =
+            fmt::format("{} '{}'", single ? "camera" : "layer", printable(layer.name));
+        if (layer.invalid_rays == 0) {
+            continue;
+        }
+        if (layer.invalid_rays == layer.camera_rays) {
+            report.diagnostics.push_back(
+                warning(fmt::format("{} has no ray anywhere; {}", what,
+                                    single ? "the picture is empty" : "it is invisible")));
+            continue;
+        }
+        const std::string pixels = single ? fmt::format(" ({} of {} pixel centres)",
+                                                        summary.invalid_pixels, film.window.size())
+                                          : "";
+        report.diagnostics.push_back(
+            warning(fmt::format("{} has no ray at {} of {} picture points{}; they {}", what,
+                                layer.invalid_rays, layer.camera_rays, pixels, shown)));
+    }
+}
+
+// Pixels whose motion is not certain.
+void describe_motion(Report& report, const render::Summary& summary) {
+    if (summary.unknown_motion > 0) {
+        report.diagnostics.push_back(warning(fmt::format(
+            "the motion of {} is 0 because neither the previous nor the next frame shows the "
+            "surface there",
+            counted(summary.unknown_motion, "pixel", "pixels"))));
+    }
+    if (summary.ambiguous_motion > 0) {
+        report.diagnostics.push_back(warning(fmt::format(
+            "the previous or next frame shows the surface of {} at several places; the layer "
+            "motion is that to the nearest",
+            counted(summary.ambiguous_motion, "pixel", "pixels"))));
+    }
+}
+
+}  // namespace
+
+void describe(Report& report, const Loaded& loaded, const camera::Picture& picture,
+              const Shown& shown, const render::Summary& summary) {
+    describe_gaps(report, shown, summary);
+    if (summary.repaired > 0) {
+        report.diagnostics.push_back(warning(fmt::format(
+            "{} samples had no finite colour and were replaced by black", summary.repaired)));
+    }
+    describe_motion(report, summary);
+    report.is_traced = true;
+    report.camera = picture.name();
+    report.width = shown.window.width;
+    report.height = shown.window.height;
+    report.summary = summary;
+    report.interrupted = summary.interrupted;
+    report.load_seconds = loaded.load_seconds;
+    report.preparation = loaded.renderer->preparation();
+    report.fitted = loaded.cameras.fitted();
+}
+
+void describe_misses(Report& report, const Loaded& loaded, const camera::Picture& picture,
+                     std::pair<std::size_t, std::size_t> size) {
+    const render::Summary& summary = report.summary;
+    for (const camera::ShownCamera& shown : shown_cameras(picture)) {
+        for (const camera::ShownCamera::LayerUse& use : shown.uses) {
+            const render::Summary::Layer& layer = summary.layers[use.index];
+            if (layer.hits > 0 || layer.camera_rays == layer.invalid_rays) {
+                continue;
+            }
+            const Result<render::Miss> miss = render::explain_miss(
+                *loaded.scene, shown.camera,
+                {.width = size.first, .height = size.second, .time = loaded.settings.time});
+            report.misses.push_back({use.index, miss.value});
+            const MissText text = miss ? miss_text(*miss, shown.camera) : MissText{};
+            report.diagnostics.push_back(warning(
+                fmt::format("no ray of {} '{}' meets anything{}{}",
+                            summary.layers.size() == 1 ? "camera" : "layer", printable(layer.name),
+                            text.reason.empty() ? "" : ": ", text.reason),
+                {}, text.remedy));
+        }
+    }
+}
+
+std::optional<SampleRange> sample_range(const render::Film& film) {
+    if (film.pixel_passes.empty()) {
+        return std::nullopt;
+    }
+    SampleRange range{.fewest = std::numeric_limits<std::uint32_t>::max()};
+    double total = 0.0;
+    for (const std::uint32_t count : film.pixel_passes) {
+        range.fewest = std::min(range.fewest, count);
+        range.most = std::max(range.most, count);
+        total += count;
+    }
+    range.mean = total / static_cast<double>(film.window.size());
+    return range;
+}
+
+Diagnostics warn_of_lost_alpha(const render::Film& film, const Finish& finish) {
+    const render::DisplayFormat* const format = finish.display_format();
+    if (format == nullptr || format->has_alpha || film.background) {
+        return {};
+    }
+    const render::Region& window = film.window;
+    for (std::size_t y = window.y; y < window.y + window.height; ++y) {
+        for (std::size_t x = window.x; x < window.x + window.width; ++x) {
+            // Rounding to a byte hides less than this.
+            if (film.pixel(x, y).a < 1.0F - 0.5F / 255.0F) {
+                return {warning(
+                    fmt::format("a {} file has no transparency; transparent places are black",
+                                format->extension),
+                    {}, "choose a colour with --background, or write a .png file")};
+            }
+        }
+    }
+    return {};
+}
+
+}  // namespace balcony::app

@@ -1,0 +1,28 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "app/inputs/loaded.hpp"
+#include "app/picture/finished_picture.hpp"
+#include "balcony/app.hpp"
+
+namespace balcony::app {
+
+/// The part of a picture that a film shows, and what is behind it.
+struct Shown {
+    render::Region window;
+    bool has_background = false;
+};
+
+/// Adds the facts of a run to the report, and warnings about what is missing in the picture.
+void describe(Report& report, const Loaded& loaded, const camera::Picture& picture,
+              const Shown& shown, const render::Summary& summary);
+
+/// Warns of layers whose rays meet nothing, with the reason. The picture has this size in pixels.
+void describe_misses(Report& report, const Loaded& loaded, const camera::Picture& picture,
+                     std::pair<std::size_t, std::size_t> size);
+
+/// The numbers of samples of adaptive sampling; nothing without it.
+[[nodiscard]] std::optional<SampleRange> sample_range(const render::Film& film);
+
+}  // namespace balcony::app

@@ -1,0 +1,113 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <map>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "app/picture/shard_picture.hpp"
+#include "app/words.hpp"
+#include "balcony/inputs.hpp"
+
+namespace balcony::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A file that is missing is not damaged.
+Diagnostics check_there(const std::vector<fs::path>& shards) {
+    for (const fs::path& shard : shards) {
+        std::error_code ignored;
+        if (!fs::exists(shard, ignored)) {
+            return {error(fmt::format("there is no file '{}'", shard.string()), {},
+                          "name the files of all shards, as --shard writes them")};
+        }
+    }
+    return {};
+}
+
+// The shards of each frame; those of a picture have no frame.
+Result<std::map<std::string, std::vector<fs::path>>> shards_of_frames(
+    const std::vector<fs::path>& files) {
+    std::map<std::string, std::vector<fs::path>> frames;
+    for (const fs::path& file : files) {
+        const auto heading = render::read_shard_heading(file);
+        if (!heading) {
+            return heading.diagnostics;
+        }
+        const auto& facts = heading->facts;
+        const bool is_frame =
+            std::any_of(facts.begin(), facts.end(),
+                        [](const render::RenderFact& fact) { return fact.name == frame_fact; });
+        frames[is_frame ? finish_of(heading->output).output.string() : ""].push_back(file);
+    }
+    return frames;
+}
+
+}  // namespace
+
+MergedPicture merge_picture(const std::vector<fs::path>& shards, const fs::path& other_output,
+                            const Observer& observer) {
+    MergedPicture merged;
+    const auto fails = [&merged](const Diagnostics& found) {
+        add(merged.diagnostics, found);
+        return has_errors(found);
+    };
+    if (fails(check_there(shards))) {
+        return merged;
+    }
+    const auto heading = render::read_shard_heading(shards.front());
+    if (fails(heading.diagnostics)) {
+        return merged;
+    }
+    Finish finish = finish_of(heading->output);
+    if (!other_output.empty()) {
+        finish.output = other_output;
+    }
+    if (fails(check_output(finish.output)) || fails(check_overwrites(finish.output, shards))) {
+        return merged;
+    }
+    Result<render::Film> film = render::merge_shards(shards);
+    if (fails(film.diagnostics)) {
+        return merged;
+    }
+    auto denoised = denoise(finish, *film);
+    if (fails(denoised.diagnostics)) {
+        return merged;
+    }
+    merged.denoised = *denoised;
+    merged.exposure = finish.exposure_of(*film);
+    finish.exposure = merged.exposure;
+    if (fails(write(finish, *film, observer))) {
+        return merged;
+    }
+    merged.output = finish.output;
+    merged.width = film->window.width;
+    merged.height = film->window.height;
+    merged.shards = shards.size();
+    return merged;
+}
+
+std::vector<MergedPicture> merge_pictures(const std::vector<fs::path>& shards,
+                                          const fs::path& other_output, const Observer& observer) {
+    Diagnostics found = check_there(shards);
+    if (!other_output.empty() && !has_errors(found)) {
+        return {merge_picture(shards, other_output, observer)};
+    }
+    const auto frames = has_errors(found)
+                            ? Result<std::map<std::string, std::vector<fs::path>>>(std::move(found))
+                            : shards_of_frames(shards);
+    if (!frames) {
+        return {MergedPicture{.diagnostics = frames.diagnostics}};
+    }
+    std::vector<MergedPicture> merged;
+    for (const auto& [picture, files] : *frames) {
+        merged.push_back(merge_picture(files, {}, observer));
+    }
+    return merged;
+}
+
+}  // namespace balcony::app

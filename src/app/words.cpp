@@ -1,0 +1,47 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "app/words.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <system_error>
+
+#include <fmt/format.h>
+
+namespace balcony::app {
+
+std::string counted(std::size_t count, std::string_view one, std::string_view many) {
+    return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+std::optional<std::size_t> whole_number_of(std::string_view text) {
+    std::size_t number = 0;
+    const char* const end = text.data() + text.size();
+    const auto [read_to, failed] = std::from_chars(text.data(), end, number);
+    return failed == std::errc() && read_to == end ? std::optional(number) : std::nullopt;
+}
+
+std::string ending_of(const std::string& file) {
+    std::string ending = std::filesystem::path(file).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    return ending;
+}
+
+void add(Diagnostics& diagnostics, const Diagnostics& more) {
+    diagnostics.insert(diagnostics.end(), more.begin(), more.end());
+}
+
+Diagnostics of_kind(Kind kind, Diagnostics diagnostics) {
+    for (Diagnostic& one : diagnostics) {
+        if (one.severity == Severity::error) {
+            one.kind = kind;
+        }
+    }
+    return diagnostics;
+}
+
+}  // namespace balcony::app

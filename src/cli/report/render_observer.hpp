@@ -1,0 +1,33 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <stop_token>
+
+#include "balcony/app.hpp"
+#include "cli/interruption.hpp"
+#include "cli/report/progress_display.hpp"
+
+namespace balcony::cli {
+
+/// Shows on standard error what a render tells while it runs. A signal stops the render when that
+/// is obeyed, and otherwise ends the process.
+class RenderObserver {
+public:
+    explicit RenderObserver(bool quiet);
+
+    [[nodiscard]] const app::Observer& observer() const { return observer_; }
+    [[nodiscard]] std::stop_token token() const { return stop_.get_token(); }
+    void stop() { stop_.request_stop(); }
+    /// Makes place for other output.
+    void clear() { display_.clear(); }
+
+private:
+    ProgressDisplay display_;
+    std::stop_source stop_;
+    std::optional<Job> job_;
+    app::Observer observer_;
+};
+
+}  // namespace balcony::cli
