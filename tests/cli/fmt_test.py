@@ -60,7 +60,7 @@ class Fmt(support.CommandTest):
 
     def test_a_pipe_is_not_waited_for(self):
         os.mkfifo(self.folder / "pipe.cam")
-        self.refused("fmt", "pipe.cam", code=1, says="'pipe.cam' is a pipe", helps=".cam file")
+        self.refused("fmt", "pipe.cam", code=1, says="'pipe.cam' is a pipe", helps="to a file")
 
     def test_json(self):
         files = self.json_of("fmt", "ugly.cam", "--check", code=1)["files"]
