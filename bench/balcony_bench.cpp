@@ -117,6 +117,7 @@ int main(int argc, char** argv) {
     constexpr std::array sections = {
         Section{"rays", print_rays},
         Section{"frames", bench::print_frames},
+        Section{"live", bench::print_live},
         Section{"stages", bench::print_stages},
         Section{"maps", bench::print_maps},
         Section{"compile", bench::print_compilation},

@@ -55,6 +55,9 @@ void print_start();
 /// Prints whole frames: what an extended camera adds to the time of a picture.
 void print_frames();
 
+/// What a live view waits for when a parameter moves.
+void print_live();
+
 // The constants of the cameras, for the graph and for the loop.
 
 struct Superelliptic {

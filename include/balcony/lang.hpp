@@ -113,6 +113,13 @@ struct OpenCamera {
     std::vector<std::string> closed;
 };
 
+/// A picture with open parameters.
+struct OpenPicture {
+    camera::Picture picture;
+    std::vector<OpenParameter> open;
+    std::vector<std::string> closed;  ///< As OpenCamera::closed: another value makes it anew.
+};
+
 /// Where cameras are written: a .cam file or the name of a built-in camera, or a text.
 class CameraSource {
 public:
@@ -160,6 +167,12 @@ public:
     /// unknown name is an error.
     [[nodiscard]] Result<OpenCamera> make_open_camera(
         const CameraSource& source, std::string_view name, const std::vector<Override>& overrides,
+        const std::optional<std::vector<std::string>>& open = {});
+
+    /// The same for a picture. render::Job::set_inputs() moves them.
+    [[nodiscard]] Result<OpenPicture> make_open_picture(
+        const CameraSource& source, std::string_view name = "",
+        const std::vector<Override>& overrides = {},
         const std::optional<std::vector<std::string>>& open = {});
 
     /// Makes a picture, or of a camera the picture that shows it alone.

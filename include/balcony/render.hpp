@@ -127,6 +127,9 @@ struct Settings {
     double time = 0.0;        ///< Seconds: the value of t in the camera's formulas.
     Shutter shutter{};
     FrameSettings frames{};
+    /// Values of inputs of the picture, such as open parameters (lang::OpenPicture); the others
+    /// have those of Camera::Parts::inputs.
+    std::vector<camera::KnownInput> inputs{};
     /// Radiance from all directions, without shadows; for `path` it is a constant environment.
     /// If empty, `path` has none, and the other integrators use a tenth of the median brightness of
     /// the places that a coarse grid of the picture's rays meets. The brightness of a place is the
@@ -211,11 +214,12 @@ struct Progress {
     std::size_t passes = 0;      ///< The number of passes of the last tile.
     std::size_t tiles_done = 0;  ///< Over all passes of this run.
     std::size_t tiles = 0;       ///< Over all passes of this run.
+    Region region{};             ///< The part of the film's window that the last tile changed.
     double seconds = 0.0;        ///< Since the first tile began.
 };
 
-/// Called after each tile by its thread, one call at a time; must be fast and must
-/// not throw.
+/// Called after each tile, one call at a time, by one of the threads that render and without a
+/// lock; the others go on meanwhile. Must not throw.
 using ProgressCallback = std::function<void(const Progress&)>;
 
 /// The results of a run.
@@ -269,6 +273,12 @@ public:
     /// same size takes over the compiled picture. The renderer is one of the same scene.
     [[nodiscard]] Result<Job> again(const Renderer& renderer, const Settings& settings,
                                     Film& film) const;
+
+    /// Moves the picture: other values for some of its inputs, on the same film, which becomes
+    /// empty; not during a run. Compiles nothing, and the light stays as it was chosen, so the
+    /// first ray is traced at once. Only the distances of objects in focus are measured anew. An
+    /// unknown input is an error and leaves the job as it was.
+    [[nodiscard]] Diagnostics set_inputs(std::span<const camera::KnownInput> inputs);
 
     /// What lights the picture, as Summary::light.
     [[nodiscard]] const std::string& light() const;

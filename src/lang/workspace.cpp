@@ -107,6 +107,11 @@ std::optional<LocatedDefinition> find_camera(const Module* module, std::string_v
     return place;
 }
 
+std::optional<LocatedDefinition> find_shown(const Module* module, std::string_view name,
+                                            Reporter& reporter) {
+    return find(module, name, false, reporter);
+}
+
 // Reports names that are no parameters of a camera.
 void check_parameters(const LocatedDefinition& place, const std::vector<std::string>& names,
                       Reporter& reporter) {
@@ -116,11 +121,11 @@ void check_parameters(const LocatedDefinition& place, const std::vector<std::str
     }
     for (const std::string& name : names) {
         if (std::find(known.begin(), known.end(), name) == known.end()) {
-            reporter.error(
-                {},
-                fmt::format("the camera '{}' has no parameter '{}'", place.camera->name.text, name),
-                known.empty() ? "it has no parameters"
-                              : suggestion(name, known, "its parameters are"));
+            reporter.error({},
+                           fmt::format("the {} '{}' has no parameter '{}'", word_for(*place.camera),
+                                       place.camera->name.text, name),
+                           known.empty() ? "it has no parameters"
+                                         : suggestion(name, known, "its parameters are"));
         }
     }
 }
@@ -236,6 +241,34 @@ public:
     explicit Implementation(camera::Catalogue known)
         : catalogue(std::move(known)), files(catalogue) {}
 
+    /// `find` gives the definition.
+    template <class Find>
+    Result<OpenPicture> make_open(const CameraSource& source, std::string_view name,
+                                  const std::vector<Override>& overrides,
+                                  const std::optional<std::vector<std::string>>& open,
+                                  const Find& find) {
+        const auto make = [&](const std::vector<std::string>& names) -> Result<OpenAttempt> {
+            Session session(files, scene);
+            const Module* module = read(session, source);
+            const auto place = find(module, name, session.reporter());
+            std::vector<Value> values;
+            const auto build = [&] {
+                return build_picture(*place, {overrides, {}, names}, session, &values);
+            };
+            if (place && names.empty() && open) {
+                check_parameters(*place, *open, session.reporter());
+            }
+            std::optional<camera::Picture> picture =
+                place ? within_graph(*place, session, build) : std::nullopt;
+            std::optional<OpenAttempt> made;
+            if (picture) {
+                made = open_attempt(std::move(*picture), *place, overrides, values);
+            }
+            return finish(std::move(made), module, session.reporter());
+        };
+        return open_picture(make, open);
+    }
+
     const camera::Catalogue catalogue;
     Files files;
     std::optional<SceneMeasures> scene;
@@ -274,26 +307,20 @@ Result<camera::Camera> Workspace::make_camera(const CameraSource& source, std::s
 Result<OpenCamera> Workspace::make_open_camera(
     const CameraSource& source, std::string_view name, const std::vector<Override>& overrides,
     const std::optional<std::vector<std::string>>& open) {
-    const auto make = [&](const std::vector<std::string>& names) -> Result<OpenAttempt> {
-        Session session(implementation_->files, implementation_->scene);
-        const Module* module = read(session, source);
-        const auto place = find_camera(module, name, session.reporter());
-        std::vector<Value> values;
-        const auto build = [&] {
-            return build_camera(*place, {overrides, {}, names}, session, true, &values);
-        };
-        if (place && names.empty() && open) {
-            check_parameters(*place, *open, session.reporter());
-        }
-        std::optional<camera::Camera> camera =
-            place ? within_graph(*place, session, build) : std::nullopt;
-        std::optional<OpenAttempt> made;
-        if (camera) {
-            made = open_attempt(std::move(*camera), *place, overrides, values);
-        }
-        return finish(std::move(made), module, session.reporter());
-    };
-    return open_camera(make, open);
+    Result<OpenPicture> made =
+        implementation_->make_open(source, name, overrides, open, find_camera);
+    if (!made) {
+        return std::move(made.diagnostics);
+    }
+    return {
+        OpenCamera{*made->picture.only_camera(), std::move(made->open), std::move(made->closed)},
+        std::move(made.diagnostics)};
+}
+
+Result<OpenPicture> Workspace::make_open_picture(
+    const CameraSource& source, std::string_view name, const std::vector<Override>& overrides,
+    const std::optional<std::vector<std::string>>& open) {
+    return implementation_->make_open(source, name, overrides, open, find_shown);
 }
 
 Result<camera::Picture> Workspace::make_picture(const CameraSource& source, std::string_view name,

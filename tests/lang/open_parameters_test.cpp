@@ -86,6 +86,32 @@ TEST(OpenParameters, AreKnownToStagesThatTryTheirFormula) {
     EXPECT_NEAR(ray(open->camera, {{parameter_input("a"), 4.0}})[3], ray(*closed)[3], 1e-12);
 }
 
+// A picture passes its parameters on to its layers.
+TEST(OpenParameters, OfAPictureAreInputsOfItsLayers) {
+    const std::string text = std::string(tower) + R"(
+        picture two(width = 2, count = 3) {
+            layer tower(radius = width, count = count)
+            layer tower
+        })";
+    const auto open = Workspace().make_open_picture(source(text.c_str()), "two");
+    ASSERT_TRUE(open) << to_text(open.diagnostics);
+    ASSERT_EQ(open->open.size(), 1U);
+    EXPECT_EQ(open->open[0].name, "width");
+    EXPECT_EQ(open->closed, (std::vector<std::string>{"count"}));
+    const auto cameras = camera::shown_cameras(open->picture);
+    ASSERT_EQ(cameras.size(), 2U);
+    const auto closed =
+        Workspace().make_camera(source(tower), "", {{"radius", "5.5"}, {"count", "3"}});
+    const auto moved = ray(cameras[0].camera, {{parameter_input("width"), 5.5}});
+    const auto known = ray(*closed);
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+        EXPECT_NEAR(moved[i], known[i], 1e-13) << i;
+    }
+    const auto unknown = Workspace().make_open_picture(source(text.c_str()), "two", {}, {{"wdth"}});
+    EXPECT_NE(to_text(unknown.diagnostics).find("the picture 'two' has no parameter 'wdth'"),
+              std::string::npos);
+}
+
 // What each stage computes is part of the ray: the last ones are its origin and its direction.
 TEST(StageValues, LeadToTheRay) {
     const auto camera = Workspace().make_camera(source(tower), "");

@@ -180,6 +180,7 @@ TEST(Film, ProgressCountsEveryTileOfEveryPass) {
     add(scene, wall(-1.0F, 5.0F), white());
     const Result<Renderer> renderer = Renderer::make(std::make_shared<scene::Scene>(scene));
     std::size_t calls = 0;
+    std::vector<std::uint32_t> changes(100UL * 70UL);
     Progress last;
     const Request asked = request(100, 70, "preview", 3);
     Film film = *make_film(asked.layout);
@@ -188,8 +189,15 @@ TEST(Film, ProgressCountsEveryTileOfEveryPass) {
                        [&](const Progress& progress) {
                            ++calls;
                            EXPECT_EQ(progress.tiles_done, calls);
+                           const Region& part = progress.region;
+                           for (std::size_t y = part.y; y < part.y + part.height; ++y) {
+                               for (std::size_t x = part.x; x < part.x + part.width; ++x) {
+                                   ++changes.at(y * 100 + x);
+                               }
+                           }
                            last = progress;
                        });
+    EXPECT_EQ(changes, std::vector<std::uint32_t>(100UL * 70UL, 3));
     EXPECT_EQ(calls, last.tiles);
     EXPECT_EQ(last.pass, 2U);
     EXPECT_EQ(last.passes, 3U);

@@ -20,6 +20,7 @@ namespace balcony::lang {
 /// The same for a picture; a camera becomes a picture with one layer.
 [[nodiscard]] std::optional<camera::Picture> build_picture(const LocatedDefinition& place,
                                                            const GivenParameters& given,
-                                                           Session& session);
+                                                           Session& session,
+                                                           std::vector<Value>* values = nullptr);
 
 }  // namespace balcony::lang

@@ -234,9 +234,10 @@ private:
 }  // namespace
 
 std::optional<camera::Picture> build_picture(const LocatedDefinition& place,
-                                             const GivenParameters& given, Session& session) {
+                                             const GivenParameters& given, Session& session,
+                                             std::vector<Value>* values) {
     if (!place.camera->is_picture) {
-        std::optional<camera::Camera> camera = build_camera(place, given, session, true);
+        std::optional<camera::Camera> camera = build_camera(place, given, session, true, values);
         return camera ? std::optional<camera::Picture>(std::move(*camera)) : std::nullopt;
     }
     const std::size_t errors_before = session.reporter().error_count();
@@ -248,6 +249,9 @@ std::optional<camera::Picture> build_picture(const LocatedDefinition& place,
     }
     if (session.reporter().error_count() == 0) {
         scope.warn_of_unused();
+    }
+    if (values != nullptr) {
+        *values = scope.values();
     }
     return made;
 }

@@ -16,56 +16,92 @@ std::string parameter_input(std::string_view parameter) {
 
 namespace {
 
-// Origin, direction and validity at some points of a picture, with the open parameters at their
-// values.
-std::vector<double> some_rays(const camera::Camera& camera) {
+using Elements = std::vector<camera::PictureExpressions::Element>;
+
+// The numbers of an element of a picture: its coverage, its colours, and the ray, whose last number
+// is its validity.
+struct Numbers {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+    bool of_ray = false;
+};
+
+void add_numbers(const Elements& elements, std::vector<expr::Expr>& roots,
+                 std::vector<Numbers>& all) {
+    const auto add = [&](const std::vector<expr::Expr>& some, bool of_ray) {
+        all.push_back({roots.size(), roots.size() + some.size(), of_ray});
+        roots.insert(roots.end(), some.begin(), some.end());
+    };
+    for (const camera::PictureExpressions::Element& element : elements) {
+        add({element.coverage}, false);
+        if (element.paint) {
+            add({element.paint->begin(), element.paint->end()}, false);
+        }
+        if (element.ray) {
+            const camera::RayExpressions& ray = *element.ray;
+            add({ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y,
+                 ray.direction.z, ray.valid},
+                true);
+        }
+        add_numbers(element.group, roots, all);
+    }
+}
+
+// What a picture shows at some points, with the open parameters at their values.
+std::vector<double> some_values(const camera::Picture& picture) {
     constexpr double height = 360.0;
-    const double width = height * camera.parts().aspect;
+    const double width = height * picture.aspect();
     expr::Graph graph;
-    const camera::RayExpressions ray = camera.emit(graph, width, height);
-    const std::array roots{ray.origin.x,    ray.origin.y,    ray.origin.z, ray.direction.x,
-                           ray.direction.y, ray.direction.z, ray.valid};
+    std::vector<expr::Expr> roots;
+    std::vector<Numbers> all;
+    add_numbers(picture.emit(graph, width, height).elements, roots, all);
     std::vector<expr::InputValue> inputs;
-    for (const camera::KnownInput& input : camera.parts().inputs) {
-        inputs.push_back({input.name, input.value});
+    const std::vector<camera::ShownCamera> cameras = camera::shown_cameras(picture);
+    for (const camera::ShownCamera& shown : cameras) {
+        for (const camera::KnownInput& input : shown.camera.parts().inputs) {
+            inputs.push_back({input.name, input.value});
+        }
     }
     std::vector<double> values;
     for (const double x : {0.07, 0.31, 0.5, 0.84}) {
         for (const double y : {0.11, 0.5, 0.77}) {
-            const std::vector<double> r = expr::evaluate(
+            const std::vector<double> at = expr::evaluate(
                 roots, {.x = x * width, .y = y * height, .time = 0.25, .inputs = inputs});
-            const bool valid = r.back() == 1.0;
-            for (const double value : r) {
-                values.push_back(valid ? value : 0.0);
+            for (const Numbers& numbers : all) {
+                const bool valid = !numbers.of_ray || at[numbers.end - 1] == 1.0;
+                for (std::size_t i = numbers.begin; i < numbers.end; ++i) {
+                    values.push_back(valid && !std::isnan(at[i]) ? at[i] : 0.0);
+                }
             }
         }
     }
     return values;
 }
 
-// A stage may choose another formula if it does not know a number, but none that gives other rays.
-bool same_rays(const camera::Camera& a, const camera::Camera& b) {
-    const std::vector<double> of_a = some_rays(a);
-    const std::vector<double> of_b = some_rays(b);
+// A stage may choose another formula if it does not know a number, but none that shows something
+// else.
+bool show_the_same(const camera::Picture& a, const camera::Picture& b) {
+    const std::vector<double> of_a = some_values(a);
+    const std::vector<double> of_b = some_values(b);
     constexpr double tolerance = 1e-9;
     return std::equal(of_a.begin(), of_a.end(), of_b.begin(), [](double one, double other) {
         return std::abs(one - other) <= tolerance * (1.0 + std::abs(one));
     });
 }
 
-// The attempt with these parameters open, if it gives the same rays.
+// The attempt with these parameters open, if it shows the same.
 std::optional<OpenAttempt> attempt(const MakeOpen& make, const std::vector<std::string>& open,
-                                   const camera::Camera& closed) {
+                                   const camera::Picture& closed) {
     Result<OpenAttempt> made = make(open);
-    const bool good = made && !has_errors(made.diagnostics) && same_rays(closed, made->camera);
+    const bool good = made && !has_errors(made.diagnostics) && show_the_same(closed, made->picture);
     return good ? std::move(made.value) : std::nullopt;
 }
 
 }  // namespace
 
-OpenAttempt open_attempt(camera::Camera camera, const LocatedDefinition& place,
+OpenAttempt open_attempt(camera::Picture picture, const LocatedDefinition& place,
                          const std::vector<Override>& overrides, const std::vector<Value>& values) {
-    OpenAttempt made{std::move(camera), {}, {}};
+    OpenAttempt made{std::move(picture), {}, {}};
     const SyntaxTree& tree = place.module->tree;
     for (std::size_t i = 0; i < values.size(); ++i) {
         const DefinitionParameter& parameter = place.camera->parameters[i];
@@ -84,13 +120,13 @@ OpenAttempt open_attempt(camera::Camera camera, const LocatedDefinition& place,
     return made;
 }
 
-Result<OpenCamera> open_camera(const MakeOpen& make,
-                               const std::optional<std::vector<std::string>>& requested) {
+Result<OpenPicture> open_picture(const MakeOpen& make,
+                                 const std::optional<std::vector<std::string>>& requested) {
     Result<OpenAttempt> closed = make({});
     if (!closed) {
         return std::move(closed.diagnostics);
     }
-    OpenCamera made{closed->camera, {}, closed->others};
+    OpenPicture made{closed->picture, {}, closed->others};
     std::vector<std::string> candidates;
     for (const OpenParameter& number : closed->numbers) {
         if (!requested ||
@@ -99,7 +135,7 @@ Result<OpenCamera> open_camera(const MakeOpen& make,
         }
     }
     const auto accept = [&](const OpenAttempt& opened, const std::vector<std::string>& names) {
-        made.camera = opened.camera;
+        made.picture = opened.picture;
         made.open.clear();
         for (const OpenParameter& number : closed->numbers) {
             if (std::find(names.begin(), names.end(), number.name) != names.end()) {
@@ -107,14 +143,14 @@ Result<OpenCamera> open_camera(const MakeOpen& make,
             }
         }
     };
-    if (const auto all = attempt(make, candidates, closed->camera)) {
+    if (const auto all = attempt(make, candidates, closed->picture)) {
         accept(*all, candidates);
         return {std::move(made), std::move(closed.diagnostics)};
     }
     std::vector<std::string> open;
     for (const std::string& name : candidates) {
         open.push_back(name);
-        if (const auto more = attempt(make, open, closed->camera)) {
+        if (const auto more = attempt(make, open, closed->picture)) {
             accept(*more, open);
         } else {
             open.pop_back();

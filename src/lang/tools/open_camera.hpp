@@ -12,22 +12,22 @@
 
 namespace balcony::lang {
 
-/// A camera that was made with some parameters open.
+/// A picture that was made with some parameters open.
 struct OpenAttempt {
-    camera::Camera camera;
+    camera::Picture picture;
     std::vector<OpenParameter> numbers;  ///< Its parameters that are constant numbers.
     std::vector<std::string> others;
 };
 
-/// Makes a camera with the parameters of some names open.
+/// Makes a picture with the parameters of some names open.
 using MakeOpen = std::function<Result<OpenAttempt>(const std::vector<std::string>& open)>;
 
-/// The camera with as many of the requested parameters open as can be; all without a request.
-[[nodiscard]] Result<OpenCamera> open_camera(
+/// The picture with as many of the requested parameters open as can be; all without a request.
+[[nodiscard]] Result<OpenPicture> open_picture(
     const MakeOpen& make, const std::optional<std::vector<std::string>>& requested);
 
 /// The parameters of a definition, sorted by what they are.
-[[nodiscard]] OpenAttempt open_attempt(camera::Camera camera, const LocatedDefinition& place,
+[[nodiscard]] OpenAttempt open_attempt(camera::Picture picture, const LocatedDefinition& place,
                                        const std::vector<Override>& overrides,
                                        const std::vector<Value>& values);
 

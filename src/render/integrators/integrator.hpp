@@ -78,6 +78,9 @@ using IntegratorMaker = std::unique_ptr<Integrator> (*)(const TracedScene& trace
 /// Whether an integrator finds the light of an environment, so that ambient light is one.
 [[nodiscard]] bool traces_environment(std::string_view name);
 
+/// Whether an integrator shows materials of the scene as mirrors, which reflect the background.
+[[nodiscard]] bool shows_mirrors(std::string_view name, const scene::Scene& scene);
+
 /// The maker of an integrator by its name; null if there is none.
 [[nodiscard]] IntegratorMaker find_integrator(std::string_view name);
 

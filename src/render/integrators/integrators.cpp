@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "render/integrators/direct.hpp"
 #include "render/integrators/integrator.hpp"
 
 namespace balcony::render {
@@ -20,11 +21,12 @@ struct Row {
     IntegratorInfo info;
     IntegratorMaker make;
     bool traces_environment = false;
+    bool shows_mirrors = false;
 };
 
 constexpr std::array rows{
     Row{{"path", "global illumination"}, make_path, true},
-    Row{{"direct", "lights, sharp shadows, mirrors"}, make_direct},
+    Row{{"direct", "lights, sharp shadows, mirrors"}, make_direct, false, true},
     Row{{"preview", "lit from the eye"}, make_preview},
 };
 
@@ -51,6 +53,12 @@ const Row* find_row(std::string_view name) {
 IntegratorMaker find_integrator(std::string_view name) {
     const Row* const row = find_row(name);
     return row != nullptr ? row->make : nullptr;
+}
+
+bool shows_mirrors(std::string_view name, const scene::Scene& scene) {
+    const Row* const row = find_row(name);
+    return row != nullptr && row->shows_mirrors &&
+           std::any_of(scene.materials.begin(), scene.materials.end(), may_be_mirror);
 }
 
 bool traces_environment(std::string_view name) {

@@ -106,11 +106,10 @@ private:
 
 }  // namespace
 
-Result<LensFocus> focus_of(const TracedScene& traced, const camera::Picture& picture,
-                           const Film& film, double time) {
+Result<LensFocus> lenses_of(const camera::Picture& picture, const scene::Scene& scene) {
     LensFocus made;
     Diagnostics found;
-    const auto& objects = traced.scene->objects;
+    const auto& objects = scene.objects;
     for (const camera::ShownCamera& shown : camera::shown_cameras(picture)) {
         const camera::LensPointer& lens = shown.camera.parts().lens;
         made.any_lens = made.any_lens || lens;
@@ -122,33 +121,27 @@ Result<LensFocus> focus_of(const TracedScene& traced, const camera::Picture& pic
         made.objects.push_back(*object);
         if (std::none_of(objects.begin(), objects.end(),
                          [&](const scene::Object& one) { return one.name == *object; })) {
-            found.push_back(unknown_object(*traced.scene, *object, shown.camera.parts().lens_span));
+            found.push_back(unknown_object(scene, *object, shown.camera.parts().lens_span));
         }
     }
     if (!found.empty()) {
         return found;
     }
-    if (made.objects.empty()) {
-        return made;
-    }
-    // The central rays, which need no distances.
-    Result<rays::CompiledPicture> central =
-        rays::compile(picture, static_cast<double>(film.width), static_cast<double>(film.height),
-                      {.axes = traced.scene->axes});
-    if (!central) {
-        return std::move(central.diagnostics);
-    }
-    PictureRays rays(*central, traced.interval);
+    return made;
+}
+
+std::vector<double> distances_to(const std::vector<std::string>& objects, const TracedScene& traced,
+                                 PictureRays& central, const Film& film, double time) {
+    std::vector<double> distances;
     TileRays grid;
-    for (std::size_t layer = 0; layer < central->layers().size(); ++layer) {
-        rays.find_rays(layer, coarse_grid(film, time), grid);
+    for (std::size_t layer = 0; layer < central.layer_count() && !objects.empty(); ++layer) {
+        central.find_rays(layer, coarse_grid(film, time), grid);
         const Rangefinder distance(traced, grid);
-        std::vector<double>& of_layer = made.distances.emplace_back();
-        for (const std::string& object : made.objects) {
-            of_layer.push_back(distance(object));
+        for (const std::string& object : objects) {
+            distances.push_back(distance(object));
         }
     }
-    return made;
+    return distances;
 }
 
 }  // namespace balcony::render

@@ -21,9 +21,9 @@ TileCoverages PictureRays::coverages(const rays::Tile& points) {
     }
     const Stopwatch watch;
     const std::size_t count = points.width * points.height;
-    lens_.set_middle(count);
+    inputs_.set_middle(count);
     rays::Tile tile = points;
-    tile.inputs = lens_.of_layer(0);
+    tile.inputs = inputs_.of_layer(0);
     picture_->run_coverages(tile, scratch_,
                             made.values_.reserve(picture_->coverage_count(), count));
     seconds_ += watch.seconds();
@@ -39,7 +39,7 @@ void PictureRays::find_rays(std::size_t layer, const rays::Tile& points, TileRay
 
 void PictureRays::find_batch(std::size_t layer, const rays::Tile& points, TileRays& rays) {
     const Stopwatch watch;
-    lens_.set_middle(points.width * points.height);
+    inputs_.set_middle(points.width * points.height);
     rays.through_lens = false;
     run(layer, points, rays);
     seconds_ += watch.seconds();
@@ -60,16 +60,16 @@ void PictureRays::find_batch_of_pass(std::size_t layer, const rays::Tile& points
     const Stopwatch watch;
     rays.through_lens = has_lens(layer);
     if (rays.through_lens) {
-        lens_.set_samples(region, numbers);
+        inputs_.set_samples(region, numbers);
     } else {
-        lens_.set_middle(points.width * points.height);
+        inputs_.set_middle(points.width * points.height);
     }
     run(layer, points, rays);
     seconds_ += watch.seconds();
 }
 
 void PictureRays::run(std::size_t layer, rays::Tile points, TileRays& rays) {
-    points.inputs = lens_.of_layer(layer);
+    points.inputs = inputs_.of_layer(layer);
     picture_->layers()[layer].rays.run(points, scratch_, rays.all);
     rays.time = static_cast<float>(interval_.part_at(points.time));
 }

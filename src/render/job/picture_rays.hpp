@@ -14,7 +14,7 @@
 #include "balcony/motion.hpp"
 #include "balcony/rays.hpp"
 #include "render/job/camera_rays.hpp"
-#include "render/job/lens_inputs.hpp"
+#include "render/job/picture_inputs.hpp"
 
 namespace balcony::render {
 
@@ -51,11 +51,10 @@ private:
 /// Runs the programs of a picture; belongs to one thread.
 class PictureRays {
 public:
-    /// The interval is that of the times of rays. The picture was compiled with
-    /// lens_inputs(focus), or without inputs and without a focus.
+    /// The interval is that of the times of rays. The picture was compiled with declared(inputs).
     PictureRays(const rays::CompiledPicture& picture, const scene::TimeInterval& interval,
-                LensFocus focus = {})
-        : picture_(&picture), interval_(interval), lens_(std::move(focus)) {}
+                PictureInputs inputs)
+        : picture_(&picture), interval_(interval), inputs_(std::move(inputs)) {}
 
     [[nodiscard]] TileCoverages coverages(const rays::Tile& points);
     [[nodiscard]] std::size_t layer_count() const { return picture_->layers().size(); }
@@ -82,7 +81,7 @@ private:
 
     const rays::CompiledPicture* picture_;
     scene::TimeInterval interval_;
-    LensValues lens_;
+    InputArrays inputs_;
     rays::Scratch scratch_;
     double seconds_ = 0.0;
 };

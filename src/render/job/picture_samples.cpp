@@ -62,15 +62,14 @@ struct PictureSamples::State {
     SampleSettings settings;
     const PixelFilter* filter;
     rays::CompiledPicture picture;
-    LensFocus focus;
-    PictureRays rays{picture, {}, focus};
+    PictureRays rays;
     TileRays found{};  // Kept for its memory.
 
-    State(const SampleSettings& wanted, rays::CompiledPicture compiled, LensFocus lenses)
+    State(const SampleSettings& wanted, rays::CompiledPicture compiled, PictureInputs inputs)
         : settings(wanted),
           filter(find_pixel_filter(wanted.filter)),
           picture(std::move(compiled)),
-          focus(std::move(lenses)) {}
+          rays(picture, {}, std::move(inputs)) {}
 };
 
 PictureSamples::PictureSamples(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -88,14 +87,15 @@ Result<PictureSamples> PictureSamples::make(const camera::Picture& picture,
     if (!focus) {
         return std::move(focus.diagnostics);
     }
+    PictureInputs inputs{std::move(*focus), parameters_of(picture)};
     Result<rays::CompiledPicture> compiled = rays::compile(
         picture, static_cast<double>(settings.width), static_cast<double>(settings.height),
-        {.axes = settings.axes, .footprints = true, .inputs = lens_inputs(*focus)});
+        {.axes = settings.axes, .footprints = true, .inputs = declared(inputs)});
     if (!compiled) {
         return std::move(compiled.diagnostics);
     }
     return PictureSamples(
-        std::make_unique<State>(settings, std::move(*compiled), std::move(*focus)));
+        std::make_unique<State>(settings, std::move(*compiled), std::move(inputs)));
 }
 
 std::size_t PictureSamples::layer_count() const { return state_->picture.layers().size(); }

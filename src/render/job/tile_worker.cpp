@@ -47,12 +47,12 @@ void WorkCounts::add(const WorkCounts& other) {
     seconds += other.seconds;
 }
 
-TileWorker::TileWorker(const JobParts& parts, Film& film)
+TileWorker::TileWorker(const JobParts& parts, const PictureInputs& inputs, Film& film)
     : settings_(&parts.settings),
       motion_(parts.motion.get()),
       film_(&film),
       filter_(find_pixel_filter(parts.settings.sampling.filter)),
-      compositor_(parts.picture, PictureRays(parts.picture, parts.traced.interval, parts.focus),
+      compositor_(parts.picture, PictureRays(parts.picture, parts.traced.interval, inputs),
                   TileTracer(parts.traced, parts.settings, parts.integrator)) {}
 
 bool TileWorker::render(std::size_t tile) {

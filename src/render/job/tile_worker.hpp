@@ -4,6 +4,7 @@
 
 // One thread's part of a job.
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -17,16 +18,27 @@
 
 namespace balcony::render {
 
+/// What the compiled rays of a picture depend on beside it.
+struct PictureForm {
+    std::array<std::size_t, 2> size;  ///< In pixels.
+    bool footprints = false;
+    bool parameters = false;
+
+    bool operator==(const PictureForm&) const = default;
+};
+
 /// Data shared by all threads of a job.
 struct JobParts {
     TracedScene traced;  ///< With the lights of the picture.
-    rays::CompiledPicture picture;
-    LensFocus focus;
+    PictureForm form;
     Settings settings;
     IntegratorMaker integrator;
-    std::string light;                          ///< As Summary::light.
-    std::optional<SubstituteLight> substitute;  ///< As Summary::substitute.
-    std::shared_ptr<const FrameMotion> motion;  ///< Null if the film has no such layer.
+    rays::CompiledPicture picture{};
+    /// The central rays, if distances of objects in focus are measured along them.
+    std::optional<rays::CompiledPicture> central{};
+    std::string light{};                          ///< As Summary::light.
+    std::optional<SubstituteLight> substitute{};  ///< As Summary::substitute.
+    std::shared_ptr<const FrameMotion> motion{};  ///< Null if the film has no such layer.
     double compile_seconds = 0.0;
 };
 
@@ -45,7 +57,7 @@ struct WorkCounts {
 /// Adds passes to the tiles of a film; belongs to one thread.
 class TileWorker {
 public:
-    TileWorker(const JobParts& parts, Film& film);
+    TileWorker(const JobParts& parts, const PictureInputs& inputs, Film& film);
 
     /// Adds the tile's next pass. Pass 0 also fills the film's layers. False if no pixel of the
     /// tile needs it.

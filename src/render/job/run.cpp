@@ -1,0 +1,185 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "render/job/run.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <deque>
+#include <mutex>
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include "base/fork_and_join.hpp"
+#include "base/stopwatch.hpp"
+#include "render/job/adaptive.hpp"
+
+namespace balcony::render {
+
+namespace {
+
+// All passes over all tiles on a number of threads.
+class Run {
+public:
+    Run(const JobParts& parts, const PictureInputs& inputs, Film& film,
+        std::span<const std::uint32_t> passes, const ProgressCallback& progress,
+        std::stop_token stop)
+        : parts_(parts),
+          film_(film),
+          passes_(passes),
+          last_pass_(*std::max_element(passes.begin(), passes.end())),
+          tiles_(tiles_missing()),
+          workers_([&parts, &inputs, &film] { return TileWorker(parts, inputs, film); }),
+          progress_(progress),
+          stop_(std::move(stop)) {}
+
+    Summary operator()() {
+        // More threads than the machine has would not run at the same time.
+        const auto all = static_cast<std::size_t>(tbb::info::default_concurrency());
+        const std::size_t asked = parts_.settings.threads;
+        tbb::task_arena arena(static_cast<int>(asked == 0 ? all : std::min(asked, all)));
+        bool complete = true;
+        for (std::uint32_t pass = fewest_passes(); complete && pass < last_pass_; ++pass) {
+            if (is_adaptive() && film_.white == 0.0 &&
+                pass >= first_judgement(parts_.settings.sampling)) {
+                film_.white = white_of(film_);
+            }
+            complete = add_pass(arena, pass);
+        }
+        return summary(complete);
+    }
+
+private:
+    [[nodiscard]] std::size_t tiles_missing() const {
+        std::size_t missing = 0;
+        for (std::size_t tile = 0; tile < passes_.size(); ++tile) {
+            missing += passes_[tile] - std::min(passes_[tile], film_.passes[tile]);
+        }
+        return missing;
+    }
+
+    // The part of a tile that is in the window.
+    [[nodiscard]] Region changed_by(std::size_t tile) const {
+        const Region all = film_.tile(tile);
+        const Region& window = film_.window;
+        const std::size_t x = std::max(all.x, window.x);
+        const std::size_t y = std::max(all.y, window.y);
+        return {x, y, std::min(all.x + all.width, window.x + window.width) - x,
+                std::min(all.y + all.height, window.y + window.height) - y};
+    }
+
+    [[nodiscard]] bool is_adaptive() const { return !film_.pixel_passes.empty(); }
+
+    [[nodiscard]] std::uint32_t fewest_passes() const {
+        return *std::min_element(film_.passes.begin(), film_.passes.end());
+    }
+
+    // Adds one pass to the tiles that have this number of passes and need more. Returns whether the
+    // pass was completed.
+    bool add_pass(tbb::task_arena& arena, std::uint32_t pass) {
+        std::vector<std::size_t> tiles;
+        for (std::size_t tile = 0; tile < passes_.size(); ++tile) {
+            if (film_.passes[tile] == pass && passes_[tile] > pass) {
+                tiles.push_back(tile);
+            }
+        }
+        std::atomic<bool> complete = true;
+        const auto render_tile = [&](std::size_t i) {
+            fork_and_join::before_each();
+            if (stop_.stop_requested()) {
+                complete = false;
+            } else {
+                const bool sampled = workers_.local().render(tiles[i]);
+                report(pass, tiles[i], sampled);
+            }
+            fork_and_join::after_each();
+        };
+        fork_and_join::before_all();
+        arena.execute([&] { tbb::parallel_for(std::size_t{0}, tiles.size(), render_tile); });
+        fork_and_join::after_all();
+        return complete;
+    }
+
+    // A tile that needs no more samples is done with all passes; that alone is no progress. One
+    // thread at a time passes on what all have reported, without holding the lock.
+    void report(std::size_t pass, std::size_t tile, bool sampled) {
+        if (!progress_) {
+            return;
+        }
+        std::unique_lock lock(progress_mutex_);
+        tiles_done_ += sampled ? 1 : passes_[tile] - pass;
+        if (!sampled) {
+            return;
+        }
+        reported_.push_back({film_.first_pass + pass, film_.first_pass + last_pass_, tiles_done_,
+                             tiles_, changed_by(tile), watch_.seconds()});
+        if (passing_on_) {
+            return;
+        }
+        passing_on_ = true;
+        while (!reported_.empty()) {
+            const Progress next = reported_.front();
+            reported_.pop_front();
+            lock.unlock();
+            progress_(next);
+            lock.lock();
+        }
+        passing_on_ = false;
+    }
+
+    [[nodiscard]] Summary summary(bool complete) const {
+        WorkCounts counts;
+        for (const TileWorker& worker : workers_) {
+            counts.add(worker.counts());
+        }
+        Summary summary;
+        counts.layers.resize(parts_.picture.layers().size());
+        for (std::size_t i = 0; i < counts.layers.size(); ++i) {
+            const RayCounts& layer = counts.layers[i];
+            summary.layers.push_back({parts_.picture.layers()[i].name, layer.camera_rays,
+                                      layer.invalid_rays, layer.hits});
+            summary.camera_rays += layer.camera_rays;
+            summary.invalid_rays += layer.invalid_rays;
+        }
+        summary.invalid_pixels = counts.invalid_pixels;
+        summary.repaired = counts.repaired;
+        summary.unknown_motion = counts.motion.unknown;
+        summary.ambiguous_motion = counts.motion.ambiguous;
+        summary.ambient = *parts_.settings.ambient;
+        summary.light = parts_.light;
+        summary.substitute = parts_.substitute;
+        summary.passes = fewest_passes();
+        summary.interrupted = !complete;
+        summary.seconds = watch_.seconds();
+        summary.compile_seconds = parts_.compile_seconds;
+        summary.camera_share = counts.seconds > 0.0 ? counts.camera_seconds / counts.seconds : 0.0;
+        return summary;
+    }
+
+    const JobParts& parts_;
+    Film& film_;
+    std::span<const std::uint32_t> passes_;  // The target, by tile.
+    std::uint32_t last_pass_;
+    std::size_t tiles_;  // The total number, over all passes.
+    tbb::enumerable_thread_specific<TileWorker> workers_;
+    const ProgressCallback& progress_;
+    std::stop_token stop_;
+    Stopwatch watch_;
+    std::mutex progress_mutex_;
+    std::size_t tiles_done_ = 0;
+    std::deque<Progress> reported_;  // Not yet passed on.
+    bool passing_on_ = false;
+};
+
+}  // namespace
+
+Summary run(const JobParts& parts, const PictureInputs& inputs, Film& film,
+            std::span<const std::uint32_t> passes, const ProgressCallback& progress,
+            std::stop_token stop) {
+    return Run(parts, inputs, film, passes, progress, std::move(stop))();
+}
+
+}  // namespace balcony::render
