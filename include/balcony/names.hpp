@@ -35,6 +35,10 @@ struct Named {
     std::string_view name{};
     std::string_view meaning{};
 };
+template <class Value>
+Named(Value, std::string_view) -> Named<Value>;
+template <class Value>
+Named(Value, std::string_view, std::string_view) -> Named<Value>;
 
 /// The values of an enumeration with their names, in the order in which documentation lists them.
 template <class Value>
