@@ -60,6 +60,21 @@ if(NOT result EQUAL 1 OR NOT said MATCHES "panorama")
     message(FATAL_ERROR "rays (${result}) says of a mistyped camera:\n${said}")
 endif()
 
+# The last example renders a picture and a turn. A second run continues the turn: nothing is left.
+set(render "${FOLDER}/render")
+file(REMOVE_RECURSE "${render}")
+build("${EXAMPLES}/render" "${render}")
+file(WRITE "${render}/scene.obj" "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\n")
+foreach(expected IN ITEMS "3 frames, 0 of an earlier run" "0 frames, 3 of an earlier run")
+    execute_process(COMMAND "${render}/render" WORKING_DIRECTORY "${render}"
+        RESULT_VARIABLE result OUTPUT_VARIABLE said ERROR_VARIABLE said)
+    if(NOT result EQUAL 0 OR NOT said MATCHES "64 x 32 pixels of panorama" OR
+       NOT said MATCHES "${expected}" OR NOT EXISTS "${render}/picture.exr" OR
+       NOT EXISTS "${render}/turn.03.exr")
+        message(FATAL_ERROR "render (${result}) says:\n${said}")
+    endif()
+endforeach()
+
 # The manual, the completion of shells and the files of editors are there.
 foreach(file IN ITEMS
         share/man/man1/balcony.1 share/man/man1/balcony-render.1
