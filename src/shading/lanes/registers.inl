@@ -33,6 +33,7 @@ struct Int {
     HWY_INLINE Int(std::int32_t value) : v(lanes::Set(int_tag, value)) {}
     lanes::Vec<IntTag> v;
 };
+using Index = Int;
 
 HWY_INLINE Float operator+(Float a, Float b) { return lanes::Add(a.v, b.v); }
 HWY_INLINE Float operator-(Float a, Float b) { return lanes::Sub(a.v, b.v); }
@@ -63,6 +64,7 @@ HWY_INLINE bool none(Where where) { return lanes::AllFalse(tag, where.m); }
 
 HWY_INLINE Int operator+(Int a, Int b) { return lanes::Add(a.v, b.v); }
 HWY_INLINE Int truncated(Float a) { return lanes::ConvertTo(int_tag, a.v); }
+HWY_INLINE Index as_index(Int a) { return a; }
 HWY_INLINE Float as_float(Int a) { return lanes::ConvertTo(tag, a.v); }
 HWY_INLINE Where has_bit(Int a, Int bit) {
     return lanes::RebindMask(tag, lanes::TestBit(a.v, bit.v));

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 #include <Imath/ImathVec.h>
@@ -17,6 +18,7 @@ namespace balcony::render {
 
 using Float = float;
 using Int = std::int32_t;
+using Index = std::size_t;  ///< Of an entry of a table.
 using Where = bool;
 using Float2 = Imath::V2f;
 using Float3 = Imath::V3f;
@@ -39,6 +41,7 @@ using Float3 = Imath::V3f;
 
 /// Towards zero.
 [[nodiscard]] inline std::int32_t truncated(float a) { return static_cast<std::int32_t>(a); }
+[[nodiscard]] inline std::size_t as_index(std::int32_t a) { return static_cast<std::size_t>(a); }
 [[nodiscard]] inline float as_float(std::int32_t a) { return static_cast<float>(a); }
 [[nodiscard]] inline bool has_bit(std::int32_t a, std::int32_t bit) { return (a & bit) != 0; }
 

@@ -3,7 +3,7 @@
 
 /// Where a value lies between the nodes of a table.
 struct TablePosition {
-    Int node;        ///< The lower one.
+    Index node;      ///< The lower one.
     Float fraction;  ///< From it to the next.
 };
 
@@ -12,7 +12,7 @@ BALCONY_FORMULA TablePosition table_position(Float position, std::size_t count) 
     const float last = static_cast<float>(count - 1);
     const Float inside = or_zero(position > 0.0F, smaller(position, last));
     const Int node = truncated(smaller(inside, last - 1.0F));
-    return {node, inside - as_float(node)};
+    return {as_index(node), inside - as_float(node)};
 }
 
 /// The cosines of the tables: narrow where they are small, since there the masking of a smooth
