@@ -100,8 +100,9 @@ struct PointSearch {
 // ------------------------------------------------------------------------------------- outputs
 
 /// An error of Kind::usage if an output is one of the files that are read, even under another name
-/// or through a link.
+/// or through a link. `option` is the one that names the output.
 [[nodiscard]] Diagnostics check_overwrites(const std::filesystem::path& output,
-                                           std::span<const std::filesystem::path> inputs);
+                                           std::span<const std::filesystem::path> inputs,
+                                           std::string_view option = "--output");
 
 }  // namespace balcony::app

@@ -271,7 +271,7 @@ camera with { map u = 1 .. -1, v = square eye point toward plane((1, 0, 0)) lens
         self.refused(*one, "--size", "0x9", code=2, says="--size")
         (self.folder / "cam.png").write_text(CAMERAS)
         self.refused("check", "cam.png:front", "--map", "seams", "cam.png", code=2,
-                     says="'cam.png' would be overwritten")
+                     says="'cam.png' is read here and would be overwritten")
         self.run_command(*one, "--map", "seams", "nowhere/a.png", code=3)
         for again in ("a.png", "./a.png", "../" + self.folder.name + "/a.png",
                       str(self.folder / "a.png")):

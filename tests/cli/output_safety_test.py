@@ -72,6 +72,63 @@ class Output(support.CommandTest):
         self.run_command("render", "paint.obj", *SMALL, "-o", "other.png")
 
 
+# What the command reads, and then its words with the output, which is one of the files read.
+INPUTS = (
+    ("the camera file", "export my.cam:above --to c -o", "my.cam"),
+    ("an imported file", "export imports.cam --to c -o", "my.cam"),
+    ("a table", "export table.cam --to c -o", "table.csv"),
+    ("a link to a table", "draw table.cam -o", "table.svg"),
+    ("a ray map", "rays rays.cam --size 8x4 -o", "rays.npy"),
+    ("a link to a ray map", "rays rays.cam --size 8x4 -o", "link.npy"),
+    ("an STMap", "stmap st.cam --from panorama --size 8 --allow-parallax -o", "st.exr"),
+    ("the photo's map", "stmap panorama --from st.cam --size 8 --allow-parallax -o", "st.exr"),
+    ("a mask", "draw mask.cam -o", "mask.png"),
+    ("a hard link to a mask", "draw mask.cam -o", "hard.png"),
+    ("a mask", "check mask.cam --size 8x8 --map seams", "mask.png"),
+    ("a scene", "check my.cam:above --size 8x8 --scene paint.obj --map seams", "paint.png"),
+    ("the photo", "warp mask.png --from panorama -c pinhole --size 8 -o", "mask.png"),
+    ("a mask", "warp photo.png --from panorama -c mask.cam --size 8 -o", "mask.png"),
+)
+
+
+class Inputs(support.CommandTest):
+    def setUp(self):
+        super().setUp()
+
+        def write(name, text):
+            (self.folder / name).write_text(text)
+
+        self.run_command("render", "scene.obj", *SMALL, "-o", "mask.png")
+        shutil.copy(self.folder / "mask.png", self.folder / "photo.png")
+        shutil.copy(self.folder / "mask.png", self.folder / "paint.png")
+        os.link(self.folder / "mask.png", self.folder / "hard.png")
+        self.run_command("rays", "pinhole", "--size", "16x9", "-o", "rays.npy")
+        (self.folder / "link.npy").symlink_to("rays.npy")
+        self.run_command("stmap", "fisheye", "--from", "panorama", "--size", "16", "-o", "st.exr")
+        write("imports.cam", 'import "my.cam"\ncamera n { morph above .. closeup, amount = x }')
+        write("mask.cam", 'picture p { aspect 1 layer pinhole { clip image("mask.png") } }')
+        write("rays.cam", 'camera r { map u = 0 .. 1, v = 1 .. 0 eye ray_map("rays.npy") '
+              'toward ray_map("rays.npy", points = directions) look absolute }')
+        write("table.csv", "-1,-1,-1,-1\n1,-1,1,-1\n1,1,1,1\n-1,1,-1,1\n")
+        (self.folder / "table.svg").symlink_to("table.csv")
+        write("table.cam", 'camera plate { map u = 1 .. -1, v = square '
+              'warp thin_plate("table.csv") eye point toward plane((1, 0, 0)) }')
+        write("st.cam", 'camera s { aspect 1 map u = 0 .. 1, v = 1 .. 0 warp stmap("st.exr") '
+              'eye plane look normal }')
+        write("paint.mtl", "newmtl m\nmap_Kd paint.png\n")
+        write("paint.obj", "mtllib paint.mtl\nusemtl m\n" + support.OBJ)
+
+    def test_no_command_replaces_a_file_that_it_reads(self):
+        before = {name: (self.folder / name).read_bytes() for name in self.files()}
+        for what, words, output in INPUTS:
+            with self.subTest(what, words=words):
+                words = words.split()
+                self.refused(*words, output, code=2, helps=words[-2 if "--map" in words else -1],
+                             says=f"'{output}' is read here and would be overwritten")
+                after = {name: (self.folder / name).read_bytes() for name in self.files()}
+                self.assertEqual(before, after)
+
+
 class FullDisk(support.CommandTest):
     def setUp(self):
         super().setUp()

@@ -10,14 +10,15 @@
 namespace balcony::app {
 
 Diagnostics check_overwrites(const std::filesystem::path& output,
-                             std::span<const std::filesystem::path> inputs) {
+                             std::span<const std::filesystem::path> inputs,
+                             std::string_view option) {
     for (const std::filesystem::path& input : inputs) {
         std::error_code failed;
         if (std::filesystem::equivalent(input, output, failed) && !failed) {
             return {
                 error(Kind::usage,
                       fmt::format("'{}' is read here and would be overwritten", output.string()),
-                      "name another file with --output")};
+                      fmt::format("name another file with {}", option))};
         }
     }
     return {};

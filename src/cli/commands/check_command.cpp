@@ -82,14 +82,18 @@ void check_maps(CheckOptions& options, const app::GivenWords&, Diagnostics& diag
                           "name a different file for each"));
             }
         }
-        for (const std::string& camera : options.files) {
-            std::error_code failed;
-            if (fs::equivalent(file, camera_file(camera), failed) && !failed) {
-                diagnostics.push_back(error(fmt::format("'{}' would be overwritten", file), {},
-                                            "name another file for the map"));
-            }
+    }
+}
+
+// None of the maps may replace what is read.
+Diagnostics check_overwrites(const std::vector<Map>& maps, std::span<const fs::path> inputs) {
+    for (const Map& map : maps) {
+        Diagnostics found = app::check_overwrites(map.file, inputs, "--map");
+        if (has_errors(found)) {
+            return found;
         }
     }
+    return {};
 }
 
 app::Option<CheckOptions> map_option() {
@@ -156,8 +160,8 @@ private:
         if (!options_.json) {
             report(diagnostics);
         }
-        if (has_errors(diagnostics) && code_ == ExitCode::done) {
-            code_ = ExitCode::bad_input;
+        if (code_ == ExitCode::done) {
+            code_ = exit_code_of(diagnostics);
         }
     }
 
@@ -172,21 +176,7 @@ private:
         add(loaded.diagnostics);
         scene_ = std::move(loaded.value);
         if (scene_) {
-            keep_textures(*scene_);
-        }
-    }
-
-    void keep_textures(const scene::Scene& scene) {
-        for (const Map& map : options_.maps) {
-            for (const scene::Texture& texture : scene.textures) {
-                std::error_code failed;
-                if (fs::equivalent(texture.file, map.file, failed) && !failed) {
-                    add({error(fmt::format("'{}' is part of the scene and would be overwritten",
-                                           map.file.string()),
-                               {}, "name another file for the map")});
-                    return;
-                }
-            }
+            add(check_overwrites(options_.maps, scene_->files));
         }
     }
 
@@ -359,6 +349,8 @@ ExitCode check_command(const CheckOptions& options) {
         }
         if (!options.maps.empty()) {
             check_one_camera(all, diagnostics);
+            const Diagnostics found = check_overwrites(options.maps, workspace.files());
+            diagnostics.insert(diagnostics.end(), found.begin(), found.end());
         }
     }
     if (has_errors(diagnostics)) {

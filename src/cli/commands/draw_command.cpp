@@ -14,6 +14,8 @@
 
 #include "balcony/display_file.hpp"
 #include "balcony/drawing.hpp"
+#include "balcony/inputs.hpp"
+#include "balcony/lang.hpp"
 #include "balcony/output_file.hpp"
 #include "balcony/scene.hpp"
 #include "cli/commands/command.hpp"
@@ -143,18 +145,11 @@ std::optional<Format> format_of(const fs::path& file) {
                                                      : std::nullopt;
 }
 
-ExitCode check_output(const fs::path& file, const fs::path& camera, Diagnostics& diagnostics) {
+ExitCode check_output(const fs::path& file, Diagnostics& diagnostics) {
     if (!format_of(file)) {
         diagnostics.push_back(
             error(fmt::format("the file extension of '{}' is not a drawing format", file.string()),
                   {}, "use a file name that ends in .svg, .png, .jpg, .webp, .tif or .glb"));
-        return ExitCode::wrong_usage;
-    }
-    std::error_code failed;
-    if (fs::equivalent(file, camera, failed) && !failed) {
-        diagnostics.push_back(
-            error(fmt::format("'{}' is the camera file and would be overwritten", file.string()),
-                  {}, "name another file with --output"));
         return ExitCode::wrong_usage;
     }
     const Diagnostics found = OutputFile::check(file);
@@ -204,15 +199,16 @@ Outcome make_drawing(const DrawOptions& options) {
     const analyse::DrawingView view = read_view(options, usage);
     add(usage, ExitCode::wrong_usage);
     if (outcome.code == ExitCode::done) {
-        outcome.code =
-            check_output(options.output, camera_file(options.camera), outcome.diagnostics);
+        outcome.code = check_output(options.output, outcome.diagnostics);
     }
     if (outcome.code != ExitCode::done) {
         return outcome;
     }
-    const auto picture = load_picture(options.camera, options.set);
+    lang::Workspace workspace;
+    const auto picture = load_picture(options.camera, options.set, workspace);
     add(picture.diagnostics, ExitCode::bad_input);
-    if (picture) {
+    add(app::check_overwrites(options.output, workspace.files()), ExitCode::wrong_usage);
+    if (outcome.code == ExitCode::done) {
         const Written written = write(*picture, depiction, view, options.output);
         add(written.camera, ExitCode::bad_input);
         add(written.file, ExitCode::environment);

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "balcony/export.hpp"
+#include "balcony/inputs.hpp"
 #include "balcony/lang.hpp"
 #include "balcony/output_file.hpp"
 #include "cli/commands/command.hpp"
@@ -120,12 +121,12 @@ struct ReadyCamera {
     std::vector<std::string> closed;
 };
 
-Result<ReadyCamera> load(const CameraExportOptions& options, const ExportTarget& target) {
+Result<ReadyCamera> load(const CameraExportOptions& options, const ExportTarget& target,
+                         lang::Workspace& workspace) {
     const Result<CameraArgument> wanted = read_camera(options.camera, options.set);
     if (!wanted) {
         return wanted.diagnostics;
     }
-    lang::Workspace workspace;
     Result<lang::OpenCamera> opened = workspace.make_open_camera(
         wanted->file, wanted->name, wanted->overrides, open_names(options, target));
     if (!opened) {
@@ -192,8 +193,11 @@ struct ExportOutcome {
 
 void make_text(const CameraExportOptions& options, const ExportTarget& target,
                const bridge::ExportOptions& wanted, ExportOutcome& made) {
-    const Result<ReadyCamera> ready = load(options, target);
-    if (!made.accept(ready.diagnostics, ExitCode::bad_input)) {
+    lang::Workspace workspace;
+    const Result<ReadyCamera> ready = load(options, target, workspace);
+    if (!made.accept(ready.diagnostics, ExitCode::bad_input) ||
+        !made.accept(app::check_overwrites(options.output, workspace.files()),
+                     ExitCode::wrong_usage)) {
         return;
     }
     bridge::ExportOptions options_of_text = wanted;

@@ -93,9 +93,16 @@ ExitCode check_rays_output(const RaysOptions& options, Diagnostics& diagnostics)
 }
 
 Result<bridge::RayGrid> make_grid(const RaysOptions& options) {
-    auto picture = load_picture(options.camera, options.set);
+    lang::Workspace workspace;
+    auto picture = load_picture(options.camera, options.set, workspace);
     if (!picture) {
         return std::move(picture.diagnostics);
+    }
+    if (options.to_file()) {
+        Diagnostics found = app::check_overwrites(options.output, workspace.files());
+        if (has_errors(found)) {
+            return found;
+        }
     }
     bridge::RaySettings settings{.layer = options.layer,
                                  .axes = options.axes,
@@ -155,7 +162,7 @@ RaysOutcome make_rays(const RaysOptions& options) {
     if (outcome.grid) {
         write_rays(options, format, outcome);
     } else {
-        outcome.code = ExitCode::bad_input;
+        outcome.code = exit_code_of(outcome.diagnostics);
     }
     return outcome;
 }

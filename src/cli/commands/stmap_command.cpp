@@ -52,12 +52,14 @@ StMapOutcome make_st_map_file(const StMapOptions& options) {
         return outcome;
     }
     const PictureSize& size = options.photo_size;
-    auto map =
-        make_st_map(options.photo, size.width ? std::optional(std::array{*size.width, *size.height})
-                                              : std::nullopt);
+    lang::Workspace workspace;
+    const auto photo_size =
+        size.width ? std::optional(std::array{*size.width, *size.height}) : std::nullopt;
+    auto map = make_st_map(options.photo, photo_size, workspace);
     outcome.add(map.diagnostics, ExitCode::bad_input);
     outcome.map = std::move(map.value);
-    if (outcome.map) {
+    outcome.add(app::check_overwrites(options.output, workspace.files()), ExitCode::wrong_usage);
+    if (outcome.code == ExitCode::done) {
         const Job job;
         outcome.add(write_st_map(*outcome.map, options.output, job.token()));
     }

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <filesystem>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "balcony/display_file.hpp"
 #include "balcony/film.hpp"
+#include "balcony/inputs.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/interruption.hpp"
 #include "cli/options/command_rows.hpp"
@@ -28,14 +30,6 @@ struct WarpOptions {
 };
 
 void check_warp_output(const WarpOptions& options, StMapOutcome& outcome) {
-    std::error_code failed;
-    if (fs::equivalent(options.output, options.photo, failed) && !failed) {
-        outcome.add(
-            {error(fmt::format("'{}' is the photo and would be overwritten", options.output), {},
-                   "name another file with --output")},
-            ExitCode::wrong_usage);
-        return;
-    }
     const bool known = render::display_format(options.output) != nullptr ||
                        fs::path(options.output).extension() == ".exr";
     outcome.add(render::check_output(options.output),
@@ -53,10 +47,14 @@ StMapOutcome warp_file(const WarpOptions& options) {
     if (!photo) {
         return outcome;
     }
-    auto map = make_st_map(options.view, std::array{photo->width(), photo->height()});
+    lang::Workspace workspace;
+    auto map = make_st_map(options.view, std::array{photo->width(), photo->height()}, workspace);
     outcome.add(map.diagnostics, ExitCode::bad_input);
     outcome.map = std::move(map.value);
-    if (outcome.map) {
+    std::vector<fs::path> inputs = workspace.files();
+    inputs.emplace_back(options.photo);
+    outcome.add(app::check_overwrites(options.output, inputs), ExitCode::wrong_usage);
+    if (outcome.code == ExitCode::done) {
         const Job job;
         outcome.add(warp_photo(*outcome.map, *photo, options.output, job.token()));
     }

@@ -34,8 +34,8 @@ Result<bridge::RayGrid> make_grid(const camera::Picture& picture, std::array<std
 // A photo of another aspect is one that was scaled.
 std::optional<bridge::SourceCamera> make_source(const PhotoRequest& request,
                                                 std::optional<std::array<std::size_t, 2>> photo,
-                                                Diagnostics& found) {
-    const auto own = taken(load_picture(request.from, request.from_set), found);
+                                                lang::Workspace& workspace, Diagnostics& found) {
+    const auto own = taken(load_picture(request.from, request.from_set, workspace), found);
     if (!own) {
         return std::nullopt;
     }
@@ -81,10 +81,11 @@ app::Options<PhotoRequest> photo_options() {
 }
 
 Result<bridge::StMap> make_st_map(const PhotoRequest& request,
-                                  std::optional<std::array<std::size_t, 2>> photo_size) {
+                                  std::optional<std::array<std::size_t, 2>> photo_size,
+                                  lang::Workspace& workspace) {
     Diagnostics found;
-    const auto picture = taken(load_picture(request.camera, request.set), found);
-    const auto source = make_source(request, photo_size, found);
+    const auto picture = taken(load_picture(request.camera, request.set, workspace), found);
+    const auto source = make_source(request, photo_size, workspace, found);
     if (!picture || !source) {
         return found;
     }

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "balcony/lang.hpp"
 #include "balcony/picture_options.hpp"
 #include "balcony/st_maps.hpp"
 
@@ -32,7 +33,9 @@ struct PhotoRequest {
 [[nodiscard]] app::Options<PhotoRequest> photo_options();
 
 /// The map of a camera for photos of a size in pixels; of their camera's own size if it is nothing.
+/// The workspace makes both cameras.
 [[nodiscard]] Result<bridge::StMap> make_st_map(
-    const PhotoRequest& request, std::optional<std::array<std::size_t, 2>> photo_size);
+    const PhotoRequest& request, std::optional<std::array<std::size_t, 2>> photo_size,
+    lang::Workspace& workspace);
 
 }  // namespace balcony::cli
