@@ -110,10 +110,17 @@ class Robustness(unittest.TestCase):
                 (("lost.pov",), 1, "there is no file 'lost.pov'"),
                 (("scene.pov", "--axes", "x_up"), 2, "--axes cannot be 'x_up'"),
                 (("scene.pov", "--samples", "0"), 2, "--samples cannot be '0'"),
-                (("scene.pov", "-o", "c.cam"), 2, "'c.cam' is an input"),
+                (("scene.pov", "-o", "c.cam"), 2, "'c.cam' is not a picture format"),
                 (("scene.pov", "--", "+Zfoo"), 1, "options for POV-Ray after --")):
             said = self.pov(words[0], "--camera", "c.cam:c", "--size", "60", *words[1:], code=code)
             self.assertIn(message, said.stderr)
+
+    def test_the_camera_is_not_replaced(self):
+        camera = self.folder / "camera.png"
+        camera.write_bytes((self.folder / "c.cam").read_bytes())
+        said = self.pov("scene.pov", "--camera", "camera.png:c", "-o", "camera.png", code=2)
+        self.assertIn("'camera.png' is read here and would be overwritten", said.stderr)
+        self.assertEqual(camera.read_bytes(), (self.folder / "c.cam").read_bytes())
 
     def test_a_missing_program(self):
         said = self.pov("scene.pov", "--camera", "c.cam:c", code=3, env={"PATH": "/nowhere"})
