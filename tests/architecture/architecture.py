@@ -155,11 +155,13 @@ def circle(edges):
 
 
 def folder_edges(tree, table):
-    """What the folders inside each layer include of each other's headers. The files beside the
-    folders belong to none; a layer that may use all has no order of its own."""
+    """What the folders inside each layer include of each other's headers. Headers beside the folders
+    are the ground of these; sources beside them, which join the folders, belong to none. A layer
+    that may use all has no order of its own."""
     layers = tree.root / "src"
     inside = {path for path in tree.files
-              if layers in path.parents and path.parent.parent != layers
+              if layers in path.parents
+              and (path.parent.parent != layers or path.suffix != ".cpp")
               and "*" not in table.direct.get(tree.layer(path), ())}
     edges = {path.parent: set() for path in inside}
     for path in inside:

@@ -119,6 +119,12 @@ class Planted(unittest.TestCase):
                           '#include "film/files/planted.hpp"\n', "folders include each other",
                           "film/files", "film/sums")
 
+    def test_finds_a_header_beside_folders_that_includes_one_of_theirs(self):
+        self.plant("src/film/files/planted.hpp", '#include "film/ground.hpp"\n')
+        self.plant("src/film/top.hpp", '#include "film/files/planted.hpp"\n')
+        self.assert_found(architecture, "src/film/ground.hpp", "",
+                          "folders include each other", "src/film", "src/film/files")
+
     def test_finds_a_header_that_is_opened_without_need(self):
         self.plant("src/base/planted.hpp", "")
         self.assert_found(architecture, "tests/architecture/layers.txt",

@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-#include "camera/arrange.hpp"
+#include "camera/machine/arrange.hpp"
 #include "support.hpp"
 
 namespace balcony::camera::arrangers_test {

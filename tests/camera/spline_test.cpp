@@ -3,11 +3,11 @@
 
 // Splines as piecewise polynomials, against their textbook definitions.
 
-#include "camera/spline.hpp"
+#include "camera/curves/spline.hpp"
 
 #include <random>
 
-#include "camera/cell_position.hpp"
+#include "camera/tables/cell_position.hpp"
 #include "support.hpp"
 
 namespace balcony::camera::spline_test {

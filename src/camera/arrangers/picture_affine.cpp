@@ -4,8 +4,8 @@
 // Affine picture arrangers, DCS → DCS: place, shift, scale, rotate, mirror. Fractions of a picture
 // are measured from its top left corner to the right and down.
 
-#include "camera/families.hpp"
-#include "camera/stage_parameters.hpp"
+#include "camera/catalogue/families.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
 
 namespace balcony::camera {
 

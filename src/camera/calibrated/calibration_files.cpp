@@ -11,8 +11,8 @@
 #include "balcony/make_stage.hpp"
 #include "balcony/names.hpp"
 #include "camera/calibrated/image_model.hpp"
-#include "camera/families.hpp"
-#include "camera/stage_parameters.hpp"
+#include "camera/catalogue/families.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
 
 namespace balcony::camera {
 

@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "camera/calibrated/image_model.hpp"
-#include "camera/families.hpp"
-#include "camera/stage_parameters.hpp"
+#include "camera/catalogue/families.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
 
 namespace balcony::camera {
 

@@ -12,8 +12,8 @@
 
 #include "camera/calibrated/image_model.hpp"
 #include "camera/calibrated/undistortion.hpp"
-#include "camera/families.hpp"
-#include "camera/stage_parameters.hpp"
+#include "camera/catalogue/families.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
 
 namespace balcony::camera {
 

@@ -3,7 +3,7 @@
 
 #include "camera/calibrated/image_model.hpp"
 
-#include "camera/stage_parameters.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
 
 namespace balcony::camera {
 

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "camera/families.hpp"
-#include "camera/ray_expressions.hpp"
-#include "camera/stage_parameters.hpp"
+#include "camera/catalogue/families.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
+#include "camera/machine/ray_expressions.hpp"
 
 namespace balcony::camera {
 

@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-#include "camera/families.hpp"
+#include "camera/catalogue/families.hpp"
 
 namespace balcony::camera {
 

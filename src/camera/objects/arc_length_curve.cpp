@@ -8,11 +8,11 @@
 
 #include <fmt/format.h>
 
-#include "camera/arc_length.hpp"
-#include "camera/curve_sampler.hpp"
-#include "camera/families.hpp"
-#include "camera/spline_tables.hpp"
-#include "camera/stage_parameters.hpp"
+#include "camera/catalogue/families.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
+#include "camera/curves/arc_length.hpp"
+#include "camera/curves/curve_sampler.hpp"
+#include "camera/curves/spline_tables.hpp"
 
 namespace balcony::camera {
 

@@ -4,7 +4,7 @@
 // Object generators, PCS → OCS: ellipse, hyperbola and parabola as curves in the plane z = 0, by
 // the parameters of the superconics and by angles; and the superparabola.
 
-#include "camera/families.hpp"
+#include "camera/catalogue/families.hpp"
 #include "camera/objects/superconics.hpp"
 
 namespace balcony::camera {

@@ -3,7 +3,7 @@
 
 // Object generators, PCS → OCS, defined by formulas of the user.
 
-#include "camera/families.hpp"
+#include "camera/catalogue/families.hpp"
 
 namespace balcony::camera {
 

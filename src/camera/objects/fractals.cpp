@@ -3,9 +3,9 @@
 
 // Object generators, PCS → OCS: seeded fractal height fields over a plane and over a sphere.
 
-#include "camera/families.hpp"
+#include "camera/catalogue/families.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
 #include "camera/objects/fractal_noise.hpp"
-#include "camera/stage_parameters.hpp"
 
 namespace balcony::camera {
 

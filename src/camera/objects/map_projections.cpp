@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "camera/families.hpp"
+#include "camera/catalogue/families.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
 #include "camera/maps/map_inverse.hpp"
-#include "camera/stage_parameters.hpp"
 
 namespace balcony::camera {
 

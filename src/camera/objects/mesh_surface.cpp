@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "camera/families.hpp"
+#include "camera/catalogue/families.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
 #include "camera/objects/ray_targets.hpp"
-#include "camera/stage_parameters.hpp"
 
 namespace balcony::camera {
 

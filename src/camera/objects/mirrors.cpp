@@ -4,8 +4,8 @@
 // Object generators, PCS → OCS: the mirrors of catadioptric cameras, parametrised by the image of
 // the camera that looks at them. The rule `reflect` makes the rays.
 
-#include "camera/families.hpp"
-#include "camera/stage_parameters.hpp"
+#include "camera/catalogue/families.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
 
 namespace balcony::camera {
 

@@ -4,8 +4,8 @@
 // Object generator, PCS → OCS: the sphere by the general Panini projection, as a direction object
 // for wide views in which vertical and radial lines stay straight.
 
-#include "camera/families.hpp"
-#include "camera/stage_parameters.hpp"
+#include "camera/catalogue/families.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
 
 namespace balcony::camera {
 

@@ -3,9 +3,9 @@
 
 // Object generators, PCS → OCS: points, lines and the surfaces of elementary geometry.
 
-#include "camera/families.hpp"
+#include "camera/catalogue/families.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
 #include "camera/objects/ray_targets.hpp"
-#include "camera/stage_parameters.hpp"
 
 namespace balcony::camera {
 

@@ -4,7 +4,7 @@
 // Object generators, PCS → OCS: quadrics and superquadrics as spherical products of conics and
 // superconics (the paper, section 3.2).
 
-#include "camera/families.hpp"
+#include "camera/catalogue/families.hpp"
 #include "camera/objects/spherical_product.hpp"
 #include "camera/objects/superconics.hpp"
 

@@ -3,8 +3,8 @@
 
 // Object generator, PCS → OCS: the origins, the targets or the directions of a map of rays.
 
-#include "camera/cubic_map.hpp"
-#include "camera/families.hpp"
+#include "camera/catalogue/families.hpp"
+#include "camera/tables/cubic_map.hpp"
 
 namespace balcony::camera {
 

@@ -9,7 +9,7 @@
 
 #include "balcony/catalogue.hpp"
 #include "balcony/ray_target.hpp"
-#include "camera/stage_parameters.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
 
 namespace balcony::camera {
 

@@ -9,10 +9,10 @@
 
 #include <fmt/format.h>
 
-#include "camera/families.hpp"
+#include "camera/catalogue/families.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
 #include "camera/objects/ray_targets.hpp"
 #include "camera/objects/vector3.hpp"
-#include "camera/stage_parameters.hpp"
 
 namespace balcony::camera {
 

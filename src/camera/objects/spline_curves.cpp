@@ -9,9 +9,9 @@
 
 #include <fmt/format.h>
 
-#include "camera/families.hpp"
-#include "camera/spline_tables.hpp"
-#include "camera/stage_parameters.hpp"
+#include "camera/catalogue/families.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
+#include "camera/curves/spline_tables.hpp"
 
 namespace balcony::camera {
 

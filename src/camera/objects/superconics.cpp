@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "camera/arc_length.hpp"
-#include "camera/families.hpp"
+#include "camera/catalogue/families.hpp"
+#include "camera/curves/arc_length.hpp"
 #include "camera/objects/superconics.hpp"
 
 namespace balcony::camera {

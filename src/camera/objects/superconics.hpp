@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "camera/stage_parameters.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
 
 namespace balcony::camera {
 

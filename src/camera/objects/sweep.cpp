@@ -3,10 +3,10 @@
 
 // Object generator, PCS → OCS: a curve swept along another.
 
-#include "camera/families.hpp"
-#include "camera/path_frame.hpp"
-#include "camera/spline_tables.hpp"
-#include "camera/stage_parameters.hpp"
+#include "camera/catalogue/families.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
+#include "camera/curves/path_frame.hpp"
+#include "camera/curves/spline_tables.hpp"
 
 namespace balcony::camera {
 

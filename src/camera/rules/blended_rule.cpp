@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "camera/families.hpp"
+#include "camera/catalogue/families.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
 #include "camera/rules/great_circle.hpp"
-#include "camera/stage_parameters.hpp"
 
 namespace balcony::camera {
 

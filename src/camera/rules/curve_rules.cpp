@@ -4,8 +4,8 @@
 // getDirVec from the frame of a curve: sideways from it, along its binormal or its principal
 // normal. do Carmo, "Differential Geometry of Curves and Surfaces", section 1-5.
 
-#include "camera/families.hpp"
-#include "camera/stage_parameters.hpp"
+#include "camera/catalogue/families.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
 
 namespace balcony::camera {
 

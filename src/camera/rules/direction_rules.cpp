@@ -4,8 +4,8 @@
 // getDirVec: the direction of a ray absolute (from the direction object alone), relative (from the
 // eye point to the direction point), along a tangent of the eye object or along a fixed vector.
 
-#include "camera/families.hpp"
-#include "camera/stage_parameters.hpp"
+#include "camera/catalogue/families.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
 
 namespace balcony::camera {
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <optional>
 
-#include "camera/families.hpp"
+#include "camera/catalogue/families.hpp"
 
 namespace balcony::camera {
 

@@ -6,9 +6,9 @@
 
 #include <cmath>
 
-#include "camera/families.hpp"
-#include "camera/path_frame.hpp"
-#include "camera/stage_parameters.hpp"
+#include "camera/catalogue/families.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
+#include "camera/curves/path_frame.hpp"
 
 namespace balcony::camera {
 

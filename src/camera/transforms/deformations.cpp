@@ -5,8 +5,8 @@
 // Deformations of Solid Primitives" (SIGGRAPH 1984). Each works up along an axis between two
 // heights; points below the first are fixed, points above the second follow rigidly.
 
-#include "camera/families.hpp"
-#include "camera/stage_parameters.hpp"
+#include "camera/catalogue/families.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
 
 namespace balcony::camera {
 

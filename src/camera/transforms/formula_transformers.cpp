@@ -4,7 +4,7 @@
 // Parameter transformers (PCS → PCS) and object transformers (OCS → OCS) that a user writes as
 // formulas.
 
-#include "camera/families.hpp"
+#include "camera/catalogue/families.hpp"
 
 namespace balcony::camera {
 

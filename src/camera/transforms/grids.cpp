@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "camera/families.hpp"
+#include "camera/catalogue/families.hpp"
 #include "camera/transforms/control_lattice.hpp"
 #include "camera/transforms/offset_stages.hpp"
 

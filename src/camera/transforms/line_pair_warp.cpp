@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "camera/families.hpp"
+#include "camera/catalogue/families.hpp"
 #include "camera/transforms/offset_stages.hpp"
 
 namespace balcony::camera {

@@ -3,7 +3,7 @@
 
 // Parameter transformer, PCS → PCS: the local zoom as an analytic function.
 
-#include "camera/families.hpp"
+#include "camera/catalogue/families.hpp"
 
 namespace balcony::camera {
 

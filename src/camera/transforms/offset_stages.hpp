@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "balcony/camera.hpp"
-#include "camera/stage_parameters.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
 
 namespace balcony::camera {
 

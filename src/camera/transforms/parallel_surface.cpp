@@ -4,8 +4,8 @@
 // Object transformers, OCS → OCS: along the normals of the object. do Carmo, "Differential Geometry
 // of Curves and Surfaces", section 3-5: parallel surfaces.
 
-#include "camera/families.hpp"
-#include "camera/stage_parameters.hpp"
+#include "camera/catalogue/families.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
 
 namespace balcony::camera {
 

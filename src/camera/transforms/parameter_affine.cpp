@@ -3,8 +3,8 @@
 
 // Parameter transformers, PCS → PCS: the affine maps.
 
-#include "camera/families.hpp"
-#include "camera/stage_parameters.hpp"
+#include "camera/catalogue/families.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
 
 namespace balcony::camera {
 

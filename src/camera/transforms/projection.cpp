@@ -5,8 +5,8 @@
 // on a backdrop.
 
 #include "balcony/ray_target.hpp"
-#include "camera/families.hpp"
-#include "camera/stage_parameters.hpp"
+#include "camera/catalogue/families.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
 
 namespace balcony::camera {
 

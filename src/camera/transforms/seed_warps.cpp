@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "camera/families.hpp"
+#include "camera/catalogue/families.hpp"
 #include "camera/transforms/offset_stages.hpp"
 #include "camera/transforms/thin_plate_spline.hpp"
 

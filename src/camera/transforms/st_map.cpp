@@ -4,9 +4,9 @@
 // Parameter transformer, PCS → PCS: an STMap, the form in which compositing programs keep the
 // distortion of a lens.
 
-#include "camera/cubic_map.hpp"
-#include "camera/families.hpp"
-#include "camera/stage_parameters.hpp"
+#include "camera/catalogue/families.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
+#include "camera/tables/cubic_map.hpp"
 
 namespace balcony::camera {
 

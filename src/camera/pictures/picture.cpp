@@ -11,10 +11,10 @@
 
 #include <fmt/format.h>
 
-#include "camera/arrange.hpp"
 #include "camera/arrangers/clip_shapes.hpp"
-#include "camera/layer_arrangers.hpp"
-#include "camera/size_limit.hpp"
+#include "camera/machine/arrange.hpp"
+#include "camera/machine/size_limit.hpp"
+#include "camera/pictures/layer_arrangers.hpp"
 
 namespace balcony::camera {
 

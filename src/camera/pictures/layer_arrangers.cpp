@@ -1,12 +1,12 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "camera/layer_arrangers.hpp"
+#include "camera/pictures/layer_arrangers.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "camera/arrange.hpp"
+#include "camera/machine/arrange.hpp"
 
 namespace balcony::camera {
 

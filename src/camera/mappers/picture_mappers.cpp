@@ -3,7 +3,7 @@
 
 // Picture mappers, DCS → PCS: the part of parameter space that the picture covers.
 
-#include "camera/families.hpp"
+#include "camera/catalogue/families.hpp"
 
 namespace balcony::camera {
 

@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "balcony/camera.hpp"
-#include "camera/cell_position.hpp"
-#include "camera/curve_sampler.hpp"
-#include "camera/spline_tables.hpp"
+#include "camera/curves/curve_sampler.hpp"
+#include "camera/curves/spline_tables.hpp"
+#include "camera/tables/cell_position.hpp"
 
 namespace balcony::camera {
 

@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "camera/ray_expressions.hpp"
+#include "camera/machine/ray_expressions.hpp"
 
 #include <algorithm>
 #include <array>

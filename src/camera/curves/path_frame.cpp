@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "camera/path_frame.hpp"
+#include "camera/curves/path_frame.hpp"
 
 #include <algorithm>
 #include <cmath>

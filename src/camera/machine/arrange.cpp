@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "camera/arrange.hpp"
+#include "camera/machine/arrange.hpp"
 
 namespace balcony::camera {
 

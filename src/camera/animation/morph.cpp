@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "balcony/make_stage.hpp"
-#include "camera/arrange.hpp"
-#include "camera/layer_arrangers.hpp"
+#include "camera/machine/arrange.hpp"
+#include "camera/pictures/layer_arrangers.hpp"
 #include "camera/rules/great_circle.hpp"
 
 namespace balcony::camera {

@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "camera/parameter_text.hpp"
+#include "camera/catalogue/parameter_text.hpp"
 
 #include <algorithm>
 #include <cmath>

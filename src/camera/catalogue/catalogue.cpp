@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "balcony/make_stage.hpp"
-#include "camera/families.hpp"
-#include "camera/parameter_text.hpp"
+#include "camera/catalogue/families.hpp"
+#include "camera/catalogue/parameter_text.hpp"
 
 namespace balcony::camera {
 

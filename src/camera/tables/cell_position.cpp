@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "camera/cell_position.hpp"
+#include "camera/tables/cell_position.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "balcony/picture.hpp"
-#include "camera/arrange.hpp"
-#include "camera/layer_arrangers.hpp"
+#include "camera/machine/arrange.hpp"
+#include "camera/pictures/layer_arrangers.hpp"
 
 namespace balcony::camera {
 

@@ -6,7 +6,7 @@
 
 #include "balcony/camera.hpp"
 
-#include "camera/ray_expressions.hpp"
+#include "camera/machine/ray_expressions.hpp"
 
 namespace balcony::camera {
 

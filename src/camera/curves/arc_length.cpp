@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "camera/arc_length.hpp"
+#include "camera/curves/arc_length.hpp"
 
 #include <algorithm>
 #include <array>

@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "camera/binder.hpp"
-#include "camera/parameter_text.hpp"
+#include "camera/catalogue/binder.hpp"
+#include "camera/catalogue/parameter_text.hpp"
 
 namespace balcony::camera {
 

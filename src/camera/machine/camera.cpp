@@ -9,9 +9,9 @@
 
 #include <fmt/format.h>
 
-#include "camera/arrange.hpp"
-#include "camera/ray_expressions.hpp"
-#include "camera/size_limit.hpp"
+#include "camera/machine/arrange.hpp"
+#include "camera/machine/ray_expressions.hpp"
+#include "camera/machine/size_limit.hpp"
 
 namespace balcony::camera {
 

@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "camera/curve_sampler.hpp"
+#include "camera/curves/curve_sampler.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "camera/spline_tables.hpp"
+#include "camera/curves/spline_tables.hpp"
 
 #include <algorithm>
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "balcony/catalogue.hpp"
-#include "camera/cell_position.hpp"
-#include "camera/spline.hpp"
+#include "camera/curves/spline.hpp"
+#include "camera/tables/cell_position.hpp"
 
 namespace balcony::camera {
 

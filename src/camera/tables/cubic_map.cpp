@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "camera/cubic_map.hpp"
+#include "camera/tables/cubic_map.hpp"
 
 #include <array>
 #include <cstdint>
