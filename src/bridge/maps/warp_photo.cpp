@@ -10,35 +10,25 @@
 #include "balcony/images.hpp"
 #include "balcony/output_file.hpp"
 #include "balcony/st_maps.hpp"
-#include "bridge/maps/exr_rows.hpp"
+#include "bridge/maps/map_rows.hpp"
 #include "bridge/maps/photo.hpp"
 
 namespace balcony::bridge {
 
 namespace {
 
-/// Linear light, premultiplied, of some rows.
-struct ColorRows {
-    RowSpan span;
-    std::size_t valid = 0;
-    std::vector<float> values;
-};
-
-ColorRows color_rows(const StMap& map, const images::FilteredImage& photo, const RowSpan& span) {
-    ColorRows rows{span, 0, {}};
-    std::vector<SourcePlace> places;
-    map.run(span.first, span.count, places);
-    rows.values.reserve(4 * places.size());
-    for (const SourcePlace& place : places) {
-        rows.valid += place.valid ? 1 : 0;
-        const std::array<float, 4> color = place.coverage > 0.0
-                                               ? photo.mean(place.st, place.st_by_x, place.st_by_y)
-                                               : std::array<float, 4>{};
-        for (const float value : color) {
-            rows.values.push_back(static_cast<float>(place.coverage) * value);
+// Linear light, premultiplied. The photo must outlive it.
+PixelOfPlace light_of(const images::FilteredImage& photo) {
+    return [&photo](const SourcePlace& place) {
+        std::array<float, 4> light{};
+        if (place.coverage > 0.0) {
+            light = photo.mean(place.st, place.st_by_x, place.st_by_y);
+            for (float& value : light) {
+                value *= static_cast<float>(place.coverage);
+            }
         }
-    }
-    return rows;
+        return light;
+    };
 }
 
 // sRGB with straight alpha, or over black in a format without alpha.
@@ -75,30 +65,6 @@ Diagnostics write_display(const std::vector<float>& values, const StMap& map, bo
     return bytes ? write_whole(file, std::span(*bytes)) : bytes.diagnostics;
 }
 
-StMapWritten warp_to_exr(const StMap& map, const images::FilteredImage& photo,
-                         const std::filesystem::path& file, const std::stop_token& stop) {
-    OutputFile output(file);
-    if (!output.stream()) {
-        return {.problems = {output.failure()}};
-    }
-    StMapWritten written;
-    ExrRows exr(output.stream(), map.width(), map.height(), {"R", "G", "B", "A"});
-    written.complete = run_in_order<ColorRows>(
-        map.width(), map.height(),
-        [&](const RowSpan& span) { return color_rows(map, photo, span); },
-        [&](const ColorRows& rows) {
-            written.valid += rows.valid;
-            return exr.write(rows.span, rows.values.data());
-        },
-        stop);
-    if (!exr.finish()) {
-        written.problems = {output.failure()};
-    } else if (written.complete) {
-        written.problems = output.commit();
-    }
-    return written;
-}
-
 }  // namespace
 
 StMapWritten warp_photo(const StMap& map, const Photo& photo, const std::filesystem::path& file,
@@ -109,10 +75,10 @@ StMapWritten warp_photo(const StMap& map, const Photo& photo, const std::filesys
     if (!filtered) {
         return {.problems = filtered.diagnostics};
     }
-    const images::FilteredImage& texture = **filtered;
+    const PixelOfPlace pixel = light_of(**filtered);
     const render::DisplayFormat* const format = render::display_format(file);
     if (format == nullptr) {
-        return warp_to_exr(map, texture, file, stop);
+        return write_map_to_exr(map, file, pixel, stop);
     }
     if (Diagnostics found = render::check_size(*format, map.width(), map.height());
         has_errors(found)) {
@@ -120,10 +86,9 @@ StMapWritten warp_photo(const StMap& map, const Photo& photo, const std::filesys
     }
     StMapWritten written;
     std::vector<float> values;
-    written.complete = run_in_order<ColorRows>(
-        map.width(), map.height(),
-        [&](const RowSpan& span) { return color_rows(map, texture, span); },
-        [&](const ColorRows& rows) {
+    written.complete = run_in_order<MapRows>(
+        map.width(), map.height(), [&](const RowSpan& span) { return map_rows(map, span, pixel); },
+        [&](const MapRows& rows) {
             written.valid += rows.valid;
             values.insert(values.end(), rows.values.begin(), rows.values.end());
             return true;
