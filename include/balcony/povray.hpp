@@ -50,16 +50,12 @@ struct PovraySettings {
     std::vector<std::string> options{};  ///< Further options for POV-Ray, such as "+Q9".
 };
 
-enum class PovrayEnd : std::uint8_t {
-    done,
-    interrupted,
-    bad_input,    ///< The scene, the picture or an option.
-    environment,  ///< The program, the disk, or what POV-Ray may read.
-};
-
 struct PovraySummary {
-    PovrayEnd end = PovrayEnd::done;
-    Diagnostics diagnostics;        ///< Those of POV-Ray have the places in the scene's own files.
+    /// Those of POV-Ray have the places in the scene's own files. An error of Kind::input is about
+    /// the scene, the picture or an option; of Kind::environment, about the program, the disk, or
+    /// what POV-Ray may read.
+    Diagnostics diagnostics;
+    bool interrupted = false;       ///< Stopped on request.
     std::size_t runs = 0;           ///< How often POV-Ray was started.
     std::uint64_t camera_rays = 0;  ///< One for each sample of a layer where there is a ray.
     /// Of these, the rays that are given one by one. The others are interpolated in cells.

@@ -54,14 +54,16 @@ std::string version_in(std::string_view output) {
 Result<PovrayProgram> find_povray() {
     PovrayProgram program{program_in_path("povray"), ""};
     if (program.file.empty()) {
-        return error("POV-Ray is not installed: there is no program named 'povray' in the PATH", {},
+        return error(Kind::environment,
+                     "POV-Ray is not installed: there is no program named 'povray' in the PATH",
                      std::string(package_remedy));
     }
     program.version = version_in(povray::run_process({program.file, {"--version"}}).output);
     if (!program.version.starts_with("3.7")) {
-        return error(fmt::format("'{}' is not POV-Ray 3.7{}", program.file.string(),
+        return error(Kind::environment,
+                     fmt::format("'{}' is not POV-Ray 3.7{}", program.file.string(),
                                  program.version.empty() ? "" : ", but " + program.version),
-                     {}, std::string(package_remedy));
+                     std::string(package_remedy));
     }
     return program;
 }

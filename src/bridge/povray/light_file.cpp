@@ -21,7 +21,8 @@ float linear_of_srgb(float value) {
 }
 
 Diagnostic unreadable(const std::string& reason) {
-    return error(fmt::format("the picture that POV-Ray has written cannot be read: {}", reason));
+    return error(Kind::environment,
+                 fmt::format("the picture that POV-Ray has written cannot be read: {}", reason));
 }
 
 }  // namespace

@@ -82,10 +82,11 @@ public:
 
 private:
     [[nodiscard]] bool is_fine() {
-        if (summary_.end == PovrayEnd::done && stop_.stop_requested()) {
-            summary_.end = PovrayEnd::interrupted;
+        if (has_errors(summary_.diagnostics)) {
+            return false;
         }
-        return summary_.end == PovrayEnd::done;
+        summary_.interrupted = summary_.interrupted || stop_.stop_requested();
+        return !summary_.interrupted;
     }
 
     std::vector<render::LayerColors>& colors_of(std::size_t pass) {
@@ -176,7 +177,7 @@ private:
             strip.mesh = {};
         }
         if (!failed.empty()) {
-            fail(std::move(failed));
+            fail(failed);
             return;
         }
         finish_run(run_.render(
@@ -185,7 +186,6 @@ private:
 
     void finish_run(povray::RunEnd end) {
         summary_.povray_seconds += end.seconds;
-        summary_.end = end.end;
         // POV-Ray repeats its warnings in each run.
         if (summary_.runs == 0 || has_errors(end.diagnostics)) {
             summary_.diagnostics.insert(summary_.diagnostics.end(), end.diagnostics.begin(),
@@ -200,7 +200,7 @@ private:
         if (rays_ > 0) {
             Result<povray::LightFile> opened = run_.open_picture(film_.width, rows_);
             if (!opened) {
-                fail(std::move(opened.diagnostics));
+                fail(opened.diagnostics);
                 return;
             }
             file = std::move(*opened.value);
@@ -215,7 +215,7 @@ private:
                                                      strip.rows * film_.width);
                 if (Diagnostics failed = file->read_rows(meshes_[i].first_row, rows);
                     !failed.empty()) {
-                    fail(std::move(failed));
+                    fail(failed);
                     return;
                 }
             }
@@ -227,8 +227,7 @@ private:
         }
     }
 
-    void fail(Diagnostics diagnostics) {
-        summary_.end = PovrayEnd::environment;
+    void fail(const Diagnostics& diagnostics) {
         summary_.diagnostics.insert(summary_.diagnostics.end(), diagnostics.begin(),
                                     diagnostics.end());
     }
@@ -273,10 +272,6 @@ private:
     std::map<std::size_t, std::vector<render::LayerColors>> colors_;  // By pass in progress.
 };
 
-PovraySummary bad_input(Diagnostics diagnostics) {
-    return {.end = PovrayEnd::bad_input, .diagnostics = std::move(diagnostics)};
-}
-
 }  // namespace
 
 PovraySummary render_with_povray(const PovrayProgram& program, const fs::path& scene,
@@ -285,31 +280,30 @@ PovraySummary render_with_povray(const PovrayProgram& program, const fs::path& s
                                  std::stop_token stop) {
     const povray::AxesRow* const axes = povray::find_axes(settings.axes);
     if (axes == nullptr) {
-        return bad_input({error(
-            fmt::format("POV-Ray's scenes cannot have axes '{}'", printable(settings.axes)))});
+        return {.diagnostics = {error(fmt::format("POV-Ray's scenes cannot have axes '{}'",
+                                                  printable(settings.axes)))}};
     }
     std::error_code failed;
     if (auto fault = not_a_file(scene, fmt::format("'{}'", scene.string()))) {
         fault->remedy = "name a scene file of POV-Ray, such as scene.pov";
-        return bad_input({*std::move(fault)});
+        return {.diagnostics = {*std::move(fault)}};
     }
     std::ifstream in(scene, std::ios::binary);
     if (!in) {
-        return bad_input({error(fmt::format("the scene '{}' cannot be read", scene.string()), {},
-                                "check its read permission")});
+        return {.diagnostics = {error(fmt::format("the scene '{}' cannot be read", scene.string()),
+                                      {}, "check its read permission")}};
     }
     std::string bytes(std::istreambuf_iterator<char>(in), {});
     Result<render::PictureSamples> samples = render::PictureSamples::make(
         picture,
         {.width = film.width, .height = film.height, .seed = settings.seed, .time = settings.time});
     if (!samples) {
-        return bad_input(std::move(samples.diagnostics));
+        return {.diagnostics = std::move(samples.diagnostics)};
     }
     samples->prepare(film);
     std::optional<povray::TemporaryFolder> folder = povray::TemporaryFolder::make();
     if (!folder) {
-        return {.end = PovrayEnd::environment,
-                .diagnostics = {error("a temporary folder cannot be made", {},
+        return {.diagnostics = {error(Kind::environment, "a temporary folder cannot be made",
                                       "set TMPDIR to a folder that can be written to")}};
     }
     Diagnostics warnings;

@@ -63,25 +63,22 @@ RunEnd PovrayRun::render(std::size_t width, std::size_t height,
         },
         stop);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-    RunEnd end{PovrayEnd::done, read_messages(result.output, places_), seconds.count()};
     if (stop.stop_requested()) {
-        return {PovrayEnd::interrupted, {}, seconds.count()};
+        return {{}, seconds.count()};
     }
-    if (result.exit_code == 0) {
+    RunEnd end{read_messages(result.output, places_), seconds.count()};
+    if (result.exit_code == 0 || has_errors(end.diagnostics)) {
         return end;
     }
-    if (has_errors(end.diagnostics)) {
-        end.end = PovrayEnd::bad_input;
-        return end;
-    }
-    end.end = PovrayEnd::environment;
     end.diagnostics.push_back(
         result.exit_code
-            ? error(fmt::format("POV-Ray has ended with exit code {} and without a message",
+            ? error(Kind::environment,
+                    fmt::format("POV-Ray has ended with exit code {} and without a message",
                                 *result.exit_code))
-            : error(fmt::format("'{}' could not be started, or was ended by a signal",
+            : error(Kind::environment,
+                    fmt::format("'{}' could not be started, or was ended by a signal",
                                 program_.file.string()),
-                    {}, "the machine may be out of memory: make the picture smaller"));
+                    "the machine may be out of memory: make the picture smaller"));
     return end;
 }
 

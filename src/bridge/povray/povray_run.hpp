@@ -14,9 +14,8 @@
 
 namespace balcony::bridge::povray {
 
-/// Where a run of POV-Ray ended.
+/// How a run of POV-Ray ended: with errors unless it was complete or stopped on request.
 struct RunEnd {
-    PovrayEnd end = PovrayEnd::done;
     Diagnostics diagnostics;
     double seconds = 0.0;
 };

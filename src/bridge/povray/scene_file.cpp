@@ -178,7 +178,8 @@ Diagnostics write_scene(const std::filesystem::path& file, std::string_view scen
     out << "#if (Balcony_Version < 3.5) #version Balcony_Version; #end\n";
     out.close();
     if (!out) {
-        return {error(fmt::format("the temporary file '{}' cannot be written", file.string()), {},
+        return {error(Kind::environment,
+                      fmt::format("the temporary file '{}' cannot be written", file.string()),
                       "set TMPDIR to a folder on a disk with more space")};
     }
     return {};

@@ -97,7 +97,7 @@ void describe_pov(PovReport& outcome, const PovRequest& request, const camera::P
                                 transparent, film.window.size())));
     }
     join_to(outcome.diagnostics, app::warn_of_lost_alpha(film, request.finish));
-    const bool interrupted = summary.end == bridge::PovrayEnd::interrupted;
+    const bool interrupted = summary.interrupted;
     outcome.facts = {{"output", nullptr},
                      {"camera", picture.name()},
                      {"width", film.width},
@@ -121,11 +121,6 @@ void describe_pov(PovReport& outcome, const PovRequest& request, const camera::P
                     count_text(static_cast<double>(summary.camera_rays)), program.version,
                     summary.runs == 1 ? "once" : fmt::format("{} times", summary.runs),
                     duration_text(summary.povray_seconds));
-}
-
-// Of each way in which POV-Ray can fail.
-Kind kind_of(bridge::PovrayEnd end) {
-    return end == bridge::PovrayEnd::environment ? Kind::environment : Kind::input;
 }
 
 void render_pov_picture(const PovOptions& options, PovReport& outcome) {
@@ -154,7 +149,7 @@ void render_pov_picture(const PovOptions& options, PovReport& outcome) {
         render::make_film({.width = width, .height = height, .data_layers = false});
     const Result<bridge::PovrayProgram> program = bridge::find_povray();
     // POV-Ray writes images, whatever becomes of them.
-    if (fails(film.diagnostics) || fails(program.diagnostics, Kind::environment) ||
+    if (fails(film.diagnostics) || fails(program.diagnostics) ||
         fails(images::require(), Kind::environment)) {
         return;
     }
@@ -164,8 +159,8 @@ void render_pov_picture(const PovOptions& options, PovReport& outcome) {
         bridge::render_with_povray(*program, options.scene, *picture, request.settings, *film,
                                    observer.observer().progress, observer.token());
     observer.clear();
-    outcome.interrupted = summary.end == bridge::PovrayEnd::interrupted;
-    if (fails(summary.diagnostics, kind_of(summary.end))) {
+    outcome.interrupted = summary.interrupted;
+    if (fails(summary.diagnostics)) {
         return;
     }
     if (film->passes.front() == 0) {
