@@ -29,7 +29,7 @@ scene::Scene hills() {
     scene.materials.resize(1);
     scene.objects.resize(1);
     scene.instances = {{scene::MeshIndex(0), {}, 0}};
-    scene::Mesh& mesh = scene.meshes.emplace_back();
+    scene::Mesh& mesh = scene.meshes.emplace_back().edit();
     mesh.material = scene::MaterialIndex(0);
     for (std::uint32_t row = 0; row <= cells; ++row) {
         for (std::uint32_t column = 0; column <= cells; ++column) {
@@ -81,7 +81,7 @@ void print_scenes() {
     fmt::print("\nseconds to load a GLB of {} triangles, one core\n\n", scene.triangle_count());
     fmt::print("{:<20}{:>10}{:>12}\n", "", "megabytes", "seconds");
     print_row("with normals", scene);
-    scene.meshes[0].normals.clear();
+    scene.meshes[0].edit().normals.clear();
     print_row("without normals", scene);
 }
 

@@ -4,9 +4,9 @@
 
 // Motion: what moves in a scene, and the scene at any time.
 //
-//     Result<Scene> scene = load("clock.glb");        // as it stands at time 0
-//     Diagnostics found = move_to(*scene, 2.5);       // as it stands after 2.5 seconds
-//     Movement blurred = movement(*scene, {2.49, 2.51});
+//     Result<Scene> scene = load("clock.glb");         // as it stands at time 0
+//     Result<Scene> later = moved_to(*scene, 2.5);     // as it stands after 2.5 seconds
+//     Movement blurred = movement(*later, {2.49, 2.51});
 //
 // A scene in which nothing moves has no Motion and pays nothing for this.
 
@@ -144,11 +144,11 @@ struct Motion {
 
 // ----------------------------------------------------------------------- a scene at a time
 
-/// Moves instances, lights, cameras and the vertices of meshes to where they stand at a time, which
-/// becomes Scene::time. What cannot stand there (a transform that is singular or beyond the limits
-/// of a scene) keeps its place with a warning that names it. Does not change scenes without motion,
-/// but for their time.
-Diagnostics move_to(Scene& scene, double time);
+/// The scene with its instances, lights, cameras and the vertices of its meshes where they stand at
+/// a time, which is Scene::time of the result. What cannot stand there (a transform that is
+/// singular or beyond the limits of a scene) keeps its place with a warning that names it. Shares
+/// the images of textures and the meshes that keep their shape with the given scene.
+[[nodiscard]] Result<Scene> moved_to(Scene scene, double time);
 
 /// The cameras of a scene as they stand at a time. One that cannot stand there keeps its place.
 [[nodiscard]] std::vector<Camera> cameras_at(const Scene& scene, double time);

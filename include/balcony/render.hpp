@@ -189,10 +189,10 @@ public:
     [[nodiscard]] static Result<Renderer> make(std::shared_ptr<const scene::Scene> scene,
                                                const RendererSettings& settings = {});
 
-    /// The same scene for other times, after scene::move_to() has moved it in place. Shares the
-    /// textures and all that does not move. If anything moves, this renderer and its jobs must not
-    /// be used any more.
-    [[nodiscard]] Result<Renderer> moved(const scene::TimeInterval& interval) const;
+    /// The same scene for other times, as scene::moved_to() gives it. Shares the textures and all
+    /// that does not move. A scene with other parts is an error of Kind::usage.
+    [[nodiscard]] Result<Renderer> moved(std::shared_ptr<const scene::Scene> scene,
+                                         const scene::TimeInterval& interval) const;
 
     /// render::default_camera() of the scene, without a structure of its own.
     [[nodiscard]] Result<scene::Camera> default_camera() const;

@@ -5,16 +5,19 @@
 // Scene: triangle meshes, instances, materials, textures and lights, as loaded from a file.
 //
 // Axes and units are the file's own. All colours are linear Rec. 709; textures are decoded to
-// linear by the renderer, according to their encoding. A scene is plain data that may be shared
-// between threads. What moves in it is in motion.hpp.
+// linear by the renderer, according to their encoding. A scene is plain data; one that is complete
+// does not change any more and may be shared between threads. What moves in it is in motion.hpp,
+// which makes another scene for another time.
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <Imath/ImathBox.h>
@@ -51,6 +54,34 @@ inline constexpr double max_refraction_index = 1e4;
 /// How many sets of texture coordinates a mesh can have.
 inline constexpr std::size_t max_coordinate_sets = 2;
 
+/// A large part of a scene, which copies of the scene share until one of them edits it. Reads as a
+/// `const T`, by any number of threads.
+template <class T>
+class Shared {
+public:
+    Shared() : Shared(T()) {}
+    // NOLINTNEXTLINE(google-explicit-constructor)
+    Shared(T value) : value_(std::make_shared<T>(std::move(value))) {}
+
+    [[nodiscard]] const T& operator*() const { return *value_; }
+    [[nodiscard]] const T* operator->() const { return value_.get(); }
+    // NOLINTNEXTLINE(google-explicit-constructor)
+    [[nodiscard]] operator const T&() const { return *value_; }
+
+    /// For a change that no copy sees.
+    [[nodiscard]] T& edit() {
+        if (value_.use_count() > 1) {
+            value_ = std::make_shared<T>(*value_);
+        }
+        // What other threads read before they gave up their copies comes before the change.
+        std::atomic_thread_fence(std::memory_order_acquire);
+        return *value_;
+    }
+
+private:
+    std::shared_ptr<T> value_;
+};
+
 /// Triangles with one material. Normals, tangents, each set of texture coordinates, and colours are
 /// empty or one per vertex; load() adds missing normals. All positions are within max_coordinate.
 struct Mesh {
@@ -85,9 +116,9 @@ enum class Wrap : std::uint8_t { repeat, clamp, mirror };
 
 /// An image: encoded bytes (PNG, JPEG, ...) if embedded, otherwise a file.
 struct Texture {
-    std::string name;                 ///< For messages.
-    std::filesystem::path file;       ///< Empty if embedded.
-    std::vector<std::uint8_t> bytes;  ///< The encoded image if embedded.
+    std::string name;                         ///< For messages.
+    std::filesystem::path file;               ///< Empty if embedded.
+    Shared<std::vector<std::uint8_t>> bytes;  ///< The encoded image if embedded.
     Wrap wrap_u = Wrap::repeat;
     Wrap wrap_v = Wrap::repeat;
     bool interpolated = true;  ///< Where it is magnified; otherwise its texels are rectangles.
@@ -231,7 +262,7 @@ struct Scene {
     std::string format;  ///< "glTF 2.0 binary", "Wavefront OBJ", ...
     Axes axes = Axes::y_up;
     double meters_per_unit = 1.0;  ///< According to the format; 1 if unspecified.
-    std::vector<Mesh> meshes;
+    std::vector<Shared<Mesh>> meshes;
     std::vector<Instance> instances;
     std::vector<Object> objects;
     std::vector<Material> materials;

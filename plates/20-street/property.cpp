@@ -67,7 +67,7 @@ double height_of(const scene::Scene& scene, const std::string& object) {
     double height = 0.0;
     for (const scene::Instance& instance : scene.instances) {
         if (scene.objects[instance.object].name == object) {
-            for (const scene::V3f& p : scene.meshes[instance.mesh.value()].positions) {
+            for (const scene::V3f& p : scene.meshes[instance.mesh.value()]->positions) {
                 height = std::max(height, (V3d(p) * instance.world_from_mesh).z);
             }
         }

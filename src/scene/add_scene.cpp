@@ -90,8 +90,8 @@ void add_scene(Scene& scene, Scene added) {
             shift((material.*use).index, scene.textures.size());
         }
     }
-    for (Mesh& mesh : added.meshes) {
-        shift(mesh.material, scene.materials.size());
+    for (Shared<Mesh>& mesh : added.meshes) {
+        shift(mesh.edit().material, scene.materials.size());
     }
     for (Instance& instance : added.instances) {
         if (!follows_joints(added, instance.mesh)) {

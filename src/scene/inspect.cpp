@@ -14,7 +14,7 @@ namespace balcony::scene {
 std::size_t Scene::triangle_count() const {
     std::size_t count = 0;
     for (const Instance& instance : instances) {
-        count += meshes[instance.mesh.value()].triangles.size();
+        count += meshes[instance.mesh.value()]->triangles.size();
     }
     return count;
 }
@@ -38,7 +38,7 @@ std::array<V3f, 8> corners_of(const Box3f& box) {
 Box3f Scene::bounds() const {
     std::size_t vertices = 0;
     for (const Instance& instance : instances) {
-        vertices += meshes[instance.mesh.value()].positions.size();
+        vertices += meshes[instance.mesh.value()]->positions.size();
     }
     // About one second of work.
     constexpr std::size_t max_vertices = std::size_t{1} << 28U;
@@ -51,7 +51,7 @@ Box3f Scene::bounds() const {
     Box3f box;
     for (const Instance& instance : instances) {
         const std::size_t mesh = instance.mesh.value();
-        box.extendBy(corners.empty() ? box_of(meshes[mesh].positions, instance.world_from_mesh)
+        box.extendBy(corners.empty() ? box_of(meshes[mesh]->positions, instance.world_from_mesh)
                                      : box_of(corners[mesh], instance.world_from_mesh));
     }
     return box;

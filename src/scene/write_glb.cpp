@@ -117,8 +117,8 @@ private:
 
     void add_textures() {
         for (const scene::Texture& texture : scene_.textures) {
-            assert(!texture.bytes.empty());
-            const std::size_t view = add_view(texture.bytes.data(), texture.bytes.size(), 0);
+            assert(!texture.bytes->empty());
+            const std::size_t view = add_view(texture.bytes->data(), texture.bytes->size(), 0);
             const std::size_t image = append("images", {{"name", texture.name},
                                                         {"mimeType", mime_type(texture.bytes)},
                                                         {"bufferView", view}});

@@ -69,8 +69,8 @@ void load(const fs::path& name, Bytes bytes) {
     }
     (void)loaded->bounds();
     for (const scene::Texture& texture : loaded->textures) {
-        if (!texture.bytes.empty()) {
-            read_image("embedded", texture.bytes);
+        if (!texture.bytes->empty()) {
+            read_image("embedded", *texture.bytes);
         }
     }
 }

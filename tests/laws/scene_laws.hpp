@@ -88,7 +88,7 @@ inline std::string broken_law(const scene::Instance& instance, const scene::Scen
     if (!std::isfinite(m.determinant()) || m.determinant() == 0.0) {
         return "a transform is not invertible";
     }
-    for (const scene::V3f& position : scene.meshes[instance.mesh.value()].positions) {
+    for (const scene::V3f& position : scene.meshes[instance.mesh.value()]->positions) {
         // A few roundings on top.
         if (!is_within(scene::V3d(position) * m, scene::max_coordinate * (1.0 + 1e-12))) {
             return "an instance is out of range";
@@ -160,7 +160,7 @@ inline std::string broken_law(const scene::Scene& scene) {
         check(broken_law(material, scene));
     }
     for (const scene::Texture& texture : scene.textures) {
-        check(texture.file.empty() == texture.bytes.empty() ? "a texture has no image" : "");
+        check(texture.file.empty() == texture.bytes->empty() ? "a texture has no image" : "");
     }
     return broken;
 }

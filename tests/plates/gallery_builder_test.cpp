@@ -235,7 +235,7 @@ TEST(Gallery, PicturesHaveTheShapeOfTheirFrames) {
             gallery->textures.begin(), gallery->textures.end(),
             [&](const scene::Texture& candidate) { return candidate.name == hanging.name; });
         ASSERT_NE(texture, gallery->textures.end()) << hanging.name;
-        const auto image = images::ImageFile::open(texture->name, texture->bytes);
+        const auto image = images::ImageFile::open(texture->name, *texture->bytes);
         ASSERT_TRUE(image) << hanging.name;
         const double pixels = double((*image)->width()) / double((*image)->height());
         // Half a pixel in 600 of either side.

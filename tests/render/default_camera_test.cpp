@@ -138,7 +138,7 @@ TEST(DefaultCamera, StandsInAnEmptyRoomOnlyIfItIsMeantToBeSeenFromInside) {
     scene.lights[0].position = V3d(5.0);
     EXPECT_FALSE(is_within(camera_of(scene).position, low, high)) << "a lamp is outside";
     scene.lights.clear();
-    for (auto& triangle : scene.meshes[0].triangles) {
+    for (auto& triangle : scene.meshes[0].edit().triangles) {
         std::swap(triangle[1], triangle[2]);
     }
     EXPECT_TRUE(is_within(camera_of(scene).position, low, high)) << "the walls face inwards";

@@ -6,6 +6,7 @@
 
 #include <cstring>
 #include <memory>
+#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -67,10 +68,9 @@ bool same(const Film& a, const Film& b) {
            std::memcmp(a.sum.data(), b.sum.data(), a.sum.size() * sizeof(a.sum[0])) == 0;
 }
 
-Film rendered_anew(scene::Scene scene, double time) {
-    EXPECT_TRUE(scene::move_to(scene, time).empty());
-    const auto renderer = Renderer::make(std::make_shared<scene::Scene>(std::move(scene)),
-                                         {.interval = shutter.exposure(time)});
+Film rendered_anew(const scene::Scene& scene, double time) {
+    const auto renderer =
+        Renderer::make(at_time(scene, time), {.interval = shutter.exposure(time)});
     Film film = empty_film();
     EXPECT_TRUE(renderer && render::render(*renderer, view(), settings_at(time), film));
     return film;
@@ -84,7 +84,7 @@ TEST(Frames, AreThoseOfNewRenderers) {
         if (!moves) {
             scene.motion.reset();
         }
-        const auto shared = std::make_shared<scene::Scene>(scene);
+        auto shared = std::make_shared<const scene::Scene>(scene);
         Result<Renderer> renderer = Renderer::make(shared, {.interval = shutter.exposure(0.0)});
         ASSERT_TRUE(renderer);
         Film first = empty_film();
@@ -93,8 +93,8 @@ TEST(Frames, AreThoseOfNewRenderers) {
         ASSERT_TRUE(same(first, rendered_anew(scene, 0.0)));
         Film last = first;
         for (const double time : {frame, 3.0 * frame, 2.0 * frame}) {
-            ASSERT_TRUE(scene::move_to(*shared, time).empty());
-            renderer = renderer->moved(shutter.exposure(time));
+            shared = at_time(*shared, time);
+            renderer = renderer->moved(shared, shutter.exposure(time));
             ASSERT_TRUE(renderer);
             Film film = empty_film();
             job = job->again(*renderer, settings_at(time), film);
@@ -103,6 +103,39 @@ TEST(Frames, AreThoseOfNewRenderers) {
             EXPECT_EQ(same(film, last), !moves);
             last = film;
         }
+    }
+}
+
+// A moved renderer shares what stands still, but neither needs the other, or the scenes.
+TEST(Frames, EarlierRenderersStayUsable) {
+    const scene::Scene scene = moving_scene();
+    auto shared = std::make_shared<const scene::Scene>(scene);
+    std::optional<Renderer> before = *Renderer::make(shared, {.interval = shutter.exposure(0.0)});
+    shared = at_time(*shared, frame);
+    const Renderer after = *before->moved(shared, shutter.exposure(frame));
+    shared.reset();
+    const auto rendered = [](const Renderer& renderer, double time) {
+        Film film = empty_film();
+        EXPECT_TRUE(render::render(renderer, view(), settings_at(time), film));
+        return film;
+    };
+    EXPECT_TRUE(same(rendered(after, frame), rendered_anew(scene, frame)));
+    EXPECT_TRUE(same(rendered(*before, 0.0), rendered_anew(scene, 0.0)));
+    before.reset();
+    EXPECT_TRUE(same(rendered(after, frame), rendered_anew(scene, frame)));
+}
+
+TEST(Frames, RenderersDoNotMoveToOtherScenes) {
+    const scene::Scene scene = moving_scene();
+    scene::Scene larger = scene;
+    larger.instances.push_back(larger.instances.back());
+    const Result<Renderer> renderer = Renderer::make(std::make_shared<const scene::Scene>(scene));
+    for (const auto& other : {std::make_shared<const scene::Scene>(larger),
+                              std::make_shared<const scene::Scene>(moving_scene()),
+                              std::shared_ptr<const scene::Scene>()}) {
+        const Result<Renderer> moved = renderer->moved(other, {0.0, 0.0});
+        EXPECT_FALSE(moved);
+        EXPECT_EQ(moved.diagnostics.at(0).kind, Kind::usage);
     }
 }
 

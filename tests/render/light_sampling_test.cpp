@@ -195,11 +195,11 @@ TEST(LightSampling, DensitiesOfEmittersIntegrateToOne) {
     const LitPoint close{{0.2F, 1.6F, 0.1F}, {0.0F, 1.0F, 0.0F}, {0.0F, 1.0F, 0.0F}};
     double total = 0.0;
     constexpr int steps = 300;
-    for (std::uint32_t triangle = 0; triangle < scene.meshes[0].triangles.size(); ++triangle) {
-        const auto& corners = scene.meshes[0].triangles[triangle];
-        const V3f a = scene.meshes[0].positions[corners[0]];
-        const V3f e1 = scene.meshes[0].positions[corners[1]] - a;
-        const V3f e2 = scene.meshes[0].positions[corners[2]] - a;
+    for (std::uint32_t triangle = 0; triangle < scene.meshes[0]->triangles.size(); ++triangle) {
+        const auto& corners = scene.meshes[0]->triangles[triangle];
+        const V3f a = scene.meshes[0]->positions[corners[0]];
+        const V3f e1 = scene.meshes[0]->positions[corners[1]] - a;
+        const V3f e2 = scene.meshes[0]->positions[corners[2]] - a;
         for (int i = 0; i < steps * steps; ++i) {
             const float u = (static_cast<float>(i / steps) + 0.5F) / steps;
             const float v = (static_cast<float>(i % steps) + 0.5F) / steps;

@@ -87,7 +87,7 @@ TEST(Materials, ATextureTransformEqualsTransformedCoordinates) {
     use.offset = V2f(0.25F, 0.125F);
     use.u_axis = V2f(0.0F, -2.0F);
     use.v_axis = V2f(0.5F, 0.0F);
-    for (V2f& at : by_mesh.meshes[0].texture_coordinates[0]) {
+    for (V2f& at : by_mesh.meshes[0].edit().texture_coordinates[0]) {
         at = use.place(at);
     }
     EXPECT_EQ(seen(by_texture).film.layers->albedo, seen(by_mesh).film.layers->albedo);
@@ -99,7 +99,7 @@ TEST(Materials, TheSecondSetOfCoordinatesIsLikeTheFirst) {
     first.materials[0].base_color_texture.index = test::add_texture(first, pattern());
     scene::Scene second = first;
     second.materials[0].base_color_texture.coordinates = 1;
-    auto& coordinates = second.meshes[0].texture_coordinates;
+    auto& coordinates = second.meshes[0].edit().texture_coordinates;
     coordinates[1] = coordinates[0];
     coordinates[0].assign(4, V2f(0.3F, 0.7F));
     EXPECT_EQ(seen(first).film.layers->albedo, seen(second).film.layers->albedo);
@@ -116,7 +116,7 @@ TEST(Materials, NormalMapsTiltTheNormal) {
 
 TEST(Materials, NormalMapsFollowMirroredAndTurnedImages) {
     const auto mirrored = [](scene::Scene& scene) {
-        for (V2f& at : scene.meshes[0].texture_coordinates[0]) {
+        for (V2f& at : scene.meshes[0].edit().texture_coordinates[0]) {
             at.x = 1.0F - at.x;
         }
     };
@@ -150,7 +150,8 @@ TEST(Materials, TheNormalOfTheBackIsReversed) {
 
 TEST(Materials, TangentsOfTheFileTakePrecedence) {
     const auto with_tangents = [](const scene::V4f& tangent) {
-        return [tangent](scene::Scene& scene) { scene.meshes[0].tangents.assign(4, tangent); };
+        return
+            [tangent](scene::Scene& scene) { scene.meshes[0].edit().tangents.assign(4, tangent); };
     };
     // Where it is up, the bitangent is to the left, or to the right if it is mirrored.
     expect_normal(mapped(to_right, with_tangents({0.0F, 1.0F, 0.0F, 1.0F})), to_top);
@@ -166,12 +167,13 @@ TEST(Materials, TangentsOfTheFileTakePrecedence) {
 TEST(Materials, WithoutCoordinatesNothingIsMapped) {
     expect_normal(mapped(to_right,
                          [](scene::Scene& scene) {
-                             scene.meshes[0].texture_coordinates[0].assign(4, V2f(0.5F, 0.5F));
+                             scene.meshes[0].edit().texture_coordinates[0].assign(4,
+                                                                                  V2f(0.5F, 0.5F));
                          }),
                   {0.0F, 0.0F, 1.0F});
     expect_normal(
         mapped(to_right,
-               [](scene::Scene& scene) { scene.meshes[0].texture_coordinates[0].clear(); }),
+               [](scene::Scene& scene) { scene.meshes[0].edit().texture_coordinates[0].clear(); }),
         {0.0F, 0.0F, 1.0F});
 }
 
@@ -228,7 +230,7 @@ TEST(Materials, AlphaOfVerticesIsAFactorOfTheOpacity) {
     paint.alpha_mode = scene::AlphaMode::blend;
     paint.alpha = 0.5F;
     scene::Scene scene = wall_with(paint);
-    scene.meshes[0].colors.assign(4, Color4f(1.0F, 0.25F, 1.0F, 0.5F));
+    scene.meshes[0].edit().colors.assign(4, Color4f(1.0F, 0.25F, 1.0F, 0.5F));
     const test::Rendered picture = seen(scene);
     const Color4f pixel = picture.film.pixel(side / 2, side / 2);
     EXPECT_NEAR(pixel.a, 0.25F, 1e-6F);
@@ -270,7 +272,7 @@ TEST(Materials, EqualNormalsMayBeTilted) {
     hit.triangle = 0;
     hit.u = hit.v = 0.25F;
     for (const V3f& normal : {straight, tilted, -straight}) {
-        scene::Mesh& mesh = scene.meshes[0];
+        scene::Mesh& mesh = scene.meshes[0].edit();
         mesh.normals.assign(mesh.positions.size(), normal);
         const Surface found = SurfaceFinder(scene).find(hit, V3f(0.0F, 0.0F, -1.0F));
         const V3f expected = normal.z < 0.0F ? -normal : normal;

@@ -66,9 +66,8 @@ Film exposed(scene::Scene scene, const camera::Picture& camera, Request request,
              ShutterShape shape = ShutterShape::box) {
     request.time = 0.5;
     request.shutter = {1.0, shape};
-    EXPECT_TRUE(scene::move_to(scene, request.time).empty());
     const Result<Renderer> renderer =
-        Renderer::make(std::make_shared<scene::Scene>(std::move(scene)),
+        Renderer::make(at_time(scene, request.time),
                        RendererSettings{.interval = request.shutter.exposure(request.time)});
     EXPECT_TRUE(renderer) << to_text(renderer.diagnostics);
     Result<Film> film = make_film(request.layout);
@@ -235,8 +234,8 @@ TEST(Motion, ShapesBlur) {
     motion->tracks = {{scene::Interpolation::linear, 1, {0.0, 1.0}, {-0.5F, 0.5F}}};
     scene::Deformation deformation;
     deformation.mesh = scene::MeshIndex(0);
-    deformation.positions = scene.meshes[0].positions;
-    deformation.normals = scene.meshes[0].normals;
+    deformation.positions = scene.meshes[0]->positions;
+    deformation.normals = scene.meshes[0]->normals;
     deformation.targets = {{std::vector<V3f>(4, V3f(1.0F, 0.0F, 0.0F)), {}}};
     deformation.weights = {0.0F};
     deformation.weights_track = scene::TrackIndex(0);
@@ -294,7 +293,7 @@ TEST(Motion, LightsAreWhereTheyAreAtTheTime) {
     auto motion = std::make_shared<scene::Motion>(*scene.motion);
     motion->lights = {{0, scene::NodeIndex(0)}};
     scene.motion = motion;
-    scene::move_to(scene, 0.5);
+    scene = *scene::moved_to(scene, 0.5);
     const scene::Movement movement = scene::movement(scene, {0.0, 1.0});
     const LightSet moving(scene, nullptr, movement);
     const auto irradiance = [](const LightSet& lights, const LitPoint& point) {
@@ -312,8 +311,8 @@ TEST(Motion, LightsAreWhereTheyAreAtTheTime) {
         return total / (cells * cells * cells);
     };
     for (const float time : {0.0F, 0.25F, 0.5F, 1.0F}) {
-        scene::move_to(scene, static_cast<double>(time));
-        const LightSet still(scene);
+        const auto stopped = at_time(scene, static_cast<double>(time));
+        const LightSet still(*stopped);
         const LitPoint point{V3f(0.0F), {0, 0, 1}, {0, 0, 1}, time};
         const double expected = irradiance(still, point);
         EXPECT_GT(expected, 0.1);
@@ -329,7 +328,7 @@ TEST(Motion, AnInstantIsTheSceneAtThatTime) {
     add(moving, wall(-1.0F, 2.0F), white());
     add(moving, wall(0.0F, 0.5F), white());
     set_in_motion(moving, {{-0.5, 0, 0}, {0.5, 0.25, 0}, 0.0, 2.0, {1.0, 2.0, 3.0}});
-    ASSERT_TRUE(scene::move_to(moving, 0.25).empty());
+    moving = *scene::moved_to(moving, 0.25);
     scene::Scene still = moving;
     still.motion = nullptr;
     const camera::Camera camera = pinhole(view_down_z(0, 0, 2));
@@ -338,9 +337,7 @@ TEST(Motion, AnInstantIsTheSceneAtThatTime) {
     const Rendered a = render(moving, camera, wanted);
     const Rendered b = render(still, camera, wanted);
     EXPECT_EQ(a.film.sum, b.film.sum);
-    scene::Scene other = moving;
-    ASSERT_TRUE(scene::move_to(other, 0.5).empty());
-    EXPECT_NE(render(other, camera, wanted).film.sum, b.film.sum);
+    EXPECT_NE(render(*scene::moved_to(moving, 0.5), camera, wanted).film.sum, b.film.sum);
 }
 
 TEST(Motion, WhatStandsStillIsNotBlurred) {
@@ -419,10 +416,8 @@ Film of_moving_bar(const camera::Camera& camera, std::string_view integrator) {
     motion->tracks[0].times = {-1.0, 1.0};
     motion->tracks[0].values[0] = static_cast<float>(-speed);
     scene.motion = std::move(motion);
-    EXPECT_TRUE(scene::move_to(scene, 0.0).empty());
-    const Result<Renderer> renderer =
-        Renderer::make(std::make_shared<scene::Scene>(std::move(scene)),
-                       RendererSettings{.interval = scene::TimeInterval{-readout, readout}});
+    const Result<Renderer> renderer = Renderer::make(
+        at_time(scene, 0.0), RendererSettings{.interval = scene::TimeInterval{-readout, readout}});
     EXPECT_TRUE(renderer) << to_text(renderer.diagnostics);
     Request wanted = request(square, square, std::string(integrator), even_samples);
     wanted.light.visible = false;

@@ -204,10 +204,11 @@ TEST(Range, ScenesWhoseIndicesLeadNowhereAreErrors) {
         return !renderer && has_errors(renderer.diagnostics);
     };
     EXPECT_FALSE(refused([](scene::Scene&) {}));
-    EXPECT_TRUE(refused([](scene::Scene& s) { s.meshes[0].triangles[1][2] = 4; }));
-    EXPECT_TRUE(refused([](scene::Scene& s) { s.meshes[0].normals.pop_back(); }));
-    EXPECT_TRUE(refused([](scene::Scene& s) { s.meshes[0].texture_coordinates[1].resize(1); }));
-    EXPECT_TRUE(refused([](scene::Scene& s) { s.meshes[0].material = {}; }));
+    EXPECT_TRUE(refused([](scene::Scene& s) { s.meshes[0].edit().triangles[1][2] = 4; }));
+    EXPECT_TRUE(refused([](scene::Scene& s) { s.meshes[0].edit().normals.pop_back(); }));
+    EXPECT_TRUE(
+        refused([](scene::Scene& s) { s.meshes[0].edit().texture_coordinates[1].resize(1); }));
+    EXPECT_TRUE(refused([](scene::Scene& s) { s.meshes[0].edit().material = {}; }));
     EXPECT_TRUE(refused([](scene::Scene& s) { s.instances[0].mesh = scene::MeshIndex(1); }));
     EXPECT_TRUE(refused([](scene::Scene& s) { s.instances[0].object = 1; }));
     EXPECT_TRUE(refused(

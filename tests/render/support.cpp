@@ -10,6 +10,8 @@
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
+#include "balcony/motion.hpp"
+
 namespace balcony::render::test {
 
 namespace {
@@ -192,6 +194,12 @@ Request request(std::size_t width, std::size_t height, std::string integrator,
     made.samples = samples;
     made.ambient = Color3f(0.0F);
     return made;
+}
+
+std::shared_ptr<const scene::Scene> at_time(const scene::Scene& scene, double time) {
+    Result<scene::Scene> moved = scene::moved_to(scene, time);
+    EXPECT_TRUE(moved.diagnostics.empty()) << to_text(moved.diagnostics);
+    return std::make_shared<const scene::Scene>(std::move(*moved));
 }
 
 Rendered render(const scene::Scene& scene, const camera::Picture& wanted, const Request& request) {

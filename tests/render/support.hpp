@@ -63,6 +63,9 @@ std::uint32_t add(scene::Scene& scene, scene::Mesh mesh, scene::Material materia
 
 [[nodiscard]] scene::Material white();
 
+/// A scene that can stand at a time, as it stands then.
+[[nodiscard]] std::shared_ptr<const scene::Scene> at_time(const scene::Scene& scene, double time);
+
 /// An image as PNG, 3 or 4 channels of 8 bits.
 using Pixels = std::function<std::vector<std::uint8_t>(int x, int y)>;
 [[nodiscard]] std::vector<std::uint8_t> encode_png(int width, int height, int channels,

@@ -73,10 +73,10 @@ TEST(Texture, VertexColorsAreAFactor) {
     scene::Scene scene;
     add(scene, wall(-2.0F, 1.0F), white());
     scene.materials[0].base_color = Color3f(0.5F);
-    scene.meshes[0].colors = {{0.0F, 0.0F, 0.0F, 1.0F},
-                              {1.0F, 0.0F, 0.0F, 1.0F},
-                              {1.0F, 1.0F, 0.0F, 1.0F},
-                              {0.0F, 1.0F, 0.0F, 1.0F}};
+    scene.meshes[0].edit().colors = {{0.0F, 0.0F, 0.0F, 1.0F},
+                                     {1.0F, 0.0F, 0.0F, 1.0F},
+                                     {1.0F, 1.0F, 0.0F, 1.0F},
+                                     {0.0F, 1.0F, 0.0F, 1.0F}};
     const Rendered picture =
         render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)), request(16, 16, "preview"));
     for (const std::size_t y : {2U, 12U}) {
@@ -166,7 +166,7 @@ TEST(Texture, AlphaCutsOut) {
 TEST(Texture, CoordinatesThatAreNoNumbersAreHarmless) {
     scene::Scene scene = textured_wall(encode_png(64, 64, 3, checker));
     for (const float bad : {std::nanf(""), HUGE_VALF, 1e30F}) {
-        for (Imath::V2f& point : scene.meshes[0].texture_coordinates[0]) {
+        for (Imath::V2f& point : scene.meshes[0].edit().texture_coordinates[0]) {
             point = Imath::V2f(bad, -bad) * (point.x - 0.5F);
         }
         const Rendered picture =
@@ -207,10 +207,10 @@ TEST(Texture, IsDecodedAtOnceOrOnDemand) {
     const Request asked = request(4, 4, "preview");
     for (const bool on_demand : {false, true}) {
         write(0);
-        const auto renderer = Renderer::make(std::make_shared<scene::Scene>(scene),
-                                             {.textures_on_demand = on_demand});
+        const auto shared = std::make_shared<const scene::Scene>(scene);
+        const auto renderer = Renderer::make(shared, {.textures_on_demand = on_demand});
         ASSERT_TRUE(renderer);
-        const auto moved = renderer->moved({0.0, 0.0});
+        const auto moved = renderer->moved(shared, {0.0, 0.0});
         ASSERT_TRUE(moved);
         write(255);
         Film film = *make_film(asked.layout);

@@ -254,7 +254,7 @@ TEST_F(BadFiles, TrianglesWithoutAreaAreCounted) {
 TEST_F(BadFiles, TinyTrianglesHaveArea) {
     const auto scene = load_obj("v 0 0 0\nv 1e-30 0 0\nv 0 1e-30 0\nf 1 2 3\n");
     ASSERT_TRUE(scene) << said(scene);
-    EXPECT_EQ(scene->meshes[0].normals[0], V3f(0, 0, 1));
+    EXPECT_EQ(scene->meshes[0]->normals[0], V3f(0, 0, 1));
 }
 
 TEST_F(BadFiles, NodeTransforms) {

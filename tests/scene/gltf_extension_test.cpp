@@ -202,7 +202,7 @@ TEST_F(GltfExtensions, AMaterialSurvivesWriting) {
     ASSERT_TRUE(scene) << said(scene);
     for (Texture& texture : scene->textures) {
         texture.file.clear();
-        texture.bytes = {1, 2, 3};
+        texture.bytes = std::vector<std::uint8_t>{1, 2, 3};
     }
     const auto again = load("again.glb", to_glb(*scene));
     ASSERT_TRUE(again) << said(again);

@@ -93,7 +93,7 @@ TEST_F(GltfGeometry, PrimitivesOfAMeshAreOneObject) {
     ASSERT_EQ(scene->instances.size(), 2U);
     EXPECT_EQ(scene->objects.size(), 1U);
     EXPECT_EQ(scene->instances[0].object, scene->instances[1].object);
-    EXPECT_EQ(scene->materials[scene->meshes[1].material.value()].name, "red");
+    EXPECT_EQ(scene->materials[scene->meshes[1]->material.value()].name, "red");
 }
 
 TEST_F(GltfGeometry, StripsAndFansFaceOneSide) {
@@ -108,7 +108,7 @@ TEST_F(GltfGeometry, StripsAndFansFaceOneSide) {
         const auto scene = load_glb(gltf);
         ASSERT_TRUE(scene) << said(scene);
         EXPECT_EQ(scene->triangle_count(), 2U);
-        for (const V3f& normal : scene->meshes[0].normals) {
+        for (const V3f& normal : scene->meshes[0]->normals) {
             EXPECT_EQ(normal, V3f(0, 0, 1)) << "mode " << mode;
         }
     }
@@ -155,7 +155,7 @@ TEST_F(GltfGeometry, NormalsWithoutLengthAreTheFaces) {
         {"NORMAL", gltf.add_floats({0, 0, 0, 0, 0, 7, std::nanf(""), 0, 1}, 3)}};
     const auto scene = load_glb(gltf);
     ASSERT_TRUE(scene) << said(scene);
-    const std::vector<V3f>& normals = scene->meshes[0].normals;
+    const std::vector<V3f>& normals = scene->meshes[0]->normals;
     ASSERT_EQ(normals.size(), 3U);
     constexpr float single_rounding = 1e-6F;
     const V3f faced(-0.8F, 0.0F, 0.6F);
@@ -181,7 +181,7 @@ TEST_F(GltfGeometry, IntegerTextureCoordinatesAreNormalized) {
         gltf.add_shorts({0, 65535, 65535, 0, 0, 0}, 2, true);
     const auto scene = load_glb(gltf);
     ASSERT_TRUE(scene) << said(scene);
-    EXPECT_EQ(scene->meshes[0].texture_coordinates[0], (std::vector<V2f>{{0, 1}, {1, 0}, {0, 0}}));
+    EXPECT_EQ(scene->meshes[0]->texture_coordinates[0], (std::vector<V2f>{{0, 1}, {1, 0}, {0, 0}}));
 }
 
 TEST_F(GltfGeometry, StrideAndOffsetAreFollowed) {
@@ -203,8 +203,8 @@ TEST_F(GltfGeometry, StrideAndOffsetAreFollowed) {
     gltf.add_node({{"mesh", 0}});
     const auto scene = load_glb(gltf);
     ASSERT_TRUE(scene) << said(scene);
-    EXPECT_EQ(scene->meshes[0].positions, (std::vector<V3f>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
-    EXPECT_EQ(scene->meshes[0].normals[2], V3f(0, 0, 1));
+    EXPECT_EQ(scene->meshes[0]->positions, (std::vector<V3f>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+    EXPECT_EQ(scene->meshes[0]->normals[2], V3f(0, 0, 1));
 }
 
 TEST_F(GltfGeometry, SparseAccessorsReplaceElements) {
@@ -258,7 +258,7 @@ TEST_F(GltfGeometry, FormatIsStated) {
     const auto text_form = load(write("scene.gltf", json.dump()));
     ASSERT_TRUE(text_form) << said(text_form);
     EXPECT_EQ(text_form->format, "glTF 2.0");
-    EXPECT_EQ(text_form->meshes[0].positions, scene->meshes[0].positions);
+    EXPECT_EQ(text_form->meshes[0]->positions, scene->meshes[0]->positions);
 }
 
 TEST_F(GltfGeometry, BuffersMayBeDataUris) {
@@ -274,7 +274,7 @@ TEST_F(GltfGeometry, BuffersMayBeDataUris) {
                          "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}}};
     const auto scene = load(write("scene.gltf", json.dump()));
     ASSERT_TRUE(scene) << said(scene);
-    EXPECT_EQ(scene->meshes[0].positions, (std::vector<V3f>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+    EXPECT_EQ(scene->meshes[0]->positions, (std::vector<V3f>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
 }
 
 // Long ones are not parsed as JSON.
@@ -317,8 +317,8 @@ TEST_F(GltfGeometry, LongDataUris) {
         const auto whole = load(write("scene.gltf", json.dump()));
         ASSERT_TRUE(whole) << said(whole);
         points.resize(vertices / 3 * 3);
-        EXPECT_EQ(whole->meshes[0].positions.size(), points.size());
-        EXPECT_EQ(whole->meshes[0].positions.back(), points.back());
+        EXPECT_EQ(whole->meshes[0]->positions.size(), points.size());
+        EXPECT_EQ(whole->meshes[0]->positions.back(), points.back());
         EXPECT_EQ(whole->objects[0].name, R"(a quoted "data: text)");
         for (const char wrong : {'!', '\\', '-', '\0', '\xff'}) {
             std::string text = json.dump();

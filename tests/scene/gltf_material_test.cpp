@@ -32,7 +32,7 @@ TEST_F(GltfMaterials, FactorsAreRead) {
          {"alphaMode", "BLEND"},
          {"doubleSided", true}}));
     ASSERT_TRUE(scene) << said(scene);
-    const Material& material = scene->materials[scene->meshes[0].material.value()];
+    const Material& material = scene->materials[scene->meshes[0]->material.value()];
     EXPECT_EQ(material.name, "lamp");
     EXPECT_EQ(material.base_color, Color3f(0.1F, 0.2F, 0.3F));
     EXPECT_EQ(material.alpha_mode, AlphaMode::blend);
@@ -47,7 +47,7 @@ TEST_F(GltfMaterials, FactorsAreRead) {
 TEST_F(GltfMaterials, DefaultsAreThoseOfGltf) {
     const auto scene = load_glb(one_triangle());
     ASSERT_TRUE(scene) << said(scene);
-    const Material& material = scene->materials[scene->meshes[0].material.value()];
+    const Material& material = scene->materials[scene->meshes[0]->material.value()];
     EXPECT_EQ(material.base_color, Color3f(1.0F));
     EXPECT_EQ(material.metallic, 1.0F);
     EXPECT_EQ(material.roughness, 1.0F);
@@ -89,17 +89,17 @@ TEST_F(GltfMaterials, TexturesAreFilesOrBytes) {
     const Material& material = scene->materials[0];
     const Texture& wood = scene->textures[material.base_color_texture.index.value()];
     EXPECT_EQ(wood.file, directory / "wood.png");
-    EXPECT_TRUE(wood.bytes.empty());
+    EXPECT_TRUE(wood.bytes->empty());
     EXPECT_EQ(wood.wrap_u, Wrap::clamp);
     EXPECT_EQ(wood.wrap_v, Wrap::mirror);
     EXPECT_FALSE(wood.interpolated);
     const Texture& shine = scene->textures[material.roughness_texture.index.value()];
-    EXPECT_EQ(shine.bytes, (std::vector<std::uint8_t>{0x34, 0x12, 0x78, 0x56}));
+    EXPECT_EQ(*shine.bytes, (std::vector<std::uint8_t>{0x34, 0x12, 0x78, 0x56}));
     EXPECT_EQ(shine.wrap_u, Wrap::repeat);
     EXPECT_TRUE(shine.interpolated);
     EXPECT_TRUE(shine.file.empty());
     const Texture& glow = scene->textures[material.emission_texture.index.value()];
-    EXPECT_EQ(glow.bytes, (std::vector<std::uint8_t>{'A', 'B', 'C'}));
+    EXPECT_EQ(*glow.bytes, (std::vector<std::uint8_t>{'A', 'B', 'C'}));
     EXPECT_TRUE(scene.diagnostics.empty()) << said(scene);
 }
 
@@ -157,7 +157,7 @@ TEST_F(GltfMaterials, TextureTransformIsTranslationTimesRotationTimesScale) {
     const auto scene = load_glb(gltf);
     ASSERT_TRUE(scene) << said(scene);
     const TextureUse& use = scene->materials[0].base_color_texture;
-    const auto& coordinates = scene->meshes[0].texture_coordinates[use.coordinates];
+    const auto& coordinates = scene->meshes[0]->texture_coordinates[use.coordinates];
     constexpr float single_rounding = 1e-6F;
     const V2f expected[] = {{0.1F, 0.0F}, {0.1F, -0.5F}, {0.6F, 0.0F}};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -210,7 +210,7 @@ TEST_F(GltfMaterials, VertexColorsHaveAlpha) {
         gltf.add_floats({1, 0, 0, 0.25, 0, 1, 0, 0.5, 0, 0, 1, 7}, 4);
     const auto scene = load_glb(gltf);
     ASSERT_TRUE(scene) << said(scene);
-    EXPECT_EQ(scene->meshes[0].colors,
+    EXPECT_EQ(scene->meshes[0]->colors,
               (std::vector<Color4f>{{1, 0, 0, 0.25F}, {0, 1, 0, 0.5F}, {0, 0, 1, 1}}));
 }
 

@@ -93,7 +93,7 @@ TEST_F(Limits, SharedVerticesAreNotCopied) {
     ASSERT_EQ(scene->meshes.size(), 50U);
     for (std::size_t i = 0; i < scene->meshes.size(); ++i) {
         const float first = 3.0F * static_cast<float>(i);
-        EXPECT_EQ(scene->meshes[i].positions,
+        EXPECT_EQ(scene->meshes[i]->positions,
                   (std::vector<V3f>{{first, 0, 0}, {first + 1, 1, 0}, {first + 2, 4, 0}}));
     }
 }
@@ -135,7 +135,7 @@ TEST_F(Limits, ImagesAreLimitedByTheSizeOfTheFile) {
     EXPECT_TRUE(says(scene, "the file's images have more bytes than a file of its size may have"));
     std::size_t bytes = 0;
     for (const Texture& texture : scene->textures) {
-        bytes += texture.bytes.size();
+        bytes += texture.bytes->size();
     }
     EXPECT_GE(scene->textures.size(), 2U);
     EXPECT_LE(bytes, 2 * gltf.glb().size());
@@ -171,7 +171,7 @@ TEST_F(Limits, ABufferFileIsReadOnce) {
     json["bufferViews"][1]["buffer"] = 2;
     const auto scene = load(write("scene.gltf", json.dump()));
     ASSERT_TRUE(scene) << said(scene);
-    EXPECT_EQ(scene->meshes[0].normals[0], V3f(0, 0, 1));
+    EXPECT_EQ(scene->meshes[0]->normals[0], V3f(0, 0, 1));
 }
 
 TEST_F(Limits, TransformsBeyondTheRangeAreLeftOut) {
@@ -252,13 +252,13 @@ TEST_F(Limits, BoundsOfTooManyVerticesAreThoseOfBoxes) {
     Scene scene;
     scene.meshes.resize(1);
     // A diagonal: its box has corners that are not on it.
-    scene.meshes[0].positions = {V3f(0.0F), V3f(1.0F)};
+    scene.meshes[0].edit().positions = {V3f(0.0F), V3f(1.0F)};
     M44d turned;
     turned.rotate(V3d(0.0, 0.0, 0.5));
     scene.instances = {{MeshIndex(0), turned, 0}};
     const V3d end = V3d(1.0, 1.0, 1.0) * turned;
     EXPECT_EQ(scene.bounds().max, V3f(end));
-    scene.meshes[0].positions.resize(std::size_t{1} << 16U, V3f(0.0F));
+    scene.meshes[0].edit().positions.resize(std::size_t{1} << 16U, V3f(0.0F));
     scene.instances.resize(4097, scene.instances[0]);
     const V3d right = V3d(1.0, 0.0, 1.0) * turned;
     ASSERT_GT(right.x, end.x);

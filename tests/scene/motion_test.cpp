@@ -76,7 +76,8 @@ TEST_F(Motions, NodesMoveWithTheirParents) {
     EXPECT_EQ(scene->motion->instances.size(), 1U) << "what stands still has no part in it";
     expect_near(position_of(*scene), V3d(6, 0, 0));
     for (const double time : {0.5, 1.0, 1.7, 2.0, 3.0}) {
-        EXPECT_TRUE(move_to(*scene, time).empty());
+        scene = moved_to(*scene, time);
+        EXPECT_TRUE(scene.diagnostics.empty());
         EXPECT_EQ(scene->time, time);
         const double reach = 1.0 + 2.0 * std::min(time, 1.0);
         const double angle = pi / 4.0 * std::min(time, 2.0);
@@ -84,7 +85,7 @@ TEST_F(Motions, NodesMoveWithTheirParents) {
                     V3d(5.0 + reach * std::cos(angle), reach * std::sin(angle), 0.0), 1e-6);
         EXPECT_EQ(position_of(*scene, 1), V3d(0.0));
     }
-    move_to(*scene, 0.0);
+    scene = moved_to(*scene, 0.0);
     expect_near(position_of(*scene), V3d(6, 0, 0));
 }
 
@@ -101,7 +102,7 @@ TEST_F(Motions, LightsAndCamerasMove) {
     animate(gltf, node, "rotation", {0, 1}, {0, 0, 0, 1, 0, half, 0, half}, 4);
     auto scene = load_glb(gltf);
     ASSERT_TRUE(scene && scene.diagnostics.empty()) << said(scene);
-    move_to(*scene, 1.0);
+    scene = moved_to(*scene, 1.0);
     expect_near(scene->lights[0].position, V3d(0, 8, 0));
     expect_near(scene->lights[0].direction, V3d(-1, 0, 0));
     expect_near(scene->cameras[0].position, V3d(0, 8, 0));
@@ -118,14 +119,14 @@ TEST_F(Motions, StraightMovementHasTwoSteps) {
     animate(gltf, 0, "translation", {0, 4}, {0, 0, 0, 4, 8, 0}, 3);
     auto scene = load_glb(gltf);
     ASSERT_TRUE(scene) << said(scene);
-    move_to(*scene, 2.0);
+    scene = moved_to(*scene, 2.0);
     const Movement moves = around(*scene, 1.0);
     ASSERT_EQ(moves.instances.size(), 1U);
     const std::vector<M44d>& steps = moves.instances[0].world_from_mesh;
     ASSERT_EQ(steps.size(), 2U);
     expect_near(steps[0].translation(), V3d(1.5, 3, 0));
     expect_near(steps[1].translation(), V3d(2.5, 5, 0));
-    move_to(*scene, 9.0);
+    scene = moved_to(*scene, 9.0);
     EXPECT_TRUE(around(*scene, 1.0).instances.empty()) << "the animation is over";
     EXPECT_TRUE(around(*scene, 0.0).instances.empty());
 }
@@ -138,7 +139,7 @@ TEST_F(Motions, StepsFollowRotations) {
     ASSERT_TRUE(scene) << said(scene);
     std::size_t before = 1;
     for (const double duration : {0.1, 0.5, 2.0}) {
-        move_to(*scene, 1.0);
+        scene = moved_to(*scene, 1.0);
         const Movement moves = around(*scene, duration);
         ASSERT_EQ(moves.instances.size(), 1U);
         const std::vector<M44d>& steps = moves.instances[0].world_from_mesh;
@@ -174,7 +175,7 @@ TEST_F(Motions, StepsFollowManyKeys) {
     animate(gltf, 0, "translation", times, values, 3);
     auto scene = load_glb(gltf);
     ASSERT_TRUE(scene) << said(scene);
-    move_to(*scene, 0.5);
+    scene = moved_to(*scene, 0.5);
     const Movement moves = around(*scene, 1.0);
     ASSERT_EQ(moves.instances.size(), 1U);
     EXPECT_EQ(moves.instances[0].world_from_mesh.size(), 17U);
@@ -186,7 +187,8 @@ TEST_F(Motions, NothingVanishesByScale) {
     auto scene = load_glb(gltf);
     ASSERT_TRUE(scene && scene.diagnostics.empty()) << said(scene);
     EXPECT_LT(scene->bounds().size().length(), 2e-6F);
-    EXPECT_TRUE(move_to(*scene, 1.0).empty());
+    scene = moved_to(*scene, 1.0);
+    EXPECT_TRUE(scene.diagnostics.empty());
     EXPECT_EQ(scene->bounds().max, V3f(1, 1, 0));
 }
 
@@ -195,7 +197,8 @@ TEST_F(Motions, WhatCannotBePlacedStays) {
     animate(gltf, 0, "translation", {0, 1}, {3, 0, 0, 1e30F, 0, 0}, 3);
     auto scene = load_glb(gltf);
     ASSERT_TRUE(scene) << said(scene);
-    const Diagnostics found = move_to(*scene, 1.0);
+    scene = moved_to(*scene, 1.0);
+    const Diagnostics& found = scene.diagnostics;
     ASSERT_EQ(found.size(), 1U);
     EXPECT_NE(to_text(found).find("object 'node' keeps its place at time 1: it reaches further"),
               std::string::npos)
@@ -348,14 +351,28 @@ TEST_F(Motions, MorphTargetsFollowTheirWeights) {
     animate(gltf, 0, "weights", {0, 1}, {0, 1}, 1);
     auto scene = load_glb(gltf);
     ASSERT_TRUE(scene && scene.diagnostics.empty()) << said(scene);
-    EXPECT_EQ(scene->meshes[0].positions[1], V3f(1, 0, 0));
-    move_to(*scene, 0.25);
-    EXPECT_EQ(scene->meshes[0].positions[1], V3f(1, 0, 0.5F));
-    EXPECT_EQ(scene->meshes[0].positions[2], V3f(0, 1, 0));
+    EXPECT_EQ(scene->meshes[0]->positions[1], V3f(1, 0, 0));
+    scene = moved_to(*scene, 0.25);
+    EXPECT_EQ(scene->meshes[0]->positions[1], V3f(1, 0, 0.5F));
+    EXPECT_EQ(scene->meshes[0]->positions[2], V3f(0, 1, 0));
     const Movement moves = around(*scene, 0.1);
     ASSERT_EQ(moves.meshes.size(), 1U);
     ASSERT_EQ(moves.meshes[0].shapes->size(), 2U) << "straight lines";
     EXPECT_NEAR(moves.meshes[0].shapes->back().positions[1].z, 0.6F, float_rounding);
+}
+
+TEST_F(Motions, MovedScenesShareWhatKeepsItsShape) {
+    Gltf gltf = lifted_triangle();
+    gltf.add_node({{"name", "still"}, {"mesh", gltf.add_triangle("mesh")}});
+    animate(gltf, 0, "weights", {0, 1}, {0, 1}, 1);
+    const auto scene = load_glb(gltf);
+    ASSERT_TRUE(scene) << said(scene);
+    const Result<Scene> moved = moved_to(*scene, 0.25);
+    ASSERT_EQ(moved->meshes.size(), 2U);
+    EXPECT_EQ(&*moved->meshes[1], &*scene->meshes[1]);
+    EXPECT_NE(&*moved->meshes[0], &*scene->meshes[0]);
+    EXPECT_EQ(scene->meshes[0]->positions[1], V3f(1, 0, 0));
+    EXPECT_EQ(scene->time, 0.0);
 }
 
 TEST_F(Motions, WeightsWithoutAnimationAreApplied) {
@@ -365,8 +382,9 @@ TEST_F(Motions, WeightsWithoutAnimationAreApplied) {
     const auto scene = load_glb(gltf);
     ASSERT_TRUE(scene && scene.diagnostics.empty()) << said(scene);
     ASSERT_EQ(scene->meshes.size(), 2U);
-    EXPECT_EQ(scene->meshes[0].positions[1], V3f(1, 0, 1));
-    EXPECT_EQ(scene->meshes[1].positions[1], V3f(1, 0, 4)) << "a node's weights replace the mesh's";
+    EXPECT_EQ(scene->meshes[0]->positions[1], V3f(1, 0, 1));
+    EXPECT_EQ(scene->meshes[1]->positions[1], V3f(1, 0, 4))
+        << "a node's weights replace the mesh's";
     EXPECT_FALSE(scene->motion);
 }
 
@@ -391,8 +409,8 @@ TEST_F(Motions, VerticesFollowTheirJoints) {
     auto scene = load_glb(gltf);
     ASSERT_TRUE(scene && scene.diagnostics.empty()) << said(scene);
     EXPECT_EQ(scene->instances[0].world_from_mesh, M44d()) << "joints place the mesh";
-    expect_near(V3d(scene->meshes[0].positions[2]), V3d(0, 1, 0));
-    move_to(*scene, 1.0);
+    expect_near(V3d(scene->meshes[0]->positions[2]), V3d(0, 1, 0));
+    scene = moved_to(*scene, 1.0);
     const Mesh& mesh = scene->meshes[0];
     expect_near(V3d(mesh.positions[0]), V3d(0, 0, 0));
     expect_near(V3d(mesh.positions[1]), V3d(1, 0, 0));

@@ -15,7 +15,7 @@ using Obj = SceneFiles;
 const char* const square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 const Material& material_of(const Scene& scene, std::size_t mesh) {
-    return scene.materials[scene.meshes[mesh].material.value()];
+    return scene.materials[scene.meshes[mesh]->material.value()];
 }
 
 }  // namespace
@@ -80,7 +80,8 @@ TEST_F(Obj, ObjectsAndMaterialsSplitMeshes) {
     EXPECT_EQ(scene->triangle_count(), 4U);
     std::size_t of_left = 0;
     for (const Instance& instance : scene->instances) {
-        of_left += instance.object == 0 ? scene->meshes[instance.mesh.value()].triangles.size() : 0;
+        of_left +=
+            instance.object == 0 ? scene->meshes[instance.mesh.value()]->triangles.size() : 0;
     }
     EXPECT_EQ(of_left, 3U) << "an object that goes on later is the same object";
     const Material& paint = material_of(*scene, 0);
@@ -111,7 +112,7 @@ TEST_F(Obj, MissingNormalsAreSmoothUpToAnAngle) {
             load_obj("v 0 0 0\nv 0 1 0\nv -1 0 0\nv " + std::to_string(std::cos(angle)) + " 0 " +
                      std::to_string(-std::sin(angle)) + "\nf 1 2 3\nf 1 4 2\n");
         ASSERT_TRUE(scene) << said(scene);
-        const std::size_t shared = scene->meshes[0].positions.size();
+        const std::size_t shared = scene->meshes[0]->positions.size();
         EXPECT_EQ(shared, degrees < 45.0 ? 4U : 6U) << degrees;
     }
 }
@@ -125,7 +126,7 @@ TEST_F(Obj, SmoothingGroupsDecideWhichEdgesAreSmooth) {
         EXPECT_TRUE(scene) << said(scene);
         std::size_t count = 0;
         for (std::size_t i = 0; scene && i < scene->meshes.size(); ++i) {
-            count += scene->meshes[i].positions.size();
+            count += scene->meshes[i]->positions.size();
         }
         return count;
     };
@@ -178,7 +179,7 @@ TEST_F(Obj, SharedCornersAreOneVertex) {
                                 "vn 0 0 1\nvt 0 0\nvt 1 1\n"
                                 "f 1/1/1 2/1/1 3/1/1\nf 1/1/1 3/1/1 4/2/1\n");
     ASSERT_TRUE(scene) << said(scene);
-    EXPECT_EQ(scene->meshes[0].positions.size(), 4U);
+    EXPECT_EQ(scene->meshes[0]->positions.size(), 4U);
 }
 
 TEST_F(Obj, ConcavePolygonsKeepTheirShape) {

@@ -54,9 +54,9 @@ TEST_F(Ply, TextIsRead) {
     EXPECT_EQ(scene->objects[0].name, "square");
     EXPECT_EQ(scene->triangle_count(), 2U);
     EXPECT_EQ(scene->bounds().max, V3f(1, 1, 0));
-    EXPECT_EQ(scene->meshes[0].positions.size(), 4U);
-    EXPECT_EQ(scene->meshes[0].normals[0], V3f(0, 0, 1));
-    EXPECT_TRUE(scene->meshes[0].colors.empty());
+    EXPECT_EQ(scene->meshes[0]->positions.size(), 4U);
+    EXPECT_EQ(scene->meshes[0]->normals[0], V3f(0, 0, 1));
+    EXPECT_TRUE(scene->meshes[0]->colors.empty());
 }
 
 // Properties of several types in any order, some of them unknown, and an unknown element.
@@ -114,7 +114,7 @@ TEST_F(Ply, StripsAreSeparatedAndTurned) {
                   "0 0 0\n1 0 0\n0 1 0\n1 1 0\n8 0 1 2 3 -1 0 1 2\n")));
     ASSERT_TRUE(scene) << said(scene);
     EXPECT_EQ(scene->triangle_count(), 3U);
-    for (const V3f& normal : scene->meshes[0].normals) {
+    for (const V3f& normal : scene->meshes[0]->normals) {
         EXPECT_EQ(normal, V3f(0, 0, 1));
     }
 }

@@ -33,7 +33,7 @@ Extent extent_of(const scene::Scene& scene, const std::string& object) {
         if (scene.objects.at(instance.object).name != object) {
             continue;
         }
-        for (const scene::V3f& position : scene.meshes.at(instance.mesh.value()).positions) {
+        for (const scene::V3f& position : scene.meshes.at(instance.mesh.value())->positions) {
             const V3d point = V3d(position) * instance.world_from_mesh;
             const double r = distance_from_axis(point);
             extent.min_r = std::min(extent.min_r, r);

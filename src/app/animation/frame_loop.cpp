@@ -150,11 +150,14 @@ bool FrameLoop::go_to(std::size_t frame) {
     settings.time = animation_.time_of(frame);
     settings.sampling.seed =
         seed_ + (animation_.same_noise ? 0U : static_cast<std::uint32_t>(frame));
-    const Diagnostics not_moved = scene::move_to(*loaded_.scene, settings.time);
-    if (!not_moved.empty() && !std::exchange(warned_of_motion_, true)) {
-        add(report_.diagnostics, not_moved);
-    }
     Diagnostics found;
+    if (loaded_.scene->motion) {
+        Result<scene::Scene> moved = scene::moved_to(*loaded_.scene, settings.time);
+        loaded_.scene = std::make_shared<const scene::Scene>(std::move(*moved));
+        if (!moved.diagnostics.empty() && !std::exchange(warned_of_motion_, true)) {
+            add(report_.diagnostics, moved.diagnostics);
+        }
+    }
     if (has_moving_camera(request_, *loaded_.scene)) {
         const Result<camera::Picture> moved =
             picture_at(request_, *loaded_.scene, wanted_, settings.time);

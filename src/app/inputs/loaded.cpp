@@ -50,7 +50,7 @@ bool read_scene(const Request& request, Loaded& loaded, Diagnostics& found) {
     if (!scene) {
         return false;
     }
-    loaded.scene = std::make_shared<scene::Scene>(std::move(*scene));
+    loaded.scene = std::make_shared<const scene::Scene>(std::move(*scene));
     return true;
 }
 
@@ -136,7 +136,7 @@ bool move_along(const camera::Picture& picture, Loaded& loaded, Diagnostics& fou
         times.end == loaded.times.end) {
         return true;
     }
-    Result<render::Renderer> moved = loaded.renderer->moved(times);
+    Result<render::Renderer> moved = loaded.renderer->moved(loaded.scene, times);
     add(found, moved.diagnostics);
     if (!moved) {
         return false;

@@ -20,7 +20,7 @@ namespace balcony::app {
 /// What remains loaded from one picture to the next.
 struct Loaded {
     lang::Workspace cameras;
-    std::shared_ptr<scene::Scene> scene;
+    std::shared_ptr<const scene::Scene> scene;
     std::optional<render::Renderer> renderer;
     scene::TimeInterval times{};                       ///< Of the renderer's rays.
     double load_seconds = 0.0;                         ///< To read the scene.
@@ -44,8 +44,8 @@ struct Loaded {
 [[nodiscard]] std::optional<camera::Picture> load_all(const Request& request, Loaded& loaded,
                                                       Diagnostics& found);
 
-/// Prepares a scene that was moved for the rays of a picture at another time. False if it fails, as
-/// the diagnostics say.
+/// Prepares the scene, which was moved, for the rays of a picture at another time. False if it
+/// fails, as the diagnostics say.
 [[nodiscard]] bool move_along(const camera::Picture& picture, Loaded& loaded, Diagnostics& found);
 
 /// The film that a picture needs. A picture for the display has no layers.

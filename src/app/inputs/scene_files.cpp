@@ -46,11 +46,13 @@ Result<scene::Scene> load_scene(const std::string& name, double time,
             scene::add_scene(*scene, std::move(*part));
         }
     }
-    if (scene) {
-        Diagnostics moved = scene::move_to(*scene, time);
-        std::move(moved.begin(), moved.end(), std::back_inserter(scene.diagnostics));
+    if (!scene) {
+        return scene;
     }
-    return scene;
+    Result<scene::Scene> moved = scene::moved_to(std::move(*scene), time);
+    moved.diagnostics.insert(moved.diagnostics.begin(), scene.diagnostics.begin(),
+                             scene.diagnostics.end());
+    return moved;
 }
 
 }  // namespace balcony::app

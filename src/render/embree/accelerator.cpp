@@ -289,7 +289,7 @@ Result<Accelerator> Accelerator::fill(std::shared_ptr<State> state, const scene:
     const std::vector<Use> uses = choose_uses(scene, motion);
     for (std::size_t i = 0; i < uses.size(); ++i) {
         const scene::Instance& instance = scene.instances[i];
-        if (uses[i] == Use::none || scene.meshes[instance.mesh.value()].triangles.empty()) {
+        if (uses[i] == Use::none || scene.meshes[instance.mesh.value()]->triangles.empty()) {
             continue;
         }
         if (uses[i] == Use::placed) {

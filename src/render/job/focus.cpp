@@ -43,7 +43,7 @@ V3d middle_of(const scene::Scene& scene, const std::string& name) {
     Imath::Box3d box;
     for (const scene::Instance& instance : scene.instances) {
         if (scene.objects[instance.object].name == name) {
-            for (const V3f& position : scene.meshes[instance.mesh.value()].positions) {
+            for (const V3f& position : scene.meshes[instance.mesh.value()]->positions) {
                 box.extendBy(V3d(position) * instance.world_from_mesh);
             }
         }

@@ -53,7 +53,7 @@ V3d FrameMotion::moved(const Way& way, const PointData& point, double time) cons
     if (way.steps.matrices(hit.instance).size() == 1 && way.steps.shape_count(mesh) == 1) {
         return seen;
     }
-    const auto& corners = scene_->meshes[mesh.value()].triangles[hit.triangle];
+    const auto& corners = scene_->meshes[mesh.value()]->triangles[hit.triangle];
     const auto place = [&](double when) {
         const auto part = static_cast<float>(way.interval.part_at(when));
         const auto corner = [&](std::size_t i) {

@@ -12,6 +12,19 @@
 
 namespace balcony::render {
 
+namespace {
+
+bool has_parts_of(const scene::Scene& moved, const scene::Scene& scene) {
+    return moved.motion == scene.motion && moved.meshes.size() == scene.meshes.size() &&
+           moved.instances.size() == scene.instances.size() &&
+           moved.objects.size() == scene.objects.size() &&
+           moved.materials.size() == scene.materials.size() &&
+           moved.textures.size() == scene.textures.size() &&
+           moved.lights.size() == scene.lights.size();
+}
+
+}  // namespace
+
 Result<Renderer> Renderer::make(std::shared_ptr<const scene::Scene> scene,
                                 const RendererSettings& settings) {
     assert(scene);
@@ -52,22 +65,28 @@ Result<Renderer> Renderer::make(std::shared_ptr<const scene::Scene> scene,
             std::move(warnings)};
 }
 
-Result<Renderer> Renderer::moved(const scene::TimeInterval& interval) const {
+Result<Renderer> Renderer::moved(std::shared_ptr<const scene::Scene> scene,
+                                 const scene::TimeInterval& interval) const {
+    if (!scene || !has_parts_of(*scene, *state_->traced.scene)) {
+        return error(Kind::usage, "a renderer moves to another time of its own scene only",
+                     "give what scene::moved_to() makes of it");
+    }
     TracedScene traced = state_->traced;
     traced.interval = interval;
-    const scene::Scene& scene = *traced.scene;
     const Stopwatch watch;
     Diagnostics warnings;
-    if (scene.motion) {
-        const scene::Movement movement = scene::movement(scene, interval);
-        Result<embree::Accelerator> accelerator = traced.accelerator.moved(scene, movement);
+    if (scene->motion) {
+        const scene::Movement movement = scene::movement(*scene, interval);
+        Result<embree::Accelerator> accelerator = traced.accelerator.moved(*scene, movement);
         if (!accelerator) {
             return std::move(accelerator.diagnostics);
         }
         warnings = std::move(accelerator.diagnostics);
         traced.accelerator = std::move(*accelerator);
-        traced.surfaces = SurfaceFinder(scene, movement);
-        traced.lights = LightSet(scene, traced.textures.get(), movement);
+        traced.surfaces = SurfaceFinder(*scene, movement);
+        traced.lights = LightSet(*scene, traced.textures.get(), movement);
+        traced.materials.use(*scene);
+        traced.scene = std::move(scene);
     }
     Preparation preparation = state_->preparation;
     preparation.build_seconds = watch.seconds();

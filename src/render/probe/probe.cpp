@@ -45,7 +45,7 @@ public:
           settings_(settings) {
         probe_.objects.resize(scene.objects.size());
         for (const scene::Instance& instance : scene.instances) {
-            if (!scene.meshes[instance.mesh.value()].triangles.empty()) {
+            if (!scene.meshes[instance.mesh.value()]->triangles.empty()) {
                 probe_.objects[instance.object].has_surface = true;
             }
         }

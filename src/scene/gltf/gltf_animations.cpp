@@ -238,7 +238,9 @@ void GltfAnimations::finish() {
         return;
     }
     import_.scene.motion = std::make_shared<const Motion>(std::move(motion_));
-    for (const Diagnostic& found : move_to(import_.scene, 0.0)) {
+    Result<Scene> placed = moved_to(std::move(import_.scene), 0.0);
+    import_.scene = std::move(*placed);
+    for (const Diagnostic& found : placed.diagnostics) {
         import_.warn(found.message, found.remedy);
     }
     if (!moves) {

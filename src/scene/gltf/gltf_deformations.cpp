@@ -194,7 +194,7 @@ void GltfAnimations::bind(std::size_t skin, Deformation& deformation) {
 void GltfAnimations::finish_deformations() {
     for (std::size_t i = 0; i < skins_.size(); ++i) {
         Deformation& deformation = motion_.deformations[i];
-        const std::string name = import_.scene.meshes[deformation.mesh.value()].name;
+        const std::string name = import_.scene.meshes[deformation.mesh.value()]->name;
         try {
             if (skins_[i]) {
                 bind(*skins_[i], deformation);

@@ -144,10 +144,10 @@ void GltfReader::deform(const Json& primitive, std::size_t deformer, MeshIndex m
                         std::span<const std::uint32_t> elements) {
     try {
         animations_.deform(deformer, primitive, mesh, elements);
-        scene_.meshes[mesh.value()].tangents.clear();
+        scene_.meshes[mesh.value()].edit().tangents.clear();
     } catch (const PartError& fault) {
         import_.warn(fmt::format("mesh {} is shown as stored, without deformation: {}",
-                                 in_quotes(scene_.meshes[mesh.value()].name), fault.reason));
+                                 in_quotes(scene_.meshes[mesh.value()]->name), fault.reason));
     }
 }
 

@@ -78,12 +78,12 @@ TextureIndex GltfTextures::texture(std::size_t gltf_texture, const std::string& 
     }
     const Json& image = element(root, "images", *source);
     read_image(image, texture);
-    if (texture.bytes.empty() && !import_.has_texture(texture.file, user)) {
+    if (texture.bytes->empty() && !import_.has_texture(texture.file, user)) {
         return {};
     }
     texture.name = text_in(image, "name",
-                           texture.bytes.empty() ? texture.file.filename().string()
-                                                 : fmt::format("image {}", *source));
+                           texture.bytes->empty() ? texture.file.filename().string()
+                                                  : fmt::format("image {}", *source));
     import_.scene.textures.push_back(std::move(texture));
     known->second = TextureIndex(import_.scene.textures.size() - 1);
     return known->second;
@@ -94,7 +94,7 @@ void GltfTextures::read_image(const Json& image, Texture& texture) {
     if (const auto view = index_in(image, "bufferView")) {
         const auto bytes = document_.view(*view);
         image_bytes_.take(bytes.size());
-        texture.bytes.assign(bytes.begin(), bytes.end());
+        texture.bytes = std::vector(bytes.begin(), bytes.end());
     } else if (uri.starts_with("data:")) {
         image_bytes_.take(uri.size());
         texture.bytes = decode_data_uri(uri);
@@ -102,7 +102,7 @@ void GltfTextures::read_image(const Json& image, Texture& texture) {
         texture.file = import_.beside(import_.file, decode_percent(uri));
         return;
     }
-    if (texture.bytes.empty()) {
+    if (texture.bytes->empty()) {
         throw PartError{"its image is empty"};
     }
 }

@@ -59,7 +59,7 @@ public:
     const Box3f& of(const Instance& instance) {
         std::optional<Box3f>& box = boxes_[instance.mesh.value()];
         if (!box) {
-            box = box_of(scene_.meshes[instance.mesh.value()].positions);
+            box = box_of(scene_.meshes[instance.mesh.value()]->positions);
         }
         return *box;
     }
@@ -197,12 +197,12 @@ M44d world_from_node(const Motion& motion, NodeIndex index, double time) {
     }
 }
 
-Diagnostics move_to(Scene& scene, double time) {
+Result<Scene> moved_to(Scene scene, double time) {
     scene.time = time;
-    Diagnostics found;
     if (!scene.motion) {
-        return found;
+        return scene;
     }
+    Diagnostics found;
     const Motion& motion = *scene.motion;
     const auto warn = [&](std::string_view what, const std::string& name,
                           const PlacementFault& fault) {
@@ -227,16 +227,17 @@ Diagnostics move_to(Scene& scene, double time) {
         warn("camera", camera.name, place(camera, world_from_node(motion, moving.node, time)));
     }
     for (const Deformation& deformation : motion.deformations) {
-        Mesh& mesh = scene.meshes[deformation.mesh.value()];
+        Shared<Mesh>& mesh = scene.meshes[deformation.mesh.value()];
         Shape shape = shape_at(motion, deformation, time);
         if (is_usable(shape)) {
-            mesh.positions = std::move(shape.positions);
-            mesh.normals = std::move(shape.normals);
+            Mesh& deformed = mesh.edit();
+            deformed.positions = std::move(shape.positions);
+            deformed.normals = std::move(shape.normals);
         } else {
-            warn("mesh", mesh.name, "a vertex is not finite or too large");
+            warn("mesh", mesh->name, "a vertex is not finite or too large");
         }
     }
-    return found;
+    return {std::move(scene), std::move(found)};
 }
 
 std::vector<Camera> cameras_at(const Scene& scene, double time) {

@@ -41,7 +41,7 @@ scene::M44d MotionSteps::matrix(std::size_t instance, float time) const {
 Imath::V3f MotionSteps::position(scene::MeshIndex mesh, std::size_t vertex, float time) const {
     const auto found = shapes_.find(mesh.value());
     if (found == shapes_.end()) {
-        return scene_->meshes[mesh.value()].positions[vertex];
+        return scene_->meshes[mesh.value()]->positions[vertex];
     }
     const std::vector<scene::Shape>& shapes = *found->second;
     const BetweenSteps place(time, shapes.size());

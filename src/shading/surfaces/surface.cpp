@@ -198,7 +198,7 @@ SurfaceFinder::SurfaceFinder(const scene::Scene& scene, const scene::Movement& m
         const Imath::M33d linear(m[0][0], m[0][1], m[0][2], m[1][0], m[1][1], m[1][2], m[2][0],
                                  m[2][1], m[2][2]);
         placements_.push_back({Imath::M44f(m), Imath::M33f(linear.inverse().transposed()),
-                               &scene.meshes[instance.mesh.value()],
+                               &*scene.meshes[instance.mesh.value()],
                                linear.determinant() < 0.0 ? -1.0F : 1.0F});
     }
 }

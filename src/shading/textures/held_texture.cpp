@@ -9,8 +9,8 @@ namespace balcony::render {
 
 void HeldTexture::read() const {
     try {
-        Result<TextureReader> image = TextureReader::open(*texture_, encoding_);
-        Result<MipPyramid> made = image ? MipPyramid::read(*image, *texture_, file_)
+        Result<TextureReader> image = TextureReader::open(texture_, encoding_);
+        Result<MipPyramid> made = image ? MipPyramid::read(*image, texture_, file_)
                                         : Result<MipPyramid>(image.diagnostics);
         if (made) {
             pyramid_.emplace(std::move(*made));

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <mutex>
 #include <optional>
+#include <utility>
 
 #include "balcony/base.hpp"
 #include "balcony/scene.hpp"
@@ -16,9 +17,9 @@ namespace balcony::render {
 /// one is given. Any number of threads may use it.
 class HeldTexture {
 public:
-    /// The texture and the file must outlive this.
-    HeldTexture(const scene::Texture& texture, TextureEncoding encoding, SpillFile* file = nullptr)
-        : texture_(&texture), encoding_(encoding), file_(file) {}
+    /// The file must outlive this.
+    HeldTexture(scene::Texture texture, TextureEncoding encoding, SpillFile* file = nullptr)
+        : texture_(std::move(texture)), encoding_(encoding), file_(file) {}
 
     /// Null if the image cannot be read, or the file cannot be any more.
     [[nodiscard]] const MipPyramid* pyramid() const {
@@ -30,7 +31,7 @@ public:
     }
 
     [[nodiscard]] bool in_memory() const { return file_ == nullptr; }
-    [[nodiscard]] const scene::Texture& texture() const { return *texture_; }
+    [[nodiscard]] const scene::Texture& texture() const { return texture_; }
     /// What is known once it was read: the reason if that failed, and whether some value was not
     /// finite.
     [[nodiscard]] bool was_read() const { return read_.load(std::memory_order_acquire); }
@@ -40,7 +41,7 @@ public:
 private:
     void read() const;
 
-    const scene::Texture* texture_;
+    scene::Texture texture_;
     TextureEncoding encoding_;
     SpillFile* file_;
     mutable std::once_flag once_;

@@ -54,7 +54,7 @@ float linear_from_srgb(float value) {
 }
 
 Result<TextureReader> TextureReader::open(const scene::Texture& texture, TextureEncoding encoding) {
-    auto image = texture.file.empty() ? images::ImageFile::open(texture.name, texture.bytes)
+    auto image = texture.file.empty() ? images::ImageFile::open(texture.name, *texture.bytes)
                                       : images::ImageFile::open(texture.file);
     if (!image) {
         return std::move(image.diagnostics);
