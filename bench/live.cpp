@@ -83,9 +83,9 @@ public:
         : renderer_(renderer),
           row_(row),
           workspace_(workspace),
-          film_(unwrapped(render::make_film(layout))),
+          film_(std::make_shared<render::Film>(unwrapped(render::make_film(layout)))),
           job_(unwrapped(render::Job::make(renderer, opened.picture, settings_, film_))) {
-        settings_.ambient = film_.ambient;
+        settings_.ambient = film_->ambient;
         const auto found = std::find_if(opened.open.begin(), opened.open.end(),
                                         [&](const auto& one) { return one.name == row.parameter; });
         if (found != opened.open.end()) {
@@ -105,8 +105,8 @@ public:
             const camera::Picture picture = unwrapped(workspace_.make_picture(
                 source_of(row_.camera), "",
                 {{std::string(row_.parameter), std::to_string(0.25 + change)}}));
-            film_.passes.assign(film_.passes.size(), 0);
-            film_.sum.assign(film_.sum.size(), render::Color4d(0.0));
+            film_->passes.assign(film_->passes.size(), 0);
+            film_->sum.assign(film_->sum.size(), render::Color4d(0.0));
             job_ = unwrapped(render::Job::make(renderer_, picture, settings_, film_));
         }
         unwrapped(job_.run());
@@ -124,7 +124,7 @@ private:
     const LiveRow& row_;
     lang::Workspace& workspace_;
     render::Settings settings_ = settings();
-    render::Film film_;
+    std::shared_ptr<render::Film> film_;
     render::Job job_;
     std::optional<camera::KnownInput> input_;
 };

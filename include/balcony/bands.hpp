@@ -14,7 +14,7 @@
 // unfinished file, another process continues to the very same file.
 
 #include <cstddef>
-#include <memory>
+#include <utility>
 
 #include "balcony/render.hpp"
 #include "balcony/tiled_file.hpp"
@@ -35,8 +35,8 @@ public:
                                                    const FilmLayout& layout, std::size_t rows);
 
     /// Of the band in progress: a job for its film.
-    [[nodiscard]] Film& film() { return *film_; }
-    [[nodiscard]] Job& job() { return *job_; }
+    [[nodiscard]] Film& film() { return *job_.film(); }
+    [[nodiscard]] Job& job() { return job_; }
 
     /// Begins the band after the one in progress; false if that was the last one.
     [[nodiscard]] bool next();
@@ -47,12 +47,12 @@ public:
     [[nodiscard]] double done(double part_of_band) const;
 
 private:
-    BandedRender(const Region& window, std::size_t rows, std::unique_ptr<Film> film, Job job);
+    BandedRender(const Region& window, std::size_t rows, Job job)
+        : window_(window), rows_(rows), job_(std::move(job)) {}
 
     Region window_;
     std::size_t rows_;
-    std::unique_ptr<Film> film_;  // The job knows its address.
-    std::unique_ptr<Job> job_;
+    Job job_;
 };
 
 }  // namespace balcony::render

@@ -255,8 +255,8 @@ struct Summary {
         0.0;  ///< Fraction of the threads' time spent before a tile's rays are traced.
 };
 
-/// Adds passes to a film. The film belongs to the caller, who may read it and write it to files
-/// between runs, but not during one; it must outlive the job, and its address must not change.
+/// Adds passes to a film, which it shares with its caller. Between runs, but not during one, the
+/// film may be read, written to files and changed.
 ///
 /// A job has no state besides the film: a job that continues the film of another one adds the
 /// missing passes, tile by tile.
@@ -264,15 +264,18 @@ class Job {
 public:
     /// Compiles the picture for the film's size and writes the names of objects and layers, the
     /// background and the ambient light into the film, to which it adds the sums that the picture
-    /// needs. Settings out of range, an unknown integrator, or a film whose vectors do not have its
-    /// size are errors.
+    /// needs. Settings out of range, an unknown integrator, no film, or one whose vectors do not
+    /// have its size are errors.
     [[nodiscard]] static Result<Job> make(const Renderer& renderer, const camera::Picture& picture,
-                                          const Settings& settings, Film& film);
+                                          const Settings& settings, std::shared_ptr<Film> film);
 
     /// The same picture with other settings, such as another time, on another film. A film of the
     /// same size takes over the compiled picture. The renderer is one of the same scene.
     [[nodiscard]] Result<Job> again(const Renderer& renderer, const Settings& settings,
-                                    Film& film) const;
+                                    std::shared_ptr<Film> film) const;
+
+    /// Never null.
+    [[nodiscard]] const std::shared_ptr<Film>& film() const;
 
     /// Moves the picture: other values for some of its inputs, on the same film, which becomes
     /// empty; not during a run. Compiles nothing, and the light stays as it was chosen, so the
@@ -299,7 +302,7 @@ private:
     struct State;
     explicit Job(std::shared_ptr<const State> state) : state_(std::move(state)) {}
     [[nodiscard]] static Result<Job> make(const Renderer& renderer, const camera::Picture& picture,
-                                          const Settings& settings, Film& film,
+                                          const Settings& settings, std::shared_ptr<Film> film,
                                           const State* previous);
     std::shared_ptr<const State> state_;
 };

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <memory>
 
 #include <gtest/gtest.h>
 
@@ -157,8 +158,10 @@ TEST(Adaptive, StopsAndThreadsChangeNothing) {
     const auto whole = [&](std::size_t threads, std::size_t tiles_at_once) {
         Settings asked = settings;
         asked.threads = threads;
-        Film film = *make_film({.width = width, .height = height});
-        Job job = *Job::make(renderer, front(), asked, film);
+        const auto shared_film =
+            std::make_shared<Film>(*make_film({.width = width, .height = height}));
+        Film& film = *shared_film;
+        Job job = *Job::make(renderer, front(), asked, shared_film);
         for (;;) {
             std::stop_source stop;
             const auto summary = job.run(
@@ -192,7 +195,7 @@ TEST(Adaptive, WithoutALevelPixelsHaveNoCounts) {
 TEST(Adaptive, ALevelThatIsNoNumberIsRefused) {
     const auto renderer = *Renderer::make(std::make_shared<scene::Scene>(wall_and_fence()));
     for (const double level : {-0.1, std::nan("")}) {
-        Film film = *make_film({.width = 8, .height = 8});
+        const auto film = std::make_shared<Film>(*make_film({.width = 8, .height = 8}));
         EXPECT_FALSE(Job::make(renderer, front(), adaptive_request(level, 2), film));
     }
 }

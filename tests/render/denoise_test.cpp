@@ -250,10 +250,11 @@ TEST(Denoise, ReportsWhatIsMissing) {
 }
 
 TEST(Denoise, AJobDoesNotContinueADenoisedFilm) {
-    Film film = noisy_room();
+    const auto shared_film = std::make_shared<Film>(noisy_room());
+    Film& film = *shared_film;
     ASSERT_TRUE(denoise(film, own));
     const auto renderer = Renderer::make(std::make_shared<scene::Scene>(room()));
-    const auto job = Job::make(*renderer, view(), request(width, height, "path", 64), film);
+    const auto job = Job::make(*renderer, view(), request(width, height, "path", 64), shared_film);
     ASSERT_FALSE(job);
     EXPECT_NE(to_text(job.diagnostics).find("denoised"), std::string::npos);
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <memory>
 #include <set>
 #include <stop_token>
 
@@ -260,7 +261,7 @@ TEST(Film, SettingsOutOfRangeAreErrors) {
     const Result<Renderer> renderer = Renderer::make(std::make_shared<scene::Scene>());
     ASSERT_TRUE(renderer);
     const camera::Camera camera = orthographic(view_down_z(0.0, 0.0, 0.0));
-    Film film = *make_film({.width = 4, .height = 4});
+    const auto film = std::make_shared<Film>(*make_film({.width = 4, .height = 4}));
     const auto refused = [&](void (*change)(Settings&)) {
         Settings asked = request(4, 4, "preview");
         EXPECT_TRUE(Job::make(*renderer, camera, asked, film));

@@ -87,8 +87,9 @@ TEST(Frames, AreThoseOfNewRenderers) {
         auto shared = std::make_shared<const scene::Scene>(scene);
         Result<Renderer> renderer = Renderer::make(shared, {.interval = shutter.exposure(0.0)});
         ASSERT_TRUE(renderer);
-        Film first = empty_film();
-        Result<Job> job = Job::make(*renderer, view(), settings_at(0.0), first);
+        const auto shared_first = std::make_shared<Film>(empty_film());
+        Film& first = *shared_first;
+        Result<Job> job = Job::make(*renderer, view(), settings_at(0.0), shared_first);
         ASSERT_TRUE(job && job->run());
         ASSERT_TRUE(same(first, rendered_anew(scene, 0.0)));
         Film last = first;
@@ -96,8 +97,9 @@ TEST(Frames, AreThoseOfNewRenderers) {
             shared = at_time(*shared, time);
             renderer = renderer->moved(shared, shutter.exposure(time));
             ASSERT_TRUE(renderer);
-            Film film = empty_film();
-            job = job->again(*renderer, settings_at(time), film);
+            const auto shared_film = std::make_shared<Film>(empty_film());
+            Film& film = *shared_film;
+            job = job->again(*renderer, settings_at(time), shared_film);
             ASSERT_TRUE(job && job->run());
             EXPECT_TRUE(same(film, rendered_anew(scene, time))) << time;
             EXPECT_EQ(same(film, last), !moves);
@@ -159,7 +161,7 @@ TEST(Frames, SubstituteLightIsReportedAndCanBeHeld) {
         ASSERT_TRUE(summary);
         EXPECT_EQ(summary->substitute, light);
         EXPECT_EQ(same(held, film), light == SubstituteLight::sky);
-        Film unused = empty_film();
+        const auto unused = std::make_shared<Film>(empty_film());
         const Result<Job> job = Job::make(*renderer, view(), settings, unused);
         ASSERT_TRUE(job);
         EXPECT_EQ(job->substitute(), light) << "before the job runs";

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <memory>
 #include <random>
 #include <thread>
 
@@ -125,8 +126,9 @@ TEST(Job, GoesOnWhereAnotherStopped) {
 // Stopped in the middle of a pass, so that some tiles are ahead.
 TEST(Job, GoesOnFromTilesThatDiffer) {
     const Renderer renderer = varied_renderer();
-    Film film = empty_film();
-    Result<Job> job = Job::make(renderer, varied_camera(), settings(4), film);
+    const auto shared_film = std::make_shared<Film>(empty_film());
+    Film& film = *shared_film;
+    Result<Job> job = Job::make(renderer, varied_camera(), settings(4), shared_film);
     ASSERT_TRUE(job);
     std::stop_source stop;
     const auto stop_early = [&](const Progress& progress) {
@@ -164,8 +166,9 @@ TEST(Job, StartsAtAnyPass) {
 
 TEST(Job, TilesMayDifferInSamples) {
     const Renderer renderer = varied_renderer();
-    Film film = empty_film();
-    Result<Job> job = Job::make(renderer, varied_camera(), settings(2), film);
+    const auto shared_film = std::make_shared<Film>(empty_film());
+    Film& film = *shared_film;
+    Result<Job> job = Job::make(renderer, varied_camera(), settings(2), shared_film);
     ASSERT_TRUE(job);
     std::vector<std::uint32_t> passes(film.tile_count());
     for (std::size_t tile = 0; tile < passes.size(); ++tile) {
@@ -258,9 +261,10 @@ TEST(Job, TheSecondMomentIsThatOfTheSamples) {
 TEST(Job, AFilmOfAnotherSizeThanItSaysIsAnError) {
     const Renderer renderer = varied_renderer();
     const auto refused = [&](void (*change)(Film&)) {
-        Film film = empty_film();
+        const auto shared_film = std::make_shared<Film>(empty_film());
+        Film& film = *shared_film;
         change(film);
-        return !Job::make(renderer, varied_camera(), settings(1), film);
+        return !Job::make(renderer, varied_camera(), settings(1), shared_film);
     };
     EXPECT_FALSE(refused([](Film&) {}));
     EXPECT_TRUE(refused([](Film& film) { film.sum.pop_back(); }));

@@ -5,6 +5,7 @@
 // distance of an object; data without blur. And rays with times of their own.
 
 #include <cmath>
+#include <memory>
 
 #include <gtest/gtest.h>
 
@@ -143,7 +144,7 @@ TEST(LensPicture, IsFocusedOnAHiddenObjectByItsMiddle) {
 
 TEST(LensPicture, OfAnUnknownObjectIsAnError) {
     const Result<Renderer> renderer = Renderer::make(std::make_shared<scene::Scene>(lamp(3.0F)));
-    Film film = *make_film({.width = 8, .height = 8});
+    const auto film = std::make_shared<Film>(*make_film({.width = 8, .height = 8}));
     const Result<Job> job = Job::make(*renderer, with_lens(pinhole(), 1.0, on("objekt 0")),
                                       request(8, 8, "direct", 1), film);
     EXPECT_FALSE(job);

@@ -4,6 +4,7 @@
 // Parameters that move on a job: the picture is that of their values.
 
 #include <cmath>
+#include <memory>
 
 #include <gtest/gtest.h>
 
@@ -68,8 +69,9 @@ TEST_P(Live, IsTheJobOfItsValues) {
     Request settings = request_of(GetParam());
     settings.samples = 24;
     settings.sampling.noise = 0.01;
-    Film film = *make_film(settings.layout);
-    Result<Job> job = Job::make(renderer, opened->picture, settings, film);
+    const auto shared_film = std::make_shared<Film>(*make_film(settings.layout));
+    Film& film = *shared_film;
+    Result<Job> job = Job::make(renderer, opened->picture, settings, shared_film);
     ASSERT_TRUE(job) << to_text(job.diagnostics);
     ASSERT_TRUE(job->run());
     ASSERT_GT(film.white, 0.0);
@@ -80,8 +82,9 @@ TEST_P(Live, IsTheJobOfItsValues) {
     ASSERT_TRUE(job->run());
 
     settings.inputs = values;
-    Film other = *make_film(settings.layout);
-    const Result<Job> made = Job::make(renderer, opened->picture, settings, other);
+    const auto shared_other = std::make_shared<Film>(*make_film(settings.layout));
+    Film& other = *shared_other;
+    const Result<Job> made = Job::make(renderer, opened->picture, settings, shared_other);
     ASSERT_TRUE(made);
     ASSERT_TRUE(Job(*made).run());
     EXPECT_EQ(film.sum, other.sum);
@@ -100,8 +103,9 @@ TEST_P(Live, IsThePictureThatIsMadeWithItsValues) {
         EXPECT_TRUE(opened->closed.empty()) << testing::PrintToString(opened->closed);
         Request settings = request_of(GetParam());
         settings.reuse_paths = false;
-        Film film = *make_film(settings.layout);
-        Result<Job> job = Job::make(renderer, opened->picture, settings, film);
+        const auto shared_film = std::make_shared<Film>(*make_film(settings.layout));
+        Film& film = *shared_film;
+        Result<Job> job = Job::make(renderer, opened->picture, settings, shared_film);
         ASSERT_TRUE(job) << to_text(job.diagnostics);
         ASSERT_TRUE(job->set_inputs(inputs({{"turn", 0.125}})).empty());
         ASSERT_TRUE(job->run());
@@ -123,8 +127,9 @@ TEST(LiveJob, RefusesAnUnknownInputAndStaysAsItWas) {
     const auto renderer = Renderer::make(std::make_shared<const scene::Scene>(ball_before_wall()));
     const auto opened = lang::Workspace().make_open_picture(source(), "view");
     const Request settings = request_of("preview");
-    Film film = *make_film(settings.layout);
-    Result<Job> job = Job::make(*renderer, opened->picture, settings, film);
+    const auto shared_film = std::make_shared<Film>(*make_film(settings.layout));
+    Film& film = *shared_film;
+    Result<Job> job = Job::make(*renderer, opened->picture, settings, shared_film);
     ASSERT_TRUE(job);
     ASSERT_TRUE(job->run());
     const std::vector<Color4d> before = film.sum;

@@ -268,10 +268,10 @@ TEST(MotionLayer, FramesHaveADuration) {
     const scene::Scene scene = ball_before_a_wall();
     const Result<Renderer> renderer = Renderer::make(std::make_shared<scene::Scene>(scene));
     Request wrong = motion_request();
-    Result<Film> film = make_film(wrong.layout);
+    const auto film = std::make_shared<Film>(*make_film(wrong.layout));
     for (const double duration : {0.0, -1.0, std::nan("")}) {
         wrong.frames.duration = duration;
-        EXPECT_FALSE(Job::make(*renderer, camera_at<Pinhole>(V3d(0.0)), wrong, *film)) << duration;
+        EXPECT_FALSE(Job::make(*renderer, camera_at<Pinhole>(V3d(0.0)), wrong, film)) << duration;
     }
 }
 

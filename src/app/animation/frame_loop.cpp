@@ -176,16 +176,18 @@ bool FrameLoop::go_to(std::size_t frame) {
     return moved;
 }
 
-Result<render::Summary> FrameLoop::trace_unit(const FrameUnit& unit, render::Film& film,
+Result<render::Summary> FrameLoop::trace_unit(const FrameUnit& unit,
+                                              const std::shared_ptr<render::Film>& shared,
                                               CheckpointFile& checkpoint,
                                               const std::stop_token& stop) {
     Result<render::Job> job =
-        job_ ? job_->again(*loaded_.renderer, loaded_.settings, film)
-             : render::Job::make(*loaded_.renderer, picture_, loaded_.settings, film);
+        job_ ? job_->again(*loaded_.renderer, loaded_.settings, shared)
+             : render::Job::make(*loaded_.renderer, picture_, loaded_.settings, shared);
     if (!job) {
         return std::move(job.diagnostics);
     }
     job_ = *job;
+    render::Film& film = *shared;
     if (checkpoint.exists() && !animation_.overwrite) {
         Diagnostics found = checkpoint.load(film);
         for (Diagnostic& one : found) {
@@ -251,15 +253,16 @@ bool FrameLoop::render(const FrameUnit& unit, const std::stop_token& stop) {
     if (!go_to(unit.frame)) {
         return false;
     }
-    Result<render::Film> film = make_film(layout_, request_);
-    if (fails(film.diagnostics)) {
+    Result<render::Film> made = make_film(layout_, request_);
+    if (fails(made.diagnostics)) {
         return false;
     }
+    const auto film = std::make_shared<render::Film>(std::move(*made));
     render::RenderFacts facts = record_.facts;
     facts.push_back({std::string(frame_fact), fmt::format("{}", unit.frame)});
     const fs::path file = file_of(unit);
     CheckpointFile checkpoint(file, facts, {}, loaded_.since);
-    const Result<render::Summary> summary = trace_unit(unit, *film, checkpoint, stop);
+    const Result<render::Summary> summary = trace_unit(unit, film, checkpoint, stop);
     add_once(summary.diagnostics);
     if (!summary || summary->interrupted) {
         report_.interrupted = summary.value.has_value();

@@ -5,6 +5,7 @@
 // Renders the frames of an animation, one after the other.
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <set>
 #include <stop_token>
@@ -48,7 +49,8 @@ private:
     [[nodiscard]] bool is_displayed() const;
     [[nodiscard]] bool go_to(std::size_t frame);
     [[nodiscard]] bool render(const FrameUnit& unit, const std::stop_token& stop);
-    [[nodiscard]] Result<render::Summary> trace_unit(const FrameUnit& unit, render::Film& film,
+    [[nodiscard]] Result<render::Summary> trace_unit(const FrameUnit& unit,
+                                                     const std::shared_ptr<render::Film>& shared,
                                                      class CheckpointFile& checkpoint,
                                                      const std::stop_token& stop);
     [[nodiscard]] Diagnostics write_unit(const FrameUnit& unit, render::Film& film,

@@ -31,11 +31,12 @@ bool has_samples(const render::Film& film) {
 /// A picture whose film is in memory.
 class WholeRun {
 public:
-    WholeRun(const Request& request, const Loaded& loaded, render::Film& film,
+    WholeRun(const Request& request, const Loaded& loaded, std::shared_ptr<render::Film> film,
              const Observer& observer, const bool& is_outdated, Report& report)
         : request_(request),
           loaded_(loaded),
-          film_(film),
+          shared_(std::move(film)),
+          film_(*shared_),
           observer_(observer),
           is_outdated_(is_outdated),
           report_(report),
@@ -46,7 +47,7 @@ public:
 
     void run(const camera::Picture& picture, const std::stop_token& stop) {
         Result<render::Job> job =
-            render::Job::make(*loaded_.renderer, picture, loaded_.settings, film_);
+            render::Job::make(*loaded_.renderer, picture, loaded_.settings, shared_);
         if (fails(job.diagnostics) || fails(resume())) {
             return;
         }
@@ -160,6 +161,7 @@ private:
 
     const Request& request_;
     const Loaded& loaded_;
+    std::shared_ptr<render::Film> shared_;
     render::Film& film_;
     const Observer& observer_;
     const bool& is_outdated_;
@@ -252,7 +254,7 @@ Report Session::render(const Request& request, const Observer& observer,
     const auto kept = std::make_shared<render::Film>(std::move(*film));
     state_->film = kept;
     const Stoppable stoppable(observer);
-    WholeRun(request, loaded, *kept, observer, state_->is_outdated, report).run(*picture, stop);
+    WholeRun(request, loaded, kept, observer, state_->is_outdated, report).run(*picture, stop);
     return report;
 }
 

@@ -96,7 +96,8 @@ std::string default_light(const std::shared_ptr<const scene::Scene>& scene) {
         picture && film
             ? render::Job::make(
                   *renderer, *picture,
-                  {.samples = 1, .integrator = "path", .light = {.sky_beside_suns = true}}, *film)
+                  {.samples = 1, .integrator = "path", .light = {.sky_beside_suns = true}},
+                  std::make_shared<render::Film>(std::move(*film)))
             : Result<render::Job>();
     if (!job) {
         return std::string(unknown_light);

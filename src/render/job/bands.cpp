@@ -75,13 +75,6 @@ void add(Summary& total, const Summary& part) {
     total.compile_seconds = part.compile_seconds;
 }
 
-BandedRender::BandedRender(const Region& window, std::size_t rows, std::unique_ptr<Film> film,
-                           Job job)
-    : window_(window),
-      rows_(rows),
-      film_(std::move(film)),
-      job_(std::make_unique<Job>(std::move(job))) {}
-
 Result<BandedRender> BandedRender::make(const Renderer& renderer, const camera::Picture& picture,
                                         const Settings& settings, const FilmLayout& layout,
                                         std::size_t rows) {
@@ -96,17 +89,17 @@ Result<BandedRender> BandedRender::make(const Renderer& renderer, const camera::
     if (!made) {
         return std::move(made.diagnostics);
     }
-    auto film = std::make_unique<Film>(std::move(*made));
-    Result<Job> job = Job::make(renderer, picture, settings, *film);
+    Result<Job> job =
+        Job::make(renderer, picture, settings, std::make_shared<Film>(std::move(*made)));
     if (!job) {
         return std::move(job.diagnostics);
     }
-    return {BandedRender(window, rows, std::move(film), std::move(*job)),
-            std::move(job.diagnostics)};
+    return {BandedRender(window, rows, std::move(*job)), std::move(job.diagnostics)};
 }
 
 bool BandedRender::next() {
-    const std::size_t first = film_->window.y + film_->window.height;
+    const Region& band = job_.film()->window;
+    const std::size_t first = band.y + band.height;
     const std::size_t end = window_.y + window_.height;
     return first < end && go_to(first, std::min(rows_, end - first));
 }
@@ -118,12 +111,12 @@ bool BandedRender::go_to(std::size_t first_row, std::size_t rows) {
         !at_tile(first_row) || !(at_tile(first_row + rows) || first_row + rows == end)) {
         return false;
     }
-    begin_anew(*film_, {window_.x, first_row, window_.width, rows});
+    begin_anew(*job_.film(), {window_.x, first_row, window_.width, rows});
     return true;
 }
 
 double BandedRender::done(double part_of_band) const {
-    const Region& band = film_->window;
+    const Region& band = job_.film()->window;
     return (static_cast<double>(band.y - window_.y) +
             part_of_band * static_cast<double>(band.height)) /
            static_cast<double>(window_.height);

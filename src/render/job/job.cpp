@@ -185,23 +185,29 @@ struct Job::State {
     camera::Picture picture;
     std::shared_ptr<const JobParts> parts;
     PictureInputs inputs;
-    Film* film;
+    std::shared_ptr<Film> film;
 };
 
 Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
-                      const Settings& settings, Film& film) {
-    return make(renderer, picture, settings, film, nullptr);
+                      const Settings& settings, std::shared_ptr<Film> film) {
+    return make(renderer, picture, settings, std::move(film), nullptr);
 }
 
-Result<Job> Job::again(const Renderer& renderer, const Settings& settings, Film& film) const {
-    return make(renderer, state_->picture, settings, film, state_.get());
+Result<Job> Job::again(const Renderer& renderer, const Settings& settings,
+                       std::shared_ptr<Film> film) const {
+    return make(renderer, state_->picture, settings, std::move(film), state_.get());
 }
 
 Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
-                      const Settings& settings, Film& film, const State* previous) {
+                      const Settings& settings, std::shared_ptr<Film> shared,
+                      const State* previous) {
     if (Diagnostics found = check(settings); !found.empty()) {
         return found;
     }
+    if (!shared) {
+        return error(Kind::internal, "a job needs a film");
+    }
+    Film& film = *shared;
     if (!film.noisy.empty()) {
         return error("the film is denoised, so no samples can be added to it", {},
                      "denoise a copy of the film");
@@ -235,8 +241,8 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
         prepare(film, *parts);
         parts->motion = motion_of(traced, parts->picture, settings, film);
         parts->compile_seconds = watch.seconds();
-        return Job(std::make_shared<const State>(
-            State{renderer.state_, picture, std::move(parts), std::move(*inputs), &film}));
+        return Job(std::make_shared<const State>(State{renderer.state_, picture, std::move(parts),
+                                                       std::move(*inputs), std::move(shared)}));
     } catch (const std::bad_alloc&) {
         return out_of_memory();
     }
@@ -259,6 +265,8 @@ Diagnostics Job::set_inputs(std::span<const camera::KnownInput> inputs) {
         return {out_of_memory()};
     }
 }
+
+const std::shared_ptr<Film>& Job::film() const { return state_->film; }
 
 const std::string& Job::light() const { return state_->parts->light; }
 
@@ -289,7 +297,9 @@ Result<Summary> Job::run(std::span<const std::uint32_t> passes, const ProgressCa
 Result<Summary> render(const Renderer& renderer, const camera::Picture& picture,
                        const Settings& settings, Film& film, const ProgressCallback& progress,
                        std::stop_token stop) {
-    Result<Job> job = Job::make(renderer, picture, settings, film);
+    // The job does not outlive this call, so it need not own the film.
+    const std::shared_ptr<Film> borrowed(std::shared_ptr<Film>(), &film);
+    Result<Job> job = Job::make(renderer, picture, settings, borrowed);
     if (!job) {
         return std::move(job.diagnostics);
     }
