@@ -168,10 +168,81 @@ scene::Mesh random_mesh(std::mt19937& random, bool with_normals) {
     return mesh;
 }
 
+V3f random_vector(std::mt19937& random) {
+    std::normal_distribution<float> component;
+    return {component(random), component(random), component(random)};
+}
+
+// Hits of random instances below a number; the last one stands for nothing.
+Packet random_packet(std::mt19937& random, std::uint32_t instances, bool one_triangle) {
+    std::uniform_real_distribution<float> share(0.0F, 0.5F);
+    const auto triangle = [&] { return static_cast<std::uint32_t>(random() % 10); };
+    const std::uint32_t one = triangle();
+    Packet packet;
+    for (std::size_t lane = 0; lane < Packet::size; ++lane) {
+        packet.set(lane, {.origin = V3f(0.0F), .direction = random_vector(random).normalized()});
+        packet.valid[lane] = random() % 8 != 0 ? -1 : 0;
+        const auto instance = static_cast<std::uint32_t>(random() % instances);
+        packet.geometry[lane] = instance + 1 < instances ? instance : embree::Hit::nothing;
+        packet.placement[lane] = embree::Hit::nothing;
+        packet.triangle[lane] = one_triangle ? one : triangle();
+        packet.u[lane] = share(random);
+        packet.v[lane] = share(random);
+        const V3f normal = random_vector(random);
+        packet.normal_x[lane] = normal.x;
+        packet.normal_y[lane] = normal.y;
+        packet.normal_z[lane] = normal.z;
+    }
+    return packet;
+}
+
+// Calls check() on each instruction set; it returns bytes, which must be the same on all.
+void expect_same_bytes(const std::function<std::vector<std::byte>()>& check) {
+    std::vector<std::byte> expected;
+    on_each_target([&] {
+        const std::vector<std::byte> found = check();
+        if (expected.empty()) {
+            expected = found;
+        }
+        EXPECT_EQ(found, expected);
+    });
+}
+
+TEST(SurfaceLanes, FootprintsAreTheSameOnAllMachines) {
+    std::mt19937 random(13);
+    scene::Mesh mesh = random_mesh(random, false);
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        const V3f place = random_vector(random);
+        mesh.texture_coordinates[0].emplace_back(place.x, place.y);
+    }
+    PlacedMesh placed{&mesh, {}, {}};
+    placed.world_from_mesh[1][0] = 0.7F;
+    scene::TextureUse use;
+    use.offset = {0.3F, -0.7F};
+    use.u_axis = {0.8F, 0.6F};
+    for (int trial = 0; trial < 50; ++trial) {
+        SCOPED_TRACE(trial);
+        Packet packet = random_packet(random, 2, trial % 3 == 0);
+        LaneVectors normals;
+        packet_lanes::Differentials differentials;
+        for (std::size_t lane = 0; lane < Packet::size; ++lane) {
+            packet.farthest[lane] = 1.0F;
+            normals.set(lane, random_vector(random));
+            differentials.set(lane, {random_vector(random), random_vector(random),
+                                     random_vector(random), random_vector(random)});
+        }
+        expect_same_bytes([&] {
+            texture_lanes::Footprints found;
+            surface_lanes::set_footprints(packet, 0x7ff3U, placed, normals, differentials, use,
+                                          found);
+            EXPECT_NE(found.along_x.of(0), V2f(0.0F));
+            return bytes_of(found);
+        });
+    }
+}
+
 TEST(SurfaceLanes, LightIsTheSameOnAllMachines) {
     std::mt19937 random(11);
-    std::normal_distribution<float> component;
-    std::uniform_real_distribution<float> share(0.0F, 0.5F);
     const scene::Mesh flat = random_mesh(random, false);
     const scene::Mesh smooth = random_mesh(random, true);
     std::array<surface_lanes::Look, 3> looks{};  // The last one is not plain.
@@ -182,28 +253,9 @@ TEST(SurfaceLanes, LightIsTheSameOnAllMachines) {
     looks[1].base_color = {0.3F, 0.9F, 0.7F};
     looks[1].mesh.mesh = &smooth;
     for (int trial = 0; trial < 50; ++trial) {
-        Packet packet;
-        const auto one = static_cast<std::uint32_t>(random() % 10);
-        for (std::size_t lane = 0; lane < Packet::size; ++lane) {
-            packet.set(
-                lane,
-                {.origin = V3f(0.0F),
-                 .direction =
-                     V3f(component(random), component(random), component(random)).normalized()});
-            packet.valid[lane] = random() % 8 != 0 ? -1 : 0;
-            const auto instance = static_cast<std::uint32_t>(random() % 4);
-            packet.geometry[lane] = instance < 3 ? instance : embree::Hit::nothing;
-            packet.placement[lane] = embree::Hit::nothing;
-            packet.triangle[lane] =
-                trial % 3 == 0 ? one : static_cast<std::uint32_t>(random() % 10);
-            packet.u[lane] = share(random);
-            packet.v[lane] = share(random);
-            packet.normal_x[lane] = component(random);
-            packet.normal_y[lane] = component(random);
-            packet.normal_z[lane] = component(random);
-        }
-        std::vector<std::byte> expected;
-        on_each_target([&] {
+        const Packet packet = random_packet(random, 4, trial % 3 == 0);
+        SCOPED_TRACE(trial);
+        expect_same_bytes([&] {
             surface_lanes::Lit lit{};
             surface_lanes::Radiances radiances{};
             surface_lanes::light(packet, looks, lit, radiances);
@@ -227,11 +279,7 @@ TEST(SurfaceLanes, LightIsTheSameOnAllMachines) {
             }
             EXPECT_EQ(counts.missing, missing);
             EXPECT_EQ(counts.shown, shown);
-            const auto found = bytes_of(colors);
-            if (expected.empty()) {
-                expected = found;
-            }
-            EXPECT_EQ(found, expected) << "trial " << trial;
+            return bytes_of(colors);
         });
     }
 }
@@ -239,7 +287,7 @@ TEST(SurfaceLanes, LightIsTheSameOnAllMachines) {
 // All inside an image of 64 by 64 texels, or some of them beyond its border.
 TEST(TextureLanes, MeansAreTheSameOnAllMachines) {
     std::mt19937 random(3);
-    texture_lanes::ByteLevels levels{.width = 64, .height = 64, .last = 6};
+    ImageLevels levels{.width = 64, .height = 64, .last = 6};
     std::int32_t count = 0;
     for (std::int32_t level = 0; level <= levels.last; ++level) {
         levels.first[static_cast<std::size_t>(level)] = count;
@@ -253,24 +301,17 @@ TEST(TextureLanes, MeansAreTheSameOnAllMachines) {
         std::uniform_real_distribution<float> place(border, 1.0F - border);
         std::uniform_real_distribution<float> change(-0.06F, 0.06F);
         texture_lanes::Footprints asked;
-        for (std::size_t lane = 0; lane < texture_lanes::lane_count; ++lane) {
-            asked.at_u[lane] = place(random);
-            asked.at_v[lane] = place(random);
-            asked.along_x_u[lane] = change(random);
-            asked.along_x_v[lane] = change(random);
-            asked.along_y_u[lane] = change(random);
-            asked.along_y_v[lane] = change(random);
+        for (std::size_t lane = 0; lane < lane_count; ++lane) {
+            asked.at.set(lane, {place(random), place(random)});
+            asked.along_x.set(lane, {change(random), change(random)});
+            asked.along_y.set(lane, {change(random), change(random)});
         }
-        std::vector<std::byte> expected;
-        on_each_target([&] {
-            texture_lanes::Colors colors{};
+        SCOPED_TRACE(trial);
+        expect_same_bytes([&] {
+            LaneVectors colors;
             texture_lanes::set_means(levels, texels, ByteScale::of(TextureEncoding::srgb), asked,
                                      colors);
-            const auto found = bytes_of(colors);
-            if (expected.empty()) {
-                expected = found;
-            }
-            EXPECT_EQ(found, expected) << "trial " << trial;
+            return bytes_of(colors);
         });
     }
 }

@@ -169,7 +169,7 @@ TEST(SurfaceLanes, TheNormalOfATinyTriangleHasALength) {
     surface_lanes::Lit lit{};
     surface_lanes::Radiances radiances{};
     surface_lanes::light(packet, std::span(&look, 1), lit, radiances);
-    for (const float cosine : radiances.red) {
+    for (const float cosine : radiances.color.x) {
         EXPECT_NEAR(cosine, 0.8F, 1e-6F);
     }
 }

@@ -77,28 +77,25 @@ TEST(NearestTexture, TheRaysOfAPacketFindTheSameBits) {
             const TextureLibrary library(scene, memory, warnings);
             for (int trial = 0; trial < 200; ++trial) {
                 texture_lanes::Footprints asked;
-                std::array<Color4f, texture_lanes::lane_count> expected;
+                std::array<Color4f, lane_count> expected;
                 for (std::size_t lane = 0; lane < expected.size(); ++lane) {
                     // Some within a texel, others across many.
                     const float scale = lane % 2 == 0 ? 0.1F : 1.0F;
                     const TextureFootprint one{{place(random), place(random)},
                                                {scale * change(random), scale * change(random)},
                                                {scale * change(random), scale * change(random)}};
-                    asked.at_u[lane] = one.at.x;
-                    asked.at_v[lane] = one.at.y;
-                    asked.along_x_u[lane] = one.along_x.x;
-                    asked.along_x_v[lane] = one.along_x.y;
-                    asked.along_y_u[lane] = one.along_y.x;
-                    asked.along_y_v[lane] = one.along_y.y;
+                    asked.at.set(lane, one.at);
+                    asked.along_x.set(lane, one.along_x);
+                    asked.along_y.set(lane, one.along_y);
                     expected[lane] =
                         library.look_up(scene::TextureIndex(0), TextureEncoding::linear, one);
                 }
-                texture_lanes::Colors found{};
+                LaneVectors found;
                 library.look_up(scene::TextureIndex(0), TextureEncoding::linear, asked, found);
                 for (std::size_t lane = 0; lane < expected.size(); ++lane) {
-                    ASSERT_EQ(found.red[lane], expected[lane].r) << "lane " << lane;
-                    ASSERT_EQ(found.green[lane], expected[lane].g) << "lane " << lane;
-                    ASSERT_EQ(found.blue[lane], expected[lane].b) << "lane " << lane;
+                    ASSERT_EQ(found.x[lane], expected[lane].r) << "lane " << lane;
+                    ASSERT_EQ(found.y[lane], expected[lane].g) << "lane " << lane;
+                    ASSERT_EQ(found.z[lane], expected[lane].b) << "lane " << lane;
                 }
             }
         }

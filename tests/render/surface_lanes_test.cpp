@@ -106,7 +106,7 @@ TEST(SurfaceLanes, FootprintsAreThoseOfEachRay) {
         const bool one_triangle = trial % 4 < 2;
         const std::uint32_t lanes = trial % 8 < 4 ? 0xffffU : 0x5e1bU;
         Packet packet;
-        surface_lanes::Normals normals{};
+        LaneVectors normals;
         packet_lanes::Differentials differentials;
         for (std::size_t lane = 0; lane < Packet::size; ++lane) {
             packet.valid[lane] = -1;
@@ -126,10 +126,7 @@ TEST(SurfaceLanes, FootprintsAreThoseOfEachRay) {
             packet.set(lane, {.origin = surface.position - distance * direction,
                               .direction = direction,
                               .farthest = distance});
-            const V3f normal = surface.edge_1.cross(surface.edge_2);
-            normals.x[lane] = normal.x;
-            normals.y[lane] = normal.y;
-            normals.z[lane] = normal.z;
+            normals.set(lane, surface.edge_1.cross(surface.edge_2));
             differentials.set(lane, {random_vector(random), random_vector(random),
                                      random_vector(random), random_vector(random)});
         }
@@ -137,12 +134,14 @@ TEST(SurfaceLanes, FootprintsAreThoseOfEachRay) {
         texture_lanes::Footprints found;
         surface_lanes::set_footprints(packet, lanes, mesh, normals, differentials, use, found);
         for (std::size_t lane = 0; lane < Packet::size; ++lane) {
-            const auto expect_near = [&](float u, float v, const V2f& expected) {
+            const auto expect_near = [&](const V2f& place, const V2f& expected) {
                 // A length of up to ten is divided by a cosine of at least 0.2 and measured in
                 // edges of at least 0.2; some thirty roundings.
                 const float tolerance = 1e-4F * std::max(1.0F, expected.length());
-                EXPECT_NEAR(u, expected.x, tolerance) << "trial " << trial << ", lane " << lane;
-                EXPECT_NEAR(v, expected.y, tolerance) << "trial " << trial << ", lane " << lane;
+                EXPECT_NEAR(place.x, expected.x, tolerance)
+                    << "trial " << trial << ", lane " << lane;
+                EXPECT_NEAR(place.y, expected.y, tolerance)
+                    << "trial " << trial << ", lane " << lane;
             };
             TextureFootprint expected{V2f(texture_lanes::middle), V2f(0.0F), V2f(0.0F)};
             if ((lanes >> lane & 1U) != 0) {
@@ -151,9 +150,9 @@ TEST(SurfaceLanes, FootprintsAreThoseOfEachRay) {
                 expected = surface.in_mesh.texture_footprint(
                     use, surface.triangle_footprint(surface.transfer(ray)));
             }
-            expect_near(found.at_u[lane], found.at_v[lane], expected.at);
-            expect_near(found.along_x_u[lane], found.along_x_v[lane], expected.along_x);
-            expect_near(found.along_y_u[lane], found.along_y_v[lane], expected.along_y);
+            expect_near(found.at.of(lane), expected.at);
+            expect_near(found.along_x.of(lane), expected.along_x);
+            expect_near(found.along_y.of(lane), expected.along_y);
         }
     }
 }

@@ -133,25 +133,22 @@ TEST(TextureLibrary, TheWrapModesContinueTheImage) {
 
 // Expects that the rays of a packet together find what each finds by itself.
 void expect_same_in_lanes(const TextureLibrary& library,
-                          const std::array<TextureFootprint, texture_lanes::lane_count>& asked) {
+                          const std::array<TextureFootprint, lane_count>& asked) {
     const scene::TextureIndex texture(0);
     texture_lanes::Footprints footprints;
     for (std::size_t lane = 0; lane < asked.size(); ++lane) {
         const TextureFootprint& one = asked[lane];
-        footprints.at_u[lane] = one.at.x;
-        footprints.at_v[lane] = one.at.y;
-        footprints.along_x_u[lane] = one.along_x.x;
-        footprints.along_x_v[lane] = one.along_x.y;
-        footprints.along_y_u[lane] = one.along_y.x;
-        footprints.along_y_v[lane] = one.along_y.y;
+        footprints.at.set(lane, one.at);
+        footprints.along_x.set(lane, one.along_x);
+        footprints.along_y.set(lane, one.along_y);
     }
-    texture_lanes::Colors found{};
+    LaneVectors found;
     library.look_up(texture, TextureEncoding::linear, footprints, found);
     for (std::size_t lane = 0; lane < asked.size(); ++lane) {
         const Color4f expected = library.look_up(texture, TextureEncoding::linear, asked[lane]);
-        ASSERT_EQ(found.red[lane], expected.r) << "lane " << lane;
-        ASSERT_EQ(found.green[lane], expected.g) << "lane " << lane;
-        ASSERT_EQ(found.blue[lane], expected.b) << "lane " << lane;
+        ASSERT_EQ(found.x[lane], expected.r) << "lane " << lane;
+        ASSERT_EQ(found.y[lane], expected.g) << "lane " << lane;
+        ASSERT_EQ(found.z[lane], expected.b) << "lane " << lane;
     }
 }
 
@@ -167,7 +164,7 @@ TEST(TextureLibrary, TheRaysOfAPacketFindTheSameBits) {
             for (const std::size_t memory : {plenty, std::size_t{0}}) {
                 const Sampled sampled(scene, memory);
                 for (int trial = 0; trial < 200; ++trial) {
-                    std::array<TextureFootprint, texture_lanes::lane_count> asked;
+                    std::array<TextureFootprint, lane_count> asked;
                     for (TextureFootprint& one : asked) {
                         one = random_footprint(random, trial % 4 == 0 ? 20.0F : 0.1F, -2.0F);
                     }
@@ -175,7 +172,7 @@ TEST(TextureLibrary, TheRaysOfAPacketFindTheSameBits) {
                     // A point, points on borders, and what is out of range.
                     asked[1] = {asked[1].at, V2f(0.0F), V2f(0.0F)};
                     asked[2].at = {-1.0F, 1.0F};
-                    asked[3].at.x = 2.0F * MipPyramid::max_coordinate;
+                    asked[3].at.x = 2.0F * ImageLevels::max_coordinate;
                     asked[4].along_y.y = std::nanf("");
                     expect_same_in_lanes(sampled.library(), asked);
                 }
@@ -439,7 +436,7 @@ TEST(TextureLibrary, AnImageOfFloatsHasHalfFloats) {
         EXPECT_EQ(held(texel_of(i / 4, 16)), Color4f(half(0), half(1), half(2), half(3)));
     }
     for (int trial = 0; trial < 100; ++trial) {
-        std::array<TextureFootprint, texture_lanes::lane_count> asked;
+        std::array<TextureFootprint, lane_count> asked;
         for (TextureFootprint& one : asked) {
             one = random_footprint(random, 1.0F, -1.0F);
         }

@@ -111,8 +111,8 @@ private:
     std::vector<Look> looks_;  // By instance.
     // Of the packet at work.
     surface_lanes::Lit lit_{};
-    texture_lanes::Footprints footprints_{};
-    texture_lanes::Colors texels_{};
+    texture_lanes::Footprints footprints_;
+    LaneVectors texels_;
 };
 
 }  // namespace

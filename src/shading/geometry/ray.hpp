@@ -12,6 +12,8 @@
 
 #include <Imath/ImathVec.h>
 
+#include "shading/lanes/lane_arrays.hpp"
+
 namespace balcony::render::embree {
 
 using Imath::V3f;
@@ -52,8 +54,9 @@ struct Hit {
 struct alignas(64) Packet {
     static constexpr std::size_t side = 4;
     static constexpr std::size_t size = side * side;
-    using Floats = std::array<float, size>;
-    using Numbers = std::array<std::uint32_t, size>;
+    static_assert(size == lane_count);
+    using Floats = LaneFloats;
+    using Numbers = LaneNumbers;
 
     Floats origin_x{}, origin_y{}, origin_z{};
     Floats nearest{};

@@ -32,6 +32,17 @@ void for_each_lane(LaneBits lanes, const Visit& visit) {
 }
 
 using LaneFloats = std::array<float, lane_count>;
+using LaneNumbers = std::array<std::uint32_t, lane_count>;
+
+struct alignas(64) LanePairs {
+    LaneFloats x{}, y{};
+
+    [[nodiscard]] Imath::V2f of(std::size_t lane) const { return {x[lane], y[lane]}; }
+    void set(std::size_t lane, const Imath::V2f& v) {
+        x[lane] = v.x;
+        y[lane] = v.y;
+    }
+};
 
 struct alignas(64) LaneVectors {
     LaneFloats x{}, y{}, z{};

@@ -19,6 +19,7 @@ struct Where {
     HWY_INLINE Where(lanes::Mask<Tag> mask) : m(mask) {}
     lanes::Mask<Tag> m;
 };
+HWY_INLINE Where where_int(lanes::Mask<IntTag> mask) { return lanes::RebindMask(tag, mask); }
 
 struct Float {
     Float() = default;
@@ -51,6 +52,8 @@ HWY_INLINE Float smaller(Float a, Float b) { return lanes::Min(a.v, b.v); }
 HWY_INLINE Float clamped(Float a, Float low, Float high) {
     return lanes::Clamp(a.v, low.v, high.v);
 }
+HWY_INLINE Float absolute(Float a) { return lanes::Abs(a.v); }
+HWY_INLINE Float floored(Float a) { return lanes::Floor(a.v); }
 HWY_INLINE Float sign_of(Float a) { return lanes::CopySign(Float(1.0F).v, a.v); }
 HWY_INLINE Float mix(Float a, Float b, Float fraction) { return a + fraction * (b - a); }
 
@@ -59,20 +62,52 @@ HWY_INLINE Float select(Where where, Float a, Float b) {
 }
 HWY_INLINE Float or_zero(Where where, Float a) { return lanes::IfThenElseZero(where.m, a.v); }
 HWY_INLINE Float negated_if(Where where, Float a) { return select(where, -a, a); }
+HWY_INLINE Where operator!(Where where) { return lanes::Not(where.m); }
 HWY_INLINE Where both(Where a, Where b) { return lanes::And(a.m, b.m); }
-HWY_INLINE bool none(Where where) { return lanes::AllFalse(tag, where.m); }
+HWY_INLINE bool any(Where where) { return !lanes::AllFalse(tag, where.m); }
+HWY_INLINE bool all(Where where) { return lanes::AllTrue(tag, where.m); }
+HWY_INLINE Where is_finite(Float a) { return lanes::IsFinite(a.v); }
 
 HWY_INLINE Int operator+(Int a, Int b) { return lanes::Add(a.v, b.v); }
+HWY_INLINE Int operator-(Int a, Int b) { return lanes::Sub(a.v, b.v); }
+HWY_INLINE Int operator*(Int a, Int b) { return lanes::Mul(a.v, b.v); }
+HWY_INLINE Int operator>>(Int a, Int bits) { return lanes::Shr(a.v, bits.v); }
+HWY_INLINE Where operator==(Int a, Int b) { return where_int(lanes::Eq(a.v, b.v)); }
+HWY_INLINE Where operator<(Int a, Int b) { return where_int(lanes::Lt(a.v, b.v)); }
+HWY_INLINE Int larger(Int a, Int b) { return lanes::Max(a.v, b.v); }
+HWY_INLINE Int smaller(Int a, Int b) { return lanes::Min(a.v, b.v); }
+HWY_INLINE Int select(Where where, Int a, Int b) {
+    return lanes::IfThenElse(lanes::RebindMask(int_tag, where.m), a.v, b.v);
+}
 HWY_INLINE Int truncated(Float a) { return lanes::ConvertTo(int_tag, a.v); }
 HWY_INLINE Index as_index(Int a) { return a; }
 HWY_INLINE Float as_float(Int a) { return lanes::ConvertTo(tag, a.v); }
-HWY_INLINE Where has_bit(Int a, Int bit) {
-    return lanes::RebindMask(tag, lanes::TestBit(a.v, bit.v));
+HWY_INLINE Where has_bit(Int a, Int bit) { return where_int(lanes::TestBit(a.v, bit.v)); }
+HWY_INLINE Int exponent_of(Float a) {
+    return Int(lanes::ShiftRight<23>(lanes::BitCast(int_tag, a.v))) - 127;
+}
+HWY_INLINE Float fraction_of(Float a) {
+    const auto bits = lanes::And(lanes::BitCast(int_tag, a.v), Int(0x007fffff).v);
+    return Float(lanes::BitCast(tag, lanes::Or(bits, Int(0x3f800000).v))) - 1.0F;
 }
 
 struct Float2 {
     Float x, y;
 };
+
+HWY_INLINE Float2 operator+(const Float2& a, const Float2& b) { return {a.x + b.x, a.y + b.y}; }
+HWY_INLINE Float2 operator-(const Float2& a, const Float2& b) { return {a.x - b.x, a.y - b.y}; }
+HWY_INLINE Float2 operator*(const Float2& a, const Float2& b) { return {a.x * b.x, a.y * b.y}; }
+HWY_INLINE Float2 operator*(Float a, const Float2& b) { return {a * b.x, a * b.y}; }
+HWY_INLINE Float2 operator*(const Float2& a, Float b) { return b * a; }
+HWY_INLINE Float2 operator/(const Float2& a, const Float2& b) { return {a.x / b.x, a.y / b.y}; }
+HWY_INLINE Float dot(const Float2& a, const Float2& b) { return a.x * b.x + a.y * b.y; }
+HWY_INLINE Float2 select(Where where, const Float2& a, const Float2& b) {
+    return {select(where, a.x, b.x), select(where, a.y, b.y)};
+}
+HWY_INLINE Float2 or_zero(Where where, const Float2& a) {
+    return {or_zero(where, a.x), or_zero(where, a.y)};
+}
 
 struct Float3 {
     Float x, y, z;
@@ -86,6 +121,9 @@ HWY_INLINE Float3 operator-(const Float3& a, const Float3& b) {
 }
 HWY_INLINE Float3 operator*(Float a, const Float3& b) { return {a * b.x, a * b.y, a * b.z}; }
 HWY_INLINE Float3 operator*(const Float3& a, Float b) { return b * a; }
+HWY_INLINE Float3 operator*(const Float3& a, const Float3& b) {
+    return {a.x * b.x, a.y * b.y, a.z * b.z};
+}
 HWY_INLINE Float3 operator/(const Float3& a, Float b) { return {a.x / b, a.y / b, a.z / b}; }
 HWY_INLINE Float dot(const Float3& a, const Float3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 HWY_INLINE Float3 cross(const Float3& a, const Float3& b) {
@@ -93,6 +131,9 @@ HWY_INLINE Float3 cross(const Float3& a, const Float3& b) {
 }
 HWY_INLINE Float3 unit(const Float3& a) { return a / root(dot(a, a)); }
 HWY_INLINE Float largest(const Float3& color) { return larger(larger(color.x, color.y), color.z); }
+HWY_INLINE Float3 mix(const Float3& a, const Float3& b, Float fraction) {
+    return a + fraction * (b - a);
+}
 HWY_INLINE Float3 select(Where where, const Float3& a, const Float3& b) {
     return {select(where, a.x, b.x), select(where, a.y, b.y), select(where, a.z, b.z)};
 }
@@ -106,6 +147,13 @@ HWY_INLINE Float load(const LaneFloats& values, std::size_t lane) {
 HWY_INLINE Float3 load(const LaneVectors& v, std::size_t lane) {
     return {load(v.x, lane), load(v.y, lane), load(v.z, lane)};
 }
+HWY_INLINE void store(Int value, LaneNumbers& values, std::size_t lane) {
+    const lanes::RebindToUnsigned<Tag> numbers;
+    lanes::Store(lanes::BitCast(numbers, value.v), numbers, values.data() + lane);
+}
+HWY_INLINE Float2 load(const LanePairs& v, std::size_t lane) {
+    return {load(v.x, lane), load(v.y, lane)};
+}
 HWY_INLINE void store(Float value, LaneFloats& values, std::size_t lane) {
     lanes::Store(value.v, tag, values.data() + lane);
 }
@@ -113,6 +161,27 @@ HWY_INLINE void store(const Float3& v, LaneVectors& values, std::size_t lane) {
     store(v.x, values.x, lane);
     store(v.y, values.y, lane);
     store(v.z, values.z, lane);
+}
+HWY_INLINE Float3 load(const LaneFloats& x, const LaneFloats& y, const LaneFloats& z,
+                       std::size_t lane) {
+    return {load(x, lane), load(y, lane), load(z, lane)};
+}
+HWY_INLINE Int load(const LaneNumbers& values, std::size_t lane) {
+    const lanes::RebindToUnsigned<Tag> numbers;
+    return lanes::BitCast(int_tag, lanes::Load(numbers, values.data() + lane));
+}
+// Into some lanes.
+HWY_INLINE void store(Where where, Float value, LaneFloats& values, std::size_t lane) {
+    store(select(where, value, load(values, lane)), values, lane);
+}
+HWY_INLINE void store(Where where, const Float2& v, LanePairs& values, std::size_t lane) {
+    store(where, v.x, values.x, lane);
+    store(where, v.y, values.y, lane);
+}
+HWY_INLINE void store(Where where, const Float3& v, LaneVectors& values, std::size_t lane) {
+    store(where, v.x, values.x, lane);
+    store(where, v.y, values.y, lane);
+    store(where, v.z, values.z, lane);
 }
 
 // The lanes from `lane` on, as many as a register has.

@@ -112,7 +112,7 @@ void finish_values(LaneBits bits, const Surfaces& surfaces, const Views& views,
     set_energies(cosines, energies);
     for (std::size_t lane = 0; lane < size; lane += lanes::Lanes(tag)) {
         const Where asked = where_of(bits, lane);
-        if (none(asked)) {
+        if (!any(asked)) {
             store(Float3{0.0F, 0.0F, 0.0F}, values.reflected, lane);
             store(Float(0.0F), values.pdf, lane);
             continue;

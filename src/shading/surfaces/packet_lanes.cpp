@@ -104,8 +104,7 @@ void set_differentials(const rays::RayBatch::FootprintArrays& footprints, std::s
     const auto scale = lanes::Set(tag, part);
     const auto limit = lanes::Set(tag, embree::max_coordinate);
     const auto set = [&](std::size_t i, std::size_t lane, const Arrays& origin_by,
-                         const Arrays& direction_by, Differentials::Vectors& origin,
-                         Differentials::Vectors& direction) {
+                         const Arrays& direction_by, LaneVectors& origin, LaneVectors& direction) {
         const auto scaled = [&](const double* values) {
             return lanes::Mul(scale, lanes::LoadU(tag, values + i));
         };
@@ -118,14 +117,17 @@ void set_differentials(const rays::RayBatch::FootprintArrays& footprints, std::s
         for (const double* values : direction_by) {
             check(values);
         }
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const auto store = [&](const double* from, Packet::Floats& to) {
-                const auto value = lanes::IfThenElseZero(in_range, scaled(from));
-                lanes::Store(lanes::DemoteTo(floats, value), floats, to.data() + lane);
-            };
-            store(origin_by[axis], origin[axis]);
-            store(direction_by[axis], direction[axis]);
-        }
+        const auto store = [&](const double* from, LaneFloats& to) {
+            const auto value = lanes::IfThenElseZero(in_range, scaled(from));
+            lanes::Store(lanes::DemoteTo(floats, value), floats, to.data() + lane);
+        };
+        const auto store_all = [&](const Arrays& from, LaneVectors& to) {
+            store(from[0], to.x);
+            store(from[1], to.y);
+            store(from[2], to.z);
+        };
+        store_all(origin_by, origin);
+        store_all(direction_by, direction);
     };
     for (std::size_t row = 0; row < side; ++row) {
         for (std::size_t column = 0; column < side; column += lanes::Lanes(tag)) {
@@ -149,18 +151,6 @@ namespace balcony::render::packet_lanes {
 
 HWY_EXPORT(set_rays);
 HWY_EXPORT(set_differentials);
-
-void Differentials::set(std::size_t lane, const RayDifferentials& from) {
-    const auto store = [lane](const V3f& vector, Vectors& to) {
-        for (int axis = 0; axis < 3; ++axis) {
-            to[static_cast<std::size_t>(axis)][lane] = vector[axis];
-        }
-    };
-    store(from.origin_x, origin_x);
-    store(from.origin_y, origin_y);
-    store(from.direction_x, direction_x);
-    store(from.direction_y, direction_y);
-}
 
 void set_rays(const rays::RayBatch::Arrays& rays, std::size_t first, std::size_t stride, float time,
               std::span<embree::Packet> packets) {

@@ -5,7 +5,6 @@
 // What is computed for all rays of a packet together, in the widest registers of the machine. The
 // results are the same on all machines, bit for bit.
 
-#include <array>
 #include <cstddef>
 #include <span>
 
@@ -20,20 +19,20 @@ namespace balcony::render::packet_lanes {
 void set_rays(const rays::RayBatch::Arrays& rays, std::size_t first, std::size_t stride, float time,
               std::span<embree::Packet> packets);
 
-/// The differentials of the rays of a packet, by axis.
-struct alignas(64) Differentials {
-    using Vectors = std::array<embree::Packet::Floats, 3>;
-
-    Vectors origin_x{}, origin_y{};
-    Vectors direction_x{}, direction_y{};
+/// The differentials of the rays of a packet.
+struct Differentials {
+    LaneVectors origin_x, origin_y;
+    LaneVectors direction_x, direction_y;
 
     [[nodiscard]] RayDifferentials of(std::size_t lane) const {
-        const auto vector = [lane](const Vectors& v) {
-            return V3f(v[0][lane], v[1][lane], v[2][lane]);
-        };
-        return {vector(origin_x), vector(origin_y), vector(direction_x), vector(direction_y)};
+        return {origin_x.of(lane), origin_y.of(lane), direction_x.of(lane), direction_y.of(lane)};
     }
-    void set(std::size_t lane, const RayDifferentials& differentials);
+    void set(std::size_t lane, const RayDifferentials& from) {
+        origin_x.set(lane, from.origin_x);
+        origin_y.set(lane, from.origin_y);
+        direction_x.set(lane, from.direction_x);
+        direction_y.set(lane, from.direction_y);
+    }
 };
 
 /// Sets the differentials of a packet whose rays were set by set_rays(): those of

@@ -9,6 +9,7 @@
 #include <hwy/highway.h>
 
 #include <array>
+#include <bit>
 
 #include "shading/surfaces/radiance_lanes.hpp"
 
@@ -16,43 +17,31 @@ HWY_BEFORE_NAMESPACE();
 
 namespace balcony::render::surface_lanes::HWY_NAMESPACE {
 
-namespace lanes = hwy::HWY_NAMESPACE;
+#include "shading/lanes/registers.inl"
 
 using embree::Packet;
-
-using Tag = lanes::CappedTag<float, Packet::size>;
-using IntegerTag = lanes::RebindToSigned<Tag>;
-using Vector = lanes::Vec<Tag>;
-using Mask = lanes::Mask<Tag>;
-constexpr Tag tag;
-constexpr IntegerTag integers;
 
 LaneCounts write(const Packet& packet, const Radiances& radiances, LaneBits counted,
                  std::size_t stride, Imath::Color4f* to, std::uint64_t& broken) {
     alignas(64) std::array<Imath::Color4f, Packet::size> colors;
-    LaneCounts counts;
+    LaneBits visible = 0;
+    LaneBits missing = 0;
     for (std::size_t lane = 0; lane < Packet::size; lane += lanes::Lanes(tag)) {
-        const Vector red = lanes::Load(tag, radiances.red.data() + lane);
-        const Vector green = lanes::Load(tag, radiances.green.data() + lane);
-        const Vector blue = lanes::Load(tag, radiances.blue.data() + lane);
-        const Vector alpha = lanes::Load(tag, radiances.alpha.data() + lane);
-        const Mask finite = lanes::And(lanes::And(lanes::IsFinite(red), lanes::IsFinite(green)),
-                                       lanes::And(lanes::IsFinite(blue), lanes::IsFinite(alpha)));
-        const auto shown = [&](Vector value) { return lanes::IfThenElseZero(finite, value); };
-        lanes::StoreInterleaved4(shown(red), shown(green), shown(blue), shown(alpha), tag,
+        const Float3 color = load(radiances.color, lane);
+        const Float alpha = load(radiances.alpha, lane);
+        const Where finite = both(both(is_finite(color.x), is_finite(color.y)),
+                                  both(is_finite(color.z), is_finite(alpha)));
+        const Float3 shown = or_zero(finite, color);
+        const Float shown_alpha = or_zero(finite, alpha);
+        lanes::StoreInterleaved4(shown.x.v, shown.y.v, shown.z.v, shown_alpha.v, tag,
                                  &colors[lane].r);
-        broken += lanes::CountTrue(tag, lanes::Not(finite));
-        const std::uint32_t rest = counted >> lane;
-        const std::uint8_t bits[8]{static_cast<std::uint8_t>(rest),
-                                   static_cast<std::uint8_t>(rest >> 8U)};
-        const Mask counts_here = lanes::LoadMaskBits(tag, bits);
-        const Mask visible = lanes::Gt(shown(alpha), lanes::Zero(tag));
-        counts.shown += lanes::CountTrue(tag, lanes::And(counts_here, visible));
-        const Mask exists = lanes::RebindMask(
-            tag,
-            lanes::Ne(lanes::Load(integers, packet.valid.data() + lane), lanes::Zero(integers)));
-        counts.missing += lanes::CountTrue(tag, lanes::AndNot(exists, counts_here));
+        broken += lanes::CountTrue(tag, (!finite).m);
+        visible |= bits_of(shown_alpha > 0.0F, lane);
+        missing |= bits_of(Int(lanes::Load(int_tag, packet.valid.data() + lane)) == 0, lane);
     }
+    LaneCounts counts;
+    counts.shown = static_cast<std::size_t>(std::popcount(visible & counted));
+    counts.missing = static_cast<std::size_t>(std::popcount(missing & counted));
     const lanes::CappedTag<float, 4 * Packet::side> row_tag;
     for (std::size_t row = 0; row < Packet::side; ++row) {
         for (std::size_t k = 0; k < 4 * Packet::side; k += lanes::Lanes(row_tag)) {

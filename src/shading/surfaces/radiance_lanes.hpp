@@ -15,13 +15,12 @@
 namespace balcony::render::surface_lanes {
 
 struct alignas(64) Radiances {
-    embree::Packet::Floats red, green, blue, alpha;
+    LaneVectors color;
+    LaneFloats alpha{};
 
-    void set(std::size_t lane, const Imath::Color4f& color) {
-        red[lane] = color.r;
-        green[lane] = color.g;
-        blue[lane] = color.b;
-        alpha[lane] = color.a;
+    void set(std::size_t lane, const Imath::Color4f& radiance) {
+        color.set(lane, {radiance.r, radiance.g, radiance.b});
+        alpha[lane] = radiance.a;
     }
 };
 

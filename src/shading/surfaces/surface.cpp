@@ -9,9 +9,13 @@
 #include <limits>
 #include <optional>
 
+#include "shading/lanes/scalar.hpp"
+
 namespace balcony::render {
 
 namespace {
+
+#include "shading/surfaces/surface.inl"
 
 float max_coordinate(const V3f& p) {
     return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
@@ -98,8 +102,6 @@ bool is_flat(const std::array<V3f, 3>& normals, const V3f& outside,
     return along > 0.0F && along * along > same * normal.length2();
 }
 
-bool is_finite(const V2f& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
-
 }  // namespace
 
 std::array<V2f, 2> MeshPoint::texture_edges(const scene::TextureUse& use) const {
@@ -118,15 +120,9 @@ TextureFootprint MeshPoint::texture_footprint(const scene::TextureUse& use,
     const std::vector<V2f>& coordinates = mesh->texture_coordinates[use.coordinates];
     const V2f first = coordinates.empty() ? V2f(0.0F) : coordinates[mesh->triangles[triangle][0]];
     const std::array<V2f, 2> edges = texture_edges(use);
-    const auto in_texture = [&](const V2f& along) {
-        const V2f slope = along.x * edges[0] + along.y * edges[1];
-        const float width = std::max(std::abs(slope.x), std::abs(slope.y));
-        return !is_finite(slope)
-                   ? V2f(0.0F, 0.0F)
-                   : slope * (width > widest_footprint ? widest_footprint / width : 1.0F);
-    };
-    return {use.place(first) + u * edges[0] + v * edges[1], in_texture(footprint.along_x),
-            in_texture(footprint.along_y)};
+    return {point_in_image(use.place(first), u, v, edges[0], edges[1]),
+            slope_in_image(footprint.along_x, edges[0], edges[1]),
+            slope_in_image(footprint.along_y, edges[0], edges[1])};
 }
 
 scene::Color4f MeshPoint::color() const {
@@ -134,8 +130,8 @@ scene::Color4f MeshPoint::color() const {
         return {1.0F, 1.0F, 1.0F, 1.0F};
     }
     const auto& corners = mesh->triangles[triangle];
-    return (1.0F - u - v) * mesh->colors[corners[0]] + u * mesh->colors[corners[1]] +
-           v * mesh->colors[corners[2]];
+    return interpolated(u, v, mesh->colors[corners[0]], mesh->colors[corners[1]],
+                        mesh->colors[corners[2]]);
 }
 
 V3f Surface::start(const V3f& direction) const {
@@ -149,8 +145,8 @@ PositionDifferentials Surface::transfer(const Ray& ray) const {
     const float along_normal = ray.direction.dot(geometric_normal);
     const float length = (position - ray.origin).dot(ray.direction);
     const auto on_plane = [&](const V3f& origin, const V3f& direction) {
-        const V3f moved = origin + length * direction;
-        return moved - moved.dot(geometric_normal) / along_normal * ray.direction;
+        return onto_plane(origin + length * direction, geometric_normal, along_normal,
+                          ray.direction);
     };
     const RayDifferentials& d = ray.differentials;
     return {on_plane(d.origin_x, d.direction_x), on_plane(d.origin_y, d.direction_y)};
@@ -219,9 +215,8 @@ SurfaceFinder::Placement SurfaceFinder::placement_at(std::uint32_t instance, flo
 V4f SurfaceFinder::placed_tangent(const MeshPoint& point, const Placement& placement) {
     const auto& corners = point.mesh->triangles[point.triangle];
     const V4f& first = point.mesh->tangents[corners[0]];
-    const V4f sum = (1.0F - point.u - point.v) * first +
-                    point.u * point.mesh->tangents[corners[1]] +
-                    point.v * point.mesh->tangents[corners[2]];
+    const V4f sum = interpolated(point.u, point.v, first, point.mesh->tangents[corners[1]],
+                                 point.mesh->tangents[corners[2]]);
     V3f placed;
     placement.world_from_mesh.multDirMatrix(V3f(sum.x, sum.y, sum.z), placed);
     return {placed.x, placed.y, placed.z, placement.side * first.w};

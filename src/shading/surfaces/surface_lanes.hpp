@@ -46,17 +46,12 @@ void find_groups(const embree::Packet& packet, Groups& groups);
 /// The largest number of triangles and of vertices of a mesh for the following functions.
 inline constexpr std::size_t max_mesh_size = std::size_t{1} << 29U;
 
-/// Normals of triangles in the world, of any length and on any side.
-struct alignas(64) Normals {
-    embree::Packet::Floats x, y, z;
-};
-
 /// Sets the footprints of a group in the image of a use of a texture, as
 /// Surface::triangle_footprint() and MeshPoint::texture_footprint() for one, up to rounding errors;
-/// those of the other lanes become points
-/// in the middle of the image.
+/// those of the other lanes become points in the middle of the image. The normals are those of the
+/// triangles in the world, of any length and on any side.
 void set_footprints(const embree::Packet& packet, LaneBits lanes, const PlacedMesh& mesh,
-                    const Normals& normals, const packet_lanes::Differentials& differentials,
+                    const LaneVectors& normals, const packet_lanes::Differentials& differentials,
                     const scene::TextureUse& use, texture_lanes::Footprints& footprints);
 
 /// How an instance looks that is lit from the origins of rays.
@@ -74,8 +69,8 @@ struct alignas(64) Lit {
     /// Of groups with a texture. The cosines are those between the rays and the normal for
     /// shading, which is never negative: as with Surface::smooth_normal. Defined where the normal
     /// of the triangle is not 0.
-    embree::Packet::Floats cosines;
-    Normals normals;
+    LaneFloats cosines;
+    LaneVectors normals;  ///< As for set_footprints().
     Groups groups;
 };
 
@@ -86,7 +81,7 @@ void light(const embree::Packet& packet, std::span<const Look> looks, Lit& lit,
 
 /// Sets the radiances of a group with a texture, of these colours: the emission and, by the
 /// cosines, the base colour.
-void set_radiances(LaneBits lanes, const Look& look, const embree::Packet::Floats& cosines,
-                   const texture_lanes::Colors& texture, Radiances& radiances);
+void set_radiances(LaneBits lanes, const Look& look, const LaneFloats& cosines,
+                   const LaneVectors& texels, Radiances& radiances);
 
 }  // namespace balcony::render::surface_lanes

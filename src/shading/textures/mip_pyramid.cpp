@@ -5,22 +5,19 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
 #include <utility>
 
+#include "shading/textures/texture_look_up.hpp"
+
 namespace balcony::render {
 
 namespace {
 
 using Imath::Color4f;
-using Imath::V2f;
-
-// Four channels in one register, by an extension of GCC and Clang.
-using Float4 = float __attribute__((vector_size(16)));
 
 // ------------------------------------------------------------------------------------- texels
 
@@ -50,7 +47,7 @@ struct HalfCodec {
 
 // ------------------------------------------------------------------------------------ halving
 
-constexpr int halved(int side) { return std::max(side / 2, 1); }
+constexpr std::size_t halved(std::size_t side) { return std::max<std::size_t>(side / 2, 1); }
 
 // The shares of neighbouring texels of a row or column in a texel of its halving. If the number of
 // texels is odd, it covers a little more than two.
@@ -59,14 +56,13 @@ struct Shares {
     std::array<float, 3> parts{};
 };
 
-std::vector<Shares> shares_of(int count) {
-    const int half_count = halved(count);
-    const double width = static_cast<double>(count) / half_count;
-    std::vector<Shares> all(static_cast<std::size_t>(half_count));
+std::vector<Shares> shares_of(std::size_t count) {
+    std::vector<Shares> all(halved(count));
+    const double width = static_cast<double>(count) / static_cast<double>(all.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
         const double begin = static_cast<double>(i) * width;
-        all[i].first = std::min(static_cast<std::size_t>(begin),
-                                static_cast<std::size_t>(std::max(count - 3, 0)));
+        all[i].first =
+            std::min(static_cast<std::size_t>(begin), std::max<std::size_t>(count, 3) - 3);
         for (std::size_t k = 0; k < all[i].parts.size(); ++k) {
             const auto left = static_cast<double>(all[i].first + k);
             const double overlap = std::min(begin + width, left + 1.0) - std::max(begin, left);
@@ -78,12 +74,11 @@ std::vector<Shares> shares_of(int count) {
 
 // The halving of an image, whose row y is row(y).
 template <class Row>
-std::vector<Float4> halving(int width, int height, const Row& row) {
+std::vector<Float4> halving(std::size_t width, std::size_t height, const Row& row) {
     const std::vector<Shares> columns = shares_of(width);
-    const auto last = static_cast<std::size_t>(width - 1);
     std::vector<Float4> made;
-    made.reserve(columns.size() * static_cast<std::size_t>(halved(height)));
-    std::vector<Float4> line(static_cast<std::size_t>(width));
+    made.reserve(columns.size() * halved(height));
+    std::vector<Float4> line(width);
     for (const Shares& rows : shares_of(height)) {
         std::fill(line.begin(), line.end(), Float4{});
         for (std::size_t k = 0; k < rows.parts.size(); ++k) {
@@ -97,7 +92,7 @@ std::vector<Float4> halving(int width, int height, const Row& row) {
         for (const Shares& column : columns) {
             Float4 sum{};
             for (std::size_t k = 0; k < column.parts.size(); ++k) {
-                sum += column.parts[k] * line[std::min(column.first + k, last)];
+                sum += column.parts[k] * line[std::min(column.first + k, width - 1)];
             }
             made.push_back(sum);
         }
@@ -107,115 +102,71 @@ std::vector<Float4> halving(int width, int height, const Row& row) {
 
 // ----------------------------------------------------------------------------------- look-ups
 
-// The ellipse of a footprint, in texels: the images of a circle of diameter 1, a pixel, under the
-// linear map with these columns.
-struct Ellipse {
-    Ellipse(const V2f& x, const V2f& y) {
-        const float difference = 0.5F * (x.x * x.x + y.x * y.x - x.y * x.y - y.y * y.y);
-        const float mixed = x.x * x.y + y.x * y.y;
-        const float root = std::sqrt(difference * difference + mixed * mixed);
-        const float square = 0.5F * (x.length2() + y.length2()) + root;
-        length = std::sqrt(square);
-        width = length > 0.0F ? std::abs(x.x * y.y - x.y * y.x) / length : 0.0F;
-        // Of the two forms of the eigenvector, the one without cancellation.
-        const V2f direction =
-            difference >= 0.0F ? V2f(root + difference, mixed) : V2f(mixed, root - difference);
-        // A circle has no longer axis; next to one, the eigenvector may underflow.
-        const float scale = length / std::sqrt(direction.length2());
-        axis = std::isfinite(scale) ? direction * scale : V2f(length, 0.0F);
+// The texels of a pyramid.
+template <class Codec>
+class PyramidTexels {
+public:
+    PyramidTexels(std::span<const std::size_t> first, const TexelBlock& texels, const Codec& codec)
+        : first_(first), texels_(texels), codec_(codec) {}
+
+    static Float4 black() { return Float4{}; }
+    static Float4 white() { return Float4{1.0F, 1.0F, 1.0F, 1.0F}; }
+
+    [[nodiscard]] auto rows(int level, int width, const TexelPair& columns) const {
+        return [this, first = first_[static_cast<std::size_t>(level)],
+                width = static_cast<std::size_t>(width), columns](int number) {
+            const std::size_t begin = first + static_cast<std::size_t>(number) * width;
+            return std::pair(decoded(begin, columns.first), decoded(begin, columns.second));
+        };
     }
 
-    float length = 0.0F;  // The longer diameter.
-    float width = 0.0F;
-    V2f axis;  // The longer diameter as a vector.
-};
-
-// Beyond this, a float cannot distinguish the texels of an image.
-bool in_range(const V2f& v) {
-    constexpr float farthest = MipPyramid::max_coordinate;
-    return std::abs(v.x) < farthest && std::abs(v.y) < farthest;
-}
-
-int floor_of(float value) {
-    const int truncated = static_cast<int>(value);
-    return truncated - (value < static_cast<float>(truncated) ? 1 : 0);
-}
-
-// Two neighbouring texels of a row or column, and the weight of the second.
-struct Neighbours {
-    Neighbours(float position, int count, scene::Wrap wrap, bool interpolated) {
-        const bool repeats = wrap == scene::Wrap::repeat;
-        const float x = wrapped(position, wrap) * static_cast<float>(count) - 0.5F;
-        const int below = floor_of(x);
-        weight = x - static_cast<float>(below);
-        first = below >= 0 ? below : repeats ? count - 1 : 0;
-        second = below + 1 < count ? below + 1 : repeats ? 0 : count - 1;
-        if (!interpolated) {
-            first = second = weight < 0.5F ? first : second;
-        }
+private:
+    [[nodiscard]] Float4 decoded(std::size_t begin, int column) const {
+        return codec_.decode(
+            texels_.at<typename Codec::Texel>(begin + static_cast<std::size_t>(column)));
     }
 
-    // From 0 to 1.
-    static float wrapped(float position, scene::Wrap wrap) {
-        if (wrap == scene::Wrap::clamp) {
-            return std::clamp(position, 0.0F, 1.0F);
-        }
-        if (wrap == scene::Wrap::repeat) {
-            return position - static_cast<float>(floor_of(position));
-        }
-        const float in_period = position - 2.0F * static_cast<float>(floor_of(0.5F * position));
-        return in_period > 1.0F ? 2.0F - in_period : in_period;
-    }
-
-    int first;
-    int second;
-    float weight;
+    std::span<const std::size_t> first_;  // The indices of the first texels of levels.
+    const TexelBlock& texels_;
+    const Codec& codec_;
 };
 
 }  // namespace
 
 MipPyramid::MipPyramid(const TextureReader& image, const scene::Texture& texture, TexelBlock texels)
-    : levels_(levels_of(image)),
-      wrap_u_(texture.wrap_u),
-      wrap_v_(texture.wrap_v),
-      interpolated_(texture.interpolated),
+    : first_(first_texels(image)),
       color_(&ByteScale::of(image.encoding())),
       alpha_(&ByteScale::of(TextureEncoding::linear)),
       has_bytes_(image.has_bytes()),
       texels_(std::move(texels)) {
-    set_byte_levels();
-}
-
-void MipPyramid::set_byte_levels() {
     constexpr auto largest = static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max());
-    if (!has_bytes_ || levels_.back().first >= largest) {
-        return;
+    image_.width = static_cast<std::int32_t>(image.width());
+    image_.height = static_cast<std::int32_t>(image.height());
+    image_.last = static_cast<std::int32_t>(first_.size() - 1);
+    image_.wrap_u = texture.wrap_u;
+    image_.wrap_v = texture.wrap_v;
+    image_.interpolated = texture.interpolated;
+    fits_lanes_ = has_bytes_ && first_.back() < largest;
+    if (fits_lanes_) {
+        std::transform(first_.begin(), first_.end(), image_.first.begin(),
+                       [](std::size_t first) { return static_cast<std::int32_t>(first); });
     }
-    texture_lanes::ByteLevels& made = byte_levels_.emplace();
-    made.width = levels_.front().width;
-    made.height = levels_.front().height;
-    made.last = static_cast<std::int32_t>(levels_.size() - 1);
-    std::transform(levels_.begin(), levels_.end(), made.first.begin(),
-                   [](const Level& level) { return static_cast<std::int32_t>(level.first); });
-    made.wrap_u = wrap_u_;
-    made.wrap_v = wrap_v_;
-    made.interpolated = interpolated_;
 }
 
-std::vector<MipPyramid::Level> MipPyramid::levels_of(const TextureReader& image) {
-    std::vector<Level> levels{
-        {static_cast<int>(image.width()), static_cast<int>(image.height()), 0}};
-    while (levels.back().width > 1 || levels.back().height > 1) {
-        const Level& above = levels.back();
-        levels.push_back({halved(above.width), halved(above.height),
-                          above.first + static_cast<std::size_t>(above.width) *
-                                            static_cast<std::size_t>(above.height)});
+std::vector<std::size_t> MipPyramid::first_texels(const TextureReader& image) {
+    std::vector<std::size_t> first{0};
+    std::size_t width = image.width();
+    std::size_t height = image.height();
+    while (width > 1 || height > 1) {
+        first.push_back(first.back() + width * height);
+        width = halved(width);
+        height = halved(height);
     }
-    return levels;
+    return first;
 }
 
 std::size_t MipPyramid::bytes(const TextureReader& image) {
-    return (levels_of(image).back().first + 1) *
+    return (first_texels(image).back() + 1) *
            (image.has_bytes() ? sizeof(ByteTexel) : sizeof(HalfTexel));
 }
 
@@ -241,7 +192,7 @@ Result<MipPyramid> MipPyramid::read(TextureReader& image, const scene::Texture& 
 template <class Codec>
 std::optional<Diagnostic> MipPyramid::fill(TextureReader& image, const Codec& codec) {
     using Texel = typename Codec::Texel;
-    const std::span texels(reinterpret_cast<Texel*>(texels_.data()), levels_.back().first + 1);
+    const std::span texels(reinterpret_cast<Texel*>(texels_.data()), first_.back() + 1);
     const std::size_t width = image.width();
     constexpr std::size_t rows_at_once = 64;
     for (std::size_t y = 0; y < image.height(); y += rows_at_once) {
@@ -253,9 +204,9 @@ std::optional<Diagnostic> MipPyramid::fill(TextureReader& image, const Codec& co
     }
     std::vector<Float4> above;
     std::vector<Float4> line(width);
-    for (std::size_t level = 1; level < levels_.size(); ++level) {
-        const Level& from = levels_[level - 1];
-        const auto row_width = static_cast<std::size_t>(from.width);
+    std::size_t row_width = width;
+    std::size_t row_count = image.height();
+    for (std::size_t level = 1; level < first_.size(); ++level) {
         // The image itself is decoded row by row.
         const auto row = [&](std::size_t y) -> std::span<const Float4> {
             if (level > 1) {
@@ -266,94 +217,35 @@ std::optional<Diagnostic> MipPyramid::fill(TextureReader& image, const Codec& co
                            line.begin(), [&](const Texel& texel) { return codec.decode(texel); });
             return line;
         };
-        std::vector<Float4> made = halving(from.width, from.height, row);
+        std::vector<Float4> made = halving(row_width, row_count, row);
         std::transform(made.begin(), made.end(),
-                       texels.begin() + static_cast<std::ptrdiff_t>(levels_[level].first),
+                       texels.begin() + static_cast<std::ptrdiff_t>(first_[level]),
                        [&](const Float4& value) { return codec.encode(value); });
         above = std::move(made);
+        row_width = halved(row_width);
+        row_count = halved(row_count);
     }
     return std::nullopt;
 }
 
 Color4f MipPyramid::mean(const TextureFootprint& footprint) const {
-    if (!in_range(footprint.at)) {
-        return {1.0F, 1.0F, 1.0F, 1.0F};
-    }
-    return mean_within(in_range(footprint.along_x) && in_range(footprint.along_y)
-                           ? footprint
-                           : TextureFootprint{footprint.at, V2f(0.0F), V2f(0.0F)});
+    const auto mean = [&](const auto& codec) {
+        const Float4 found = mean_over(image_, PyramidTexels(first_, texels_, codec), footprint);
+        return Color4f(found[0], found[1], found[2], found[3]);
+    };
+    return has_bytes_ ? mean(ByteCodec{*color_, *alpha_}) : mean(HalfCodec{});
 }
 
-void MipPyramid::set_means(const texture_lanes::Footprints& footprints,
-                           texture_lanes::Colors& colors) const {
-    if (byte_levels_) {
-        texture_lanes::set_means(*byte_levels_, texels_, *color_, footprints, colors);
+void MipPyramid::set_means(const texture_lanes::Footprints& footprints, LaneVectors& colors) const {
+    if (fits_lanes_) {
+        texture_lanes::set_means(image_, texels_, *color_, footprints, colors);
         return;
     }
-    for (std::size_t lane = 0; lane < texture_lanes::lane_count; ++lane) {
-        const Color4f color = mean({{footprints.at_u[lane], footprints.at_v[lane]},
-                                    {footprints.along_x_u[lane], footprints.along_x_v[lane]},
-                                    {footprints.along_y_u[lane], footprints.along_y_v[lane]}});
-        colors.red[lane] = color.r;
-        colors.green[lane] = color.g;
-        colors.blue[lane] = color.b;
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+        const Color4f color = mean(
+            {footprints.at.of(lane), footprints.along_x.of(lane), footprints.along_y.of(lane)});
+        colors.set(lane, {color.r, color.g, color.b});
     }
-}
-
-Color4f MipPyramid::mean_within(const TextureFootprint& footprint) const {
-    return has_bytes_ ? mean(footprint, ByteCodec{*color_, *alpha_}) : mean(footprint, HalfCodec{});
-}
-
-// The probes lie at equal distances on the longer axis of the footprint. Each is as wide as the
-// footprint, but at least as their distance, so that there are no gaps.
-template <class Codec>
-Color4f MipPyramid::mean(const TextureFootprint& footprint, const Codec& codec) const {
-    using Texel = typename Codec::Texel;
-    const auto bilinear = [&](const Level& level, const V2f& at) {
-        const bool interpolated = interpolated_ || &level != &levels_.front();
-        const Neighbours x(at.x, level.width, wrap_u_, interpolated);
-        const Neighbours y(at.y, level.height, wrap_v_, interpolated);
-        const auto mixed = [&](int row) {
-            const std::size_t begin =
-                level.first + static_cast<std::size_t>(row) * static_cast<std::size_t>(level.width);
-            const auto decoded = [&](int column) {
-                return codec.decode(texels_.at<Texel>(begin + static_cast<std::size_t>(column)));
-            };
-            const Float4 left = decoded(x.first);
-            return left + x.weight * (decoded(x.second) - left);
-        };
-        const Float4 top = mixed(y.first);
-        return top + y.weight * (mixed(y.second) - top);
-    };
-
-    const Level& image = levels_.front();
-    const V2f size(static_cast<float>(image.width), static_cast<float>(image.height));
-    const Ellipse ellipse(footprint.along_x * size, footprint.along_y * size);
-    const float aspect =
-        std::min(ellipse.length / std::max(ellipse.width, 1.0F), static_cast<float>(max_probes));
-    const int probes = std::max(static_cast<int>(aspect + 0.7F), 1);
-    const float spacing = 1.0F / static_cast<float>(probes);
-    const float width = std::max({ellipse.width, ellipse.length * spacing, 1.0F});
-
-    // Level n has texels with a side of 2^n. The width is 2^n times 1 + the share of the next
-    // level, which are the exponent and the fraction of the number.
-    const auto bits = std::bit_cast<std::uint32_t>(width);
-    std::size_t level = (bits >> 23U) - 127U;
-    float next = std::bit_cast<float>((bits & 0x007fffffU) | 0x3f800000U) - 1.0F;
-    if (level + 1 >= levels_.size()) {
-        level = levels_.size() - 1;
-        next = 0.0F;
-    }
-    const V2f step = spacing * ellipse.axis / size;
-    V2f at = footprint.at - 0.5F * static_cast<float>(probes - 1) * step;
-    Float4 sum{};
-    for (int probe = 0; probe < probes; ++probe, at += step) {
-        const Float4 sharper = bilinear(levels_[level], at);
-        sum +=
-            next > 0.0F ? sharper + next * (bilinear(levels_[level + 1], at) - sharper) : sharper;
-    }
-    sum *= spacing;
-    return {sum[0], sum[1], sum[2], sum[3]};
 }
 
 }  // namespace balcony::render

@@ -37,44 +37,28 @@ public:
 
     /// The mean over a footprint: red, green, blue, alpha. Texels are interpolated linearly, and
     /// so are neighbouring levels; those of the image itself are not if the texture says so. An
-    /// elongated footprint is the mean of up to max_probes places along its longer axis; one that
-    /// is longer still is widened. White where the point is max_coordinate or farther from 0;
-    /// without a filter where the footprint is.
+    /// elongated footprint is the mean of up to ImageLevels::max_probes places along its longer
+    /// axis; one that is longer still is widened. White where the point is
+    /// ImageLevels::max_coordinate or farther from 0; without a filter where the footprint is.
     [[nodiscard]] Imath::Color4f mean(const TextureFootprint& footprint) const;
-    /// The same for the rays of a packet, bit for bit.
-    void set_means(const texture_lanes::Footprints& footprints,
-                   texture_lanes::Colors& colors) const;
-
-    static constexpr int max_probes = 16;
-    static constexpr float max_coordinate = 1e6F;
+    /// Red, green and blue of the same for the rays of a packet, bit for bit.
+    void set_means(const texture_lanes::Footprints& footprints, LaneVectors& colors) const;
 
 private:
-    struct Level {
-        int width = 0;
-        int height = 0;
-        std::size_t first = 0;  // The index of its first texel.
-    };
-
     MipPyramid(const TextureReader& image, const scene::Texture& texture, TexelBlock texels);
 
-    [[nodiscard]] static std::vector<Level> levels_of(const TextureReader& image);
-    void set_byte_levels();
-    [[nodiscard]] Imath::Color4f mean_within(const TextureFootprint& footprint) const;
+    // The index of the first texel of each level.
+    [[nodiscard]] static std::vector<std::size_t> first_texels(const TextureReader& image);
     template <class Codec>
     [[nodiscard]] std::optional<Diagnostic> fill(TextureReader& image, const Codec& codec);
-    template <class Codec>
-    [[nodiscard]] Imath::Color4f mean(const TextureFootprint& footprint, const Codec& codec) const;
 
-    std::vector<Level> levels_;
-    scene::Wrap wrap_u_;
-    scene::Wrap wrap_v_;
-    bool interpolated_;
+    ImageLevels image_;
+    std::vector<std::size_t> first_;  // As first_texels().
     const ByteScale* color_;
     const ByteScale* alpha_;
-    bool has_bytes_;     // ByteTexel rather than HalfTexel.
-    TexelBlock texels_;  // Of all levels.
-    // Nothing if texels have halves, or their indices do not fit.
-    std::optional<texture_lanes::ByteLevels> byte_levels_;
+    bool has_bytes_;           // ByteTexel rather than HalfTexel.
+    bool fits_lanes_ = false;  // It has bytes, and the indices of texels fit.
+    TexelBlock texels_;        // Of all levels.
 };
 
 }  // namespace balcony::render

@@ -170,13 +170,11 @@ Imath::Color4f TextureLibrary::look_up(scene::TextureIndex texture, TextureEncod
 
 void TextureLibrary::look_up(scene::TextureIndex texture, TextureEncoding encoding,
                              const texture_lanes::Footprints& footprints,
-                             texture_lanes::Colors& colors) const {
+                             LaneVectors& colors) const {
     if (const MipPyramid* const found = pyramid(texture, encoding)) {
         found->set_means(footprints, colors);
     } else {
-        colors.red.fill(1.0F);
-        colors.green.fill(1.0F);
-        colors.blue.fill(1.0F);
+        colors.fill(0, lane_count, Imath::V3f(1.0F));
     }
 }
 

@@ -48,7 +48,7 @@ public:
                                          const TextureFootprint& footprint) const;
     /// The same colours for the rays of a packet together, bit for bit.
     void look_up(scene::TextureIndex texture, TextureEncoding encoding,
-                 const texture_lanes::Footprints& footprints, texture_lanes::Colors& colors) const;
+                 const texture_lanes::Footprints& footprints, LaneVectors& colors) const;
 
     /// Warnings about textures that were read since: each is returned once.
     [[nodiscard]] Diagnostics warnings() const;
