@@ -28,6 +28,7 @@
 #include "balcony/environment.hpp"
 #include "balcony/film.hpp"
 #include "balcony/image_points.hpp"
+#include "balcony/integrators.hpp"
 #include "balcony/picture.hpp"
 #include "balcony/scene.hpp"
 #include "balcony/shutter.hpp"
@@ -35,15 +36,6 @@
 namespace balcony::render {
 
 // ---------------------------------------------------------------------------------- settings
-
-/// A method to compute the radiance along a ray.
-struct IntegratorInfo {
-    std::string_view name;     ///< The name for users.
-    std::string_view meaning;  ///< A short description.
-};
-
-/// All integrators.
-[[nodiscard]] std::span<const IntegratorInfo> integrators();
 
 /// The weight of samples around a pixel's centre.
 struct PixelFilterInfo {
@@ -66,24 +58,6 @@ struct SamplingSettings {
     std::uint32_t min_samples = 16;  ///< Of adaptive sampling; the next power of two applies.
     /// The radiance shown as white; by default, it makes the median middle grey.
     std::optional<double> white{};
-};
-
-/// The largest number of times that the light of a path is scattered on its way to the camera,
-/// besides the lamp's own illumination of the last surface: in all, and by each kind of surface.
-/// 0 is direct light alone.
-struct BounceLimits {
-    std::size_t all = 12;
-    std::size_t diffuse = 6;
-    std::size_t glossy = 8;
-    std::size_t transmission = 12;
-};
-
-/// How `path` finds the light of lamps with an extent. All give the same mean; each method alone
-/// is noisy where the other is not.
-enum class LampSampling : std::uint8_t {
-    both,      ///< Multiple importance sampling.
-    lamps,     ///< By directions to the lamps.
-    surfaces,  ///< By directions that a surface scatters light to.
 };
 
 /// What lights a scene that has no light of its own, or only suns.
@@ -141,16 +115,8 @@ struct Settings {
     std::optional<Color3f> background{};
     LightSettings light{};
     SamplingSettings sampling{};
-    std::size_t mirror_depth = 8;  ///< The maximum number of reflections of `direct`.
-    BounceLimits bounces{};        ///< Of `path`.
-    LampSampling lamp_sampling = LampSampling::both;  ///< Of `path`.
-    /// Of `path`: groups of eight neighbouring pixels share the light that their paths find, with
-    /// less noise in the same time and the same mean. Otherwise each pixel is independent of the
-    /// others.
-    bool reuse_paths = true;
-    /// The largest contribution of indirect light to a sample of `path`, in each channel; 0 is no
-    /// limit. A limit removes bright specks, and with them some of the light.
-    float clamp_indirect = 0.0F;
+    PathSettings path{};
+    DirectSettings direct{};
 };
 
 // ---------------------------------------------------------------------------------- renderer

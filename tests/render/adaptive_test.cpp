@@ -74,7 +74,7 @@ scene::Scene wall_in_a_penumbra() {
 TEST(Adaptive, ReachesTheLevel) {
     const auto asked = [](double noise, std::size_t max_samples) {
         Request wanted = request(32, 32, "path", max_samples);
-        wanted.bounces.all = 0;
+        wanted.path.bounces.all = 0;
         wanted.sampling.noise = noise;
         wanted.sampling.white = 1.0;
         return wanted;

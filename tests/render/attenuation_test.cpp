@@ -121,8 +121,8 @@ TEST(Attenuation, ACoatedLampLightsAsItIsSeen) {
     add(scene, parallelogram({2.0F, -1.0F, 0.0F}, {0.0F, 2.0F, 0.0F}, {0.0F, 0.0F, 0.5F}), lamp);
     const auto found = [&](LampSampling sampling) {
         Request asked = request(16, 16, "path", 256);
-        asked.lamp_sampling = sampling;
-        asked.bounces.all = 1;
+        asked.path.lamp_sampling = sampling;
+        asked.path.bounces.all = 1;
         const Film film = render(scene, orthographic(view_down_z(0.0, 0.0, 3.0)), asked).film;
         double sum = 0.0;
         for (const Color4d& one : film.sum) {

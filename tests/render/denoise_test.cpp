@@ -59,7 +59,7 @@ camera::Picture view() {
 
 Film rendered(std::size_t samples, bool reuse = true) {
     Request wanted = request(width, height, "path", samples);
-    wanted.reuse_paths = reuse;
+    wanted.path.reuse = reuse;
     wanted.layout.layers = denoise_layers();
     return render(room(), view(), wanted).film;
 }

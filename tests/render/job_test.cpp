@@ -274,6 +274,21 @@ TEST(Job, AFilmOfAnotherSizeThanItSaysIsAnError) {
     EXPECT_TRUE(refused([](Film& film) { film = Film{}; }));
 }
 
+TEST(Job, LimitsOfBouncesConcernTheirIntegratorAlone) {
+    const Renderer renderer = varied_renderer();
+    Settings asked = settings(1);
+    const auto refused = [&] {
+        return !Job::make(renderer, varied_camera(), asked, std::make_shared<Film>(empty_film()));
+    };
+    asked.integrator = "path";
+    asked.path.bounces.glossy = BounceLimits::most;
+    EXPECT_FALSE(refused());
+    ++asked.path.bounces.glossy;
+    EXPECT_TRUE(refused());
+    asked.integrator = "direct";
+    EXPECT_FALSE(refused());
+}
+
 // A sum of n doubles errs by n roundings of 1.1e-16 at most: here 3e-11 of it, less than a float
 // tells apart. A float's own sum would be off by 1e-2.
 TEST(FilmPrecision, ManySamplesKeepTheirMeanAndVariance) {

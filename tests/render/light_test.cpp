@@ -317,9 +317,9 @@ TEST(Light, MirrorsFacingEachOtherEnd) {
     add(scene, wall(0.0F, 10.0F), mirror);
     add(scene, wall(1.0F, 10.0F), mirror);
     Request asked = request(1, 1, "direct");
-    asked.mirror_depth = 5;
+    asked.direct.mirror_depth = 5;
     EXPECT_NEAR(radiance_at(scene, 0.0, 0.0, asked), 6.0F, 6.0F * rounding);
-    asked.mirror_depth = 0;
+    asked.direct.mirror_depth = 0;
     EXPECT_NEAR(radiance_at(scene, 0.0, 0.0, asked), 1.0F, rounding);
 }
 

@@ -102,7 +102,7 @@ TEST_P(Live, IsThePictureThatIsMadeWithItsValues) {
         ASSERT_TRUE(opened) << to_text(opened.diagnostics);
         EXPECT_TRUE(opened->closed.empty()) << testing::PrintToString(opened->closed);
         Request settings = request_of(GetParam());
-        settings.reuse_paths = false;
+        settings.path.reuse = false;
         const auto shared_film = std::make_shared<Film>(*make_film(settings.layout));
         Film& film = *shared_film;
         Result<Job> job = Job::make(renderer, opened->picture, settings, shared_film);

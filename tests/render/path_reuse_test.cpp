@@ -123,7 +123,7 @@ Means means(const scene::Scene& scene, const camera::Camera& camera, PartOf part
     std::array<double, 4> squares{};
     for (std::size_t seed = 0; seed < pictures; ++seed) {
         Request asked = request(side, side, "path", samples);
-        asked.reuse_paths = reuse;
+        asked.path.reuse = reuse;
         asked.sampling.seed = static_cast<std::uint32_t>(seed + (reuse ? 100 : 0));
         const Film film = render(scene, camera, asked).film;
         std::array<double, 4> light{};
@@ -172,7 +172,7 @@ TEST(PathReuse, HasLessNoise) {
     const camera::Camera camera = pinhole(view_down_z(0.1, 0.05, 1.4));
     const auto noise = [&](bool reuse) {
         Request asked = request(32, 32, "path", 64);
-        asked.reuse_paths = reuse;
+        asked.path.reuse = reuse;
         asked.layout.second_moment = true;
         const Film film = render(matt_room(), camera, asked).film;
         double variance = 0.0;
@@ -192,7 +192,7 @@ TEST(PathReuse, OfOnePixelIsThatOfItsPath) {
     for (std::uint32_t seed = 0; seed < 40; ++seed) {
         const auto rendered = [&](bool reuse) {
             Request asked = request(1, 1, "path", 1);
-            asked.reuse_paths = reuse;
+            asked.path.reuse = reuse;
             asked.sampling.seed = seed;
             return render(full_room(), camera, asked).film.pixel(0, 0);
         };
@@ -206,7 +206,7 @@ TEST(PathReuse, KeepsTheLimitOfIndirectLight) {
     const camera::Camera camera = pinhole(view_down_z(0.1, 0.05, 1.4));
     const auto rendered = [&](float limit) {
         Request asked = request(16, 16, "path", 1);
-        asked.clamp_indirect = limit;
+        asked.path.clamp_indirect = limit;
         return render(matt_room(), camera, asked).film;
     };
     const Film free = rendered(0.0F);

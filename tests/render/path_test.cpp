@@ -68,7 +68,7 @@ TEST(Path, WithoutBouncesAndWithOneLampIsDirectLight) {
     scene.lights = {lamp_at(0.3, 0.7, 0.4)};
     const camera::Camera camera = pinhole(view_down_z(0.0, 0.0, 1.2));
     Request asked = traced(24, 24, 1);
-    asked.bounces = {0, 0, 0, 0};
+    asked.path.bounces = {0, 0, 0, 0};
     const Film path = render(scene, camera, asked).film;
     const Film direct = render(scene, camera, request(24, 24, "direct")).film;
     for (std::size_t i = 0; i < path.sum.size(); ++i) {
@@ -83,8 +83,8 @@ TEST(Path, SamplingLampsOrSurfacesOrBothConvergesToOnePicture) {
     const camera::Camera camera = pinhole(view_down_z(0.0, 0.0, 1.2));
     const auto rendered = [&](LampSampling sampling) {
         Request asked = traced(16, 16, 256);
-        asked.lamp_sampling = sampling;
-        asked.bounces = {2, 2, 2, 2};
+        asked.path.lamp_sampling = sampling;
+        asked.path.bounces = {2, 2, 2, 2};
         asked.layout.second_moment = true;
         return render(scene, camera, asked).film;
     };
@@ -110,7 +110,7 @@ TEST(Path, BothMethodsTogetherAreAboutAsGoodAsTheBetterOne) {
     const camera::Camera camera = pinhole(view_down_z(0.0, 0.0, 1.2));
     const auto noise = [&](LampSampling sampling) {
         Request asked = traced(16, 16, 64);
-        asked.lamp_sampling = sampling;
+        asked.path.lamp_sampling = sampling;
         asked.layout.second_moment = true;
         const Film film = render(scene, camera, asked).film;
         double variance = 0.0;
@@ -130,7 +130,7 @@ TEST(Path, MoreBouncesAddLight) {
     float before = 0.0F;
     for (const std::size_t bounces : {0U, 1U, 2U, 6U}) {
         Request asked = traced(16, 16, 64);
-        asked.bounces = {bounces, bounces, bounces, bounces};
+        asked.path.bounces = {bounces, bounces, bounces, bounces};
         const float now = mean(render(scene, camera, asked).film).y;
         EXPECT_GT(now, 1.01F * before) << bounces;
         before = now;
@@ -141,13 +141,13 @@ TEST(Path, LimitsByKindHold) {
     const scene::Scene scene = room();
     const camera::Camera camera = pinhole(view_down_z(0.0, 0.0, 1.2));
     Request asked = traced(8, 8, 16);
-    asked.bounces = {0, 0, 0, 0};
+    asked.path.bounces = {0, 0, 0, 0};
     const float none = mean(render(scene, camera, asked).film).y;
-    asked.bounces = {12, 0, 0, 12};
+    asked.path.bounces = {12, 0, 0, 12};
     const float by_kind = mean(render(scene, camera, asked).film).y;
     // The two differ by noise alone. One diffuse bounce adds at least twice the tolerance.
     EXPECT_NEAR(by_kind, none, 0.02F * none);
-    asked.bounces = {12, 1, 0, 12};
+    asked.path.bounces = {12, 1, 0, 12};
     EXPECT_GT(mean(render(scene, camera, asked).film).y, 1.04F * none);
 }
 
@@ -205,9 +205,9 @@ TEST(Path, ClampedIndirectLightIsDarkerAndDirectLightIsNot) {
     const camera::Camera camera = pinhole(view_down_z(0.0, 0.0, 1.2));
     Request asked = traced(16, 16, 16);
     const float unclamped = mean(render(scene, camera, asked).film).y;
-    asked.clamp_indirect = 1e-3F;
+    asked.path.clamp_indirect = 1e-3F;
     const float clamped = mean(render(scene, camera, asked).film).y;
-    asked.bounces = {0, 0, 0, 0};
+    asked.path.bounces = {0, 0, 0, 0};
     const float direct = mean(render(scene, camera, asked).film).y;
     EXPECT_LT(clamped, 0.95F * unclamped);
     EXPECT_GT(clamped, 0.95F * direct);

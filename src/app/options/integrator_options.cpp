@@ -15,9 +15,8 @@ namespace balcony::app {
 namespace {
 
 using render::BounceLimits;
+using render::PathSettings;
 using render::Settings;
-
-constexpr std::size_t max_bounces = 128;
 
 struct Limit {
     std::string_view name;
@@ -42,7 +41,7 @@ std::string word_of(const BounceLimits& bounces) {
 // A number for all kinds, or a list such as diffuse=2,glossy=4.
 void read_bounces(std::span<const std::string> words, Settings& settings, Diagnostics& found) {
     const std::string& word = words.back();
-    const Value<std::size_t> number = count(0, max_bounces);
+    const Value<std::size_t> number = count(0, BounceLimits::most);
     const auto read = [&](std::string_view part, std::size_t& value) {
         const auto made = number.read(part);
         if (made) {
@@ -57,7 +56,7 @@ void read_bounces(std::span<const std::string> words, Settings& settings, Diagno
     if (word.find('=') == std::string::npos) {
         std::size_t all = 0;
         read(word, all);
-        settings.bounces = {all, all, all, all};
+        settings.path.bounces = {all, all, all, all};
         return;
     }
     for (const std::string_view part : parts_of(word, ",")) {
@@ -72,7 +71,7 @@ void read_bounces(std::span<const std::string> words, Settings& settings, Diagno
                 "all, diffuse, glossy and transmission"));
             return;
         }
-        read(part.substr(equals + 1), settings.bounces.*(limit->value));
+        read(part.substr(equals + 1), settings.path.bounces.*(limit->value));
     }
 }
 
@@ -96,18 +95,18 @@ Options<Settings> integrator_options() {
                          word_of(BounceLimits{})},
              read_bounces,
              [](const Settings& settings) {
-                 const std::string word = word_of(settings.bounces);
+                 const std::string word = word_of(settings.path.bounces);
                  return std::vector{word == word_of(BounceLimits{}) ? "auto" : word};
              }),
          option({.name = "--clamp",
                  .placeholder = "RADIANCE",
                  .meaning = "the largest indirect light of a sample (path), against bright "
                             "specks; 0 is no limit"},
-                radiance, &Settings::clamp_indirect),
+                radiance, &Settings::path, &PathSettings::clamp_indirect),
          flag({.name = "--no-path-reuse",
                .meaning = "neighbouring pixels do not share the light that their paths find "
                           "(path): more noise, but each pixel is independent of the others"},
-              false, &Settings::reuse_paths)}};
+              false, &Settings::path, &PathSettings::reuse)}};
 }
 
 }  // namespace balcony::app

@@ -102,12 +102,12 @@ void read_integrator(const IntegratorWords& words, render::Settings& settings,
     check_name("--integrator", words.integrator, names, diagnostics);
     settings.integrator = words.integrator;
     if (words.bounces != "auto") {
-        read_bounces(words.bounces, settings.bounces, diagnostics);
+        read_bounces(words.bounces, settings.path.bounces, diagnostics);
     }
-    settings.clamp_indirect =
+    settings.path.clamp_indirect =
         read_number("--clamp", words.clamp, 0.0F, std::numeric_limits<float>::max(),
                     "give a number of at least 0", diagnostics);
-    settings.reuse_paths = !words.no_path_reuse;
+    settings.path.reuse = !words.no_path_reuse;
 }
 
 }  // namespace balcony::cli

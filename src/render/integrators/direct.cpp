@@ -35,7 +35,8 @@ Bsdf bsdf_at(const Interaction& at, const V3f& side_normal) {
 
 class Direct final : public RayTree {
 public:
-    using RayTree::RayTree;
+    Direct(const TracedScene& traced, const Settings& settings)
+        : RayTree(traced), settings_(settings.direct), ambient_(*settings.ambient) {}
 
 private:
     [[nodiscard]] Shaded shade(const Ray& ray, const Interaction& at) const override {
@@ -45,8 +46,7 @@ private:
         // A facet of a coarse mesh that faces away from a light is lit if the smooth surface is:
         // the shadow ray decides.
         const Bsdf bsdf = bsdf_at(at, at.surface.normal);
-        return {at.emission(ray.direction),
-                *settings().ambient * bsdf.material().ambient_reflectance(),
+        return {at.emission(ray.direction), ambient_ * bsdf.material().ambient_reflectance(),
                 reflected_light(ray, at.surface, bsdf)};
     }
 
@@ -75,7 +75,7 @@ private:
     [[nodiscard]] std::optional<Branch> reflect(const Branch& arriving, const Color3f& weight,
                                                 const Interaction& at) const override {
         if (!is_mirror(at.appearance()) || at.appearance().unlit ||
-            arriving.reflections >= settings().mirror_depth) {
+            arriving.reflections >= settings_.mirror_depth) {
             return std::nullopt;
         }
         const auto sample =
@@ -95,6 +95,9 @@ private:
         next.ray.differentials = after_mirror(arriving.ray, at.moved, sample->facet_normal);
         return next;
     }
+
+    DirectSettings settings_;
+    Color3f ambient_;
 };
 
 }  // namespace

@@ -58,7 +58,7 @@ public:
 };
 
 /// Belongs to one thread. A new integrator needs a file with a class and a maker, and a row in
-/// integrators.cpp.
+/// integrators.cpp; its settings are declared in balcony/integrators.hpp.
 class Integrator {
 public:
     virtual ~Integrator() = default;
@@ -74,6 +74,9 @@ public:
 /// The scene and the settings must outlive the integrator.
 using IntegratorMaker = std::unique_ptr<Integrator> (*)(const TracedScene& traced,
                                                         const Settings& settings);
+
+/// The errors of the settings that only the chosen integrator has.
+[[nodiscard]] Diagnostics check_own_settings(const Settings& settings);
 
 /// Whether an integrator finds the light of an environment, so that ambient light is one.
 [[nodiscard]] bool traces_environment(std::string_view name);

@@ -15,18 +15,21 @@ std::unique_ptr<Integrator> make_direct(const TracedScene& traced, const Setting
 std::unique_ptr<Integrator> make_path(const TracedScene& traced, const Settings& settings);
 std::unique_ptr<Integrator> make_preview(const TracedScene& traced, const Settings& settings);
 
+Diagnostics check_path(const Settings& settings);
+
 namespace {
 
 struct Row {
     IntegratorInfo info;
     IntegratorMaker make;
+    Diagnostics (*check)(const Settings& settings) = nullptr;  // Of its own settings.
     bool traces_environment = false;
     bool shows_mirrors = false;
 };
 
 constexpr std::array rows{
-    Row{{"path", "global illumination"}, make_path, true},
-    Row{{"direct", "lights, sharp shadows, mirrors"}, make_direct, false, true},
+    Row{{"path", "global illumination"}, make_path, check_path, true},
+    Row{{"direct", "lights, sharp shadows, mirrors"}, make_direct, nullptr, false, true},
     Row{{"preview", "lit from the eye"}, make_preview},
 };
 
@@ -53,6 +56,11 @@ const Row* find_row(std::string_view name) {
 IntegratorMaker find_integrator(std::string_view name) {
     const Row* const row = find_row(name);
     return row != nullptr ? row->make : nullptr;
+}
+
+Diagnostics check_own_settings(const Settings& settings) {
+    const Row* const row = find_row(settings.integrator);
+    return row != nullptr && row->check != nullptr ? row->check(settings) : Diagnostics{};
 }
 
 bool shows_mirrors(std::string_view name, const scene::Scene& scene) {

@@ -5,7 +5,7 @@
 // The weights of two methods that find the same light: directions to lamps, and directions in which
 // surfaces scatter light.
 
-#include "balcony/render.hpp"
+#include "balcony/integrators.hpp"
 
 namespace balcony::render {
 

@@ -13,6 +13,8 @@
 #include <optional>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "render/integrators/integrator.hpp"
 #include "render/integrators/lamp_weights.hpp"
 #include "render/integrators/path_state.hpp"
@@ -37,10 +39,10 @@ public:
     PathTracer(const TracedScene& traced, const Settings& settings)
         : tracer_(traced),
           settings_(&settings),
-          weights_{settings.lamp_sampling},
+          weights_{settings.path.lamp_sampling},
           footprint_scale_(1.0F / std::sqrt(static_cast<float>(settings.samples))),
           textured_(traced.materials.has_textures()),
-          shares_(SharedTails::can_share(traced, settings)) {}
+          shares_(SharedTails::can_share(traced, settings.path)) {}
 
     void trace(std::span<const CameraRay> rays, std::span<Seen> seen) override {
         start(rays, seen);
@@ -51,7 +53,7 @@ public:
             trace_next();
         }
         if (shares_) {
-            tails_.add_light(tracer_, settings_->clamp_indirect, seen);
+            tails_.add_light(tracer_, settings_->path.clamp_indirect, seen);
         }
     }
 
@@ -186,9 +188,9 @@ LaneBits PathTracer::scatter_all(std::size_t first, LaneBits scattering) {
     LaneBits alone = 0;  // No other method than sampling lamps finds their light.
     for_each_lane(scattering, [&](std::size_t place) {
         const Path& path = path_at(place);
-        const bool ends = path.bounces.all >= settings_->bounces.all &&
+        const bool ends = path.bounces.all >= settings_->path.bounces.all &&
                           bsdfs_.material(place).is_rough() &&
-                          settings_->lamp_sampling != LampSampling::surfaces;
+                          settings_->path.lamp_sampling != LampSampling::surfaces;
         alone |= ends ? lane_bit(place) : 0;
         lit |= choose_light(place) ? lane_bit(place) : 0;
     });
@@ -255,8 +257,8 @@ void PathTracer::add_shadowed_light(std::span<Seen> seen) {
 
 void PathTracer::add(Seen& seen, const Color3f& light, std::size_t bounces) const {
     Color3f added = light;
-    if (bounces > 1 && settings_->clamp_indirect > 0.0F) {
-        added *= std::min(1.0F, settings_->clamp_indirect / largest(light));
+    if (bounces > 1 && settings_->path.clamp_indirect > 0.0F) {
+        added *= std::min(1.0F, settings_->path.clamp_indirect / largest(light));
     }
     seen.radiance += Color4f(added.x, added.y, added.z, 0.0F);
     if (bounces == 0) {
@@ -411,7 +413,7 @@ bool PathTracer::scatter(Path& path, std::size_t place) {
     } else {
         path.throughput *= sample->weight;
     }
-    count_bounce(path, sample->lobe, settings_->bounces);
+    count_bounce(path, sample->lobe, settings_->path.bounces);
     if (!survives(path, *readers_[place])) {
         return false;
     }
@@ -435,7 +437,7 @@ bool PathTracer::scatter(Path& path, std::size_t place) {
 // light is absorbed on its way, or where a limit is reached.
 void PathTracer::end_head(Path& path, std::size_t place) {
     const Bounces& bounces = path.bounces;
-    const BounceLimits& limits = settings_->bounces;
+    const BounceLimits& limits = settings_->path.bounces;
     path.part = Part::whole;
     if (!is_black(path.absorption) || bounces.all >= limits.all ||
         bounces.diffuse >= limits.diffuse || bounces.glossy >= limits.glossy) {
@@ -485,6 +487,16 @@ void PathTracer::receive(const Path& path, Seen& seen, const Color3f& light) {
 }
 
 }  // namespace
+
+Diagnostics check_path(const Settings& settings) {
+    const BounceLimits& limits = settings.path.bounces;
+    if (std::max({limits.all, limits.diffuse, limits.glossy, limits.transmission}) >
+        BounceLimits::most) {
+        return {error("a limit of bounces is out of range", {},
+                      fmt::format("give numbers from 0 to {}", BounceLimits::most))};
+    }
+    return {};
+}
 
 std::unique_ptr<Integrator> make_path(const TracedScene& traced, const Settings& settings) {
     return std::make_unique<PathTracer>(traced, settings);

@@ -23,8 +23,8 @@ using surface_lanes::Radiances;
 
 class Preview final : public RayTree, private LightTracer {
 public:
-    Preview(const TracedScene& traced, const Settings& settings)
-        : RayTree(traced, settings), textures_(traced.textures.get()) {
+    explicit Preview(const TracedScene& traced)
+        : RayTree(traced), textures_(traced.textures.get()) {
         looks_.reserve(traced.scene->instances.size());
         for (std::uint32_t i = 0; i < traced.scene->instances.size(); ++i) {
             looks_.push_back(look_of(traced, i));
@@ -117,8 +117,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Integrator> make_preview(const TracedScene& traced, const Settings& settings) {
-    return std::make_unique<Preview>(traced, settings);
+std::unique_ptr<Integrator> make_preview(const TracedScene& traced, const Settings&) {
+    return std::make_unique<Preview>(traced);
 }
 
 }  // namespace balcony::render

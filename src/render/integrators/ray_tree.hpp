@@ -16,8 +16,7 @@ namespace balcony::render {
 /// radiance and the reflection of a surface.
 class RayTree : public Integrator {
 public:
-    RayTree(const TracedScene& traced, const Settings& settings)
-        : tracer_(traced), settings_(&settings) {}
+    explicit RayTree(const TracedScene& traced) : tracer_(traced) {}
 
     void trace(std::span<const CameraRay> rays, std::span<Seen> seen) final;
 
@@ -47,13 +46,11 @@ protected:
 
     [[nodiscard]] Seen trace(const Ray& ray, const embree::Hit& first);
     [[nodiscard]] const SceneTracer& tracer() const { return tracer_; }
-    [[nodiscard]] const Settings& settings() const { return *settings_; }
 
 private:
     void follow(const Branch& branch, const embree::Hit& hit, Seen& seen);
 
     SceneTracer tracer_;
-    const Settings* settings_;
     std::vector<Branch> open_;  // Empty between two camera rays; kept to reuse its memory.
 };
 

@@ -27,10 +27,10 @@ bool is_wide(const PlainMaterial& material) { return material.roughness > 0.3F; 
 
 }  // namespace
 
-bool SharedTails::can_share(const TracedScene& traced, const Settings& settings) {
+bool SharedTails::can_share(const TracedScene& traced, const PathSettings& settings) {
     constexpr std::size_t many = 4;
     const BounceLimits& limits = settings.bounces;
-    return settings.reuse_paths && !traced.lights.are_at_eye() &&
+    return settings.reuse && !traced.lights.are_at_eye() &&
            std::min(limits.diffuse, limits.glossy) >= std::min(limits.all, many);
 }
 

@@ -67,7 +67,7 @@ class SharedTails {
 public:
     /// Not with a light at the eye, which is another for each head; and not with low limits for
     /// diffuse or glossy bounces, since a tail counts the bounce at its own head only.
-    [[nodiscard]] static bool can_share(const TracedScene& traced, const Settings& settings);
+    [[nodiscard]] static bool can_share(const TracedScene& traced, const PathSettings& settings);
 
     /// The groups are those of the rays.
     void begin(std::span<const CameraRay> rays);
@@ -83,7 +83,8 @@ public:
     void set_tail(const Path& path, const PlainMaterial& material, const Surface& surface);
     [[nodiscard]] Tail& tail(std::uint32_t path) { return tails_[ends_[path].tail]; }
 
-    /// Adds the light of all tails to the heads of their groups. `limit` is that of Settings.
+    /// Adds the light of all tails to the heads of their groups. `limit` is
+    /// PathSettings::clamp_indirect.
     void add_light(const SceneTracer& tracer, float limit, std::span<Seen> seen);
 
 private:

@@ -68,6 +68,8 @@ Diagnostics check(const Settings& settings) {
     if (find_integrator(settings.integrator) == nullptr) {
         found.push_back(unknown("integrator", settings.integrator, integrators()));
     }
+    const Diagnostics own = check_own_settings(settings);
+    found.insert(found.end(), own.begin(), own.end());
     if (!(settings.sampling.noise >= 0.0) || !std::isfinite(settings.sampling.noise)) {
         found.push_back(error("the noise level must be a finite number, 0 or more"));
     }

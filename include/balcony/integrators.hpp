@@ -1,0 +1,59 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Integrators: methods to compute the radiance along a ray, and the settings of each.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace balcony::render {
+
+struct IntegratorInfo {
+    std::string_view name;     ///< The name for users.
+    std::string_view meaning;  ///< A short description.
+};
+
+/// All integrators.
+[[nodiscard]] std::span<const IntegratorInfo> integrators();
+
+/// The largest number of times that the light of a path is scattered on its way to the camera,
+/// besides the lamp's own illumination of the last surface: in all, and by each kind of surface.
+/// 0 is direct light alone.
+struct BounceLimits {
+    static constexpr std::size_t most = 128;  ///< The largest limit.
+
+    std::size_t all = 12;
+    std::size_t diffuse = 6;
+    std::size_t glossy = 8;
+    std::size_t transmission = 12;
+};
+
+/// How `path` finds the light of lamps with an extent. All give the same mean; each method alone
+/// is noisy where the other is not.
+enum class LampSampling : std::uint8_t {
+    both,      ///< Multiple importance sampling.
+    lamps,     ///< By directions to the lamps.
+    surfaces,  ///< By directions that a surface scatters light to.
+};
+
+/// Settings of `path`.
+struct PathSettings {
+    BounceLimits bounces{};
+    LampSampling lamp_sampling = LampSampling::both;
+    /// Groups of eight neighbouring pixels share the light that their paths find, with less noise
+    /// in the same time and the same mean. Otherwise each pixel is independent of the others.
+    bool reuse = true;
+    /// The largest contribution of indirect light to a sample, in each channel; 0 is no limit. A
+    /// limit removes bright specks, and with them some of the light.
+    float clamp_indirect = 0.0F;
+};
+
+/// Settings of `direct`.
+struct DirectSettings {
+    std::size_t mirror_depth = 8;  ///< The maximum number of reflections.
+};
+
+}  // namespace balcony::render
