@@ -8,6 +8,14 @@
 
 namespace balcony::render {
 
+void pass_through(Path& path, const Interaction& at) {
+    path.ray.origin = at.surface.start(path.ray.direction);
+    path.ray.differentials.origin_x = at.moved.along_x;
+    path.ray.differentials.origin_y = at.moved.along_y;
+    ++path.crossings;
+    path.transmittance *= 1.0F - at.appearance().opacity;
+}
+
 void absorb(Path& path, const V3f& position) {
     if (!is_black(path.absorption)) {
         const float length = (position - path.from.position).length();

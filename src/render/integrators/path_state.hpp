@@ -6,9 +6,9 @@
 
 #include <cstdint>
 
-#include "balcony/render.hpp"
-#include "render/embree/accelerator.hpp"
+#include "balcony/integrators.hpp"
 #include "render/sampling/sample_block.hpp"
+#include "render/tracing/scene_tracer.hpp"
 #include "shading/lights/light_set.hpp"
 #include "shading/materials/bsdf.hpp"
 #include "shading/surfaces/surface.hpp"
@@ -56,6 +56,9 @@ struct Path {
     /// From the tail on, the throughput up to there, and `throughput` counts from there.
     Color3f before_tail{1.0F};
 };
+
+/// Moves the ray of a path behind a surface that it passes by chance, because of its opacity.
+void pass_through(Path& path, const Interaction& at);
 
 /// Absorbs light between the place where it was scattered last and this one. The length is that
 /// between the places, not from the ray's origin, which is next to the surface.
