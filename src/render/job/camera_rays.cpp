@@ -23,18 +23,6 @@ bool is_whole(const rays::RayBatch& rays, const Square& square) {
     return square.width - square.left >= side && rays.size() / square.width - square.top >= side;
 }
 
-// Calls visit(i, lane) for each ray of the square.
-template <class Visit>
-void for_each_ray(const rays::RayBatch& rays, const Square& square, const Visit& visit) {
-    const std::size_t columns = std::min(square.width - square.left, side);
-    const std::size_t rows = std::min(rays.size() / square.width - square.top, side);
-    for (std::size_t row = 0; row < rows; ++row) {
-        for (std::size_t column = 0; column < columns; ++column) {
-            visit((square.top + row) * square.width + square.left + column, row * side + column);
-        }
-    }
-}
-
 }  // namespace
 
 void set_packets(const rays::RayBatch& rays, const Square& square,
@@ -47,7 +35,7 @@ void set_packets(const rays::RayBatch& rays, const Square& square,
                            time, packets.first(whole));
     for (std::size_t k = 0; k < packets.size(); ++k) {
         embree::Packet& packet = packets[k];
-        const Square one{square.width, square.left + k * side, square.top};
+        const Square one = square.beside(k);
         if (k >= whole) {
             packet.valid.fill(0);
             for_each_ray(rays, one, [&](std::size_t i, std::size_t lane) {

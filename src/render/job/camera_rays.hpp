@@ -4,6 +4,7 @@
 
 // The rays of a camera as input of the tracer, in floats.
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 
@@ -35,7 +36,25 @@ struct Square {
     std::size_t width = 0;
     std::size_t left = 0;
     std::size_t top = 0;
+
+    /// So many squares to the right.
+    [[nodiscard]] Square beside(std::size_t number) const {
+        return {width, left + number * embree::Packet::side, top};
+    }
 };
+
+/// Calls visit(i, lane) for each ray of the square.
+template <class Visit>
+void for_each_ray(const rays::RayBatch& rays, const Square& square, const Visit& visit) {
+    constexpr std::size_t side = embree::Packet::side;
+    const std::size_t columns = std::min(square.width - square.left, side);
+    const std::size_t rows = std::min(rays.size() / square.width - square.top, side);
+    for (std::size_t row = 0; row < rows; ++row) {
+        for (std::size_t column = 0; column < columns; ++column) {
+            visit((square.top + row) * square.width + square.left + column, row * side + column);
+        }
+    }
+}
 
 /// Sets packets side by side, of which the first has this square; `valid` as traceable(). `time` is
 /// that of all rays, unless they have their own times, which are from 0 to 1 over the interval.

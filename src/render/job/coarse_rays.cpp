@@ -13,11 +13,11 @@ void for_each_coarse_ray(const TracedScene& traced, PictureRays& all, const Film
     TileRays found;
     for (std::size_t layer = 0; layer < all.layer_count(); ++layer) {
         all.find_rays(layer, grid, found);
-        for (std::size_t i = 0; i < found.rays.size(); ++i) {
-            if (found.valid[i] == 0) {
+        for (std::size_t i = 0; i < found.all.size(); ++i) {
+            if (!traceable(found.all, i)) {
                 continue;
             }
-            Ray ray{found.rays[i].origin, found.rays[i].direction, {}, found.rays[i].time};
+            Ray ray{V3f(found.all.origin(i)), V3f(found.all.direction(i)), {}, found.time_of(i)};
             if (traced.materials.has_textures()) {
                 ray.differentials = differentials(found.all, i, grid.step);
             }

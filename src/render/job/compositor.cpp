@@ -4,7 +4,6 @@
 #include "render/job/compositor.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <utility>
 
 #include "render/job/layer_weights.hpp"
@@ -18,11 +17,6 @@ void mark(std::uint8_t& flag, bool set) {
     if (set) {
         flag = 1;
     }
-}
-
-Mask both(Mask a, const Mask& b) {
-    std::transform(a.begin(), a.end(), b.begin(), a.begin(), std::bit_and<>());
-    return a;
 }
 
 }  // namespace
@@ -76,7 +70,7 @@ TileImage& Compositor::sample(const TilePoints& points, const Region& counted,
 }
 
 void Compositor::sample_light(const TilePoints& points, const Region& counted) {
-    rays_.find_batch_of_pass(0, points.grid, points.region, points.numbers, tile_rays_);
+    rays_.find_rays_of_pass(0, points.grid, points.region, points.numbers, tile_rays_);
     image_.light.resize(points.size());
     const RayCounts found = tracer_.trace_light(points.region, counted, tile_rays_, image_.light);
     counts_[0].add(found);
@@ -190,7 +184,7 @@ void Compositor::trace_layer(const Element& element, const Veil& veil, Work& wor
     const bool data_apart = !work.data.empty() && rays_.has_lens(layer);
     if (data_apart) {
         rays_.find_rays(layer, points.grid, rays);
-        tracer_.trace(points, rays, both(wanted, rays.valid), [&](std::size_t i, const Seen& seen) {
+        tracer_.trace(points, rays, wanted, [&](std::size_t i, const Seen& seen) {
             add_data(element, veil, i, seen, work);
         });
     }
@@ -198,8 +192,7 @@ void Compositor::trace_layer(const Element& element, const Veil& veil, Work& wor
     for_each_pixel(points.region, [&](std::size_t i, std::size_t x, std::size_t y) {
         const bool counts = wanted[i] != 0 && work.counted.contains(x, y);
         counts_[layer].camera_rays += counts ? 1 : 0;
-        counts_[layer].invalid_rays += counts && rays.valid[i] == 0 ? 1 : 0;
-        wanted[i] &= rays.valid[i];
+        counts_[layer].invalid_rays += counts && !traceable(rays.all, i) ? 1 : 0;
     });
     RayCounts& count = counts_[layer];
     std::vector<Drawn>& drawn = work.layers[layer];

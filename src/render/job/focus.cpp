@@ -58,8 +58,8 @@ public:
 
     [[nodiscard]] double operator()(const std::string& object) const {
         std::vector<double> lengths;
-        for (std::size_t i = 0; i < rays_.rays.size(); ++i) {
-            if (rays_.valid[i] != 0) {
+        for (std::size_t i = 0; i < rays_.all.size(); ++i) {
+            if (traceable(rays_.all, i)) {
                 if (const auto length = length_to(object, i)) {
                     lengths.push_back(*length);
                 }
@@ -71,7 +71,9 @@ public:
 
 private:
     [[nodiscard]] std::optional<double> length_to(const std::string& object, std::size_t i) const {
-        const embree::Ray& ray = rays_.rays[i];
+        const embree::Ray ray{.origin = V3f(rays_.all.origin(i)),
+                              .direction = V3f(rays_.all.direction(i)),
+                              .time = rays_.time_of(i)};
         const embree::Hit hit = traced_.accelerator.intersect(ray);
         if (!hit.any() ||
             traced_.scene->objects[traced_.scene->instances[hit.instance].object].name != object) {
@@ -84,12 +86,12 @@ private:
     [[nodiscard]] double past(const V3d& point) const {
         double length = std::numeric_limits<double>::infinity();
         double smallest = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i < rays_.rays.size(); ++i) {
-            if (rays_.valid[i] == 0) {
+        for (std::size_t i = 0; i < rays_.all.size(); ++i) {
+            if (!traceable(rays_.all, i)) {
                 continue;
             }
-            const V3d direction(rays_.rays[i].direction);
-            const V3d to_point = point - V3d(rays_.rays[i].origin);
+            const V3d direction(V3f(rays_.all.direction(i)));
+            const V3d to_point = point - V3d(V3f(rays_.all.origin(i)));
             const double along = to_point.dot(direction);
             const double angle = std::atan2(to_point.cross(direction).length(), along);
             if (along > 0.0 && angle < smallest) {

@@ -3,8 +3,6 @@
 
 #include "render/job/picture_rays.hpp"
 
-#include <limits>
-
 #include "base/stopwatch.hpp"
 
 namespace balcony::render {
@@ -31,13 +29,6 @@ TileCoverages PictureRays::coverages(const rays::Tile& points) {
 }
 
 void PictureRays::find_rays(std::size_t layer, const rays::Tile& points, TileRays& rays) {
-    find_batch(layer, points, rays);
-    const Stopwatch watch;
-    set_single_rays(rays);
-    seconds_ += watch.seconds();
-}
-
-void PictureRays::find_batch(std::size_t layer, const rays::Tile& points, TileRays& rays) {
     const Stopwatch watch;
     inputs_.set_middle(points.width * points.height);
     rays.through_lens = false;
@@ -48,15 +39,6 @@ void PictureRays::find_batch(std::size_t layer, const rays::Tile& points, TileRa
 void PictureRays::find_rays_of_pass(std::size_t layer, const rays::Tile& points,
                                     const Region& region, const PassNumbers& numbers,
                                     TileRays& rays) {
-    find_batch_of_pass(layer, points, region, numbers, rays);
-    const Stopwatch watch;
-    set_single_rays(rays);
-    seconds_ += watch.seconds();
-}
-
-void PictureRays::find_batch_of_pass(std::size_t layer, const rays::Tile& points,
-                                     const Region& region, const PassNumbers& numbers,
-                                     TileRays& rays) {
     const Stopwatch watch;
     rays.through_lens = has_lens(layer);
     if (rays.through_lens) {
@@ -71,23 +53,8 @@ void PictureRays::find_batch_of_pass(std::size_t layer, const rays::Tile& points
 void PictureRays::run(std::size_t layer, rays::Tile points, TileRays& rays) {
     points.inputs = inputs_.of_layer(layer);
     picture_->layers()[layer].rays.run(points, scratch_, rays.all);
+    rays.interval = interval_;
     rays.time = static_cast<float>(interval_.part_at(points.time));
-}
-
-void PictureRays::set_single_rays(TileRays& rays) const {
-    const std::size_t count = rays.all.size();
-    rays.valid.assign(count, 0);
-    rays.rays.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        if (traceable(rays.all, i)) {
-            rays.valid[i] = 1;
-            rays.rays[i] = {V3f(rays.all.origin(i)), V3f(rays.all.direction(i)),
-                            std::numeric_limits<float>::infinity(),
-                            rays.all.has_times()
-                                ? static_cast<float>(interval_.part_at(rays.all.time(i)))
-                                : rays.time};
-        }
-    }
 }
 
 }  // namespace balcony::render

@@ -24,10 +24,14 @@ using Mask = std::vector<std::uint8_t>;
 /// The rays of one camera layer at the points of a tile.
 struct TileRays {
     rays::RayBatch all;
-    float time = 0.0F;              ///< From 0 to 1, of rays without times of their own.
-    Mask valid;                     ///< Whether there is a ray that can be traced.
-    std::vector<embree::Ray> rays;  ///< Defined where valid.
-    bool through_lens = false;      ///< They took the first pair of random numbers of each sample.
+    scene::TimeInterval interval{};  ///< Of the times of rays.
+    float time = 0.0F;               ///< Of rays without times of their own, as time_of().
+    bool through_lens = false;       ///< They took the first pair of random numbers of each sample.
+
+    /// From 0 to 1 over the interval.
+    [[nodiscard]] float time_of(std::size_t i) const {
+        return all.has_times() ? static_cast<float>(interval.part_at(all.time(i))) : time;
+    }
 };
 
 /// The coverages and paints of a picture at the points of a tile.
@@ -63,21 +67,15 @@ public:
     }
     /// The central rays. Fills `rays`, whose memory is used again.
     void find_rays(std::size_t layer, const rays::Tile& points, TileRays& rays);
-    /// The same rays, but only `all` and `time`.
-    void find_batch(std::size_t layer, const rays::Tile& points, TileRays& rays);
     /// The rays through the lens, if the layer has one, for the samples of a pass.
     void find_rays_of_pass(std::size_t layer, const rays::Tile& points, const Region& region,
                            const PassNumbers& numbers, TileRays& rays);
-    /// The same rays, but only `all` and `time`.
-    void find_batch_of_pass(std::size_t layer, const rays::Tile& points, const Region& region,
-                            const PassNumbers& numbers, TileRays& rays);
 
     /// The total time spent in these functions.
     [[nodiscard]] double seconds() const { return seconds_; }
 
 private:
     void run(std::size_t layer, rays::Tile points, TileRays& rays);
-    void set_single_rays(TileRays& rays) const;
 
     const rays::CompiledPicture* picture_;
     scene::TimeInterval interval_;

@@ -122,8 +122,8 @@ void PictureSamples::find_rays(std::size_t layer, std::size_t pass, const Region
     wanted.assign(region.size(), 1);
     mark_covered(state_->picture.elements(), layer, state_->rays.coverages(points), wanted);
     std::swap(state_->found.all, rays);
-    state_->rays.find_batch_of_pass(layer, points, region, PassNumbers(pass, state_->settings.seed),
-                                    state_->found);
+    state_->rays.find_rays_of_pass(layer, points, region, PassNumbers(pass, state_->settings.seed),
+                                   state_->found);
     std::swap(state_->found.all, rays);
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         if (!traceable(rays, i)) {
@@ -134,7 +134,7 @@ void PictureSamples::find_rays(std::size_t layer, std::size_t pass, const Region
 
 void PictureSamples::find_rays(std::size_t layer, const rays::Tile& points, rays::RayBatch& rays) {
     std::swap(state_->found.all, rays);
-    state_->rays.find_batch(layer, points, state_->found);
+    state_->rays.find_rays(layer, points, state_->found);
     std::swap(state_->found.all, rays);
 }
 

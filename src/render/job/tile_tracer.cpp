@@ -7,8 +7,6 @@
 #include <cmath>
 #include <optional>
 
-#include "render/sampling/pixel_groups.hpp"
-
 namespace balcony::render {
 
 namespace {
@@ -16,10 +14,6 @@ namespace {
 // A number minus itself is 0, or NaN if it is not finite.
 bool is_finite(const Color4f& c) {
     return (c.r - c.r) + (c.g - c.g) + (c.b - c.b) + (c.a - c.a) == 0.0F;
-}
-
-RayDifferentials differentials_of(const rays::RayBatch& rays, std::size_t i, double scale) {
-    return rays.has_footprints() ? differentials(rays, i, scale) : RayDifferentials{};
 }
 
 // Those of packets side by side, of which the first has a square of a tile.
@@ -31,8 +25,7 @@ public:
 
     [[nodiscard]] const packet_lanes::Differentials& of_packet(std::size_t packet) override {
         if (packet_ != packet) {
-            const std::size_t left = first_.left + packet * embree::Packet::side;
-            set_differentials(rays_, {first_.width, left, first_.top}, scale_, differentials_);
+            set_differentials(rays_, first_.beside(packet), scale_, differentials_);
             packet_ = packet;
         }
         return differentials_;
@@ -74,38 +67,41 @@ TileTracer::TileTracer(const TracedScene& traced, const Settings& settings, Inte
       integrator_(make(traced, settings)),
       light_tracer_(integrator_->light_tracer()) {}
 
-Ray TileTracer::camera_ray(const TileRays& rays, std::size_t i) const {
-    const embree::Ray& ray = rays.rays[i];
-    return {ray.origin, ray.direction, differentials_of(rays.all, i, footprint_scale_), ray.time};
+template <class Visit>
+void TileTracer::for_each_run(const Region& region, const Visit& visit) {
+    constexpr std::size_t side = embree::Packet::side;
+    for (std::size_t top = 0; top < region.height; top += side) {
+        for (std::size_t left = 0; left < region.width; left += packets_at_once * side) {
+            const std::size_t number =
+                std::min((region.width - left + side - 1) / side, packets_at_once);
+            visit(Square{region.width, left, top}, std::span(packets_).first(number));
+        }
+    }
 }
 
 void TileTracer::trace(const TilePoints& points, const TileRays& rays, const Mask& wanted) {
-    const Region& region = points.region;
-    hits_.resize(points.size());
-    traced_->accelerator.intersect_grid(region.width, rays.rays, wanted, hits_);
     indices_.clear();
     requested_.clear();
-    constexpr std::size_t side = embree::Accelerator::packet_side;
-    std::uint32_t packet = 0;
-    const PixelGroups groups(region, points.pass);
-    for (std::size_t top = 0; top < region.height; top += side) {
-        for (std::size_t left = 0; left < region.width; left += side, ++packet) {
-            for (std::size_t y = top; y < std::min(top + side, region.height); ++y) {
-                for (std::size_t x = left; x < std::min(left + side, region.width); ++x) {
-                    const std::size_t i = y * region.width + x;
-                    if (wanted[i] != 0) {
-                        Sampler sampler(region.x + x, region.y + y, points.numbers);
-                        if (rays.through_lens) {
-                            (void)sampler.next_pair();
-                        }
-                        indices_.push_back(i);
-                        requested_.push_back({camera_ray(rays, i), hits_[i], sampler, packet,
-                                              groups.of(region.x + x, region.y + y)});
-                    }
-                }
+    const PixelGroups groups(points.region, points.pass);
+    std::uint32_t number = 0;
+    for_each_run(points.region, [&](const Square& first, std::span<embree::Packet> packets) {
+        set_packets(rays.all, first, rays.interval, rays.time, packets);
+        std::array<LaneBits, packets_at_once> lanes{};
+        for (std::size_t k = 0; k < packets.size(); ++k) {
+            for_each_ray(rays.all, first.beside(k), [&](std::size_t i, std::size_t lane) {
+                packets[k].valid[lane] &= wanted[i] != 0 ? -1 : 0;
+                lanes[k] |= packets[k].valid[lane] != 0 ? lane_bit(lane) : 0;
+            });
+        }
+        if (lanes != decltype(lanes){}) {
+            traced_->accelerator.intersect(packets);
+        }
+        for (std::size_t k = 0; k < packets.size(); ++k, ++number) {
+            if (lanes[k] != 0) {
+                request(points, rays, first.beside(k), packets[k], number, groups);
             }
         }
-    }
+    });
     seen_.resize(requested_.size());
     integrator_->trace(requested_, seen_);
     for (Seen& seen : seen_) {
@@ -118,28 +114,45 @@ void TileTracer::trace(const TilePoints& points, const TileRays& rays, const Mas
     }
 }
 
+void TileTracer::request(const TilePoints& points, const TileRays& rays, const Square& square,
+                         const embree::Packet& packet, std::uint32_t number,
+                         const PixelGroups& groups) {
+    set_differentials(rays.all, square, footprint_scale_, differentials_);
+    for_each_ray(rays.all, square, [&](std::size_t i, std::size_t lane) {
+        if (packet.valid[lane] == 0) {
+            return;
+        }
+        const std::size_t x = points.region.x + i % square.width;
+        const std::size_t y = points.region.y + i / square.width;
+        Sampler sampler(x, y, points.numbers);
+        if (rays.through_lens) {
+            (void)sampler.next_pair();
+        }
+        // Tracing has changed directions within their rounding errors.
+        const Ray ray{V3f(rays.all.origin(i)), V3f(rays.all.direction(i)), differentials_.of(lane),
+                      packet.time[lane]};
+        indices_.push_back(i);
+        requested_.push_back({ray, packet.hit(lane), sampler, number, groups.of(x, y)});
+    });
+}
+
 RayCounts TileTracer::trace_light(const Region& region, const Region& counted, const TileRays& rays,
                                   std::span<Color4f> radiance) {
-    constexpr std::size_t side = embree::Packet::side;
     const Region within = both(region, counted);
     RayCounts counts{.camera_rays = within.size()};
-    for (std::size_t top = 0; top < region.height; top += side) {
-        for (std::size_t left = 0; left < region.width; left += packets_at_once * side) {
-            const std::size_t number =
-                std::min((region.width - left + side - 1) / side, packets_at_once);
-            const auto packets = std::span(packets_).first(number);
-            const Square first{region.width, left, top};
-            set_packets(rays.all, first, traced_->interval, rays.time, packets);
-            traced_->accelerator.intersect(packets);
-            SquareDifferentials differentials(rays.all, footprint_scale_, first, differentials_);
-            light_tracer_->trace_light(packets, differentials, std::span(radiances_).first(number));
-            for (std::size_t k = 0; k < number; ++k) {
-                const auto found = write_square(region, within, left + k * side, top, k, radiance);
-                counts.invalid_rays += found.missing;
-                counts.hits += found.shown;
-            }
+    for_each_run(region, [&](const Square& first, std::span<embree::Packet> packets) {
+        set_packets(rays.all, first, rays.interval, rays.time, packets);
+        traced_->accelerator.intersect(packets);
+        SquareDifferentials differentials(rays.all, footprint_scale_, first, differentials_);
+        light_tracer_->trace_light(packets, differentials,
+                                   std::span(radiances_).first(packets.size()));
+        for (std::size_t k = 0; k < packets.size(); ++k) {
+            const auto found =
+                write_square(region, within, first.beside(k).left, first.top, k, radiance);
+            counts.invalid_rays += found.missing;
+            counts.hits += found.shown;
         }
-    }
+    });
     return counts;
 }
 

@@ -11,6 +11,7 @@
 
 #include "render/integrators/integrator.hpp"
 #include "render/job/picture_rays.hpp"
+#include "render/sampling/pixel_groups.hpp"
 
 namespace balcony::render {
 
@@ -45,8 +46,8 @@ class TileTracer {
 public:
     TileTracer(const TracedScene& traced, const Settings& settings, IntegratorMaker make);
 
-    /// Calls show(i, seen) with the result of each requested ray i. Radiance that is not finite is
-    /// replaced by black.
+    /// Calls show(i, seen) with the result of each requested ray i that can be traced. Radiance
+    /// that is not finite is replaced by black.
     template <class Show>
     void trace(const TilePoints& points, const TileRays& rays, const Mask& wanted,
                const Show& show) {
@@ -72,14 +73,18 @@ private:
     surface_lanes::LaneCounts write_square(const Region& region, const Region& counted,
                                            std::size_t left, std::size_t top, std::size_t packet,
                                            std::span<Color4f> radiance);
-    [[nodiscard]] Ray camera_ray(const TileRays& rays, std::size_t i) const;
+    // Requests the rays of a packet with their first hits.
+    void request(const TilePoints& points, const TileRays& rays, const Square& square,
+                 const embree::Packet& packet, std::uint32_t number, const PixelGroups& groups);
+    // Calls visit(square of the first one, packets) for packets side by side that cover a region.
+    template <class Visit>
+    void for_each_run(const Region& region, const Visit& visit);
 
     const TracedScene* traced_;
     double footprint_scale_;
     std::unique_ptr<Integrator> integrator_;
     LightTracer* light_tracer_;
     // The rays at work; kept for their memory.
-    std::vector<embree::Hit> hits_;     // Of all points.
     std::vector<std::size_t> indices_;  // Of the requested points; the others are parallel to it.
     std::vector<CameraRay> requested_;
     std::vector<Seen> seen_;
