@@ -15,7 +15,7 @@
 
 #include <Imath/ImathVec.h>
 
-#include "shading/lights/lanes.hpp"
+#include "shading/lanes/four_floats.hpp"
 #include "shading/lights/light_bounds.hpp"
 
 namespace balcony::render {
@@ -54,21 +54,21 @@ private:
 
     // Bounds of the lights below each child. A child that does not exist has no power.
     struct Node {
-        Lanes x{}, y{}, z{};  // Centres.
-        Lanes half_x{}, half_y{}, half_z{};
-        Lanes axis_x{}, axis_y{}, axis_z{};
-        Lanes cosine_spread{}, sine_spread{};
-        Lanes cosine_falloff{};
-        Lanes back{};  // -1 if two-sided, otherwise 1.
-        Lanes power{};
+        Float4 x{}, y{}, z{};  // Centres.
+        Float4 half_x{}, half_y{}, half_z{};
+        Float4 axis_x{}, axis_y{}, axis_z{};
+        Float4 cosine_spread{}, sine_spread{};
+        Float4 cosine_falloff{};
+        Float4 back{};  // -1 if two-sided, otherwise 1.
+        Float4 power{};
         std::array<std::uint32_t, width> child{none, none, none, none};  // A node, or a light.
         std::uint32_t leaves = 0;  // Bit i is set if child i is a light.
         std::uint32_t parent = none;
         std::uint32_t place = 0;  // The number of this child of the parent.
     };
 
-    [[nodiscard]] static Lanes importance(const Node& node, const Imath::V3f& position,
-                                          const Imath::V3f& normal);
+    [[nodiscard]] static Float4 importance(const Node& node, const Imath::V3f& position,
+                                           const Imath::V3f& normal);
 
     std::vector<Node> nodes_;            // The root is first.
     std::vector<std::uint32_t> places_;  // Of each light: width * node + child; or none.

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "shading/lanes/four_floats.hpp"
 #include "shading/lanes/scalar.hpp"
 #include "shading/textures/image_levels.hpp"
 
 namespace balcony::render {
 
-/// The four channels of a texel, by an extension of GCC and Clang.
-using Float4 = float __attribute__((vector_size(16)));
-
+// The four channels of a texel.
 [[nodiscard]] inline Float4 mix(const Float4& a, const Float4& b, float fraction) {
     return a + fraction * (b - a);
 }
