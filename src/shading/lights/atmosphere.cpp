@@ -117,7 +117,7 @@ Imath::Color3f Spectrum::to_color() const {
     return {shown(color.x), shown(color.y), shown(color.z)};
 }
 
-Atmosphere::Place Atmosphere::Place::moved(double distance) const {
+Atmosphere::Sightline Atmosphere::Sightline::moved(double distance) const {
     const double moved_radius =
         std::sqrt(square(radius) + square(distance) + 2.0 * radius * distance * cosine);
     return {moved_radius, std::clamp((radius * cosine + distance) / moved_radius, -1.0, 1.0)};
@@ -154,24 +154,23 @@ Atmosphere::Amounts Atmosphere::densities(double radius) {
     return found;
 }
 
-double Atmosphere::distance_to_top(const Place& place) {
-    const double rise = place.radius * place.cosine;
-    return std::sqrt(std::max(0.0, square(rise) + square(top) - square(place.radius))) - rise;
+double Atmosphere::distance_to_top(const Sightline& line) {
+    const double rise = line.radius * line.cosine;
+    return std::sqrt(std::max(0.0, square(rise) + square(top) - square(line.radius))) - rise;
 }
 
-bool Atmosphere::meets_ground(const Place& place) {
-    return place.cosine < 0.0 &&
-           square(place.radius) * (1.0 - square(place.cosine)) < square(ground);
+bool Atmosphere::meets_ground(const Sightline& line) {
+    return line.cosine < 0.0 && square(line.radius) * (1.0 - square(line.cosine)) < square(ground);
 }
 
-Atmosphere::Amounts Atmosphere::amounts_to_top(const Place& place) {
+Atmosphere::Amounts Atmosphere::amounts_to_top(const Sightline& line) {
     constexpr int steps = 200;
-    const double length = distance_to_top(place);
+    const double length = distance_to_top(line);
     Amounts total{};
     double before = 0.0;
     for (int i = 0; i < steps; ++i) {
         const double after = length * square((i + 1.0) / steps);
-        const Amounts found = densities(place.moved(0.5 * (before + after)).radius);
+        const Amounts found = densities(line.moved(0.5 * (before + after)).radius);
         for (std::size_t kind = 0; kind < total.size(); ++kind) {
             total[kind] += found[kind] * (after - before);
         }
@@ -189,14 +188,14 @@ void Atmosphere::tabulate_amounts() {
     amounts_.resize(amount_grid.heights * amount_grid.cosines);
     tbb::parallel_for(std::size_t{0}, amount_grid.heights, [&](std::size_t h) {
         for (std::size_t c = 0; c < amount_grid.cosines; ++c) {
-            const Place place{ground + amount_grid.height(h), amount_grid.cosine(c)};
-            amounts_[h * amount_grid.cosines + c] = amounts_to_top(place);
+            const Sightline line{ground + amount_grid.height(h), amount_grid.cosine(c)};
+            amounts_[h * amount_grid.cosines + c] = amounts_to_top(line);
         }
     });
 }
 
 // The irradiance of the sun, which is hidden where the earth is in its way.
-Spectrum Atmosphere::sunlight(const Place& sun) const {
+Spectrum Atmosphere::sunlight(const Sightline& sun) const {
     Spectrum arriving;
     if (meets_ground(sun)) {
         return arriving;
@@ -219,7 +218,7 @@ Spectrum Atmosphere::sun() const { return sunlight({observer, to_sun_.z}); }
 // him, and the light that was scattered before.
 Spectrum Atmosphere::sky(const V3d& direction) const {
     constexpr int steps = 40;
-    const Place start{observer, direction.z};
+    const Sightline start{observer, direction.z};
     const double length = distance_to_top(start);
     const double phase_cosine = direction.dot(to_sun_);
     const double by_molecules = rayleigh_phase(phase_cosine);
@@ -232,7 +231,7 @@ Spectrum Atmosphere::sky(const V3d& direction) const {
         const double middle = 0.5 * (before + after);
         const V3d position = V3d(0.0, 0.0, observer) + middle * direction;
         const double radius = position.length();
-        const Place sun{radius, position.dot(to_sun_) / radius};
+        const Sightline sun{radius, position.dot(to_sun_) / radius};
         const Amounts density = densities(radius);
         const Spectrum direct = sunlight(sun);
         const Spectrum indirect = multiple_scattering(sun);
@@ -264,7 +263,7 @@ void Atmosphere::tabulate_multiple_scattering() {
     });
 }
 
-Spectrum Atmosphere::multiple_scattering(const Place& sun) const {
+Spectrum Atmosphere::multiple_scattering(const Sightline& sun) const {
     Spectrum total;
     multiple_grid.interpolate(sun.radius - ground, sun.cosine, [&](std::size_t i, double share) {
         for (std::size_t k = 0; k < Spectrum::size; ++k) {
@@ -284,7 +283,7 @@ std::vector<Atmosphere::ScatteringRay> Atmosphere::scattering_rays(double radius
         const double across = std::sqrt(1.0 - z * z);
         const double turn = 2.0 * pi * d / std::numbers::phi;
         const V3d direction(across * std::cos(turn), across * std::sin(turn), z);
-        const Place start{radius, z};
+        const Sightline start{radius, z};
         ray.meets_ground = meets_ground(start);
         const double rise = start.radius * z;
         const double length =

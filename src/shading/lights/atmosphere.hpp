@@ -69,10 +69,10 @@ private:
 
     /// A point by its distance from the centre of the earth, and a direction by its cosine from
     /// the vertical.
-    struct Place {
+    struct Sightline {
         double radius = 0.0;
         double cosine = 0.0;
-        [[nodiscard]] Place moved(double distance) const;
+        [[nodiscard]] Sightline moved(double distance) const;
     };
 
     /// A ray through the air: the parts of the light that its steps scatter to its beginning.
@@ -88,15 +88,15 @@ private:
     };
 
     [[nodiscard]] static Amounts densities(double radius);
-    [[nodiscard]] static double distance_to_top(const Place& place);
-    [[nodiscard]] static bool meets_ground(const Place& place);
-    [[nodiscard]] static Amounts amounts_to_top(const Place& place);
+    [[nodiscard]] static double distance_to_top(const Sightline& line);
+    [[nodiscard]] static bool meets_ground(const Sightline& line);
+    [[nodiscard]] static Amounts amounts_to_top(const Sightline& line);
 
     [[nodiscard]] double extinction(const Amounts& amounts, std::size_t wavelength) const;
-    [[nodiscard]] Spectrum sunlight(const Place& sun) const;
+    [[nodiscard]] Spectrum sunlight(const Sightline& sun) const;
     void tabulate_amounts();
     void tabulate_multiple_scattering();
-    [[nodiscard]] Spectrum multiple_scattering(const Place& sun) const;
+    [[nodiscard]] Spectrum multiple_scattering(const Sightline& sun) const;
     [[nodiscard]] std::vector<ScatteringRay> scattering_rays(double radius) const;
     [[nodiscard]] Spectrum mean_scattered_light(const std::vector<ScatteringRay>& rays,
                                                 double sun_cosine) const;

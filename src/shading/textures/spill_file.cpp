@@ -109,7 +109,7 @@ Result<TexelBlock> SpillFile::keep(const TexelBlock& in_memory) {
     TexelBlock block;
     block.bytes_ = in_memory.bytes_;
     block.file_ = this;
-    block.places_ = std::make_unique<Place[]>(chunks);
+    block.slots_ = std::make_unique<Slot[]>(chunks);
     {
         const std::lock_guard lock(mutex_);
         if (descriptor_ < 0) {
@@ -150,7 +150,7 @@ std::size_t SpillFile::resident_bytes() const {
     return made_frames_ * chunk_bytes;
 }
 
-// A frame whose chunk was not used since the hand passed it. The chunk loses its place before the
+// A frame whose chunk was not used since the hand passed it. The chunk loses its slot before the
 // frame is written.
 std::optional<std::size_t> SpillFile::frame_without_use() {
     for (std::size_t step = 0; step < 2 * max_frames_; ++step) {
@@ -187,9 +187,9 @@ std::size_t SpillFile::take_frame(std::unique_lock<std::mutex>& lock) {
 
 // Threads read different chunks at once. If two read the same one, the first is right.
 std::uint64_t SpillFile::fetch(const TexelBlock& block, std::size_t chunk) {
-    Place& place = block.places_[chunk];
+    Slot& slot = block.slots_[chunk];
     std::unique_lock lock(mutex_);
-    if (const std::uint64_t known = place.load(std::memory_order_acquire)) {
+    if (const std::uint64_t known = slot.load(std::memory_order_acquire)) {
         return known;
     }
     const std::size_t index = take_frame(lock);
@@ -198,14 +198,14 @@ std::uint64_t SpillFile::fetch(const TexelBlock& block, std::size_t chunk) {
     read_chunk(block.begin_ + chunk * chunk_bytes, frame.bytes.get());
     lock.lock();
     filled_.notify_one();
-    if (const std::uint64_t known = place.load(std::memory_order_acquire)) {
+    if (const std::uint64_t known = slot.load(std::memory_order_acquire)) {
         free_.push_back(index);
         return known;
     }
     const std::uint64_t found = ++reads_ << frame_bits | (index + 1);
-    frame.holder = &place;
+    frame.holder = &slot;
     frame.recent.store(true, std::memory_order_relaxed);
-    place.store(found, std::memory_order_release);
+    slot.store(found, std::memory_order_release);
     return found;
 }
 

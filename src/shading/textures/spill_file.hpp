@@ -53,7 +53,7 @@ private:
 
     // Where a chunk is: the number of its frame, and a number that is new whenever it is read from
     // the file. 0 if it is in no frame.
-    using Place = std::atomic<std::uint64_t>;
+    using Slot = std::atomic<std::uint64_t>;
 
     TexelBlock() = default;
 
@@ -65,7 +65,7 @@ private:
     // In a file:
     SpillFile* file_ = nullptr;
     std::size_t begin_ = 0;
-    std::unique_ptr<Place[]> places_;
+    std::unique_ptr<Slot[]> slots_;
 };
 
 /// Any number of threads may use it. It must outlive its blocks, and all of them must be there as
@@ -92,18 +92,18 @@ public:
 
 private:
     friend class TexelBlock;
-    using Place = TexelBlock::Place;
+    using Slot = TexelBlock::Slot;
 
     struct Frame {
         std::unique_ptr<std::byte[]> bytes;
-        Place* holder = nullptr;  // The place of its chunk; null while it is filled.
+        Slot* holder = nullptr;  // The slot of its chunk; null while it is filled.
         std::atomic<bool> recent = false;
     };
-    // The low bits of a place are the number of the frame, counted from 1.
+    // The low bits of a slot are the number of the frame, counted from 1.
     static constexpr unsigned frame_bits = 24;
 
-    [[nodiscard]] Frame& frame_at(std::uint64_t place) const {
-        return frames_[(place & ((std::uint64_t{1} << frame_bits) - 1)) - 1];
+    [[nodiscard]] Frame& frame_at(std::uint64_t slot) const {
+        return frames_[(slot & ((std::uint64_t{1} << frame_bits) - 1)) - 1];
     }
     [[nodiscard]] std::uint64_t fetch(const TexelBlock& block, std::size_t chunk);
     [[nodiscard]] std::size_t take_frame(std::unique_lock<std::mutex>& lock);
@@ -128,15 +128,15 @@ template <class Texel>
 Texel TexelBlock::in_file(std::size_t offset) const {
     static_assert(chunk_bytes % sizeof(Texel) == 0, "no texel is in two chunks");
     const std::size_t chunk = offset / chunk_bytes;
-    const Place& place = places_[chunk];
+    const Slot& slot = slots_[chunk];
     for (;;) {
-        const std::uint64_t known = place.load(std::memory_order_acquire);
+        const std::uint64_t known = slot.load(std::memory_order_acquire);
         const std::uint64_t found = known != 0 ? known : file_->fetch(*this, chunk);
         SpillFile::Frame& frame = file_->frame_at(found);
         Texel texel;
         std::memcpy(&texel, frame.bytes.get() + offset % chunk_bytes, sizeof texel);
         std::atomic_thread_fence(std::memory_order_acquire);
-        if (place.load(std::memory_order_relaxed) == found) {
+        if (slot.load(std::memory_order_relaxed) == found) {
             if (!frame.recent.load(std::memory_order_relaxed)) {
                 frame.recent.store(true, std::memory_order_relaxed);
             }
