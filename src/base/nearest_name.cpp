@@ -50,6 +50,10 @@ std::optional<std::string> nearest_name(std::string_view name,
     std::optional<std::string> nearest;
     std::size_t minimum = (name.size() == 2 ? 1 : name.size() / 3) + 1;
     for (const std::string& candidate : candidates) {
+        // The distance is at least the difference of the lengths.
+        if (candidate.size() >= name.size() + minimum) {
+            continue;
+        }
         const std::size_t distance = edit_distance(name, candidate);
         if (distance < minimum) {
             minimum = distance;

@@ -2,12 +2,50 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
+#include <optional>
+#include <queue>
 
 #include "balcony/expr.hpp"
+#include "expr/reachable.hpp"
 
 namespace balcony::expr {
 
+namespace {
+
+// The nodes of expressions if there are at most so many: in time that depends on their number
+// alone, as many small expressions in a large graph need.
+std::optional<std::vector<NodeId>> few_reachable(const Graph& graph,
+                                                 std::span<const Expr> expressions,
+                                                 std::size_t maximum) {
+    std::priority_queue<NodeId> waiting;
+    for (const Expr root : expressions) {
+        waiting.push(root.id());
+    }
+    std::vector<NodeId> nodes;
+    while (!waiting.empty()) {
+        const NodeId id = waiting.top();
+        waiting.pop();
+        if (!nodes.empty() && nodes.back() == id) {
+            continue;
+        }
+        if (nodes.size() == maximum) {
+            return std::nullopt;
+        }
+        nodes.push_back(id);
+        for (const NodeId argument : graph.arguments(id)) {
+            waiting.push(argument);
+        }
+    }
+    std::reverse(nodes.begin(), nodes.end());
+    return nodes;
+}
+
+}  // namespace
+
 std::vector<NodeId> reachable(const Graph& graph, std::span<const Expr> expressions) {
+    if (auto few = few_reachable(graph, expressions, graph.size() / few_of_a_graph)) {
+        return std::move(*few);
+    }
     std::vector<bool> marked(graph.size(), false);
     std::size_t highest = 0;
     for (const Expr root : expressions) {

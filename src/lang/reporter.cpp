@@ -25,13 +25,11 @@ void Reporter::add(Diagnostic diagnostic) {
                     [&](const Diagnostic& reported) { return same(reported, diagnostic); })) {
         return;
     }
-    if (is_error) {
-        if (full()) {
-            left_out_ = true;
-            return;
-        }
-        ++errors_said_;
+    if (is_error ? full() : warnings_said_ == max_warnings) {
+        (is_error ? left_out_errors_ : left_out_warnings_) = true;
+        return;
     }
+    ++(is_error ? errors_said_ : warnings_said_);
     diagnostics_.push_back(std::move(diagnostic));
 }
 
@@ -57,17 +55,23 @@ void Reporter::add(const Reporter& other) {
     const std::size_t errors_before = errors_;
     add(other.diagnostics_);
     errors_ = errors_before + other.errors_;
-    left_out_ = left_out_ || other.left_out_;
+    left_out_errors_ = left_out_errors_ || other.left_out_errors_;
+    left_out_warnings_ = left_out_warnings_ || other.left_out_warnings_;
 }
 
 void Reporter::error(SourceSpan span, std::string message, std::string remedy) {
     add(balcony::error(std::move(message), std::move(span), std::move(remedy)));
 }
 
+void Reporter::error(SourceSpan span, std::string message,
+                     const std::function<std::string()>& remedy) {
+    error(std::move(span), std::move(message), full() ? std::string() : remedy());
+}
+
 void Reporter::missing(std::string_view name, SourceSpan span, std::string message,
-                       std::string remedy) {
+                       const std::function<std::string()>& remedy) {
     if (missing_.emplace(span.source.get(), name).second) {
-        error(std::move(span), std::move(message), std::move(remedy));
+        error(std::move(span), std::move(message), remedy);
     } else {
         ++errors_;
     }
@@ -111,9 +115,13 @@ Diagnostics Reporter::take() {
     for (const std::size_t i : order) {
         sorted.push_back(std::move(diagnostics_[i]));
     }
-    if (left_out_) {
+    if (left_out_errors_) {
         sorted.push_back(balcony::error(
             fmt::format("there are more errors; only the first {} are shown", max_errors)));
+    }
+    if (left_out_warnings_) {
+        sorted.push_back(balcony::warning(
+            fmt::format("there are more warnings; only the first {} are shown", max_warnings)));
     }
     diagnostics_.clear();
     return sorted;

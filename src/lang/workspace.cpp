@@ -115,17 +115,11 @@ std::optional<LocatedDefinition> find_shown(const Module* module, std::string_vi
 // Reports names that are no parameters of a camera.
 void check_parameters(const LocatedDefinition& place, const std::vector<std::string>& names,
                       Reporter& reporter) {
-    std::vector<std::string> known;
-    for (const DefinitionParameter& parameter : place.camera->parameters) {
-        known.emplace_back(parameter.name.text);
-    }
+    const std::set<std::string_view> known = parameter_names(*place.camera);
     for (const std::string& name : names) {
-        if (std::find(known.begin(), known.end(), name) == known.end()) {
-            reporter.error({},
-                           fmt::format("the {} '{}' has no parameter '{}'", word_for(*place.camera),
-                                       place.camera->name.text, name),
-                           known.empty() ? "it has no parameters"
-                                         : suggestion(name, known, "its parameters are"));
+        if (!known.contains(name)) {
+            reporter.error({}, no_parameter(*place.camera, name),
+                           instead_of_parameter(*place.camera, name));
         }
     }
 }
@@ -185,10 +179,11 @@ std::string comment_text(std::string_view comment) {
 std::string comment_above(const SyntaxTree& tree, std::size_t offset) {
     std::vector<std::string> lines;
     const std::string_view text = tree.source->text();
-    for (auto comment = tree.comments.rbegin(); comment != tree.comments.rend(); ++comment) {
-        if (comment->end > offset) {
-            continue;
-        }
+    const auto below =
+        std::partition_point(tree.comments.begin(), tree.comments.end(),
+                             [offset](const Span& comment) { return comment.end <= offset; });
+    for (auto comment = std::make_reverse_iterator(below); comment != tree.comments.rend();
+         ++comment) {
         const std::string_view between = text.substr(comment->end, offset - comment->end);
         const bool touches = between.find_first_not_of(" \t\r\n") == std::string_view::npos &&
                              std::count(between.begin(), between.end(), '\n') <= 1;
@@ -352,6 +347,9 @@ Result<std::vector<camera::Picture>> Workspace::make_all(const CameraSource& sou
             const bool is_named = named && place.camera == named->camera;
             is_imported = is_imported && !is_named;
             build(place, name.empty() || is_named ? overrides : std::vector<Override>());
+            if (session.reporter().full()) {
+                break;
+            }
         }
         if (is_imported) {
             build(*named, overrides);

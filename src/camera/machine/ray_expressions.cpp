@@ -79,9 +79,18 @@ RayExpressions substitute(Graph& target, const RayExpressions& ray,
 
 std::vector<StageValues> substitute(Graph& target, std::span<const StageValues> stages,
                                     std::span<const expr::Substitution> put) {
+    // All at once, because each stage contains those before it.
+    std::vector<Expr> values;
+    for (const StageValues& stage : stages) {
+        values.insert(values.end(), stage.values.begin(), stage.values.end());
+    }
+    values = expr::substitute(target, values, put);
     std::vector<StageValues> made(stages.begin(), stages.end());
+    auto value = values.begin();
     for (StageValues& stage : made) {
-        stage.values = expr::substitute(target, stage.values, put);
+        for (Expr& one : stage.values) {
+            one = *value++;
+        }
     }
     return made;
 }

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "lang/build/build_map.hpp"
 #include "lang/build/build_morph.hpp"
 #include "lang/build/stages.hpp"
 #include "lang/build/statements.hpp"
@@ -39,7 +40,7 @@ public:
                                          {StatementKind::place, StatementKind::arrange}, stages_);
         aspect(parts);
         axes(parts);
-        shared_.mapper = mapper(statements_);
+        shared_.mapper = build_map(statements_, tree_, stages_, reporter_);
         shared_.parameter_transformers =
             list<camera::ParameterTransformer>(statements_, StatementKind::warp);
         shared_.object_transformers =
@@ -168,77 +169,6 @@ private:
                                         shared_.object_transformers.end());
     }
 
-    // ------------------------------------------------------------------------------------- map
-
-    // Null without an error if there is no map statement.
-    camera::PictureMapperPointer mapper(const Statements& statements) {
-        const Statement* statement = statements.find(StatementKind::map);
-        if (statement == nullptr) {
-            return nullptr;
-        }
-        const MapRange* u = nullptr;
-        const MapRange* v = nullptr;
-        for (const MapRange& range : statement->ranges()) {
-            const std::string_view name = range.coordinate.text;
-            if (name != "u" && name != "v") {
-                error(range.coordinate.span,
-                      fmt::format("map takes ranges for u and v, not for '{}'", name),
-                      "for example map u = -1 .. 1, v = square");
-                return nullptr;
-            }
-            const MapRange*& slot = name == "u" ? u : v;
-            if (slot != nullptr) {
-                report_duplicate(range.coordinate, tree_.at(range.coordinate.span),
-                                 tree_.at(slot->coordinate.span), reporter_);
-                return nullptr;
-            }
-            slot = &range;
-        }
-        if (u == nullptr || v == nullptr) {
-            const char* missing = u == nullptr ? "u" : "v";
-            error(statement->span, fmt::format("this map has no range for '{}'", missing),
-                  fmt::format("add {0} = -1 .. 1, or {0} = square for square pixels", missing));
-            return nullptr;
-        }
-        return mapper(*statement, *u, *v);
-    }
-
-    camera::PictureMapperPointer mapper(const Statement& statement, const MapRange& u,
-                                        const MapRange& v) {
-        const bool u_square = !u.first.valid();
-        const bool v_square = !v.first.valid();
-        if (u_square && v_square) {
-            error(statement.span, "u and v cannot both be square",
-                  "give one of them a range; the other follows from the picture's aspect ratio");
-            return nullptr;
-        }
-        std::vector<ExpressionId> values;
-        for (const MapRange* range : {&u, &v}) {
-            if (range->first.valid()) {
-                values.push_back(range->first);
-                values.push_back(range->last);
-            }
-        }
-        const char* name = u_square ? "square_u" : v_square ? "square_v" : "range";
-        auto made = stages_.make<camera::PictureMapper>(name, values, statement.span);
-        for (const MapRange* range : {&u, &v}) {
-            if (made && range->first.valid()) {
-                warn_of_empty(*range);
-            }
-        }
-        return made;
-    }
-
-    void warn_of_empty(const MapRange& range) {
-        const auto first = stages_.known_number(range.first);
-        const auto last = stages_.known_number(range.last);
-        if (first && first == last) {
-            reporter_.warning(tree_.at({tree_[range.first].span.begin, tree_[range.last].span.end}),
-                              "this range starts and ends at the same value",
-                              "the picture does not change in this direction");
-        }
-    }
-
     // ----------------------------------------------------------------------------------- paths
 
     void paths(camera::Camera::Parts& parts) {
@@ -348,7 +278,7 @@ private:
         if (own.lacks(StatementKind::map)) {
             shares_map = true;
         } else {
-            made.mapper = mapper(own);
+            made.mapper = build_map(own, tree_, stages_, reporter_);
         }
         const auto warps = list<camera::ParameterTransformer>(own, StatementKind::warp);
         made.parameter_transformers.insert(made.parameter_transformers.end(), warps.begin(),
@@ -482,7 +412,13 @@ std::optional<camera::Camera> build_camera(const LocatedDefinition& place,
                                            bool warn_of_unused, std::vector<Value>* values) {
     const std::size_t errors_before = session.reporter().error_count();
     DefinitionScope scope(place, given, session);
-    std::optional<camera::Camera> made = CameraBuilder(place, scope.names(), session).run();
+    const std::vector<Value> parameters = scope.values();
+    // Which names are used shows only while a camera is built.
+    const Session::Built* made = warn_of_unused ? nullptr : session.built(place, parameters);
+    if (made == nullptr) {
+        made =
+            &session.share(place, parameters, CameraBuilder(place, scope.names(), session).run());
+    }
     if (session.reporter().error_count() > errors_before) {
         return std::nullopt;
     }
@@ -490,11 +426,9 @@ std::optional<camera::Camera> build_camera(const LocatedDefinition& place,
         scope.warn_of_unused();
     }
     if (values != nullptr) {
-        *values = scope.values();
+        *values = parameters;
     }
-    return made ? std::optional(std::get<camera::Camera>(
-                      session.share(place, scope.values(), std::move(*made))))
-                : std::nullopt;
+    return *made ? std::optional(std::get<camera::Camera>(**made)) : std::nullopt;
 }
 
 }  // namespace balcony::lang

@@ -70,8 +70,12 @@ public:
                   "write by = rays, or two calls of one camera");
             return std::nullopt;
         }
-        return same && by_.text != "rays" ? by_parameters(*first, *second)
-                                          : by_rays(*first, *second);
+        auto made =
+            same && by_.text != "rays" ? by_parameters(*first, *second) : by_rays(*first, *second);
+        session_.morph_levels(place_.camera) =
+            1 + std::max(session_.morph_levels(first->place.camera),
+                         session_.morph_levels(second->place.camera));
+        return made;
     }
 
 private:
@@ -153,7 +157,7 @@ private:
                   "name another camera");
             return std::nullopt;
         }
-        if (chain.size() > max_nested_morphs) {
+        if (chain.size() + session_.morph_levels(found->place.camera) > max_nested_morphs) {
             error(call.name.span,
                   fmt::format("morphs are nested more than {} levels deep", max_nested_morphs),
                   "let one morph go through several cameras by keys of its parameters");

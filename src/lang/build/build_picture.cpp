@@ -183,15 +183,20 @@ private:
             return nullptr;
         }
         DefinitionScope scope(place, given, session_);
-        nesting_.chain.push_back(place);
-        auto picture = PictureBuilder(place, scope.names(), session_, nesting_).run();
-        nesting_.chain.pop_back();
-        if (!picture) {
-            nesting_.failures.insert(place.camera);
-            return nullptr;
+        const std::vector<Value> parameters = scope.values();
+        const Session::Built* built = session_.built(place, parameters);
+        if (built == nullptr) {
+            nesting_.chain.push_back(place);
+            auto picture = PictureBuilder(place, scope.names(), session_, nesting_).run();
+            nesting_.chain.pop_back();
+            if (!picture) {
+                nesting_.failures.insert(place.camera);
+                return nullptr;
+            }
+            built = &session_.share(place, parameters,
+                                    std::make_shared<const camera::Picture>(std::move(*picture)));
         }
-        return std::get<NestedPicture>(session_.share(
-            place, scope.values(), std::make_shared<const camera::Picture>(std::move(*picture))));
+        return std::get<NestedPicture>(**built);
     }
 
     bool in_a_circle(const LocatedDefinition& place, const Expression& call) {

@@ -15,14 +15,21 @@ namespace balcony::lang {
 namespace {
 
 // What a layer can name: a similar name, or where all of them are listed.
-std::string known_names(std::string_view name, std::vector<std::string> own_names) {
+std::string known_names(std::string_view name, const LocatedDefinition& picture) {
+    constexpr std::size_t max_listed = 40;
+    std::vector<std::string> own_names;
+    for (const LocatedDefinition& place : visible_definitions(*picture.module)) {
+        if (place.camera->name.text != picture.camera->name.text) {
+            own_names.emplace_back(place.camera->name.text);
+        }
+    }
     std::vector<std::string> known = own_names;
     known.insert(known.end(), built_in_cameras().begin(), built_in_cameras().end());
     std::sort(own_names.begin(), own_names.end());
     own_names.erase(std::unique(own_names.begin(), own_names.end()), own_names.end());
     const std::string built_in = "'balcony list cameras' shows the built-in ones";
     return did_you_mean(name, known,
-                        own_names.empty()
+                        own_names.empty() || own_names.size() > max_listed
                             ? built_in
                             : fmt::format("this file has {}; {}", all_of(own_names), built_in));
 }
@@ -30,13 +37,8 @@ std::string known_names(std::string_view name, std::vector<std::string> own_name
 std::optional<LocatedDefinition> find(const LocatedDefinition& picture, const Identifier& name,
                                       Session& session) {
     const Module& module = *picture.module;
-    const std::vector<LocatedDefinition> visible = visible_definitions(module);
-    std::vector<std::string> own_names;
-    for (const LocatedDefinition& place : visible) {
-        if (place.camera->name.text == name.text) {
-            return place;
-        }
-        own_names.emplace_back(place.camera->name.text);
+    if (const LocatedDefinition* place = session.find(module, name.text)) {
+        return *place;
     }
     if (const Module* built_in = session.load_built_in(name.text)) {
         // After too many errors, files are not read.
@@ -44,10 +46,9 @@ std::optional<LocatedDefinition> find(const LocatedDefinition& picture, const Id
         return own.empty() ? std::nullopt : std::optional(own.back());
     }
     if (!module.scope->incomplete()) {
-        std::erase(own_names, std::string(picture.camera->name.text));
         session.reporter().error(module.tree.at(name.span),
                                  fmt::format("there is no camera or picture named '{}'", name.text),
-                                 known_names(name.text, std::move(own_names)));
+                                 [&] { return known_names(name.text, picture); });
     }
     return std::nullopt;
 }

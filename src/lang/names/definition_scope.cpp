@@ -16,6 +16,27 @@ std::string_view word_for(const DefinitionSyntax& camera) {
     return camera.is_picture ? "picture" : "camera";
 }
 
+std::set<std::string_view> parameter_names(const DefinitionSyntax& camera) {
+    std::set<std::string_view> names;
+    for (const DefinitionParameter& parameter : camera.parameters) {
+        names.insert(parameter.name.text);
+    }
+    return names;
+}
+
+std::string no_parameter(const DefinitionSyntax& camera, std::string_view name) {
+    return fmt::format("the {} '{}' has no parameter '{}'", word_for(camera), camera.name.text,
+                       name);
+}
+
+std::string instead_of_parameter(const DefinitionSyntax& camera, std::string_view name) {
+    std::vector<std::string> known;
+    for (const DefinitionParameter& parameter : camera.parameters) {
+        known.emplace_back(parameter.name.text);
+    }
+    return known.empty() ? "it has no parameters" : suggestion(name, known, "its parameters are");
+}
+
 namespace {
 
 // Whether a statement that was not read may have defined a name.
@@ -35,13 +56,13 @@ DefinitionScope::DefinitionScope(const LocatedDefinition& place, const GivenPara
       session_(session),
       scope_(place.module->scope.get()),
       fitted_(place, scope_, session),
-      values_(given.values),
-      open_(given.open) {
+      parameters_(lang::parameter_names(*place.camera)),
+      open_(given.open.begin(), given.open.end()) {
     if (place.camera->broken || lacks_names(place.camera->statements)) {
         scope_.mark_incomplete();
     }
     read_overrides(given.overrides);
-    check_names(given.values);
+    read_values(given.values);
     std::vector<const Statement*> lets;
     for (const Statement& statement : place.camera->statements) {
         if (statement.kind == StatementKind::let) {
@@ -56,17 +77,13 @@ DefinitionScope::DefinitionScope(const LocatedDefinition& place, const GivenPara
 }
 
 void DefinitionScope::read_overrides(const std::vector<Override>& overrides) {
-    const std::vector<std::string> known = parameter_names();
     for (const Override& given : overrides) {
         const auto source = std::make_shared<const SourceText>(
             "--set", fmt::format("{}={}", given.name, given.expression));
-        if (std::find(known.begin(), known.end(), given.name) == known.end()) {
+        if (!parameters_.contains(given.name)) {
             session_.reporter().error(
-                {source, 0, given.name.size()},
-                fmt::format("the {} '{}' has no parameter '{}'", word_for(*place_.camera),
-                            place_.camera->name.text, given.name),
-                known.empty() ? "it has no parameters"
-                              : suggestion(given.name, known, "its parameters are"));
+                {source, 0, given.name.size()}, no_parameter(*place_.camera, given.name),
+                [&] { return instead_of_parameter(*place_.camera, given.name); });
             continue;
         }
         const std::size_t errors_before = session_.reporter().error_count();
@@ -74,29 +91,17 @@ void DefinitionScope::read_overrides(const std::vector<Override>& overrides) {
             session_.keep(parse_override(source, session_.catalogue(), session_.reporter()));
         const bool good = session_.reporter().error_count() == errors_before;
         const std::string_view name = tree.source->text().substr(0, given.name.size());
-        given_.push_back({name, good ? &tree : nullptr});
+        overrides_.insert_or_assign(name, good ? &tree : nullptr);
     }
 }
 
-std::vector<std::string> DefinitionScope::parameter_names() const {
-    std::vector<std::string> names;
-    for (const DefinitionParameter& parameter : place_.camera->parameters) {
-        names.emplace_back(parameter.name.text);
-    }
-    return names;
-}
-
-void DefinitionScope::check_names(const std::vector<ParameterValue>& values) {
-    const std::vector<std::string> known = parameter_names();
+void DefinitionScope::read_values(const std::vector<ParameterValue>& values) {
     for (const ParameterValue& value : values) {
-        if (!place_.camera->broken &&
-            std::find(known.begin(), known.end(), value.name.text) == known.end()) {
+        values_.try_emplace(value.name.text, &value);
+        if (!place_.camera->broken && !parameters_.contains(value.name.text)) {
             session_.reporter().error(
-                value.name_place,
-                fmt::format("the {} '{}' has no parameter '{}'", word_for(*place_.camera),
-                            place_.camera->name.text, value.name.text),
-                known.empty() ? "it has no parameters"
-                              : suggestion(value.name.text, known, "its parameters are"));
+                value.name_place, no_parameter(*place_.camera, value.name.text),
+                [&] { return instead_of_parameter(*place_.camera, value.name.text); });
         }
     }
 }
@@ -119,19 +124,13 @@ void DefinitionScope::define_parameter(const DefinitionParameter& parameter) {
         value = evaluate_any(tree_, parameter.default_value, scope_, session_.context());
     }
     value = fitted(value, name);
-    // The last value applies, as usual for options.
-    const auto given = std::find_if(given_.rbegin(), given_.rend(),
-                                    [name](const Given& one) { return one.name == name; });
-    if (given != given_.rend()) {
-        value = overridden(*given, value, name);
+    if (const auto given = overrides_.find(name); given != overrides_.end()) {
+        value = overridden(given->second, value, name);
     }
-    const auto passed =
-        std::find_if(values_.begin(), values_.end(),
-                     [name](const ParameterValue& one) { return one.name.text == name; });
-    if (passed != values_.end()) {
-        value = checked(passed->value, passed->value_place, value, name);
+    if (const auto given = values_.find(name); given != values_.end()) {
+        value = checked(given->second->value, given->second->value_place, value, name);
     }
-    if (std::find(open_.begin(), open_.end(), name) != open_.end()) {
+    if (open_.contains(name)) {
         value = opened(value, name);
     }
     const SourceSpan place = tree_.at(parameter.name.span);
@@ -167,14 +166,14 @@ Value DefinitionScope::opened(const Value& value, std::string_view name) {
     return made;
 }
 
-Value DefinitionScope::overridden(const Given& given, const Value& default_value,
+Value DefinitionScope::overridden(const SyntaxTree* tree, const Value& default_value,
                                   std::string_view name) {
-    if (given.tree == nullptr) {
+    if (tree == nullptr) {
         return {};
     }
-    const ExpressionId id(given.tree->expressions.size() - 1);
-    const Value value = evaluate_any(*given.tree, id, scope_, session_.context());
-    return checked(value, given.tree->at((*given.tree)[id].span), default_value, name);
+    const ExpressionId id(tree->expressions.size() - 1);
+    const Value value = evaluate_any(*tree, id, scope_, session_.context());
+    return checked(value, tree->at((*tree)[id].span), default_value, name);
 }
 
 // A value with the same form and unit as the default. Otherwise an error is reported and the value

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "balcony/lang.hpp"
@@ -12,6 +16,11 @@ namespace balcony::lang {
 
 /// "camera" or "picture".
 [[nodiscard]] std::string_view word_for(const DefinitionSyntax& camera);
+[[nodiscard]] std::set<std::string_view> parameter_names(const DefinitionSyntax& camera);
+/// The error of a name that is no parameter, and its remedy.
+[[nodiscard]] std::string no_parameter(const DefinitionSyntax& camera, std::string_view name);
+[[nodiscard]] std::string instead_of_parameter(const DefinitionSyntax& camera,
+                                               std::string_view name);
 
 /// A value for a parameter of a layer.
 struct ParameterValue {
@@ -32,6 +41,7 @@ struct GivenParameters {
 /// values.
 class DefinitionScope {
 public:
+    /// What is given must outlive it.
     DefinitionScope(const LocatedDefinition& place, const GivenParameters& given, Session& session);
 
     [[nodiscard]] Scope& names() { return scope_; }
@@ -41,31 +51,27 @@ public:
     void warn_of_unused();
 
 private:
-    struct Given {
-        std::string_view name;
-        const SyntaxTree* tree;
-    };
-
     void read_overrides(const std::vector<Override>& overrides);
     void define_parameters();
     void define_parameter(const DefinitionParameter& parameter);
     [[nodiscard]] Value fitted(const Value& default_value, std::string_view name);
     [[nodiscard]] Value opened(const Value& value, std::string_view name);
-    void check_names(const std::vector<ParameterValue>& values);
-    [[nodiscard]] Value overridden(const Given& given, const Value& default_value,
+    void read_values(const std::vector<ParameterValue>& values);
+    /// `tree` is that of the override, null if it has an error.
+    [[nodiscard]] Value overridden(const SyntaxTree* tree, const Value& default_value,
                                    std::string_view name);
     [[nodiscard]] Value checked(const Value& value, const SourceSpan& span,
                                 const Value& default_value, std::string_view name);
-    [[nodiscard]] std::vector<std::string> parameter_names() const;
 
     const LocatedDefinition place_;
     const SyntaxTree& tree_;
     Session& session_;
     Scope scope_;
     FittedParameters fitted_;
-    std::vector<Given> given_;
-    const std::vector<ParameterValue> values_;
-    const std::vector<std::string> open_;
+    const std::set<std::string_view> parameters_;
+    std::map<std::string_view, const SyntaxTree*> overrides_;  ///< The last one of each name.
+    std::map<std::string_view, const ParameterValue*> values_;
+    const std::set<std::string_view> open_;
 };
 
 }  // namespace balcony::lang

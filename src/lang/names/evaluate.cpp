@@ -220,9 +220,11 @@ private:
         if (scope_.incomplete()) {
             return {};
         }
-        reporter_.missing(
-            node.name.text, tree_.at(node.span), fmt::format("unknown name '{}'", node.name.text),
-            suggestion(node.name.text, scope_.names(), "the names available here are"));
+        reporter_.missing(node.name.text, tree_.at(node.span),
+                          fmt::format("unknown name '{}'", node.name.text), [&] {
+                              return suggestion(node.name.text, scope_.names(),
+                                                "the names available here are");
+                          });
         return {};
     }
 

@@ -15,10 +15,11 @@ namespace balcony::lang {
 
 FittedParameters::FittedParameters(const LocatedDefinition& place, Scope& names, Session& session)
     : place_(place), tree_(place.module->tree), session_(session), scene_names_(&names) {
+    const std::set<std::string_view> parameters = parameter_names(*place.camera);
     for (const Statement& statement : place.camera->statements) {
         if (statement.kind == StatementKind::fitted && !statement.broken) {
             for (const Assignment& assignment : statement.assignments()) {
-                read(assignment);
+                read(assignment, parameters);
             }
         }
     }
@@ -28,22 +29,18 @@ FittedParameters::FittedParameters(const LocatedDefinition& place, Scope& names,
     }
 }
 
-void FittedParameters::read(const Assignment& assignment) {
-    std::vector<std::string> known;
-    for (const DefinitionParameter& parameter : place_.camera->parameters) {
-        known.emplace_back(parameter.name.text);
-    }
+void FittedParameters::read(const Assignment& assignment,
+                            const std::set<std::string_view>& parameters) {
     for (std::size_t i = 0; i < assignment.names.size(); ++i) {
         const Identifier& name = assignment.names[i];
-        if (std::find(known.begin(), known.end(), name.text) != known.end()) {
+        if (parameters.contains(name.text)) {
             add(assignment, i);
         } else if (!place_.camera->broken) {
             session_.reporter().missing(
                 name.text, tree_.at(name.span),
                 fmt::format("the {} '{}' has no parameter '{}' that fit could set",
                             word_for(*place_.camera), place_.camera->name.text, name.text),
-                known.empty() ? "it has no parameters"
-                              : suggestion(name.text, known, "its parameters are"));
+                [&] { return instead_of_parameter(*place_.camera, name.text); });
         }
     }
 }

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string_view>
 
 #include "lang/names/session.hpp"
@@ -31,7 +32,7 @@ private:
         std::size_t index;  ///< Of the name in it.
     };
 
-    void read(const Assignment& assignment);
+    void read(const Assignment& assignment, const std::set<std::string_view>& parameters);
     void add(const Assignment& assignment, std::size_t index);
     [[nodiscard]] Axes axes() const;
 

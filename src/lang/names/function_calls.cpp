@@ -53,12 +53,13 @@ void report_unknown(const SyntaxTree& tree, const Identifier& name, Scope& scope
     if (scope.incomplete()) {
         return;
     }
-    std::vector<std::string> names = scope.function_names();
-    const std::vector<std::string> built_in = function_names();
-    names.insert(names.end(), built_in.begin(), built_in.end());
     context.reporter.missing(name.text, tree.at(name.span),
-                             fmt::format("unknown function '{}'", name.text),
-                             suggestion(name.text, names, "the functions are"));
+                             fmt::format("unknown function '{}'", name.text), [&] {
+                                 std::vector<std::string> names = scope.function_names();
+                                 const std::vector<std::string> built_in = function_names();
+                                 names.insert(names.end(), built_in.begin(), built_in.end());
+                                 return suggestion(name.text, names, "the functions are");
+                             });
 }
 
 }  // namespace

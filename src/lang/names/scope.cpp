@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <unordered_set>
 
 #include <fmt/format.h>
 
@@ -150,7 +151,11 @@ public:
             lets_[known->second].failed = true;
         } else {
             numbers_.emplace(let.let().name.text, lets_.size());
-            lets_.push_back({&let, State::fresh, let.let().value.valid() ? first_node(let) : 0});
+            Entry entry{&let, State::fresh, let.let().value.valid() ? first_node(let) : 0, {}};
+            for (const Identifier& parameter : let.let().parameters) {
+                entry.parameters.insert(parameter.text);
+            }
+            lets_.push_back(std::move(entry));
         }
     }
 
@@ -166,7 +171,8 @@ private:
         const Statement* let;
         State state;
         std::size_t next_node;  // Where the search for names in its expression continues.
-        bool failed = false;    // It is part of a reported cycle.
+        std::unordered_set<std::string_view> parameters;
+        bool failed = false;  // It is part of a reported cycle.
     };
 
     [[nodiscard]] std::size_t first_node(const Statement& let) const {
@@ -174,10 +180,9 @@ private:
     }
 
     // Whether a node names a value or a function other than a parameter.
-    static bool mentions(const LetSyntax& let, const Expression& node) {
+    static bool mentions(const Entry& entry, const Expression& node) {
         return (node.kind == ExpressionKind::name || node.kind == ExpressionKind::call) &&
-               std::none_of(let.parameters.begin(), let.parameters.end(),
-                            [&node](const Identifier& one) { return one.text == node.name.text; });
+               !entry.parameters.contains(node.name.text);
     }
 
     // The next let that an open let uses.
@@ -187,7 +192,7 @@ private:
         }
         while (entry.next_node <= entry.let->let().value.value()) {
             const Expression& node = tree_.expressions[entry.next_node++];
-            if (mentions(entry.let->let(), node)) {
+            if (mentions(entry, node)) {
                 if (const auto found = numbers_.find(node.name.text); found != numbers_.end()) {
                     return found->second;
                 }

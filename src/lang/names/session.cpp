@@ -125,13 +125,24 @@ void Session::add_to_key(const Value& value, ParameterKey& key) {
     }
 }
 
-Session::Shown Session::share(const LocatedDefinition& place, const std::vector<Value>& parameters,
-                              Shown made) {
-    ParameterKey key;
+Session::BuiltKey Session::key_of(const LocatedDefinition& place,
+                                  const std::vector<Value>& parameters) {
+    BuiltKey key{place.camera, {}};
     for (const Value& value : parameters) {
-        add_to_key(value, key);
+        add_to_key(value, key.second);
     }
-    return shared_.emplace(std::pair(place.camera, std::move(key)), std::move(made)).first->second;
+    return key;
+}
+
+const Session::Built* Session::built(const LocatedDefinition& place,
+                                     const std::vector<Value>& parameters) const {
+    const auto found = built_.find(key_of(place, parameters));
+    return found == built_.end() ? nullptr : &found->second;
+}
+
+const Session::Built& Session::share(const LocatedDefinition& place,
+                                     const std::vector<Value>& parameters, Built made) {
+    return built_.try_emplace(key_of(place, parameters), std::move(made)).first->second;
 }
 
 Module* Session::load(const fs::path& file) {
@@ -157,6 +168,17 @@ Module* Session::load(std::shared_ptr<const SourceText> source, const fs::path& 
 Module* Session::load_built_in(std::string_view name) {
     const BuiltInCamera* camera = find_built_in_camera(name);
     return camera != nullptr ? open_built_in(camera->name) : nullptr;
+}
+
+const LocatedDefinition* Session::find(const Module& module, std::string_view name) {
+    const auto [known, is_new] = visible_.try_emplace(&module);
+    if (is_new) {
+        for (const LocatedDefinition& place : visible_definitions(module)) {
+            known->second.try_emplace(place.camera->name.text, place);
+        }
+    }
+    const auto found = known->second.find(name);
+    return found == known->second.end() ? nullptr : &found->second;
 }
 
 bool Session::known(const std::string& key, const SourceSpan& asked, Module*& found) {

@@ -10,6 +10,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -71,12 +73,19 @@ public:
 
     /// The file of a built-in camera; null if there is no camera with that name.
     Module* load_built_in(std::string_view name);
+    /// The first camera or picture of a name that is visible in a file; null if there is none.
+    [[nodiscard]] const LocatedDefinition* find(const Module& module, std::string_view name);
 
-    /// The result for a camera or a picture. The same definition with the same values of its
-    /// parameters is built once and shared.
+    /// What is built of a definition with values of its parameters: nothing after an error, which
+    /// is reported.
     using Shown = decltype(camera::Layer::content);
-    [[nodiscard]] Shown share(const LocatedDefinition& place, const std::vector<Value>& parameters,
-                              Shown made);
+    using Built = std::optional<Shown>;
+    /// Null until it is shared.
+    [[nodiscard]] const Built* built(const LocatedDefinition& place,
+                                     const std::vector<Value>& parameters) const;
+    /// The first one that is shared for the same definition with the same values.
+    const Built& share(const LocatedDefinition& place, const std::vector<Value>& parameters,
+                       Built made);
 
     /// Further inputs of the formulas: parameters that stay open.
     [[nodiscard]] std::vector<camera::KnownInput>& inputs() { return inputs_; }
@@ -85,6 +94,10 @@ public:
 
     /// The cameras whose morphs are under construction, from the outermost.
     [[nodiscard]] std::vector<const DefinitionSyntax*>& morphs() { return morphs_; }
+    /// How deep morphs are nested in a camera, by the ones that have been built.
+    [[nodiscard]] std::size_t& morph_levels(const DefinitionSyntax* camera) {
+        return morph_levels_[camera];
+    }
 
     /// Keeps the tree of an override alive, since other values refer to its text.
     const SyntaxTree& keep(SyntaxTree tree);
@@ -115,14 +128,18 @@ private:
     std::vector<FittedParameter> fitted_;
     std::unique_ptr<Scope> constants_;
     std::map<std::string, std::unique_ptr<Module>> modules_;
+    std::map<const Module*, std::unordered_map<std::string_view, LocatedDefinition>> visible_;
     std::vector<Opened> opened_;  // The current chain of imports.
     std::vector<std::unique_ptr<SyntaxTree>> overrides_;
     std::vector<camera::KnownInput> inputs_;
     std::vector<const DefinitionSyntax*> morphs_;
+    std::map<const DefinitionSyntax*, std::size_t> morph_levels_;
     // By their syntax and their parameters' values: nodes with units, forms with lengths.
     using ParameterKey = std::vector<std::pair<std::size_t, std::variant<Dimension, Value::Form>>>;
+    using BuiltKey = std::pair<const DefinitionSyntax*, ParameterKey>;
+    static BuiltKey key_of(const LocatedDefinition& place, const std::vector<Value>& parameters);
     static void add_to_key(const Value& value, ParameterKey& key);
-    std::map<std::pair<const DefinitionSyntax*, ParameterKey>, Shown> shared_;
+    std::map<BuiltKey, Built> built_;
 };
 
 /// The cameras and pictures visible in a file: its own in their order, then those of its

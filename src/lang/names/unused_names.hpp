@@ -9,9 +9,6 @@
 
 namespace balcony::lang {
 
-/// Whether an expression in a part of a file has a name or calls a function of that name.
-[[nodiscard]] bool mentions(const SyntaxTree& tree, Span part, std::string_view name);
-
 /// "function" or "let".
 [[nodiscard]] std::string_view word_for(const LetSyntax& let);
 

@@ -113,17 +113,10 @@ private:
                                         (braces <= 0 && tokens_.peek().is_name("let"))));
     }
 
-    // Where a name with what follows it in parentheses ends.
-    [[nodiscard]] std::size_t after_name(std::size_t at) const {
-        std::size_t next = at + 1;
-        if (tokens_.peek(next).is("(")) {
-            int depth = 0;
-            do {
-                const Token& token = tokens_.peek(next++);
-                depth += token.is("(") ? 1 : token.is(")") ? -1 : 0;
-            } while (depth > 0 && tokens_.peek(next).kind != TokenKind::end);
-        }
-        return next;
+    // What follows a name and, if there are some, the parentheses behind it.
+    [[nodiscard]] const Token& after_name(std::size_t at) const {
+        const Token& next = tokens_.peek(at + 1);
+        return next.is("(") ? tokens_.behind_parentheses(at + 1) : next;
     }
 
     // name = or name(x) =, alone or after a word such as `var` or `def`: the number of tokens up to
@@ -133,7 +126,7 @@ private:
             if (tokens_.peek(at).kind != TokenKind::name) {
                 return 0;
             }
-            if (tokens_.peek(after_name(at)).is("=")) {
+            if (after_name(at).is("=")) {
                 return at + 1;
             }
         }
@@ -143,8 +136,7 @@ private:
     // word name { or word name(...) {, where the word is probably a misspelled `camera`.
     [[nodiscard]] bool looks_like_camera() const {
         return tokens_.peek().kind == TokenKind::name && tokens_.peek(1).kind == TokenKind::name &&
-               tokens_.peek(after_name(1)).is("{") &&
-               find_statement(tokens_.peek(), Block::camera) == nullptr;
+               after_name(1).is("{") && find_statement(tokens_.peek(), Block::camera) == nullptr;
     }
 
     void import() {

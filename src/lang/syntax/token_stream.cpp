@@ -13,6 +13,28 @@ constexpr std::string_view unit_remedy = "append the unit to its number: 30deg, 
 
 }  // namespace
 
+TokenStream::TokenStream(std::shared_ptr<const SourceText> source, Tokens read, Reporter& reporter)
+    : source_(std::move(source)),
+      tokens_(std::move(read.tokens)),
+      closings_(tokens_.size(), tokens_.size()),
+      cut_short_(read.cut_short),
+      reporter_(&reporter) {
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+        if (tokens_[i].is("(")) {
+            open.push_back(i);
+        } else if (tokens_[i].is(")") && !open.empty()) {
+            closings_[open.back()] = i;
+            open.pop_back();
+        }
+    }
+}
+
+const Token& TokenStream::behind_parentheses(std::size_t ahead) const {
+    const std::size_t opening = std::min(at_ + ahead, tokens_.size() - 1);
+    return tokens_[std::min(closings_[opening] + 1, tokens_.size() - 1)];
+}
+
 std::string TokenStream::found() const {
     constexpr std::size_t max_shown = 40;
     const Token& token = peek();

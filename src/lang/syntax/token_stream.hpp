@@ -15,15 +15,14 @@ namespace balcony::lang {
 /// The tokens that parsers read, with functions for their common messages.
 class TokenStream {
 public:
-    TokenStream(std::shared_ptr<const SourceText> source, Tokens read, Reporter& reporter)
-        : source_(std::move(source)),
-          tokens_(std::move(read.tokens)),
-          cut_short_(read.cut_short),
-          reporter_(&reporter) {}
+    TokenStream(std::shared_ptr<const SourceText> source, Tokens read, Reporter& reporter);
 
     [[nodiscard]] const Token& peek(std::size_t ahead = 0) const {
         return tokens_[std::min(at_ + ahead, tokens_.size() - 1)];
     }
+    /// What follows the parenthesis that opens `ahead` and closes somewhere; the end if it does
+    /// not.
+    [[nodiscard]] const Token& behind_parentheses(std::size_t ahead) const;
     [[nodiscard]] const Token& previous() const { return tokens_[at_ == 0 ? 0 : at_ - 1]; }
     /// Whether the next token is, or is preceded by, text that the lexer has reported.
     [[nodiscard]] bool at_reported() const {
@@ -71,6 +70,7 @@ private:
 
     std::shared_ptr<const SourceText> source_;
     std::vector<Token> tokens_;
+    std::vector<std::size_t> closings_;  ///< Of the parentheses, by the tokens that open them.
     bool cut_short_;
     Reporter* reporter_;
     std::size_t at_ = 0;

@@ -26,11 +26,12 @@ using camera::StageKind;
 // The source text, with single spaces and without comments.
 std::string one_line(const SyntaxTree& tree, Span span) {
     std::string line;
+    auto comment = std::partition_point(tree.comments.begin(), tree.comments.end(),
+                                        [span](const Span& one) { return one.begin < span.begin; });
     for (std::size_t i = span.begin; i < span.end; ++i) {
-        const auto comment = std::find_if(tree.comments.begin(), tree.comments.end(),
-                                          [i](const Span& one) { return one.begin == i; });
-        if (comment != tree.comments.end()) {
+        if (comment != tree.comments.end() && comment->begin == i) {
             i = comment->end - 1;
+            ++comment;
             continue;
         }
         const char c = tree.source->text()[i];

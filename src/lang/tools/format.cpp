@@ -333,12 +333,14 @@ private:
                column_ + (piece.space ? 1 : 0) + width_of_element(i) > max_line;
     }
 
-    // Up to the next possible line break at this bracket depth, or the closing bracket.
+    // Up to the next possible line break at this bracket depth, or the closing bracket, or until it
+    // fits no line.
     [[nodiscard]] std::size_t width_of_element(std::size_t i) const {
         std::size_t width = 0;
         std::size_t depth = 0;
         const bool of_list = pieces_[i - 1].comma;
-        for (std::size_t k = i; k < pieces_.size() && !is_comment(pieces_[k]); ++k) {
+        for (std::size_t k = i; k < pieces_.size() && width <= max_line && !is_comment(pieces_[k]);
+             ++k) {
             const Piece& piece = pieces_[k];
             const bool next_operand = !of_list && k > i && depth == 0 && piece.sum;
             if (next_operand) {
