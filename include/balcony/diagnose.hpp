@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,7 @@
 #include "balcony/camera.hpp"
 #include "balcony/image.hpp"
 #include "balcony/names.hpp"
+#include "balcony/progress.hpp"
 
 namespace balcony::analyse {
 
@@ -124,8 +126,10 @@ struct Report {
     [[nodiscard]] bool has_defects() const;
 };
 
+/// An error of Kind::interrupted if it is stopped.
 [[nodiscard]] Result<Report> diagnose(const camera::Camera& camera,
-                                      const DiagnoseSettings& settings);
+                                      const DiagnoseSettings& settings,
+                                      const PartDone& progress = {}, std::stop_token stop = {});
 
 // --------------------------------------------------------------------------------------- maps
 

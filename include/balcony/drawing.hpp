@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,7 @@
 #include "balcony/base.hpp"
 #include "balcony/image.hpp"
 #include "balcony/picture.hpp"
+#include "balcony/progress.hpp"
 #include "balcony/scene.hpp"
 
 namespace balcony::analyse {
@@ -90,20 +92,25 @@ struct Drawing {
 };
 
 /// Draws the cameras of a picture, or a single camera. It is an error if none of them has a valid
-/// point, and a warning if some have none.
+/// point, and a warning if some have none. As model() and rasterise(), an error of
+/// Kind::interrupted if it is stopped.
 [[nodiscard]] Result<Drawing> draw(const camera::Picture& picture, const Depiction& depiction = {},
-                                   const DrawingView& view = {});
+                                   const DrawingView& view = {}, const PartDone& progress = {},
+                                   std::stop_token stop = {});
 
 [[nodiscard]] std::string to_svg(const Drawing& drawing);
 
 /// Antialiased with 16 samples per pixel.
 [[nodiscard]] Image rasterise(const Drawing& drawing);
+[[nodiscard]] Result<Image> rasterise(const Drawing& drawing, const PartDone& progress,
+                                      std::stop_token stop);
 
 /// A camera as a scene in its own axes: objects `surface` (the eye object, with its
 /// normals and (u, v) as texture coordinates), `target` (the direction object), `rays` (arrows),
 /// `frame`; each with a material of the same name. Empty objects are omitted. Several
 /// cameras use the axes of the first, and prefixes with layers and names: `layer 2, closeup: rays`.
 [[nodiscard]] Result<scene::Scene> model(const camera::Picture& picture,
-                                         const Depiction& depiction = {});
+                                         const Depiction& depiction = {},
+                                         const PartDone& progress = {}, std::stop_token stop = {});
 
 }  // namespace balcony::analyse

@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,11 +21,14 @@
 
 #include "balcony/image_points.hpp"
 #include "balcony/picture.hpp"
+#include "balcony/progress.hpp"
 
 namespace balcony::analyse {
 
 using Imath::V2d;
 using Imath::V3d;
+
+class Work;
 
 /// A picture position whose ray meets a point.
 struct Sighting {
@@ -56,10 +60,13 @@ struct Sighting {
 class Locator final : public rays::ImagePointFinder {
 public:
     /// Width and height of the picture are in pixels and positive. Time as in the camera's
-    /// formulas. Without axes, points are in the axes of the cameras, which must agree.
+    /// formulas. Without axes, points are in the axes of the cameras, which must agree. An error of
+    /// Kind::interrupted if it is stopped.
     [[nodiscard]] static Result<Locator> make(const camera::Picture& picture, double width,
                                               double height, double time = 0.0,
-                                              std::optional<Axes> axes = {});
+                                              std::optional<Axes> axes = {},
+                                              const PartDone& progress = {},
+                                              std::stop_token stop = {});
 
     /// The axes of the points.
     [[nodiscard]] Axes axes() const;
@@ -68,10 +75,14 @@ public:
 
     /// All sightings of a point, from left to right.
     [[nodiscard]] std::vector<Sighting> locate(const V3d& point) const;
-    /// Those of many points, which is faster: point by point, each from left to right. The indices
-    /// of points that more patches may see than are searched are put into `in_part`.
-    [[nodiscard]] std::vector<Sighting> locate(std::span<const V3d> points,
-                                               std::vector<std::size_t>* in_part = nullptr) const;
+    /// Those of many points, which is faster: point by point, each from left to right.
+    [[nodiscard]] std::vector<Sighting> locate(std::span<const V3d> points) const;
+    /// The same, or an error of Kind::interrupted if it is stopped. `in_part` becomes the indices
+    /// of points that more patches may see than are searched.
+    [[nodiscard]] Result<std::vector<Sighting>> locate(std::span<const V3d> points,
+                                                       std::vector<std::size_t>& in_part,
+                                                       const PartDone& progress = {},
+                                                       std::stop_token stop = {}) const;
 
     /// The nearest of all sightings of a point in a layer.
     void find(std::span<const rays::ImagePointQuery> queries,
@@ -86,6 +97,9 @@ public:
 private:
     class Index;
     explicit Locator(std::shared_ptr<const Index> index) : index_(std::move(index)) {}
+    [[nodiscard]] static Result<Locator> make(const camera::Picture& picture, double width,
+                                              double height, double time, std::optional<Axes> axes,
+                                              const Work& work);
     std::shared_ptr<const Index> index_;
 };
 

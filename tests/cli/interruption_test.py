@@ -16,17 +16,21 @@ LONG = ("render", "scene.obj", "-c", "my.cam:above", "--size", "600x400", "-s", 
 
 class Interruption(support.CommandTest):
     def start_long(self, *words, **how):
-        """A render that traces rays already, however busy the machine is."""
+        """A render that traces rays already, however busy the machine is: reading the scene takes
+        far less than a second of a processor."""
         process = self.start(*LONG, *words, **how)
+        self.wait_for_work(process, 1.5)
+        return process
+
+    def wait_for_work(self, process, wanted):
+        """Until it has taken so many seconds of a processor."""
         ticks = os.sysconf("SC_CLK_TCK")
-        # Reading the scene takes far less than a second of a processor.
         seconds = 0.0
-        while seconds < 1.5:
+        while seconds < wanted:
             time.sleep(0.1)
             self.assertIsNone(process.poll(), "it ended early")
             fields = Path(f"/proc/{process.pid}/stat").read_text().rsplit(")", 1)[1].split()
             seconds = (int(fields[11]) + int(fields[12])) / ticks
-        return process
 
     def end(self, process):
         """Seconds to the end, standard output and error."""
@@ -67,6 +71,33 @@ class Interruption(support.CommandTest):
             self.assertEqual(out, "")
             self.assertLess(seconds, 1.0)
         self.assertNotIn("p.png", self.files())
+
+    def test_analysis_of_a_camera(self):
+        (self.folder / "many.cam").write_text(
+            "".join(f"camera a{i} {{ map u = -1 .. 1, v = square eye sphere({i + 1}) }}\n"
+                    for i in range(2000))
+        )
+        (self.folder / "turned.cam").write_text(
+            "camera turned { map u = -1 .. 1, v = square eye sphere(1)\n"
+            "  move repeat(20, repeat(30, twist(z, 0.1deg))) }\n"
+        )
+        (self.folder / "points.csv").write_text("3,2,1\n" * 80_000)
+        (self.folder / "p.png").write_bytes(b"old")
+        for words in (
+            ("check", "many.cam"),
+            ("locate", "turned.cam", "--points", "points.csv"),
+            ("draw", "fisheye", "-o", "p.png", "--size", "16384x16384"),
+        ):
+            for how in ([], ["--json"]):
+                process = self.start(*words, *how)
+                self.wait_for_work(process, 2.0)
+                process.send_signal(signal.SIGINT)
+                seconds, out, err = self.end(process)
+                self.assertEqual(process.returncode, 130, words)
+                self.assertIn("interrupted", out if how else err)
+                # A tenth on an idle machine.
+                self.assertLess(seconds, 1.0, words)
+        self.assertEqual((self.folder / "p.png").read_bytes(), b"old")
 
     # A picture so large that its writing, which the first signal leads to, takes a while.
     def test_a_second_signal_ends_at_once(self):

@@ -42,11 +42,11 @@ std::optional<double> reach_of(const Ray& ray, const V3d& origin, const V3d& dir
 }
 
 Result<std::vector<Shown>> shown_rays(const camera::Camera& camera, const Depiction& depiction,
-                                      CameraGeometry& geometry) {
+                                      CameraGeometry& geometry, const Work& work) {
     constexpr double picture_height = 1000.0;
     Result<RayField> field =
         RayField::make(camera, picture_height * geometry.aspect, picture_height, depiction.time,
-                       RayField::Derivatives::without);
+                       RayField::Derivatives::without, work);
     if (!field) {
         return field.diagnostics;
     }
@@ -110,7 +110,7 @@ Diagnostic nothing_to_draw(const std::string& name, bool far) {
 
 // `share` is that of the camera in what a drawing may cost.
 Result<CameraGeometry> measure_camera(const camera::Camera& camera, const Depiction& depiction,
-                                      double share) {
+                                      double share, const Work& work) {
     const camera::Camera bare = without_arrangers(camera);
     const camera::Camera::Parts& parts = bare.parts();
     CameraGeometry geometry;
@@ -118,7 +118,7 @@ Result<CameraGeometry> measure_camera(const camera::Camera& camera, const Depict
     geometry.aspect = parts.aspect;
     const auto object_on = [&](const camera::Path& path) {
         return std::make_unique<ProjectionObject>(path, parts.aspect, parts.axes, depiction.time,
-                                                  0.5 * share);
+                                                  0.5 * share, work);
     };
     geometry.eye = object_on(parts.eye);
     if (parts.toward) {
@@ -132,7 +132,7 @@ Result<CameraGeometry> measure_camera(const camera::Camera& camera, const Depict
         geometry.bounds.extendBy(geometry.toward->bounds());
     }
     if (depiction.rays > 0) {
-        const auto shown = shown_rays(bare, depiction, geometry);
+        const auto shown = shown_rays(bare, depiction, geometry, work);
         if (!shown) {
             return shown.diagnostics;
         }
@@ -194,16 +194,19 @@ std::string title_of(const camera::ShownCamera& shown) {
 
 }  // namespace
 
-Result<PictureGeometry> measure_geometry(const camera::Picture& picture,
-                                         const Depiction& depiction) {
+Result<PictureGeometry> measure_geometry(const camera::Picture& picture, const Depiction& depiction,
+                                         const Work& work) {
     PictureGeometry whole;
+    std::size_t measured = 0;
     Diagnostics diagnostics;
     const bool by_itself = picture.only_camera() != nullptr;
     const std::vector<camera::ShownCamera> all = shown_cameras(picture);
     const double share = 1.0 / static_cast<double>(all.size());
     for (const camera::ShownCamera& shown : all) {
-        auto geometry = measure_camera(
-            by_itself ? shown.camera : as_shown(shown, picture, depiction.time), depiction, share);
+        work.done(share * static_cast<double>(measured++));
+        auto geometry =
+            measure_camera(by_itself ? shown.camera : as_shown(shown, picture, depiction.time),
+                           depiction, share, work);
         diagnostics.insert(diagnostics.end(), geometry.diagnostics.begin(),
                            geometry.diagnostics.end());
         if (!geometry) {

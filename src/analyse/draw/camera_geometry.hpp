@@ -62,9 +62,11 @@ struct PictureGeometry {
 };
 
 /// Cameras without a valid point are omitted with a warning. It is an error if none remains. Parts
-/// that are not depicted count for the bounds too.
+/// that are not depicted count for the bounds too. This and what computes points of the geometry
+/// throw if the work is to stop.
 [[nodiscard]] Result<PictureGeometry> measure_geometry(const camera::Picture& picture,
-                                                       const Depiction& depiction);
+                                                       const Depiction& depiction,
+                                                       const Work& work = {});
 
 /// Warnings of the parts of objects and rays that have been omitted so far.
 [[nodiscard]] Diagnostics omissions(const PictureGeometry& geometry);

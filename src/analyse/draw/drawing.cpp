@@ -183,12 +183,14 @@ std::string_view name_of(DrawingPart part) {
     return {};
 }
 
-Result<Drawing> draw(const camera::Picture& picture, const Depiction& depiction,
-                     const DrawingView& view) {
+namespace {
+
+Result<Drawing> drawing_of(const camera::Picture& picture, const Depiction& depiction,
+                           const DrawingView& view, const Work& work) {
     if (const auto refused = refusal(view)) {
         return *refused;
     }
-    const auto geometry = measure_geometry(picture, depiction);
+    const auto geometry = measure_geometry(picture, depiction, work.part(0.0, 0.4));
     if (!geometry) {
         return geometry.diagnostics;
     }
@@ -200,6 +202,8 @@ Result<Drawing> draw(const camera::Picture& picture, const Depiction& depiction,
     std::vector<DrawingItem> items;
     const bool several = picture.only_camera() == nullptr;
     for (std::size_t i = 0; i < geometry->cameras.size(); ++i) {
+        work.done(0.4 +
+                  0.5 * static_cast<double>(i) / static_cast<double>(geometry->cameras.size()));
         const std::vector<DrawingItem> more =
             drawing_items(geometry->cameras[i].geometry, several ? i + 1 : 0, geometry->extent(),
                           depiction, viewer);
@@ -222,6 +226,7 @@ Result<Drawing> draw(const camera::Picture& picture, const Depiction& depiction,
     Drawing drawing{picture.name(), view.width, view.height, {}};
     Composer composer(drawing, viewer, page, unit);
     for (const DrawingItem& item : items) {
+        work.go_on();
         composer.add(item);
     }
     for (std::size_t axis = 0; depiction.axes && axis < axes.tips.size(); ++axis) {
@@ -233,7 +238,16 @@ Result<Drawing> draw(const camera::Picture& picture, const Depiction& depiction,
     Diagnostics diagnostics = geometry.diagnostics;
     const Diagnostics left_out = omissions(*geometry);
     diagnostics.insert(diagnostics.end(), left_out.begin(), left_out.end());
+    work.done(1.0);
     return {std::move(drawing), std::move(diagnostics)};
+}
+
+}  // namespace
+
+Result<Drawing> draw(const camera::Picture& picture, const Depiction& depiction,
+                     const DrawingView& view, const PartDone& progress, std::stop_token stop) {
+    return unless_stopped(
+        [&] { return drawing_of(picture, depiction, view, Work(progress, std::move(stop))); });
 }
 
 }  // namespace balcony::analyse

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "analyse/draw/bitmap_font.hpp"
+#include "analyse/measure/work.hpp"
 #include "balcony/drawing.hpp"
 
 namespace balcony::analyse {
@@ -171,14 +172,14 @@ Paint paint_of(const DrawingColor& color, double opacity) {
     return paint;
 }
 
-}  // namespace
-
-Image rasterise(const Drawing& drawing) {
+Image raster_of(const Drawing& drawing, const Work& work) {
     Image image{drawing.width, drawing.height, {}};
     image.samples.reserve(drawing.width * drawing.height * 3);
     for (std::size_t top = 0; top < drawing.height; top += band_height) {
+        work.done(static_cast<double>(top) / static_cast<double>(drawing.height));
         Band band(drawing.width, top);
         for (const DrawingShape& shape : drawing.shapes) {
+            work.go_on();
             for (const std::vector<V2d>& outline : outlines_of(shape)) {
                 band.fill(outline, paint_of(shape.color, shape.opacity));
             }
@@ -196,7 +197,17 @@ Image rasterise(const Drawing& drawing) {
             }
         }
     }
+    work.done(1.0);
     return image;
+}
+
+}  // namespace
+
+Image rasterise(const Drawing& drawing) { return raster_of(drawing, Work()); }
+
+Result<Image> rasterise(const Drawing& drawing, const PartDone& progress, std::stop_token stop) {
+    return unless_stopped(
+        [&]() -> Result<Image> { return raster_of(drawing, Work(progress, std::move(stop))); });
 }
 
 }  // namespace balcony::analyse

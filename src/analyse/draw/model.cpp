@@ -358,10 +358,9 @@ private:
     scene::Scene scene_;
 };
 
-}  // namespace
-
-Result<scene::Scene> model(const camera::Picture& picture, const Depiction& depiction) {
-    const auto geometry = measure_geometry(picture, depiction);
+Result<scene::Scene> model_of(const camera::Picture& picture, const Depiction& depiction,
+                              const Work& work) {
+    const auto geometry = measure_geometry(picture, depiction, work.part(0.0, 0.4));
     if (!geometry) {
         return geometry.diagnostics;
     }
@@ -372,11 +371,22 @@ Result<scene::Scene> model(const camera::Picture& picture, const Depiction& depi
     };
     Modeller modeller(picture.name(), *geometry);
     for (std::size_t i = 0; i < geometry->cameras.size(); ++i) {
+        work.done(0.4 +
+                  0.6 * static_cast<double>(i) / static_cast<double>(geometry->cameras.size()));
         add_diagnostics(modeller.add(geometry->cameras[i],
                                      colors_of(several ? i + 1 : 0, depiction), depiction));
     }
     add_diagnostics(omissions(*geometry));
+    work.done(1.0);
     return {modeller.take(), std::move(diagnostics)};
+}
+
+}  // namespace
+
+Result<scene::Scene> model(const camera::Picture& picture, const Depiction& depiction,
+                           const PartDone& progress, std::stop_token stop) {
+    return unless_stopped(
+        [&] { return model_of(picture, depiction, Work(progress, std::move(stop))); });
 }
 
 }  // namespace balcony::analyse

@@ -71,16 +71,18 @@ bool is_near(const V3d& point) {
 }
 
 ProjectionObject::ProjectionObject(const camera::Path& path, double aspect, Axes axes, double time,
-                                   double share)
+                                   double share, const Work& work)
     : dimension_(path.generator->dimension()),
       axes_(axes),
       aspect_(aspect),
       time_(time),
+      work_(work.silent()),
       program_(compile(path, aspect)),
       points_left_(max_points_of(program_, share)),
       bounds_(measure()) {}
 
 std::optional<ProjectionObjectPoint> ProjectionObject::at(const V2d& picture) {
+    work_.go_on();
     std::array<double, root_count> values{};
     std::array<double*, root_count> results{};
     for (std::size_t root = 0; root < root_count; ++root) {

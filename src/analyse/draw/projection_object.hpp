@@ -11,6 +11,7 @@
 #include <Imath/ImathBox.h>
 #include <Imath/ImathVec.h>
 
+#include "analyse/measure/work.hpp"
 #include "balcony/camera.hpp"
 #include "balcony/program.hpp"
 
@@ -42,12 +43,12 @@ struct Omissions {
 };
 
 /// Maps points of the picture, as fractions of its width and height from the top left, to points of
-/// the object. Belongs to one thread.
+/// the object. Belongs to one thread. All that computes points throws if the work is to stop.
 class ProjectionObject {
 public:
     /// `share` is the object's fraction of the maximum cost of a drawing.
     ProjectionObject(const camera::Path& path, double aspect, Axes axes, double time,
-                     double share = 1.0);
+                     double share = 1.0, const Work& work = {});
 
     /// 0 for a point, 1 for a curve, 2 for a surface.
     [[nodiscard]] int dimension() const { return dimension_; }
@@ -76,6 +77,7 @@ private:
     Axes axes_;
     double aspect_;
     double time_;
+    Work work_;
     program::Program program_;
     program::Scratch scratch_;
     Omissions omissions_;

@@ -71,8 +71,8 @@ void tidy(std::vector<Sighting>& found) {
 
 // Closed-form rays: the position, if there is a ray and the point is in front of its origin.
 void solve(const PointRays& rays, const LinearRays& linear, const V2d& picture,
-           std::span<const V3d> points, std::vector<Sighting>& found) {
-    PointRays::Batch batch(rays);
+           std::span<const V3d> points, std::vector<Sighting>& found, const Work& work) {
+    PointRays::Batch batch(rays, work);
     std::array<std::size_t, program::max_points> numbers{};
     std::size_t count = 0;
     const auto judge = [&] {
@@ -104,16 +104,18 @@ void solve(const PointRays& rays, const LinearRays& linear, const V2d& picture,
 // see than can be searched are searched in part.
 void search(const PointRays& rays, const RayTree& tree, const V2d& picture,
             std::span<const V3d> points, std::vector<Sighting>& found,
-            std::vector<std::size_t>& in_part) {
+            std::vector<std::size_t>& in_part, const Work& work) {
     constexpr std::size_t portion = 256;
     constexpr std::size_t max_starts = 4096;
-    PointSearch newton(rays);
+    PointSearch newton(rays, work);
     std::vector<std::uint32_t> patches;
     std::vector<SearchStart> starts;
     for (std::size_t begin = 0; begin < points.size(); begin += portion) {
         starts.clear();
+        work.done(static_cast<double>(begin) / static_cast<double>(points.size()));
         const std::size_t end = std::min(begin + portion, points.size());
         for (std::size_t number = begin; number < end; ++number) {
+            work.go_on();
             patches.clear();
             tree.find(points[number], patches);
             const std::size_t enough = starts.size() + max_starts;
@@ -137,16 +139,17 @@ void search(const PointRays& rays, const RayTree& tree, const V2d& picture,
 // The search in one camera layer.
 class LayerIndex {
 public:
-    LayerIndex(const rays::VisibleLayer& layer, const V2d& picture, double time)
+    LayerIndex(const rays::VisibleLayer& layer, const V2d& picture, double time, const Work& work)
         : name_(layer.name), picture_(picture), rays_(layer.rays, time) {
-        Survey seen = survey(rays_, picture);
+        Survey seen = survey(rays_, picture, work);
         linear_ = LinearRays::fit(seen);
         if (!linear_) {
             const double extent = seen.extent;
-            Division division = divide(rays_, std::move(seen));
+            Division division = divide(rays_, std::move(seen), work.part(0.1, 0.9));
             divided_ = division.complete;
-            tree_.emplace(std::move(division.patches), extent);
+            tree_.emplace(std::move(division.patches), extent, work);
         }
+        work.done(1.0);
     }
 
     [[nodiscard]] const std::string& name() const { return name_; }
@@ -156,12 +159,13 @@ public:
     [[nodiscard]] bool divided() const { return divided_; }
 
     [[nodiscard]] std::vector<Sighting> locate(std::span<const V3d> points,
-                                               std::vector<std::size_t>& in_part) const {
+                                               std::vector<std::size_t>& in_part,
+                                               const Work& work) const {
         std::vector<Sighting> found;
         if (linear_) {
-            solve(rays_, *linear_, picture_, points, found);
+            solve(rays_, *linear_, picture_, points, found, work);
         } else {
-            search(rays_, *tree_, picture_, points, found, in_part);
+            search(rays_, *tree_, picture_, points, found, in_part, work);
         }
         tidy(found);
         return found;
@@ -208,10 +212,13 @@ void remove_hidden(const rays::VisibleLayers& layers, double time, std::vector<S
 
 class Locator::Index {
 public:
-    Index(rays::VisibleLayers visible, const V2d& picture, double time)
+    Index(rays::VisibleLayers visible, const V2d& picture, double time, const Work& work)
         : visible_(std::move(visible)), time_(time) {
+        const auto count = static_cast<double>(visible_.layers().size());
         for (const rays::VisibleLayer& layer : visible_.layers()) {
-            layers_.emplace_back(layer, picture, time);
+            const auto number = static_cast<double>(layers_.size());
+            layers_.emplace_back(layer, picture, time,
+                                 work.part(number / count, (number + 1.0) / count));
         }
     }
 
@@ -220,10 +227,11 @@ public:
 
     // Points beyond far_away are moved to that distance.
     [[nodiscard]] std::vector<Sighting> locate(std::span<const V3d> points,
-                                               std::vector<std::size_t>& in_part) const {
+                                               std::vector<std::size_t>& in_part,
+                                               const Work& work) const {
         const auto beyond = [](const V3d& p) { return max_coordinate(p) > far_away; };
         if (std::none_of(points.begin(), points.end(), beyond)) {
-            return locate_near(points, in_part);
+            return locate_near(points, in_part, work);
         }
         std::vector<V3d> nearer(points.begin(), points.end());
         for (V3d& point : nearer) {
@@ -231,7 +239,7 @@ public:
                 point = point / max_coordinate(point) * far_away;
             }
         }
-        std::vector<Sighting> found = locate_near(nearer, in_part);
+        std::vector<Sighting> found = locate_near(nearer, in_part, work);
         for (Sighting& sighting : found) {
             if (beyond(points[sighting.point])) {
                 const double times = max_coordinate(points[sighting.point]) / far_away;
@@ -244,13 +252,17 @@ public:
 
 private:
     [[nodiscard]] std::vector<Sighting> locate_near(std::span<const V3d> points,
-                                                    std::vector<std::size_t>& in_part) const {
+                                                    std::vector<std::size_t>& in_part,
+                                                    const Work& work) const {
         if (layers_.size() == 1 && !visible_.any_hidden()) {
-            return layers_.front().locate(points, in_part);
+            return layers_.front().locate(points, in_part, work);
         }
         std::vector<Sighting> all;
+        const auto count = static_cast<double>(layers_.size());
         for (std::size_t number = 0; number < layers_.size(); ++number) {
-            for (Sighting& sighting : layers_[number].locate(points, in_part)) {
+            const Work own = work.part(static_cast<double>(number) / count,
+                                       static_cast<double>(number + 1) / count);
+            for (Sighting& sighting : layers_[number].locate(points, in_part, own)) {
                 sighting.layer = number;
                 all.push_back(sighting);
             }
@@ -268,7 +280,14 @@ private:
 };
 
 Result<Locator> Locator::make(const camera::Picture& picture, double width, double height,
-                              double time, std::optional<Axes> axes) {
+                              double time, std::optional<Axes> axes, const PartDone& progress,
+                              std::stop_token stop) {
+    return unless_stopped(
+        [&] { return make(picture, width, height, time, axes, Work(progress, std::move(stop))); });
+}
+
+Result<Locator> Locator::make(const camera::Picture& picture, double width, double height,
+                              double time, std::optional<Axes> axes, const Work& work) {
     if (!(width > 0.0 && height > 0.0 && std::isfinite(width) && std::isfinite(height))) {
         return error(fmt::format("a picture of {} x {} pixels is empty", width, height), {},
                      "give a positive width and height");
@@ -284,7 +303,8 @@ Result<Locator> Locator::make(const camera::Picture& picture, double width, doub
         return error(fmt::format("the cameras of picture '{}' have different axes", picture.name()),
                      {}, "specify the axes of the points: y_up or z_up");
     }
-    const auto index = std::make_shared<const Index>(std::move(*visible), V2d(width, height), time);
+    const auto index =
+        std::make_shared<const Index>(std::move(*visible), V2d(width, height), time, work);
     Diagnostics diagnostics;
     for (const LayerIndex& layer : index->layers()) {
         if (!layer.divided()) {
@@ -312,17 +332,24 @@ std::vector<Sighting> Locator::locate(const V3d& point) const {
     return locate(std::span(&point, 1));
 }
 
-std::vector<Sighting> Locator::locate(std::span<const V3d> points,
-                                      std::vector<std::size_t>* in_part) const {
-    std::vector<std::size_t> searched_in_part;
-    std::vector<Sighting> found = index_->locate(points, searched_in_part);
-    if (in_part != nullptr) {
-        std::sort(searched_in_part.begin(), searched_in_part.end());
-        searched_in_part.erase(std::unique(searched_in_part.begin(), searched_in_part.end()),
-                               searched_in_part.end());
-        *in_part = std::move(searched_in_part);
-    }
-    return found;
+std::vector<Sighting> Locator::locate(std::span<const V3d> points) const {
+    std::vector<std::size_t> in_part;
+    return index_->locate(points, in_part, Work());
+}
+
+Result<std::vector<Sighting>> Locator::locate(std::span<const V3d> points,
+                                              std::vector<std::size_t>& in_part,
+                                              const PartDone& progress,
+                                              std::stop_token stop) const {
+    return unless_stopped([&]() -> Result<std::vector<Sighting>> {
+        in_part.clear();
+        const Work work(progress, std::move(stop));
+        std::vector<Sighting> found = index_->locate(points, in_part, work);
+        std::sort(in_part.begin(), in_part.end());
+        in_part.erase(std::unique(in_part.begin(), in_part.end()), in_part.end());
+        work.done(1.0);
+        return found;
+    });
 }
 
 void Locator::find(std::span<const rays::ImagePointQuery> queries,

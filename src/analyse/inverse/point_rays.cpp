@@ -13,6 +13,7 @@ void PointRays::Batch::place(std::size_t i, const V2d& at) {
 }
 
 void PointRays::Batch::run(std::size_t count) {
+    work_.go_on();
     rays_->program_.run({std::span(x_).first(count), std::span(y_).first(count), rays_->time_},
                         scratch_, batch_);
 }

@@ -21,10 +21,12 @@ public:
     /// What the ray of a point costs.
     [[nodiscard]] std::size_t instruction_count() const { return program_.instruction_count(); }
 
-    /// Up to program::max_points points and their rays. Belongs to one thread.
+    /// Up to program::max_points points and their rays. Belongs to one thread. run() throws if the
+    /// work is to stop.
     class Batch {
     public:
-        explicit Batch(const PointRays& rays) : rays_(&rays) {}
+        explicit Batch(const PointRays& rays, const Work& work = {})
+            : rays_(&rays), work_(work.silent()) {}
 
         void place(std::size_t i, const V2d& at);
         [[nodiscard]] V2d at(std::size_t i) const { return {x_[i], y_[i]}; }
@@ -35,6 +37,7 @@ public:
 
     private:
         const PointRays* rays_;
+        Work work_;
         rays::Scratch scratch_;
         std::array<double, program::max_points> x_{};
         std::array<double, program::max_points> y_{};

@@ -29,7 +29,7 @@ void add_starts(const RayPatch& patch, std::size_t number, const V3d& point,
 /// Runs iterations from starts. Belongs to one thread.
 class PointSearch {
 public:
-    explicit PointSearch(const PointRays& rays) : batch_(rays) {}
+    PointSearch(const PointRays& rays, const Work& work) : batch_(rays, work) {}
 
     /// Appends the sightings, unsorted and with duplicates.
     void run(const std::vector<SearchStart>& starts, std::vector<Sighting>& found);

@@ -35,9 +35,10 @@ V2d offset_of(std::size_t place, const V2d& half) {
             outermost * half.y * (static_cast<double>(place / 3) - 1.0)};
 }
 
-std::vector<Ray> look_at(const PointRays& rays, const std::vector<Survey::Cell>& cells) {
+std::vector<Ray> look_at(const PointRays& rays, const std::vector<Survey::Cell>& cells,
+                         const Work& work) {
     constexpr std::size_t cells_a_batch = program::max_points / Survey::places;
-    PointRays::Batch batch(rays);
+    PointRays::Batch batch(rays, work);
     std::vector<Ray> seen;
     seen.reserve(cells.size() * Survey::places);
     for (std::size_t begin = 0; begin < cells.size(); begin += cells_a_batch) {
@@ -65,7 +66,7 @@ struct Part {
 // A part whose cells are as small as a pixel is sampled densely enough.
 constexpr double min_part = cells_along_the_longer_side;
 
-Survey look_over(const PointRays& rays, const Part& part) {
+Survey look_over(const PointRays& rays, const Part& part, const Work& work) {
     const V2d whole = part.size();
     const double size = part.longer_side() / cells_along_the_longer_side;
     const double columns = std::ceil(whole.x / size - 1e-9);
@@ -78,7 +79,7 @@ Survey look_over(const PointRays& rays, const Part& part) {
                 {part.minimum + half * V2d(2.0 * column + 1.0, 2.0 * row + 1.0), half});
         }
     }
-    survey.rays = look_at(rays, survey.cells);
+    survey.rays = look_at(rays, survey.cells, work);
     return survey;
 }
 
@@ -103,14 +104,15 @@ void include_rays(const Survey& survey, std::optional<Part>& part) {
 
 // The part of a picture that has rays. If sampling the whole finds none, each sixteenth of it
 // is sampled.
-std::optional<Part> part_with_rays(const PointRays& rays, const Survey& whole, const V2d& picture) {
+std::optional<Part> part_with_rays(const PointRays& rays, const Survey& whole, const V2d& picture,
+                                   const Work& work) {
     std::optional<Part> part;
     include_rays(whole, part);
     constexpr int pieces = 4;
     const V2d piece = picture / double{pieces};
     for (int i = 0; !whole.any_ray() && i < pieces * pieces; ++i) {
         const V2d minimum = piece * V2d(i % pieces, i / pieces);
-        include_rays(look_over(rays, {minimum, minimum + piece}), part);
+        include_rays(look_over(rays, {minimum, minimum + piece}, work), part);
     }
     return part;
 }
@@ -131,8 +133,9 @@ double extent_of_origins(const std::vector<Ray>& rays) {
 
 class Divider {
 public:
-    Divider(const PointRays& rays, double extent)
+    Divider(const PointRays& rays, double extent, const Work& work)
         : rays_(rays),
+          work_(work),
           cells_left_(static_cast<std::size_t>(
               max_instructions /
               static_cast<double>(Survey::places * (1 + rays.instruction_count())))) {
@@ -144,7 +147,9 @@ public:
     Division run(Survey survey) {
         std::vector<Survey::Cell> cells = std::move(survey.cells);
         std::vector<Ray> rays = std::move(survey.rays);
+        const double whole = area_of(cells);
         while (!cells.empty()) {
+            work_.done(1.0 - area_of(cells) / whole);
             std::vector<Survey::Cell> smaller;
             const bool may_divide = made_.patches.size() + 2 * cells.size() < max_patches &&
                                     2 * cells.size() <= cells_left_;
@@ -154,13 +159,21 @@ public:
             }
             cells = std::move(smaller);
             cells_left_ -= cells.size();
-            rays = look_at(rays_, cells);
+            rays = look_at(rays_, cells, work_);
         }
         return std::move(made_);
     }
 
 private:
     using Places = std::span<const Ray>;
+
+    static double area_of(const std::vector<Survey::Cell>& cells) {
+        double area = 0.0;
+        for (const Survey::Cell& cell : cells) {
+            area += cell.half.x * cell.half.y;
+        }
+        return area;
+    }
 
     // Keeps a cell as a patch, drops it, or divides it along the axis on which it is less linear.
     void judge(const Survey::Cell& cell, Places rays, std::vector<Survey::Cell>* smaller) {
@@ -343,6 +356,7 @@ private:
     }
 
     const PointRays& rays_;
+    const Work& work_;
     std::vector<double> distances_;
     std::size_t cells_left_;  ///< That may still be looked at.
     Division made_;
@@ -360,15 +374,15 @@ V2d Survey::place(std::size_t index) const {
 }
 
 // An inset may be a small part of the picture, so a small part with all rays is sampled again.
-Survey survey(const PointRays& rays, const V2d& picture) {
+Survey survey(const PointRays& rays, const V2d& picture, const Work& work) {
     Part part{{0.0, 0.0}, picture};
-    Survey survey = look_over(rays, part);
-    std::optional<Part> used = part_with_rays(rays, survey, picture);
+    Survey survey = look_over(rays, part, work);
+    std::optional<Part> used = part_with_rays(rays, survey, picture, work);
     while (used && used->longer_side() < 0.5 * part.longer_side() &&
            part.longer_side() > min_part) {
         part = {{std::max(used->minimum.x, 0.0), std::max(used->minimum.y, 0.0)},
                 {std::min(used->maximum.x, picture.x), std::min(used->maximum.y, picture.y)}};
-        survey = look_over(rays, part);
+        survey = look_over(rays, part, work);
         used.reset();
         include_rays(survey, used);
     }
@@ -376,9 +390,9 @@ Survey survey(const PointRays& rays, const V2d& picture) {
     return survey;
 }
 
-Division divide(const PointRays& rays, Survey survey) {
+Division divide(const PointRays& rays, Survey survey, const Work& work) {
     const double extent = survey.extent;
-    return Divider(rays, extent).run(std::move(survey));
+    return Divider(rays, extent, work).run(std::move(survey));
 }
 
 }  // namespace balcony::analyse

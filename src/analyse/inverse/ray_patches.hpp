@@ -53,7 +53,7 @@ struct Survey {
     [[nodiscard]] V2d place(std::size_t index) const;
 };
 
-[[nodiscard]] Survey survey(const PointRays& rays, const V2d& picture);
+[[nodiscard]] Survey survey(const PointRays& rays, const V2d& picture, const Work& work);
 
 struct Division {
     std::vector<RayPatch> patches;
@@ -64,6 +64,6 @@ struct Division {
 /// to all points that the patch sees, or the patch is 1/16 pixel wide. The division is incomplete
 /// if that would take more than some hundred thousand patches or some billion instructions. Parts
 /// without rays are omitted.
-[[nodiscard]] Division divide(const PointRays& rays, Survey survey);
+[[nodiscard]] Division divide(const PointRays& rays, Survey survey, const Work& work);
 
 }  // namespace balcony::analyse

@@ -37,8 +37,8 @@ double angle_between(const V3d& a, const V3d& b) {
 
 class RayTree::Builder {
 public:
-    Builder(const std::vector<RayPatch>& patches, double extent)
-        : patches_(patches), numbers_(patches.size()) {
+    Builder(const std::vector<RayPatch>& patches, double extent, const Work& work)
+        : patches_(patches), work_(work), numbers_(patches.size()) {
         std::iota(numbers_.begin(), numbers_.end(), 0U);
         for (const RayPatch& patch : patches) {
             const V3d origin = extent > 0.0 ? patch.ray.origin / extent : V3d(0.0);
@@ -59,6 +59,7 @@ public:
 private:
     // Halves are of equal size, so the depth is the logarithm of their number.
     void build(std::size_t begin, std::size_t end) {
+        work_.go_on();
         const std::size_t at = nodes_.size();
         const std::span<std::uint32_t> part(numbers_.data() + begin, end - begin);
         nodes_.push_back({bounds(part), 0, part.size() == 1 ? part.front() : no_patch});
@@ -117,6 +118,7 @@ private:
     using Key = std::array<double, 6>;
 
     const std::vector<RayPatch>& patches_;
+    const Work& work_;
     std::vector<std::uint32_t> numbers_;
     std::vector<Key> keys_;
     std::vector<double> radii_;
@@ -124,8 +126,8 @@ private:
     std::vector<Node> nodes_;
 };
 
-RayTree::RayTree(std::vector<RayPatch> patches, double extent)
-    : patches_(std::move(patches)), nodes_(Builder(patches_, extent).run()) {}
+RayTree::RayTree(std::vector<RayPatch> patches, double extent, const Work& work)
+    : patches_(std::move(patches)), nodes_(Builder(patches_, extent, work).run()) {}
 
 // Seen from anywhere in the ball, the point may lie in directions up to asin(radius/distance)
 // from that of the ball's centre; a cone widened by that angle must hold it.

@@ -16,8 +16,9 @@ namespace balcony::analyse {
 /// directions by a cone. Immutable.
 class RayTree {
 public:
-    /// Copies the patches. `extent` is the radius of the bounds of all origins.
-    RayTree(std::vector<RayPatch> patches, double extent);
+    /// Copies the patches. `extent` is the radius of the bounds of all origins. Throws if the work
+    /// is to stop.
+    RayTree(std::vector<RayPatch> patches, double extent, const Work& work);
 
     [[nodiscard]] const std::vector<RayPatch>& patches() const { return patches_; }
 

@@ -36,8 +36,8 @@ bool leave_out_moves(Parts& parts) {
 
 // Whether a noticeable part of the picture is mirrored, but not all of it.
 bool folds(const camera::Camera& camera, double width, double height, double time,
-           const std::optional<double>& distance) {
-    auto field = RayField::make(camera, width, height, time, RayField::Derivatives::with);
+           const std::optional<double>& distance, const Work& work) {
+    auto field = RayField::make(camera, width, height, time, RayField::Derivatives::with, work);
     if (!field) {
         return true;
     }
@@ -58,7 +58,7 @@ bool folds(const camera::Camera& camera, double width, double height, double tim
 }  // namespace
 
 FoldCause cause_of_fold(const camera::Camera& camera, double width, double height, double time,
-                        const std::optional<double>& distance) {
+                        const std::optional<double>& distance, const Work& work) {
     struct Kind {
         FoldCause cause;
         bool (*leave_out)(Parts&);
@@ -70,7 +70,7 @@ FoldCause cause_of_fold(const camera::Camera& camera, double width, double heigh
         Parts parts = camera.parts();
         if (leave_out(parts)) {
             const auto rest = camera::Camera::make(std::move(parts));
-            if (rest && !folds(*rest, width, height, time, distance)) {
+            if (rest && !folds(*rest, width, height, time, distance, work)) {
                 return cause;
             }
         }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "analyse/measure/work.hpp"
 #include "balcony/camera.hpp"
 
 namespace balcony::analyse {
@@ -19,6 +20,7 @@ enum class FoldCause : std::uint8_t {
 
 /// Leaves out one kind of stages after the other. The distance is that of a Report.
 [[nodiscard]] FoldCause cause_of_fold(const camera::Camera& camera, double width, double height,
-                                      double time, const std::optional<double>& distance);
+                                      double time, const std::optional<double>& distance,
+                                      const Work& work);
 
 }  // namespace balcony::analyse

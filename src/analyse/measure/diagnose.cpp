@@ -103,19 +103,24 @@ bool Report::has_defects() const {
     return std::any_of(findings.begin(), findings.end(), [](const Finding& f) { return f.defect; });
 }
 
-Result<Report> diagnose(const camera::Camera& camera, const DiagnoseSettings& settings) {
+namespace {
+
+Result<Report> report_of(const camera::Camera& camera, const DiagnoseSettings& settings,
+                         const Work& work) {
     using Derivatives = RayField::Derivatives;
-    Result<RayField> with_derivatives =
-        RayField::make(camera, settings.width, settings.height, settings.time, Derivatives::with);
+    Result<RayField> with_derivatives = RayField::make(camera, settings.width, settings.height,
+                                                       settings.time, Derivatives::with, work);
     Result<RayField> without = RayField::make(camera, settings.width, settings.height,
-                                              settings.time, Derivatives::without);
+                                              settings.time, Derivatives::without, work);
     if (!with_derivatives || !without) {
         return with_derivatives ? without.diagnostics : with_derivatives.diagnostics;
     }
     Report report;
     report.camera = camera.name();
     report.grid = choose_grid(settings);
+    work.done(0.1);
     const std::vector<Ray> rays = with_derivatives->run(report.grid);
+    work.done(0.4);
 
     report.samples.resize(rays.size());
     measure_origins(rays, settings, report);
@@ -134,13 +139,15 @@ Result<Report> diagnose(const camera::Camera& camera, const DiagnoseSettings& se
         report.samples[crossing.sample].seam = true;
         report.samples[crossing.sample + (crossing.along_x ? 1 : report.grid.columns)].seam = true;
     }
-    const Repeats repeats = find_repeats(report.grid, rays, *without, report.distance, unit);
+    const Repeats repeats =
+        find_repeats(report.grid, rays, *without, report.distance, unit, work.part(0.6, 0.9));
     for (std::size_t i = 0; i < rays.size(); ++i) {
         report.samples[i].views = repeats.views[i];
     }
     const Turns turns = count_turns(camera, settings.width, settings.height, settings.time);
     report.findings =
-        find_all({camera, settings.time, report, rays, crossings, repeats, turns, *without});
+        find_all({camera, settings.time, report, rays, crossings, repeats, turns, *without, work});
+    work.done(1.0);
     Diagnostics diagnostics;
     if (!repeats.complete) {
         diagnostics.push_back(warning(fmt::format(
@@ -149,6 +156,14 @@ Result<Report> diagnose(const camera::Camera& camera, const DiagnoseSettings& se
             report.camera)));
     }
     return {std::move(report), std::move(diagnostics)};
+}
+
+}  // namespace
+
+Result<Report> diagnose(const camera::Camera& camera, const DiagnoseSettings& settings,
+                        const PartDone& progress, std::stop_token stop) {
+    return unless_stopped(
+        [&] { return report_of(camera, settings, Work(progress, std::move(stop))); });
 }
 
 }  // namespace balcony::analyse

@@ -201,7 +201,7 @@ private:
     // Fits what makes the picture fold.
     [[nodiscard]] std::string advice_on_fold() const {
         switch (cause_of_fold(evidence_.camera, grid_.picture_width, grid_.picture_height,
-                              evidence_.time, report_.distance)) {
+                              evidence_.time, report_.distance, evidence_.work)) {
             case FoldCause::arrangement:
                 return "make what arranges the picture there weaker or wider";
             case FoldCause::warp: return "make the warp of the parameters there weaker or wider";

@@ -23,6 +23,7 @@ struct Evidence {
     const Repeats& repeats;
     const Turns& turns;
     RayField& program;
+    const Work& work;
 };
 
 /// Defects first, then by kind. A map with forgotten `deg` precedes all others, because

@@ -27,20 +27,23 @@ V2d SampleGrid::at(std::size_t index) const {
 }
 
 Result<RayField> RayField::make(const camera::Camera& camera, double picture_width,
-                                double picture_height, double time, Derivatives derivatives) {
+                                double picture_height, double time, Derivatives derivatives,
+                                Work work) {
+    work.go_on();
     Result<rays::RayProgram> program =
         rays::compile(camera, picture_width, picture_height,
                       {.footprints = derivatives == Derivatives::with, .points = true});
     if (!program) {
         return program.diagnostics;
     }
-    return RayField(std::move(*program), time);
+    return RayField(std::move(*program), time, std::move(work));
 }
 
 std::vector<Ray> RayField::run(const SampleGrid& grid) {
     std::vector<Ray> rays(grid.size());
     for (std::size_t top = 0; top < grid.rows; top += program::max_tile_height) {
         for (std::size_t left = 0; left < grid.columns; left += program::max_tile_width) {
+            work_.go_on();
             const V2d corner = grid.at(top * grid.columns + left);
             const rays::Tile tile{corner.x,
                                   corner.y,
@@ -60,6 +63,7 @@ std::vector<Ray> RayField::run(const SampleGrid& grid) {
 Ray RayField::at(const V2d& point) { return at(std::span(&point, 1)).front(); }
 
 std::vector<Ray> RayField::at(std::span<const V2d> points) {
+    work_.go_on();
     std::array<double, program::max_points> x{};
     std::array<double, program::max_points> y{};
     for (std::size_t i = 0; i < points.size(); ++i) {

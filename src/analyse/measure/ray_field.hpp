@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "analyse/measure/work.hpp"
 #include "balcony/diagnose.hpp"
 #include "balcony/rays.hpp"
 
@@ -19,9 +20,10 @@ class RayField {
 public:
     enum class Derivatives : bool { without, with };
 
+    /// Its functions throw if the work is to stop.
     [[nodiscard]] static Result<RayField> make(const camera::Camera& camera, double picture_width,
                                                double picture_height, double time,
-                                               Derivatives derivatives);
+                                               Derivatives derivatives, Work work = {});
 
     /// Row by row. Without derivatives, those of the rays are 0.
     [[nodiscard]] std::vector<Ray> run(const SampleGrid& grid);
@@ -30,10 +32,12 @@ public:
     [[nodiscard]] std::vector<Ray> at(std::span<const V2d> points);
 
 private:
-    RayField(rays::RayProgram program, double time) : program_(std::move(program)), time_(time) {}
+    RayField(rays::RayProgram program, double time, Work work)
+        : program_(std::move(program)), time_(time), work_(std::move(work)) {}
 
     rays::RayProgram program_;
     double time_;
+    Work work_;
     rays::Scratch scratch_;
     rays::RayBatch batch_;
 };

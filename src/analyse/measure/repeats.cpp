@@ -289,12 +289,15 @@ private:
 }  // namespace
 
 Repeats find_repeats(const SampleGrid& grid, const std::vector<Ray>& rays, RayField& program,
-                     const std::optional<double>& distance, double unit) {
+                     const std::optional<double>& distance, double unit, const Work& work) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     RepeatSearch search(grid, rays, program, distance, unit);
     Repeats repeats{std::vector<std::uint8_t>(rays.size(), 0),
                     std::vector<V2d>(rays.size(), V2d(none, none)), true};
     for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (i % grid.columns == 0) {
+            work.done(static_cast<double>(i) / static_cast<double>(rays.size()));
+        }
         if (!search.usable(i)) {
             continue;
         }

@@ -25,6 +25,6 @@ struct Repeats {
 /// line is ignored. `distance` and `unit` as for jacobian() and find_crossings().
 [[nodiscard]] Repeats find_repeats(const SampleGrid& grid, const std::vector<Ray>& rays,
                                    RayField& program, const std::optional<double>& distance,
-                                   double unit);
+                                   double unit, const Work& work);
 
 }  // namespace balcony::analyse

@@ -15,6 +15,7 @@
 #include "balcony/names.hpp"
 #include "balcony/output_file.hpp"
 #include "cli/commands/command.hpp"
+#include "cli/interruption.hpp"
 #include "cli/options/camera_argument.hpp"
 #include "cli/options/check_subjects.hpp"
 #include "cli/options/command_rows.hpp"
@@ -142,9 +143,14 @@ public:
         if (!options_.scene.empty()) {
             read_scene();
         }
+        if (!scene_) {
+            job_.emplace();
+        }
         if (code_ == ExitCode::done) {
             for (const Checked& checked : all) {
-                check_file(checked);
+                if (code_ != ExitCode::interrupted) {
+                    check_file(checked);
+                }
             }
         }
         if (options_.json) {
@@ -160,8 +166,9 @@ private:
         if (!options_.json) {
             report(diagnostics);
         }
-        if (code_ == ExitCode::done) {
-            code_ = exit_code_of(diagnostics);
+        const ExitCode found = exit_code_of(diagnostics);
+        if (code_ == ExitCode::done || found == ExitCode::interrupted) {
+            code_ = found;
         }
     }
 
@@ -195,7 +202,9 @@ private:
                               counted(count, "camera", "cameras"),
                               pictures > 0 ? ", " + counted(pictures, "picture", "pictures") : ""));
             for (const CheckSubject& subject : *checked.subjects) {
-                check_camera(subject, entry["reports"]);
+                if (code_ != ExitCode::interrupted) {
+                    check_camera(subject, entry["reports"]);
+                }
             }
         }
         files_.push_back(std::move(entry));
@@ -223,10 +232,17 @@ private:
             }
             scene_distance_ = probe->median_distance;
         }
-        Result<analyse::Report> report = analyse::diagnose(subject.camera, settings);
+        if (scene_) {
+            job_.emplace();
+        }
+        const std::stop_token stop = job_->token();
+        Result<analyse::Report> report = analyse::diagnose(subject.camera, settings, {}, stop);
         if (report && scene_distance_ && !settings.distance && !report->single_viewpoint) {
             settings.distance = scene_distance_;
-            report = analyse::diagnose(subject.camera, settings);
+            report = analyse::diagnose(subject.camera, settings, {}, stop);
+        }
+        if (scene_) {
+            job_.reset();
         }
         add(report.diagnostics);
         if (!report) {
@@ -309,6 +325,7 @@ private:
     lang::Workspace& workspace_;
     std::optional<scene::Scene> scene_;
     std::optional<double> scene_distance_;
+    std::optional<Job> job_;  ///< Not while rays look at a scene, which cannot be stopped.
     ExitCode code_ = ExitCode::done;
     Diagnostics diagnostics_;
     nlohmann::json files_ = nlohmann::json::array();

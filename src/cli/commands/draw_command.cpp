@@ -19,6 +19,7 @@
 #include "balcony/output_file.hpp"
 #include "balcony/scene.hpp"
 #include "cli/commands/command.hpp"
+#include "cli/interruption.hpp"
 #include "cli/options/camera_argument.hpp"
 #include "cli/options/command_rows.hpp"
 #include "cli/report/json.hpp"
@@ -161,8 +162,11 @@ Diagnostics write_drawing(const analyse::Drawing& drawing, Format format, const 
     if (format == Format::svg) {
         return write_whole(file, analyse::to_svg(drawing));
     }
-    const Image image = analyse::rasterise(drawing);
-    return render::write_samples(image.samples, {image.width, image.height, 3}, file);
+    std::optional<Job> job(std::in_place);
+    const Result<Image> image = analyse::rasterise(drawing, {}, job->token());
+    job.reset();
+    return image ? render::write_samples(image->samples, {image->width, image->height, 3}, file)
+                 : image.diagnostics;
 }
 
 // An error of the camera is in the first value, an error of writing in the second.
@@ -174,13 +178,17 @@ Written write(const camera::Picture& picture, const analyse::Depiction& depictio
               const analyse::DrawingView& view, const fs::path& file) {
     const Format format = *format_of(file);
     if (format == Format::glb) {
-        const auto scene = analyse::model(picture, depiction);
+        std::optional<Job> job(std::in_place);
+        const auto scene = analyse::model(picture, depiction, {}, job->token());
+        job.reset();
         if (!scene) {
             return {scene.diagnostics, {}};
         }
         return {scene.diagnostics, write_whole(file, scene::to_glb(*scene))};
     }
-    const auto drawing = analyse::draw(picture, depiction, view);
+    std::optional<Job> job(std::in_place);
+    const auto drawing = analyse::draw(picture, depiction, view, {}, job->token());
+    job.reset();
     return {drawing.diagnostics, drawing ? write_drawing(*drawing, format, file) : Diagnostics{}};
 }
 
@@ -189,7 +197,10 @@ Outcome make_drawing(const DrawOptions& options) {
     const auto add = [&outcome](const Diagnostics& diagnostics, ExitCode code) {
         outcome.diagnostics.insert(outcome.diagnostics.end(), diagnostics.begin(),
                                    diagnostics.end());
-        outcome.code = has_errors(diagnostics) ? code : outcome.code;
+        const std::optional<Kind> kind = kind_of_errors(diagnostics);
+        outcome.code = kind == Kind::interrupted ? ExitCode::interrupted
+                       : kind                    ? code
+                                                 : outcome.code;
     };
     Diagnostics usage;
     analyse::Depiction depiction = options.depiction;

@@ -17,6 +17,7 @@
 #include "balcony/probe.hpp"
 #include "balcony/scene.hpp"
 #include "cli/commands/command.hpp"
+#include "cli/interruption.hpp"
 #include "cli/options/camera_argument.hpp"
 #include "cli/options/command_rows.hpp"
 #include "cli/options/scene_argument.hpp"
@@ -185,9 +186,10 @@ Result<Located> find_all(const LocateOptions& options, std::vector<V3d> points) 
     *picture = picture->with_fit(options.size.fit);
     std::tie(found.width, found.height) =
         options.size.resolve(picture->aspect(), picture->parts().size);
-    const auto locator =
-        analyse::Locator::make(*picture, static_cast<double>(found.width),
-                               static_cast<double>(found.height), options.time, axes);
+    std::optional<Job> job(std::in_place);
+    const auto locator = analyse::Locator::make(*picture, static_cast<double>(found.width),
+                                                static_cast<double>(found.height), options.time,
+                                                axes, {}, job->token());
     if (!locator) {
         add_to(diagnostics, locator.diagnostics);
         return diagnostics;
@@ -199,7 +201,13 @@ Result<Located> find_all(const LocateOptions& options, std::vector<V3d> points) 
     found.points = std::move(points);
     add_to(diagnostics, locator.diagnostics);
     std::vector<std::size_t> in_part;
-    found.sightings = locator->locate(found.points, &in_part);
+    auto sightings = locator->locate(found.points, in_part, {}, job->token());
+    job.reset();
+    if (!sightings) {
+        add_to(diagnostics, sightings.diagnostics);
+        return diagnostics;
+    }
+    found.sightings = std::move(*sightings);
     if (!in_part.empty()) {
         diagnostics.push_back(
             warning(fmt::format("so many parts of the picture may see {} that not all "
@@ -300,6 +308,7 @@ ExitCode locate(const LocateOptions& options) {
     if (diagnostics.empty()) {
         const Result<Located> located = find_all(options, std::move(points));
         diagnostics = located.diagnostics;
+        code = kind_of_errors(diagnostics) == Kind::interrupted ? ExitCode::interrupted : code;
         if (located) {
             code = ExitCode::done;
             document = options.json ? json_of(*located) : document;
