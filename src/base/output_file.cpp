@@ -93,7 +93,7 @@ Diagnostics OutputFile::check(const fs::path& file) {
     const fs::path folder = folder_of(real);
     if (!fs::is_directory(folder, failed)) {
         return {error(
-            Kind::usage,
+            Kind::environment,
             fmt::format("there is no folder '{}' to write '{}' to", folder.string(), file.string()),
             "create the folder first, or choose another one")};
     }

@@ -18,7 +18,8 @@ std::atomic<bool> missing = false;
 
 Diagnostic incomplete(std::string_view reason, std::string remedy) {
     missing = true;
-    return error(fmt::format("the installation is incomplete: {}", reason), {}, std::move(remedy));
+    return error(Kind::environment, fmt::format("the installation is incomplete: {}", reason),
+                 std::move(remedy));
 }
 
 /// The module is beside the executable where both were built, and in a folder of the prefix where

@@ -28,17 +28,18 @@ constexpr std::array denoiser_rows{
 
 Diagnostics check(const Film& film) {
     if (!film.noisy.empty()) {
-        return {error("the film is denoised already")};
+        return {error(Kind::internal, "the film is denoised already")};
     }
     for (const LayerRow& row : layer_rows()) {
         if (denoise_layers().contains(row.info.id) && !row.complete(film)) {
-            return {error(fmt::format("denoising needs the layer {}, which the film does not have",
+            return {error(Kind::internal,
+                          fmt::format("denoising needs the layer {}, which the film does not have",
                                       row.info.name),
-                          {}, "create the film with denoise_layers()")};
+                          "create the film with denoise_layers()")};
         }
     }
     if (film.passes.empty() || *std::min_element(film.passes.begin(), film.passes.end()) < 2) {
-        return {error("denoising needs at least two samples in each pixel", {},
+        return {error(Kind::usage, "denoising needs at least two samples in each pixel",
                       "render with --samples 2 or more")};
     }
     return {};
@@ -185,7 +186,7 @@ Result<DenoiseSummary> denoise(Film& film, const DenoiseOptions& options) {
                                  ? std::nullopt
                                  : ImageDenoiseLibrary::load(options.library);
         if (options.denoiser == Denoiser::library && !library) {
-            return error("the library Open Image Denoise is not found", {},
+            return error(Kind::environment, "the library Open Image Denoise is not found",
                          "install it (openimagedenoise.org), or use the denoiser features");
         }
         bool done = false;
@@ -207,7 +208,8 @@ Result<DenoiseSummary> denoise(Film& film, const DenoiseOptions& options) {
         return {DenoiseSummary{done ? library->name() : "Balcony's filter", watch.seconds()},
                 std::move(warnings)};
     } catch (const std::bad_alloc&) {
-        return error("out of memory while denoising", {}, "make the picture smaller");
+        return error(Kind::environment, "out of memory while denoising",
+                     "make the picture smaller");
     }
 }
 

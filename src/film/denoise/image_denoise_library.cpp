@@ -89,7 +89,7 @@ Diagnostics ImageDenoiseLibrary::filter(std::size_t width, std::size_t height,
     const Functions& f = *functions_;
     Functions::Device device = f.new_device(Functions::device_of_processor);
     if (device == nullptr) {
-        return {error(fmt::format("{} cannot be started", name_))};
+        return {error(Kind::environment, fmt::format("{} cannot be started", name_))};
     }
     f.commit_device(device);
     Functions::Filter filter = f.new_filter(device, "RT");
@@ -113,7 +113,8 @@ Diagnostics ImageDenoiseLibrary::filter(std::size_t width, std::size_t height,
     const bool failed = f.device_error(device, &message) != 0 || filter == nullptr;
     Diagnostics found;
     if (failed) {
-        found.push_back(error(fmt::format("{} failed: {}", name_,
+        found.push_back(error(Kind::environment,
+                              fmt::format("{} failed: {}", name_,
                                           message != nullptr ? message : "it has no filter")));
     }
     f.release_device(device);

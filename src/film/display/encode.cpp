@@ -87,9 +87,9 @@ Result<std::vector<std::uint8_t>> encode(const Film& film, const DisplayFormat& 
                                          const DisplayOptions& options) {
     const int bits = options.bits.value_or(format.bits);
     if ((bits != 8 && bits != 16) || bits > format.max_bits || !std::isfinite(options.exposure)) {
-        return error(fmt::format("a {} file cannot have {} bits per channel and an exposure of {}",
+        return error(Kind::usage,
+                     fmt::format("a {} file cannot have {} bits per channel and an exposure of {}",
                                  format.extension, bits, options.exposure),
-                     {},
                      fmt::format("use 8{} bits and a finite exposure",
                                  format.max_bits == 16 ? " or 16" : ""));
     }

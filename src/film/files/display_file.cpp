@@ -53,9 +53,10 @@ Diagnostics check_size(const DisplayFormat& format, std::size_t width, std::size
         return {};
     }
     return {
-        error(fmt::format("a {} file has at most {} pixels per side, but the picture has {} x {}",
+        error(Kind::usage,
+              fmt::format("a {} file has at most {} pixels per side, but the picture has {} x {}",
                           format.extension, format.max_side, width, height),
-              {}, "write a .png or .tif file")};
+              "write a .png or .tif file")};
 }
 
 Result<std::vector<std::uint8_t>> encode(const std::vector<std::uint8_t>& samples,

@@ -26,8 +26,9 @@ Diagnostic not_a_picture_format(const std::filesystem::path& file) {
     for (const DisplayFormat& format : display_formats()) {
         known += fmt::format("{}, ", format.extension);
     }
-    return error(fmt::format("the file extension of '{}' is not a picture format", file.string()),
-                 {}, fmt::format("use a file name that ends in {}or .exr", known));
+    return error(Kind::usage,
+                 fmt::format("the file extension of '{}' is not a picture format", file.string()),
+                 fmt::format("use a file name that ends in {}or .exr", known));
 }
 
 Diagnostics check_output(const std::filesystem::path& file) {

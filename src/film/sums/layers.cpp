@@ -269,7 +269,7 @@ Diagnostic unknown_layer(std::string_view name) {
         names.emplace_back(info.name);
         list += fmt::format(", {}", info.name);
     }
-    return error(fmt::format("unknown layer '{}'", name), {},
+    return error(Kind::usage, fmt::format("unknown layer '{}'", name),
                  did_you_mean(name, names, fmt::format("the layers are {}", list)));
 }
 

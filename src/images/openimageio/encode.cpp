@@ -40,7 +40,8 @@ Result<std::vector<std::uint8_t>> OpenImageIo::encode(const Raster& raster,
         [](auto values) { return static_cast<const void*>(values.data()); }, raster.samples);
     if (!output || !output->set_ioproxy(&memory) || !output->open("picture." + encoder, spec) ||
         !output->write_image(type, samples) || !output->close()) {
-        return error(fmt::format("the picture cannot be encoded as {}: {}", encoder,
+        return error(Kind::environment,
+                     fmt::format("the picture cannot be encoded as {}: {}", encoder,
                                  output ? output->geterror() : OIIO::geterror()));
     }
     return bytes;
