@@ -69,7 +69,7 @@ struct FilmRequest {
 
 /// The frames of an animation.
 struct AnimationRequest {
-    /// Of each frame, but for its time and its output. Request::given is what all frames depend on.
+    /// Of each frame, but for its time and its output.
     Request picture{};
     std::optional<FrameNumbers> frames{};  ///< As many as the scene's animations need if empty.
     double start_time = 0.0;               ///< Of frame 1, in seconds.

@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "balcony/denoise.hpp"
+#include "balcony/finish.hpp"
 #include "balcony/lang.hpp"
 #include "balcony/probe.hpp"
 #include "balcony/render.hpp"
@@ -109,18 +110,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// How a film becomes a file.
-struct Finish {
-    std::filesystem::path output;  ///< "-" is a stream.
-    std::optional<render::DenoiseOptions> denoise{};
-    std::optional<double> exposure{};  ///< In stops; chosen automatically if empty.
-    render::ViewTransform view = render::ViewTransform::neutral;
-    bool dither = true;
-
-    /// Null for EXR. A stream is PNG.
-    [[nodiscard]] const render::DisplayFormat* display_format() const;
-    [[nodiscard]] double exposure_of(const render::Film& film) const;
-};
+using render::Finish;
 
 /// Writes the film, or gives a stream to the observer; errors are of the environment.
 [[nodiscard]] Diagnostics write(const Finish& finish, const render::Film& film,

@@ -10,8 +10,8 @@
 //     do { job().run(); tiles.add(film()); } while (render.next());
 //     tiles.commit();
 //
-// With a checkpoint of the film of the band in progress, whose window says which it is, and the
-// unfinished file, another process continues to the very same file.
+// With a checkpoint of the film of the band in progress, whose heading says which it is and what is
+// finished, and the unfinished file, another process continues to the very same file.
 
 #include <cstddef>
 #include <utility>
@@ -40,6 +40,8 @@ public:
 
     /// Begins the band after the one in progress; false if that was the last one.
     [[nodiscard]] bool next();
+    /// Begins the band at a row of the picture. False if no tile of the file begins there.
+    [[nodiscard]] bool begin_at(std::size_t first_row);
     /// Begins another band, of whole tiles of the file. False if there is no such band.
     [[nodiscard]] bool go_to(std::size_t first_row, std::size_t rows);
 

@@ -146,8 +146,6 @@ struct Request {
 
     JobRequest job{};
     std::filesystem::path output{};
-    /// What was asked for, in the words of the front end, by which a checkpoint knows its render.
-    render::RenderFacts given{};
 
     [[nodiscard]] bool is_fitted() const { return fit || !fit_to.empty(); }
     [[nodiscard]] render::ViewTransform view_transform() const;

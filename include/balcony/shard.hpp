@@ -7,12 +7,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "balcony/base.hpp"
 #include "balcony/checkpoint.hpp"
 #include "balcony/film.hpp"
+#include "balcony/finish.hpp"
 
 namespace balcony::render {
 
@@ -32,19 +34,18 @@ inline constexpr std::size_t max_shards = 100'000;
 [[nodiscard]] std::vector<std::uint32_t> passes_of(const Film& film, const Shard& shard,
                                                    std::uint32_t passes);
 
-/// Writes what a film has in the tiles of a shard. The facts are all that the picture depends on;
-/// those of the output are for the program that merges. The file replaces another one when it is
-/// complete.
-[[nodiscard]] Diagnostics write_shard(const Film& film, const Shard& shard,
-                                      const RenderFacts& facts, const RenderFacts& output,
-                                      const std::filesystem::path& file);
-
-/// The beginning of a shard's file.
+/// What a shard is of.
 struct ShardHeading {
-    Shard shard;
-    RenderFacts facts;
-    RenderFacts output;
+    Shard shard{};
+    RenderFacts facts{};                 ///< All that the picture depends on.
+    std::optional<std::size_t> frame{};  ///< Of an animation.
+    Finish finish{};                     ///< For the program that merges.
 };
+
+/// Writes what a film has in the tiles of a shard. The file replaces another one when it is
+/// complete.
+[[nodiscard]] Diagnostics write_shard(const Film& film, const ShardHeading& heading,
+                                      const std::filesystem::path& file);
 
 /// A file that is not a shard is an error.
 [[nodiscard]] Result<ShardHeading> read_shard_heading(const std::filesystem::path& file);

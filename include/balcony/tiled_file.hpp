@@ -5,8 +5,10 @@
 // The EXR file of a picture whose film is larger than the memory: see bands.hpp.
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "balcony/base.hpp"
 #include "balcony/film.hpp"
@@ -23,29 +25,37 @@ inline constexpr std::size_t file_tile_side = 64;
 [[nodiscard]] std::size_t band_height(const FilmLayout& layout, double bytes);
 
 /// An EXR file with tiles that grows. Until it is complete, its name is that of the picture with
-/// ".part" at the end; it stays there if it is not completed. A failure to write is an error, and
-/// leaves what was flushed before.
+/// ".part" at the end; it stays there if it is not completed. A failure to write is an error of
+/// Kind::environment, and leaves what was flushed before.
 class TiledFile {
 public:
-    /// A new file for bands like this film, over a window of the picture.
+    /// A new file for bands like this film, over a window of the picture. If it cannot be begun,
+    /// there is none.
     [[nodiscard]] static Result<TiledFile> create(const std::filesystem::path& picture,
                                                   const Film& film, const Region& window);
-    /// The unfinished file with the rows before the film, if these were flushed; what comes after
-    /// them is removed.
+    /// The unfinished file with the rows of tiles that have these hashes, as flush() gave them, or
+    /// with those above the first damaged one: rows() tells. What comes after them is removed. A
+    /// file that is missing or of another picture is an error.
     [[nodiscard]] static Result<TiledFile> reopen(const std::filesystem::path& picture,
-                                                  const Film& film, const Region& window);
+                                                  const Film& film, const Region& window,
+                                                  std::vector<std::uint64_t> hashes);
     TiledFile(TiledFile&&) noexcept;
     TiledFile& operator=(TiledFile&&) noexcept;
     ~TiledFile();
 
     [[nodiscard]] static std::filesystem::path unfinished(const std::filesystem::path& picture);
 
+    /// The rows of tiles in the file.
+    [[nodiscard]] std::size_t rows() const;
     /// Appends the tiles of the next band.
     [[nodiscard]] Diagnostics add(const Film& band);
-    /// Everything so far is on the disk then.
-    [[nodiscard]] Diagnostics flush();
+    /// Removes what was added of a band and what is after it. What is before it is on the disk
+    /// then: gives the hashes of its rows of tiles.
+    [[nodiscard]] Result<std::vector<std::uint64_t>> flush(const Film& band);
     /// After the last band: gives the file its name.
     [[nodiscard]] Diagnostics commit();
+    /// Deletes the unfinished file, which is of no use any more.
+    void remove();
 
 private:
     struct State;

@@ -31,17 +31,9 @@ std::string ending_of(const std::string& file) {
     return ending;
 }
 
-void add(Diagnostics& diagnostics, const Diagnostics& more) {
+bool add(Diagnostics& diagnostics, const Diagnostics& more) {
     diagnostics.insert(diagnostics.end(), more.begin(), more.end());
-}
-
-Diagnostics of_kind(Kind kind, Diagnostics diagnostics) {
-    for (Diagnostic& one : diagnostics) {
-        if (one.severity == Severity::error) {
-            one.kind = kind;
-        }
-    }
-    return diagnostics;
+    return has_errors(more);
 }
 
 }  // namespace balcony::app

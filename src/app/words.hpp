@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <new>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,9 +21,18 @@ namespace balcony::app {
 /// The extension of a file name in lower case, including the dot.
 [[nodiscard]] std::string ending_of(const std::string& file);
 
-void add(Diagnostics& diagnostics, const Diagnostics& more);
+/// Adds diagnostics; true if there are errors among them.
+bool add(Diagnostics& diagnostics, const Diagnostics& more);
 
-/// The same diagnostics, whose errors are of this kind.
-[[nodiscard]] Diagnostics of_kind(Kind kind, Diagnostics diagnostics);
+/// Does a work, and adds an error if the memory does not suffice for it.
+template <class Work>
+void within_memory(Diagnostics& diagnostics, const Work& work) {
+    try {
+        work();
+    } catch (const std::bad_alloc&) {
+        diagnostics.push_back(error(Kind::environment, "there is not enough memory",
+                                    "make the picture smaller, or free some memory"));
+    }
+}
 
 }  // namespace balcony::app

@@ -119,13 +119,46 @@ class Checkpoint(support.CommandTest):
                      says="the file 'scene.obj' has changed")
         self.assertEqual(checkpoint.read_bytes(), kept)
 
+    def test_what_the_sums_do_not_depend_on_may_differ(self):
+        checkpoint = self.interrupted(*SLOW, *OFTEN, "-o", "p.png")
+        kept = checkpoint.read_bytes()
+        for words in (("--no-dither",), ("--texture-memory", "64"), ("--fps", "30"),
+                      ("--exposure", "1"), ("--view-transform", "filmic"), ("--layers", "none"),
+                      ("--denoiser", "features"), ("--film-memory", "4GiB")):
+            with self.subTest(words=words):
+                checkpoint.write_bytes(kept)
+                resumed = self.picture(*SLOW, *words, "--resume", "-o", "p.png")
+                self.assertEqual(resumed, self.picture(*SLOW, *words, "-o", "whole.png"))
+        for before, now in (("black", "white"), ("0.5", "transparent")):
+            self.interrupted(*SLOW, *OFTEN, "--background", before, "-o", "p.png")
+            self.assertEqual(self.picture(*SLOW, "--background", now, "--resume", "-o", "p.png"),
+                             self.picture(*SLOW, "--background", now, "-o", "whole.png"))
+
+    def test_layers_may_be_left_out_but_not_added(self):
+        features = ("--denoiser", "features")
+        self.interrupted(*SLOW, *OFTEN, *features, "--denoise", "-o", "p.png")
+        self.assertEqual(self.picture(*SLOW, *features, "--resume", "-o", "p.png"),
+                         self.picture(*SLOW, "-o", "whole.png"))
+        self.interrupted(*SLOW, *OFTEN, "-o", "p.png")
+        self.refused(*SLOW, "--denoise", "--resume", "-o", "p.png", code=1,
+                     says="--denoise was '' and is 'true'")
+        self.interrupted(*SLOW, *OFTEN, "--layers", "none", "-o", "p.exr")
+        self.refused(*SLOW, "--resume", "-o", "p.exr", code=1,
+                     says="--layers was 'none' and is 'default'")
+
+    def test_the_exposure_matters_where_there_is_a_noise_level(self):
+        words = (*SLOW, "--noise", "0.0001", "--exposure", "0")
+        self.interrupted(*words, *OFTEN, "-o", "p.png")
+        self.refused(*words, "--exposure", "1", "--resume", "-o", "p.png", code=1,
+                     says="--exposure was '0' and is '1'")
+
     def test_another_version_is_refused(self):
         checkpoint = self.interrupted(*SLOW, *OFTEN, "-o", "p.png")
         bytes_before = checkpoint.read_bytes()
         version = self.run_command("--version")[0].split()[-1].encode()
         self.assertIn(version, bytes_before)
         checkpoint.write_bytes(bytes_before.replace(version, b"0.0.0", 1))
-        self.refused(*SLOW, "--resume", "-o", "p.png", code=1, says="Balcony was '0.0.0'")
+        self.refused(*SLOW, "--resume", "-o", "p.png", code=1, says="another version of Balcony")
 
     def test_a_damaged_one_is_refused(self):
         checkpoint = self.interrupted(*SLOW, *OFTEN, "-o", "p.png")
@@ -306,6 +339,9 @@ class Bands(support.CommandTest):
         (self.folder / "p.exr.part").rename(self.folder / "aside")
         self.refused(*self.LONG, "--resume", "-o", "p.exr", code=1, says="is missing",
                      helps="render without --resume")
+        for option, says in (("--background=white", "--background was 'auto' and is '1'"),
+                             ("--layers=none", "--layers was 'default' and is 'none'")):
+            self.refused(*self.LONG, option, "--resume", "-o", "p.exr", code=1, says=says)
         (self.folder / "p.exr.part").write_bytes(b"no picture")
         self.refused(*self.LONG, "--resume", "-o", "p.exr", code=1, says="is damaged")
         (self.folder / "p.exr.checkpoint").write_bytes(b"no checkpoint")
@@ -313,6 +349,49 @@ class Bands(support.CommandTest):
         (self.folder / "aside").rename(self.folder / "p.exr.part")
         (self.folder / "p.exr.checkpoint").write_bytes(checkpoint)
         self.run_command(*self.LONG, "--resume", "-o", "p.exr")
+
+    def test_damaged_bands_are_rendered_again(self):
+        process = self.start(*self.LONG, "-o", "p.exr")
+        part = self.folder / "p.exr.part"
+        while not part.exists() or part.stat().st_size < 45_000:
+            self.assertIsNone(process.poll(), "it ended early")
+            time.sleep(0.002)
+        process.send_signal(signal.SIGINT)
+        process.communicate()
+        damaged = bytearray(part.read_bytes())
+        damaged[len(damaged) - 500] ^= 1
+        part.write_bytes(damaged)
+        _, err = self.run_command(*self.LONG, "--resume", "-o", "p.exr")
+        self.assertRegex(err, r"warning: 'p.exr.part' is damaged from row \d+ on, so these rows "
+                              "are rendered again")
+        self.run_command(*self.LONG, "-o", "whole.exr")
+        self.assertEqual(self.bytes_of("p.exr"), self.bytes_of("whole.exr"))
+
+    def test_a_full_disk_without_a_checkpoint_leaves_nothing(self):
+        def little_room():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (50_000, 50_000))
+
+        words = (*self.LONG, "--checkpoint-every", "off")
+        before = self.files()
+        self.run_command(*words, "-o", "p.exr", code=3, preexec_fn=little_room)
+        self.assertEqual(self.files(), before)
+
+    def test_one_process_at_a_time_writes_a_picture(self):
+        process = self.start(*self.LONG, "-o", "p.exr")
+        while not (self.folder / "p.exr.checkpoint").exists():
+            self.assertIsNone(process.poll(), "it ended early")
+            time.sleep(0.002)
+        for words in ((), ("--resume",)):
+            self.refused(*self.LONG, *words, "-o", "p.exr", code=2,
+                         says="another process is writing 'p.exr.part'", helps="another name")
+        process.communicate()
+        self.assertEqual(process.returncode, 0)
+        self.run_command(*self.LONG, "-o", "whole.exr")
+        self.assertEqual(self.bytes_of("p.exr"), self.bytes_of("whole.exr"))
+
+    def test_a_picture_in_bands_is_not_denoised(self):
+        _, err = self.run_command(*self.LONG[:-2], "-s", "1", "--denoise", "-o", "p.exr")
+        self.assertIn("a picture that is rendered in bands is not denoised", err)
 
     def test_a_full_disk_keeps_the_checkpoint(self):
         self.killed_with_checkpoint()
@@ -336,7 +415,7 @@ class Bands(support.CommandTest):
                          "-o", "p.exr", code=2, says="rendered in bands", helps="--film-memory")
 
     def test_too_large(self):
-        self.refused(*self.WORDS, "--size", "1000000x1000000", "-o", "p.exr", code=1,
+        self.refused(*self.WORDS, "--size", "1000000x1000000", "-o", "p.exr", code=2,
                      says="a picture of 1000000 x 1000000 pixels is too large")
         self.refused(*self.WORDS, "--size", "1000000x1000000", "-o", "p.png", code=3,
                      says="a film of 1000000 x 1000000 pixels needs", helps=".exr")

@@ -6,6 +6,7 @@ Usage: shards_test.py BALCONY
 """
 
 import os
+import struct
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
@@ -73,12 +74,14 @@ class Shards(support.CommandTest):
         whole = self.bytes_of(second)
         for damaged in (b"", whole[:40], whole[:-1], whole + b"x",
                         whole[:-200] + bytes([whole[-200] ^ 1]) + whole[-199:],
-                        whole.replace(b"150 70", b"950 70", 1), b"nothing"):
+                        whole.replace(struct.pack("<QQ", 150, 70),
+                                      struct.pack("<QQ", 950, 70), 1), b"nothing"):
             with self.subTest(size=len(damaged)):
                 (self.folder / second).write_bytes(damaged)
                 err = self.refused("merge", first, second, code=1, says=f"'{second}'")
                 self.assertRegex(err, "damaged or no shard|do not belong together")
-        self.refused("merge", "room.glb", code=1, says="'room.glb' is damaged or no shard")
+        self.refused("merge", "room.glb", code=1,
+                     says="'room.glb' cannot be merged: it is damaged or no shard")
         self.refused("merge", "nowhere", code=1, says="there is no file 'nowhere'")
 
     def test_shards_of_other_renders(self):
@@ -86,7 +89,7 @@ class Shards(support.CommandTest):
         first = "p.png.shard-1-of-2"
         for words, says in (((*self.SIZE[:3], "8"), "--samples was '4' and is '8'"),
                             (("--seed", "1"), "--seed was"),
-                            (("--size", "150x71"), "the size was '150x70' and is '150x71'")):
+                            (("--size", "150x71"), "--size was '150x70' and is '150x71'")):
             with self.subTest(words=words):
                 self.render("--shard", "2/2", "-o", "q.png", *words)
                 self.refused("merge", first, "q.png.shard-2-of-2", code=1, says=says,

@@ -102,50 +102,88 @@ TEST_F(Bands, ThePixelsAreThoseOfTheWholeFilm) {
 // its samples.
 TEST_F(Bands, AnotherProcessContinuesToTheSameFile) {
     const std::string whole = rendered(64, "whole.exr");
-    const RenderFacts facts{{"test", "1"}};
+    const FilmFacts facts{.sums = {{"test", "1"}}};
     {
         auto bands = BandedRender::make(renderer, camera, settings, layout, 64);
         auto file = TiledFile::create(folder / "p.exr", bands->film(), window());
         render_all(*bands, *file, 1);
         const std::vector<std::uint32_t> some(bands->film().tile_count(), 2);
         ASSERT_TRUE(bands->job().run(some));
-        ASSERT_TRUE(file->flush().empty());
-        ASSERT_TRUE(write_checkpoint(bands->film(), facts, folder / "checkpoint").empty());
+        const auto finished = file->flush(bands->film());
+        ASSERT_TRUE(finished);
+        ASSERT_TRUE(
+            write_checkpoint(bands->film(), facts, *finished, folder / "checkpoint").empty());
         render_all(*bands, *file, 1);
-        ASSERT_TRUE(file->flush().empty());
     }
     auto bands = BandedRender::make(renderer, camera, settings, layout, 128);
-    ASSERT_TRUE(bands->go_to(64, 64));
+    const auto heading = read_checkpoint_heading(folder / "checkpoint");
+    ASSERT_TRUE(heading);
+    EXPECT_EQ(heading->window, (Region{0, 64, 150, 64}));
+    ASSERT_TRUE(bands->go_to(heading->window.y, heading->window.height));
     ASSERT_TRUE(read_checkpoint(bands->film(), facts, folder / "checkpoint").empty());
     EXPECT_EQ(bands->film().samples(0, 64), 2U);
-    auto file = TiledFile::reopen(folder / "p.exr", bands->film(), window());
+    auto file = TiledFile::reopen(folder / "p.exr", bands->film(), window(), heading->finished);
     ASSERT_TRUE(file) << to_text(file.diagnostics);
+    EXPECT_EQ(file->rows(), 1U);
     render_all(*bands, *file);
     EXPECT_EQ(bytes_of(folder / "p.exr"), whole);
 }
 
-TEST_F(Bands, OnlyFilesOfThePictureAreContinued) {
-    auto bands = BandedRender::make(renderer, camera, settings, layout, 64);
-    const auto reopened = [&] {
-        return static_cast<bool>(TiledFile::reopen(folder / "p.exr", bands->film(), window()));
-    };
-    EXPECT_FALSE(reopened());
+// Two rows of tiles are in the file; the third is in progress.
+TEST_F(Bands, WhatIsDamagedIsRenderedAgain) {
+    const std::string whole = rendered(64, "whole.exr");
+    const fs::path part = TiledFile::unfinished(folder / "p.exr");
+    std::vector<std::uint64_t> finished;
+    std::uintmax_t one_row = 0;
     {
+        auto bands = BandedRender::make(renderer, camera, settings, layout, 64);
         auto file = TiledFile::create(folder / "p.exr", bands->film(), window());
         render_all(*bands, *file, 1);
-        EXPECT_FALSE(reopened()) << "not flushed";
-        ASSERT_TRUE(file->flush().empty());
+        ASSERT_TRUE(file->flush(bands->film()));
+        one_row = fs::file_size(part);
+        render_all(*bands, *file, 1);
+        finished = *file->flush(bands->film());
     }
-    EXPECT_TRUE(reopened());
-    ASSERT_TRUE(bands->next());
-    EXPECT_FALSE(reopened()) << "a row of tiles is missing";
-    ASSERT_TRUE(bands->go_to(64, 64));
+    ASSERT_EQ(finished.size(), 2U);
+    const std::string sound = bytes_of(part);
+    const auto rows_of = [&](const std::string& bytes) {
+        std::ofstream(part, std::ios::binary) << bytes;
+        auto bands = BandedRender::make(renderer, camera, settings, layout, 64);
+        auto file = TiledFile::reopen(folder / "p.exr", bands->film(), window(), finished);
+        const std::size_t rows = file->rows();
+        EXPECT_TRUE(rows == 0 || bands->begin_at(rows * file_tile_side));
+        render_all(*bands, *file);
+        EXPECT_EQ(bytes_of(folder / "p.exr"), whole);
+        return rows;
+    };
+    EXPECT_EQ(rows_of(sound), 2U);
+    EXPECT_EQ(rows_of(sound + "more"), 2U);
+    EXPECT_EQ(rows_of(sound.substr(0, sound.size() - 1)), 1U);
+    EXPECT_EQ(rows_of(sound.substr(0, one_row - 1)), 0U);
+    const auto chunks = static_cast<std::size_t>(one_row);
+    // Single bits of the heads of chunks and of their pixels.
+    for (std::size_t at = chunks; at < sound.size(); at += at < chunks + 24 ? 1 : 997) {
+        std::string flipped = sound;
+        flipped[at] ^= static_cast<char>(1U << at % 8);
+        EXPECT_EQ(rows_of(flipped), 1U) << at;
+    }
+}
+
+TEST_F(Bands, OnlyFilesOfThePictureAreContinued) {
+    auto bands = BandedRender::make(renderer, camera, settings, layout, 64);
     const fs::path part = TiledFile::unfinished(folder / "p.exr");
-    fs::resize_file(part, fs::file_size(part) - 1);
-    EXPECT_FALSE(reopened()) << "cut off";
+    const auto reopened = [&](const Film& film) {
+        return static_cast<bool>(TiledFile::reopen(folder / "p.exr", film, window(), {}));
+    };
+    EXPECT_FALSE(reopened(bands->film()));
+    {
+        auto file = TiledFile::create(folder / "p.exr", bands->film(), window());
+        EXPECT_FALSE(reopened(bands->film())) << "another process has it";
+    }
+    EXPECT_TRUE(reopened(bands->film()));
     layout.layers = {LayerId::magnification};
     auto others = BandedRender::make(renderer, camera, settings, layout, 64);
-    EXPECT_FALSE(TiledFile::reopen(folder / "p.exr", others->film(), window()));
+    EXPECT_FALSE(reopened(others->film()));
 }
 
 TEST_F(Bands, BandsBeginAtTiles) {

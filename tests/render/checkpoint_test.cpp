@@ -34,7 +34,8 @@ const FilmLayout layout{.width = 70,
                         .layers = all_layers(),
                         .second_moment = true};
 
-const RenderFacts facts{{"--seed", "3"}, {"the file 'a.obj'", "#12ab"}};
+const FilmFacts facts{.sums = {{"--seed", "3"}, {"the file 'a.obj'", "#12ab"}},
+                      .layers = {{"--layers", "all"}, {"--denoise", ""}}};
 
 // Every array is filled with bytes that say which it is.
 Film filled_film() {
@@ -99,7 +100,7 @@ TEST_F(Checkpoint, EverythingReturns) {
     EXPECT_NE(film.passes.front(), 0U);
     EXPECT_NE(film.pixel_passes.front(), 0U);
     EXPECT_NE(film.white, 0.0);
-    ASSERT_FALSE(has_errors(write_checkpoint(film, facts, file)));
+    ASSERT_FALSE(has_errors(write_checkpoint(film, facts, {}, file)));
     Film read = empty_film();
     ASSERT_FALSE(has_errors(read_checkpoint(read, facts, file)));
     EXPECT_EQ(bytes_of(read), bytes_of(film));
@@ -107,34 +108,73 @@ TEST_F(Checkpoint, EverythingReturns) {
 }
 
 TEST_F(Checkpoint, OtherFactsAreRefusedByName) {
-    ASSERT_FALSE(has_errors(write_checkpoint(filled_film(), facts, file)));
+    ASSERT_FALSE(has_errors(write_checkpoint(filled_film(), facts, {}, file)));
     const auto message = [&](const RenderFacts& now) {
         Film read = empty_film();
-        const Diagnostics found = read_checkpoint(read, now, file);
+        const Diagnostics found = read_checkpoint(read, {.sums = now}, file);
         EXPECT_TRUE(has_errors(found));
         EXPECT_EQ(bytes_of(read), bytes_of(empty_film()));
         return found.empty() ? "" : found.front().message;
     };
-    EXPECT_NE(message({{"--seed", "4"}, facts[1]}).find("--seed was '3' and is '4'"),
+    EXPECT_NE(message({{"--seed", "4"}, facts.sums[1]}).find("--seed was '3' and is '4'"),
               std::string::npos);
-    EXPECT_NE(message({facts[0], {"the file 'a.obj'", "#12ac"}}).find("'a.obj' has changed"),
+    EXPECT_NE(message({facts.sums[0], {"the file 'a.obj'", "#12ac"}}).find("'a.obj' has changed"),
               std::string::npos);
-    EXPECT_NE(message({facts[0]}).find("the file 'a.obj' is missing"), std::string::npos);
-    EXPECT_NE(message({facts[0], facts[1], {"--lens", "2"}}).find("--lens is new"),
+    EXPECT_NE(message({facts.sums[0]}).find("the file 'a.obj' is missing"), std::string::npos);
+    EXPECT_NE(message({facts.sums[0], facts.sums[1], {"--lens", "2"}}).find("--lens is new"),
               std::string::npos);
 }
 
-TEST_F(Checkpoint, AFilmOfAnotherKindIsRefused) {
-    ASSERT_FALSE(has_errors(write_checkpoint(filled_film(), facts, file)));
-    FilmLayout smaller = layout;
-    smaller.second_moment = false;
-    smaller.layers.erase(LayerId::variance);
-    Film read = *make_film(smaller);
-    EXPECT_TRUE(has_errors(read_checkpoint(read, facts, file)));
+TEST_F(Checkpoint, TheHeadingReturns) {
+    const std::vector<std::uint64_t> finished{3, 1, 4};
+    ASSERT_FALSE(has_errors(write_checkpoint(filled_film(), facts, finished, file)));
+    const auto heading = read_checkpoint_heading(file);
+    ASSERT_TRUE(heading);
+    EXPECT_TRUE(difference(heading->facts.sums, facts.sums).empty());
+    EXPECT_TRUE(difference(heading->facts.layers, facts.layers).empty());
+    EXPECT_EQ(heading->width, layout.width);
+    EXPECT_EQ(heading->height, layout.height);
+    EXPECT_EQ(heading->window, layout.window);
+    EXPECT_EQ(heading->finished, finished);
+}
+
+TEST_F(Checkpoint, AnotherWindowIsRefused) {
+    ASSERT_FALSE(has_errors(write_checkpoint(filled_film(), facts, {}, file)));
+    FilmLayout other = layout;
+    other.window->y = 1;
+    Film read = *make_film(other);
+    const Diagnostics found = read_checkpoint(read, facts, file);
+    ASSERT_TRUE(has_errors(found));
+    EXPECT_NE(found.front().message.find("64x36+3+2 of 70x40 and is 64x36+3+1 of 70x40"),
+              std::string::npos)
+        << found.front().message;
+}
+
+TEST_F(Checkpoint, LayersMayBeLeftOutButNotAdded) {
+    FilmLayout fewer = layout;
+    fewer.second_moment = false;
+    fewer.layers = {};
+    fewer.data_layers = false;
+    ASSERT_FALSE(has_errors(write_checkpoint(filled_film(), facts, {}, file)));
+    Film read = *make_film(fewer);
+    ASSERT_TRUE(read_checkpoint(read, facts, file).empty());
+    EXPECT_EQ(read.sum, filled_film().sum);
+    EXPECT_TRUE(read.sum_of_squares.empty());
+    EXPECT_FALSE(read.layers);
+
+    ASSERT_FALSE(
+        has_errors(write_checkpoint(read, {facts.sums, {{"--layers", "none"}}}, {}, file)));
+    Film all = empty_film();
+    const Diagnostics found = read_checkpoint(all, facts, file);
+    ASSERT_TRUE(has_errors(found));
+    EXPECT_EQ(found.front().kind, Kind::input);
+    EXPECT_NE(found.front().message.find("--layers was 'none' and is 'all'"), std::string::npos)
+        << found.front().message;
+    EXPECT_EQ(bytes_of(all), bytes_of(empty_film()));
 }
 
 TEST_F(Checkpoint, DamagedFilesAreRefusedAndChangeNothing) {
-    ASSERT_FALSE(has_errors(write_checkpoint(filled_film(), facts, file)));
+    ASSERT_FALSE(has_errors(write_checkpoint(filled_film(), facts, {}, file)));
     const std::string whole = contents();
     std::mt19937 random(1);
     const auto refused = [&](const std::string& bytes) {
@@ -161,7 +201,7 @@ TEST_F(Checkpoint, ALinkInPlaceOfItsTemporaryFileIsNotFollowed) {
     const fs::path precious = file.string() + ".precious";
     std::ofstream(precious) << "precious";
     fs::create_symlink(precious, file.string() + ".new");
-    EXPECT_TRUE(has_errors(write_checkpoint(filled_film(), facts, file)));
+    EXPECT_TRUE(has_errors(write_checkpoint(filled_film(), facts, {}, file)));
     EXPECT_EQ(fs::file_size(precious), 8U);
     EXPECT_TRUE(fs::is_symlink(file.string() + ".new"));
     fs::remove(file.string() + ".new");
@@ -170,7 +210,7 @@ TEST_F(Checkpoint, ALinkInPlaceOfItsTemporaryFileIsNotFollowed) {
 
 TEST_F(Checkpoint, APlaceThatCannotBeWrittenIsAnError) {
     const fs::path nowhere = fs::path(testing::TempDir()) / "no such folder" / "p.checkpoint";
-    const Diagnostics found = write_checkpoint(filled_film(), facts, nowhere);
+    const Diagnostics found = write_checkpoint(filled_film(), facts, {}, nowhere);
     ASSERT_TRUE(has_errors(found));
     EXPECT_NE(found.front().message.find("No such file or directory"), std::string::npos);
 }

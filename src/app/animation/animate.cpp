@@ -12,10 +12,10 @@
 #include "app/animation/film_file.hpp"
 #include "app/animation/frame_loop.hpp"
 #include "app/animation/turntable.hpp"
+#include "app/picture/finished_picture.hpp"
 #include "app/picture/paused_run.hpp"
 #include "app/words.hpp"
 #include "balcony/animation.hpp"
-#include "balcony/bands.hpp"
 #include "balcony/inputs.hpp"
 #include "balcony/motion.hpp"
 
@@ -110,16 +110,14 @@ std::optional<camera::Picture> turned_round(const AnimationRequest& animation,
                                             camera::Picture picture, Diagnostics& found) {
     const Request& request = animation.picture;
     const Result<render::SceneExtent> extent = render::measure_scene(scene, animation.around);
-    add(found, extent.diagnostics);
-    if (!extent) {
+    if (add(found, extent.diagnostics)) {
         return std::nullopt;
     }
     if (request.camera.empty()) {
         const auto [width, height] = request.size.resolve(camera::default_aspect);
         const Result<camera::Picture> whole = turntable_picture(
             scene, *extent, static_cast<double>(width) / static_cast<double>(height));
-        add(found, whole.diagnostics);
-        if (!whole) {
+        if (add(found, whole.diagnostics)) {
             return std::nullopt;
         }
         picture = whole->with_fit(request.size.fit);
@@ -127,21 +125,12 @@ std::optional<camera::Picture> turned_round(const AnimationRequest& animation,
     return picture.with_turn(turn_of(*extent, animation, frames));
 }
 
-// What two eyes see of a picture, in one picture.
-std::optional<camera::Picture> stereo_view(const Request& request, camera::Picture picture,
-                                           const scene::Scene& scene, Diagnostics& found) {
-    if (!request.stereo.is_wanted()) {
-        return picture;
-    }
-    if (has_moving_camera(request, scene)) {
-        found.push_back(error("--stereo cannot follow a camera of the scene that moves", {},
-                              "name a camera of a file with --camera"));
-        return std::nullopt;
-    }
-    auto views =
-        camera::stereo_picture(picture, request.stereo.formats.front(), request.stereo.pair);
-    add(found, views.diagnostics);
-    return std::move(views.value);
+Diagnostics check_stereo(const Request& request, const scene::Scene& scene) {
+    return request.stereo.is_wanted() && has_moving_camera(request, scene)
+               ? Diagnostics{error(Kind::usage,
+                                   "--stereo cannot follow a camera of the scene that moves",
+                                   "name a camera of a file with --camera")}
+               : Diagnostics{};
 }
 
 Diagnostics check_inputs(const FramePattern& pattern, const std::vector<fs::path>& inputs) {
@@ -166,8 +155,7 @@ bool prepare(const AnimationRequest& animation, Prepared& made, Diagnostics& fou
     const Request& request = animation.picture;
     Loaded& loaded = made.loaded;
     loaded.since = FileWatch::Time::clock::now();
-    add(found, check_request(request));
-    if (has_errors(found) || !load_settings(request, loaded, found)) {
+    if (add(found, check_request(request)) || !load_settings(request, loaded, found)) {
         return false;
     }
     auto picture = load_all(request, loaded, found);
@@ -178,28 +166,50 @@ bool prepare(const AnimationRequest& animation, Prepared& made, Diagnostics& fou
     Result<FrameNumbers> frames = animation.frames ? Result<FrameNumbers>(*animation.frames)
                                                    : default_frames(*loaded.scene, animation);
     add(found, frames.diagnostics);
-    if (has_errors(found)) {
+    if (has_errors(found) || add(found, check_shards(animation, *frames))) {
         return false;
     }
     made.frames = std::move(*frames);
-    add(found, check_shards(animation, made.frames));
-    if (has_errors(found)) {
-        return false;
-    }
     warn_of_long_numbers(animation.pattern, made.frames, found);
     if (animation.turntable) {
         picture = turned_round(animation, made.frames, *loaded.scene, *picture, found);
     }
-    made.picture = picture ? stereo_view(request, *picture, *loaded.scene, found) : std::nullopt;
-    if (!made.picture) {
+    if (!picture || add(found, check_stereo(request, *loaded.scene))) {
         return false;
     }
+    const auto view = stereo_view(request, *picture);
+    if (add(found, view.diagnostics)) {
+        return false;
+    }
+    made.picture = view.value;
     made.layout = layout_of(animation, *made.picture, found);
-    if (render::film_bytes(made.layout) > request.job.film_bytes()) {
-        found.push_back(error("a frame of this size needs more memory than --film-memory allows",
-                              {}, "raise --film-memory, or make the frames smaller"));
+    if (is_large(made.layout, request)) {
+        found.push_back(too_large("a frame"));
     }
     return !has_errors(found);
+}
+
+void render_all(const AnimationRequest& request, const Observer& observer,
+                const std::stop_token& stop, AnimationReport& report) {
+    AnimationRequest animation = request;
+    animation.picture.settings.time = animation.time_of(1);
+    Prepared made;
+    if (!prepare(animation, made, report.diagnostics)) {
+        return;
+    }
+    const Stoppable stoppable(observer);
+    FrameLoop(animation, made.loaded, *made.picture, made.layout, observer, report)
+        .run(made.frames, stop);
+    const bool is_whole = !animation.shard && animation.parts_per_frame == 1;
+    if (has_errors(report.diagnostics) || report.interrupted || !animation.film || !is_whole) {
+        return;
+    }
+    const Diagnostics found = make_film_of_frames(*animation.film, animation.pattern, made.frames,
+                                                  !animation.keep_frames, observer, stop);
+    report.is_film_missing = report.interrupted = kind_of_errors(found) == Kind::interrupted;
+    if (!report.interrupted) {
+        add(report.diagnostics, found);
+    }
 }
 
 }  // namespace
@@ -208,33 +218,14 @@ Diagnostics prepare_output(const AnimationRequest& request) {
     if (!request.film) {
         return check_output(request.pattern.file(1));
     }
-    Diagnostics found = make_film_folder(*request.film);
-    add(found, check_film(*request.film));
-    return found;
+    Diagnostics found = check_film(*request.film);
+    return has_errors(found) ? found : make_film_folder(*request.film);
 }
 
 AnimationReport animate(const AnimationRequest& request, const Observer& observer,
                         const std::stop_token& stop) {
     AnimationReport report;
-    AnimationRequest animation = request;
-    animation.picture.settings.time = animation.time_of(1);
-    Prepared made;
-    if (!prepare(animation, made, report.diagnostics)) {
-        return report;
-    }
-    const Stoppable stoppable(observer);
-    FrameLoop(animation, made.loaded, *made.picture, made.layout, observer, report)
-        .run(made.frames, stop);
-    const bool is_whole = !animation.shard && animation.parts_per_frame == 1;
-    if (has_errors(report.diagnostics) || report.interrupted || !animation.film || !is_whole) {
-        return report;
-    }
-    const Diagnostics found = make_film_of_frames(*animation.film, animation.pattern, made.frames,
-                                                  !animation.keep_frames, observer, stop);
-    report.is_film_missing = report.interrupted = kind_of_errors(found) == Kind::interrupted;
-    if (!report.interrupted) {
-        add(report.diagnostics, found);
-    }
+    within_memory(report.diagnostics, [&] { render_all(request, observer, stop, report); });
     return report;
 }
 

@@ -113,7 +113,8 @@ Result<const Encoder*> encoder_for(const fs::path& film) {
         }
         names.push_back(encoder.name);
     }
-    return error(fmt::format("ffmpeg has no encoder for {} files", format.extension), {},
+    return error(Kind::environment,
+                 fmt::format("ffmpeg has no encoder for {} files", format.extension),
                  fmt::format("install an ffmpeg that has {}, or write a film of another format: {}",
                              fmt::join(names, " or "), fmt::join(film_extensions(), ", ")));
 }
@@ -169,11 +170,11 @@ bool has_even_sides(const fs::path& film) { return format_of(film)->is_video; }
 
 Diagnostics check_film(const FilmRequest& film) {
     if (Diagnostics found = OutputFile::check(film.file); has_errors(found)) {
-        return of_kind(Kind::environment, std::move(found));
+        return found;
     }
     const auto encoder = encoder_for(film.file);
     if (!encoder) {
-        return of_kind(Kind::environment, encoder.diagnostics);
+        return encoder.diagnostics;
     }
     if (!film.crf) {
         return {};

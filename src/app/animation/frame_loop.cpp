@@ -4,7 +4,6 @@
 #include "app/animation/frame_loop.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <system_error>
 #include <utility>
 
@@ -14,9 +13,8 @@
 #include "app/picture/checkpoint_file.hpp"
 #include "app/picture/findings.hpp"
 #include "app/picture/paused_run.hpp"
-#include "app/picture/shard_picture.hpp"
+#include "app/picture/picture_facts.hpp"
 #include "app/words.hpp"
-#include "balcony/content_hash.hpp"
 #include "balcony/motion.hpp"
 
 namespace balcony::app {
@@ -24,28 +22,24 @@ namespace balcony::app {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point begin) {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
-}
-
-// With the number of frames if the turn depends on it, and hashes of all files.
+// What all frames depend on: the number of frames if the turn does, and hashes of all files.
 render::RenderFacts frame_facts(const AnimationRequest& animation, const FrameNumbers& frames,
-                                const render::FilmLayout& layout,
+                                const render::FilmLayout& layout, bool is_displayed,
                                 const std::vector<fs::path>& files) {
     render::RenderFacts facts{{"Balcony", BALCONY_VERSION},
-                              {"the size", fmt::format("{}x{}", layout.width, layout.height)}};
-    const render::RenderFacts& asked = animation.picture.given;
-    facts.insert(facts.end(), asked.begin(), asked.end());
+                              {"the size", fmt::format("{}x{}", layout.width, layout.height)},
+                              {"--start-time", fmt::format("{}", animation.start_time)},
+                              {"--turntable", animation.turntable ? "true" : ""},
+                              {"--around", animation.around},
+                              {"--same-noise", animation.same_noise ? "true" : ""}};
+    const render::RenderFacts options = facts_of(
+        animation.picture, is_displayed ? FactsOf::display : FactsOf::exr, /*is_frame=*/true);
+    facts.insert(facts.end(), options.begin(), options.end());
     if (animation.turntable) {
         facts.push_back({"--frames", text_of(frames)});
     }
-    for (const fs::path& file : files) {
-        const auto hash = content_hash(file);
-        facts.push_back({fmt::format("the file '{}'", file.string()),
-                         hash ? fmt::format("#{:016x}", *hash) : "#unreadable"});
-    }
+    const render::RenderFacts hashes = facts_of(files);
+    facts.insert(facts.end(), hashes.begin(), hashes.end());
     return facts;
 }
 
@@ -74,10 +68,7 @@ FrameLoop::FrameLoop(const AnimationRequest& animation, Loaded& loaded, camera::
       inverses_(request_, {layout.width, layout.height}),
       seed_(request_.settings.sampling.seed) {}
 
-bool FrameLoop::fails(const Diagnostics& found) {
-    add(report_.diagnostics, found);
-    return has_errors(found);
-}
+bool FrameLoop::fails(const Diagnostics& found) { return add(report_.diagnostics, found); }
 
 fs::path FrameLoop::file_of(const FrameUnit& unit) const {
     const fs::path frame = animation_.pattern.file(unit.frame);
@@ -100,7 +91,7 @@ bool FrameLoop::begin_frames(const FrameNumbers& frames) {
     if (!before && !animation_.overwrite) {
         return !fails(before.diagnostics);
     }
-    record_ = {frame_facts(animation_, frames, layout_, loaded_.files()),
+    record_ = {frame_facts(animation_, frames, layout_, is_displayed(), loaded_.files()),
                frames,
                request_.shutter.rate,
                animation_.film ? animation_.film->crf : std::nullopt,
@@ -111,8 +102,8 @@ bool FrameLoop::begin_frames(const FrameNumbers& frames) {
         const std::string why = (*before)->difference_from(record_.facts);
         if (!why.empty()) {
             return !fails({error(
+                Kind::input,
                 fmt::format("the frames at '{}' are of another animation: {}", pattern.text(), why),
-                {},
                 "restore that to continue them, add --overwrite to replace them, or name "
                 "another output")});
         }
@@ -126,13 +117,14 @@ bool FrameLoop::begin_frames(const FrameNumbers& frames) {
             std::find_first_of(there.begin(), there.end(), frames.begin(), frames.end());
         if (in_the_way != there.end()) {
             return !fails(
-                {error(fmt::format("'{}' is there already, and nothing tells how it was rendered",
+                {error(Kind::input,
+                       fmt::format("'{}' is there already, and nothing tells how it was rendered",
                                    pattern.file(*in_the_way).string()),
-                       {}, "add --overwrite to replace such frames, or name another output")});
+                       "add --overwrite to replace such frames, or name another output")});
         }
         found = begin_record(pattern, record_);
     }
-    return !fails(of_kind(Kind::environment, std::move(found)));
+    return !fails(found);
 }
 
 // The warnings of one frame stand for those of all.
@@ -196,25 +188,16 @@ Result<render::Summary> FrameLoop::trace_unit(const FrameUnit& unit,
         }
         tell(observer_, found);
     }
-    TraceLimits limits{.samples = loaded_.settings.samples,
-                       .remedy = "restore it and give the same command again"};
-    if (unit.part.count > 1) {
-        limits.shard = unit.part;
-    }
-    if (request_.job.checkpoint_every) {
-        limits.pauses.push_back(
-            {*request_.job.checkpoint_every, [&] { tell(observer_, checkpoint.save(film)); }});
-    }
-    Result<render::Summary> summary =
-        trace(*job_, film, checkpoint, limits, observer_.progress, stop);
-    if (summary && summary->interrupted) {
-        tell(observer_, checkpoint.save(film));
-    }
-    return summary;
+    return trace(*job_, film, checkpoint,
+                 {.checkpoint_every = request_.job.checkpoint_every,
+                  .save_checkpoint = [&] { tell(observer_, checkpoint.save(film)); },
+                  .shard = unit.part.count > 1 ? std::optional(unit.part) : std::nullopt,
+                  .samples = loaded_.settings.samples,
+                  .remedy = "restore it and give the same command again"},
+                 observer_.progress, stop);
 }
 
-Diagnostics FrameLoop::write_unit(const FrameUnit& unit, render::Film& film,
-                                  const render::RenderFacts& facts) {
+Diagnostics FrameLoop::write_unit(const FrameUnit& unit, render::Film& film) {
     if (animation_.film && !film.background) {
         film.background = render::Color3f(0.0F);
     }
@@ -222,8 +205,10 @@ Diagnostics FrameLoop::write_unit(const FrameUnit& unit, render::Film& film,
     finish.output = animation_.pattern.file(unit.frame);
     finish.exposure = request_.exposure.value_or(0.0);
     if (unit.part.count > 1) {
-        return of_kind(Kind::environment, render::write_shard(film, unit.part, facts,
-                                                              facts_of(finish), file_of(unit)));
+        return render::write_shard(
+            film,
+            {.shard = unit.part, .facts = record_.facts, .frame = unit.frame, .finish = finish},
+            file_of(unit));
     }
     Diagnostics found;
     static_cast<void>(try_to_denoise(finish, film, found));
@@ -259,9 +244,9 @@ bool FrameLoop::render(const FrameUnit& unit, const std::stop_token& stop) {
     }
     const auto film = std::make_shared<render::Film>(std::move(*made));
     render::RenderFacts facts = record_.facts;
-    facts.push_back({std::string(frame_fact), fmt::format("{}", unit.frame)});
+    facts.push_back({"the frame", fmt::format("{}", unit.frame)});
     const fs::path file = file_of(unit);
-    CheckpointFile checkpoint(file, facts, {}, loaded_.since);
+    CheckpointFile checkpoint(file, {.sums = facts}, {}, loaded_.since);
     const Result<render::Summary> summary = trace_unit(unit, film, checkpoint, stop);
     add_once(summary.diagnostics);
     if (!summary || summary->interrupted) {
@@ -270,7 +255,7 @@ bool FrameLoop::render(const FrameUnit& unit, const std::stop_token& stop) {
     }
     describe_first(unit, *film, *summary);
     const Clock::time_point traced = Clock::now();
-    if (Diagnostics found = write_unit(unit, *film, facts); has_errors(found)) {
+    if (Diagnostics found = write_unit(unit, *film); has_errors(found)) {
         found.front().remedy =
             "correct that and give the same command again; the frames before "
             "this one are finished";

@@ -53,8 +53,7 @@ private:
                                                      const std::shared_ptr<render::Film>& shared,
                                                      class CheckpointFile& checkpoint,
                                                      const std::stop_token& stop);
-    [[nodiscard]] Diagnostics write_unit(const FrameUnit& unit, render::Film& film,
-                                         const render::RenderFacts& facts);
+    [[nodiscard]] Diagnostics write_unit(const FrameUnit& unit, render::Film& film);
     void describe_first(const FrameUnit& unit, const render::Film& film,
                         const render::Summary& summary);
     void add_once(const Diagnostics& diagnostics);

@@ -87,7 +87,7 @@ Result<std::optional<FrameRecord>> read_record(const FramePattern& pattern) {
         record.since = fs::file_time_type(Ticks(json.at("since").get<Ticks::rep>()));
         return std::optional(std::move(record));
     } catch (const std::exception&) {
-        return error(fmt::format("'{}' is damaged", file.string()), {},
+        return error(Kind::input, fmt::format("'{}' is damaged", file.string()),
                      "remove it and render with --overwrite, or name another output");
     }
 }
@@ -106,9 +106,10 @@ Diagnostics begin_record(const FramePattern& pattern, FrameRecord& record) {
     std::error_code failed;
     const fs::path file = record_file(pattern);
     record.since = fs::last_write_time(file, failed);
-    return failed ? Diagnostics{error(
-                        fmt::format("'{}' cannot be read: {}", file.string(), failed.message()))}
-                  : write_record(pattern, record);
+    return failed
+               ? Diagnostics{error(Kind::environment, fmt::format("'{}' cannot be read: {}",
+                                                                  file.string(), failed.message()))}
+               : write_record(pattern, record);
 }
 
 }  // namespace balcony::app

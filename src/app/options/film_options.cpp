@@ -78,15 +78,18 @@ Options<Request> film_options() {
              option({.name = "--denoiser",
                      .placeholder = "NAME",
                      .meaning = "library (Open Image Denoise), features (Balcony's filter, the "
-                                "same on every machine) or auto (library where there is one)"},
+                                "same on every machine) or auto (library where there is one)",
+                     .effect = Effect::display},
                     choice(render::denoisers()), &Request::denoiser),
              flag({.name = "--no-dither",
-                   .meaning = "round the colours of files with 8 bits instead of dithering them"},
+                   .meaning = "round the colours of files with 8 bits instead of dithering them",
+                   .effect = Effect::display},
                   false, &Request::dither),
              option({.name = "--texture-memory",
                      .placeholder = "SIZE",
                      .meaning = "limit for the textures in memory, in MiB or with a unit (MiB, "
-                                "GiB, MB, GB)"},
+                                "GiB, MB, GB)",
+                     .effect = Effect::run},
                     texture_bytes(), &Request::texture_memory)}};
 }
 

@@ -4,7 +4,6 @@
 #include "app/picture/banded_picture.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 #include <utility>
 
@@ -12,6 +11,7 @@
 
 #include "app/picture/findings.hpp"
 #include "app/picture/paused_run.hpp"
+#include "app/picture/picture_facts.hpp"
 #include "app/words.hpp"
 #include "balcony/bands.hpp"
 
@@ -22,6 +22,12 @@ namespace {
 // More memory would not make rendering faster, but checkpoints larger.
 constexpr double enough_for_a_band = 0x1p28;
 
+Request not_denoised(Request request) {
+    request.denoise = false;
+    request.denoiser = render::Denoiser::automatic;
+    return request;
+}
+
 /// The bands of a picture, its file, and the checkpoint of the band in progress.
 class BandedRun {
 public:
@@ -31,7 +37,8 @@ public:
           window_(window),
           bands_(bands),
           observer_(observer),
-          checkpoint_(request.output, request.given, loaded.files(), loaded.since) {}
+          checkpoint_(request.output, {.sums = facts_of(not_denoised(request), FactsOf::exr)},
+                      loaded.files(), loaded.since) {}
 
     [[nodiscard]] const CheckpointFile& checkpoint() const { return checkpoint_; }
 
@@ -41,12 +48,22 @@ public:
             return resume();
         }
         tell(observer_, checkpoint_.replaced());
-        return of_kind(Kind::environment,
-                       take(render::TiledFile::create(request_.output, bands_.film(), window_)));
+        return take(render::TiledFile::create(request_.output, bands_.film(), window_));
     }
 
-    /// Renders all bands.
+    /// Renders all bands. What stays after a stop or an error is enough to continue, or nothing.
     [[nodiscard]] Result<render::Summary> run(const std::stop_token& stop) {
+        Result<render::Summary> total = run_bands(stop);
+        if (total && !total->interrupted) {
+            checkpoint_.remove();
+        } else if (!checkpoint_.is_used()) {
+            file_->remove();
+        }
+        return total;
+    }
+
+private:
+    [[nodiscard]] Result<render::Summary> run_bands(const std::stop_token& stop) {
         Result<render::Summary> total{render::Summary{}};
         do {
             Result<render::Summary> band = run_band(total->seconds, stop);
@@ -56,25 +73,18 @@ public:
             }
             render::add(*total, *band);
             if (total->interrupted) {
-                save();
                 return total;
             }
-            if (Diagnostics found = file_->add(bands_.film()); has_errors(found)) {
-                return of_kind(Kind::environment, std::move(found));
+            if (Diagnostics found = file_->add(bands_.film()); !found.empty()) {
+                save();
+                return found;
             }
         } while (bands_.next());
-        if (Diagnostics found = file_->commit(); has_errors(found)) {
-            return of_kind(Kind::environment, std::move(found));
+        if (Diagnostics found = file_->commit(); !found.empty()) {
+            save();
+            return found;
         }
-        checkpoint_.remove();
         return total;
-    }
-
-private:
-    using Clock = std::chrono::steady_clock;
-
-    [[nodiscard]] double since_saved() const {
-        return std::chrono::duration<double>(Clock::now() - saved_).count();
     }
 
     [[nodiscard]] Diagnostics take(Result<render::TiledFile> file) {
@@ -83,29 +93,32 @@ private:
     }
 
     [[nodiscard]] Diagnostics resume() {
-        const auto rows = checkpoint_.rows();
-        if (!rows) {
-            return rows.diagnostics;
+        const auto heading = render::read_checkpoint_heading(checkpoint_.file());
+        if (!heading) {
+            return heading.diagnostics;
         }
-        if (!bands_.go_to(rows->first, rows->second)) {
-            return {error(fmt::format("'{}' cannot be resumed: it is of another picture",
-                                      checkpoint_.file().string()),
-                          {}, "render without --resume to begin anew")};
-        }
-        if (Diagnostics found = checkpoint_.load(bands_.film()); has_errors(found)) {
+        const render::Region& band = heading->window;
+        // Where there is no such band, the checkpoint is refused.
+        static_cast<void>(bands_.go_to(band.y, band.height));
+        if (Diagnostics found = checkpoint_.load(bands_.film()); !found.empty()) {
             return found;
         }
-        return take(render::TiledFile::reopen(request_.output, bands_.film(), window_));
+        if (Diagnostics found = take(render::TiledFile::reopen(request_.output, bands_.film(),
+                                                               window_, heading->finished));
+            !found.empty()) {
+            return found;
+        }
+        const std::size_t first = window_.y + file_->rows() * render::file_tile_side;
+        if (first != band.y && bands_.begin_at(first)) {
+            tell(observer_, {warning(fmt::format(
+                                "'{}' is damaged from row {} on, so these rows are rendered again",
+                                render::TiledFile::unfinished(request_.output).string(), first))});
+        }
+        return {};
     }
 
     [[nodiscard]] Result<render::Summary> run_band(double seconds_before,
                                                    const std::stop_token& stop) {
-        TraceLimits limits;
-        limits.remedy = checkpoint_.remedy("restore it");
-        if (const auto every = request_.job.checkpoint_every) {
-            limits.pauses.push_back(
-                {*every, [this] { save(); }, std::max(*every - since_saved(), 0.0)});
-        }
         const auto on_progress = [&](const render::Progress& state) {
             if (!observer_.progress) {
                 return;
@@ -120,16 +133,18 @@ private:
             shown.seconds = seconds_before + state.seconds;
             observer_.progress(shown);
         };
-        return trace(bands_.job(), bands_.film(), checkpoint_, limits, on_progress, stop);
+        return trace(bands_.job(), bands_.film(), checkpoint_,
+                     {.checkpoint_every = request_.job.checkpoint_every,
+                      .save_checkpoint = [this] { save(); },
+                      .since_checkpoint = seconds_since(saved_),
+                      .remedy = checkpoint_.remedy("restore it")},
+                     on_progress, stop);
     }
 
     void save() {
-        Diagnostics found = file_->flush();
-        for (Diagnostic& diagnostic : found) {
-            diagnostic.severity = Severity::warning;
-            diagnostic.remedy = "make room or allow writing there; the next attempt follows";
-        }
-        tell(observer_, found.empty() ? checkpoint_.save(bands_.film()) : found);
+        auto finished = file_->flush(bands_.film());
+        tell(observer_, finished ? checkpoint_.save(bands_.film(), *finished)
+                                 : as_warnings(std::move(finished.diagnostics)));
         saved_ = Clock::now();
     }
 
@@ -149,41 +164,42 @@ void render_in_bands(const Request& request, const Loaded& loaded, const camera:
                      const std::stop_token& stop, Report& report) {
     if (request.job.save_every || request.job.time_limit) {
         constexpr double giga = 1e9;
-        add(report.diagnostics,
-            {error(Kind::usage,
-                   fmt::format("the picture takes {:.1f} GB and is rendered in bands, which "
-                               "--save-every and --time-limit cannot do",
-                               render::film_bytes(layout) / giga),
-                   "raise --film-memory, omit layers with --layers, or omit these options")});
+        report.diagnostics.push_back(
+            error(Kind::usage,
+                  fmt::format("the picture takes {:.1f} GB and is rendered in bands, which "
+                              "--save-every and --time-limit cannot do",
+                              render::film_bytes(layout) / giga),
+                  "raise --film-memory, omit layers with --layers, or omit these options"));
         return;
+    }
+    if (request.denoise) {
+        tell(observer, {warning("a picture that is rendered in bands is not denoised", {},
+                                "raise --film-memory if the machine has more")});
     }
     const double bytes = std::min(request.job.film_bytes(), enough_for_a_band);
     Result<render::BandedRender> bands = render::BandedRender::make(
         *loaded.renderer, picture, loaded.settings, layout, render::band_height(layout, bytes));
-    add(report.diagnostics, bands.diagnostics);
-    if (!bands) {
+    if (add(report.diagnostics, bands.diagnostics)) {
         return;
     }
     const render::Region window =
         layout.window.value_or(render::Region{0, 0, layout.width, layout.height});
     BandedRun run(request, loaded, window, observer, *bands);
-    if (const Diagnostics found = run.begin(); has_errors(found)) {
-        add(report.diagnostics, found);
+    if (add(report.diagnostics, run.begin())) {
         return;
     }
     Result<render::Summary> summary = run.run(stop);
     if (!summary && run.checkpoint().is_used()) {
         summary.diagnostics.back().remedy = run.checkpoint().remedy("correct that");
     }
-    add(report.diagnostics, summary.diagnostics);
-    if (!summary) {
+    if (add(report.diagnostics, summary.diagnostics)) {
         return;
     }
     describe(report, loaded, picture, {window, loaded.settings.background.has_value()}, *summary);
     report.in_bands = true;
     report.done = bands->done(0.0);
     if (summary->interrupted) {
-        report.checkpoint = run.checkpoint().file();
+        report.checkpoint = run.checkpoint().is_used() ? run.checkpoint().file() : "";
     } else {
         report.output = request.output;
     }

@@ -4,11 +4,10 @@
 
 // The checkpoint of a picture, beside it.
 
+#include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "app/inputs/file_watch.hpp"
@@ -19,18 +18,18 @@ namespace balcony::app {
 class CheckpointFile {
 public:
     /// The options of the render, the files that were read, and a time before that.
-    CheckpointFile(const std::filesystem::path& picture, render::RenderFacts options,
+    CheckpointFile(const std::filesystem::path& picture, render::FilmFacts options,
                    std::vector<std::filesystem::path> inputs, FileWatch::Time since);
 
     [[nodiscard]] const std::filesystem::path& file() const { return file_; }
     [[nodiscard]] bool exists() const;
 
-    /// The rows of the picture that are in the film of the checkpoint: the first one, and how many.
-    [[nodiscard]] Result<std::pair<std::size_t, std::size_t>> rows() const;
     /// Continues the film of the checkpoint.
     [[nodiscard]] Diagnostics load(render::Film& film);
-    /// Replaces the checkpoint. The second failure in succession is silent.
-    [[nodiscard]] Diagnostics save(const render::Film& film);
+    /// Replaces the checkpoint; for bands with the hashes of what is finished. The second failure
+    /// in succession is silent.
+    [[nodiscard]] Diagnostics save(const render::Film& film,
+                                   const std::vector<std::uint64_t>& finished = {});
     void remove() const;
     /// The warning that a checkpoint is there and not continued; empty if there is none.
     [[nodiscard]] Diagnostics replaced() const;
@@ -41,16 +40,19 @@ public:
     [[nodiscard]] bool is_used() const { return used_; }
 
     /// All that the film depends on.
-    [[nodiscard]] render::RenderFacts facts(const render::Film& film);
+    [[nodiscard]] const render::FilmFacts& facts();
 
 private:
     std::filesystem::path file_;
-    render::RenderFacts options_;
+    render::FilmFacts facts_;
     std::vector<std::filesystem::path> inputs_;
     FileWatch watch_;
-    std::optional<render::RenderFacts> facts_;
+    bool hashed_ = false;  ///< Whether the facts have the hashes of the inputs.
     bool used_ = false;
     bool failed_ = false;
 };
+
+/// A failure to save something, which does not end the render.
+[[nodiscard]] Diagnostics as_warnings(Diagnostics failures);
 
 }  // namespace balcony::app

@@ -9,35 +9,32 @@
 
 #include "app/words.hpp"
 #include "balcony/images.hpp"
+#include "balcony/tiled_file.hpp"
 
 namespace balcony::app {
 
 namespace {
 
-bool is_stream(const std::filesystem::path& output) { return output == "-"; }
+namespace fs = std::filesystem;
+
+bool is_stream(const fs::path& output) { return output == "-"; }
 
 }  // namespace
 
-const render::DisplayFormat* Finish::display_format() const {
-    return render::display_format(is_stream(output) ? "picture.png" : output);
-}
-
-double Finish::exposure_of(const render::Film& film) const {
-    return exposure                      ? *exposure
-           : display_format() != nullptr ? render::automatic_exposure(film)
-                                         : 0.0;
-}
-
 Finish finish_of(const Request& request) {
-    Finish finish{.output = request.output,
-                  .exposure = request.exposure,
-                  .view = request.view_transform(),
-                  .dither = request.dither};
-    if (request.denoise) {
-        finish.denoise = {
-            .denoiser = request.denoiser, .library = {}, .threads = request.settings.threads};
-    }
-    return finish;
+    return {.output = request.output,
+            .denoiser = request.denoise ? std::optional(request.denoiser) : std::nullopt,
+            .threads = request.settings.threads,
+            .exposure = request.exposure,
+            .view = request.view_transform(),
+            .dither = request.dither};
+}
+
+Result<camera::Picture> stereo_view(const Request& request, camera::Picture picture) {
+    return request.stereo.is_wanted()
+               ? camera::stereo_picture(picture, request.stereo.formats.front(),
+                                        request.stereo.pair)
+               : Result<camera::Picture>(std::move(picture));
 }
 
 Result<render::Film> make_film(render::FilmLayout layout, const Request& request) {
@@ -52,13 +49,24 @@ Result<render::Film> make_film(render::FilmLayout layout, const Request& request
     return film;
 }
 
+bool is_large(const render::FilmLayout& layout, const Request& request) {
+    return render::film_bytes(layout) > request.job.film_bytes();
+}
+
+Diagnostic too_large(std::string_view what) {
+    return error(Kind::environment,
+                 fmt::format("{} of this size needs more memory than --film-memory allows", what),
+                 "raise --film-memory, or make the picture smaller");
+}
+
 Result<std::optional<render::DenoiseSummary>> denoise(const Finish& finish, render::Film& film) {
-    if (!finish.denoise) {
+    if (!finish.denoiser) {
         return std::optional<render::DenoiseSummary>();
     }
-    auto done = render::denoise(film, *finish.denoise);
+    auto done = render::denoise(
+        film, {.denoiser = *finish.denoiser, .library = {}, .threads = finish.threads});
     if (!done) {
-        return of_kind(Kind::environment, std::move(done.diagnostics));
+        return std::move(done.diagnostics);
     }
     return {std::optional(std::move(*done)), std::move(done.diagnostics)};
 }
@@ -77,27 +85,31 @@ Diagnostics write(const Finish& finish, const render::Film& film, const Observer
     const render::DisplayOptions options{
         .exposure = finish.exposure_of(film), .view = finish.view, .dither = finish.dither};
     if (!is_stream(finish.output)) {
-        return of_kind(Kind::environment, render::write(film, finish.output, options));
+        return render::write(film, finish.output, options);
     }
     auto bytes = render::encode(film, *finish.display_format(), options);
     if (bytes && observer.bytes) {
         observer.bytes(*bytes);
     }
-    return of_kind(Kind::environment, std::move(bytes.diagnostics));
+    return std::move(bytes.diagnostics);
 }
 
-Diagnostics check_output(const std::filesystem::path& output) {
+fs::path shard_file(const fs::path& picture, const render::Shard& shard) {
+    fs::path file = picture;
+    file += fmt::format(".shard-{}-of-{}", shard.index + 1, shard.count);
+    return file;
+}
+
+Diagnostics check_output(const fs::path& output) {
     if (is_stream(output)) {
-        return of_kind(Kind::environment, images::require());
+        return images::require();
     }
     std::error_code ignored;
-    if (std::filesystem::is_directory(output, ignored)) {
+    if (fs::is_directory(output, ignored)) {
         return {error(Kind::usage, fmt::format("'{}' is a folder", output.string()),
                       fmt::format("name a file in it: {}", (output / "{scene}.png").string()))};
     }
-    const bool is_known =
-        render::display_format(output) != nullptr || ending_of(output.string()) == ".exr";
-    return of_kind(is_known ? Kind::environment : Kind::usage, render::check_output(output));
+    return render::check_output(output);
 }
 
 }  // namespace balcony::app

@@ -1,13 +1,12 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include <algorithm>
 #include <map>
 #include <system_error>
 
 #include <fmt/format.h>
 
-#include "app/picture/shard_picture.hpp"
+#include "app/picture/finished_picture.hpp"
 #include "app/words.hpp"
 #include "balcony/inputs.hpp"
 
@@ -22,7 +21,7 @@ Diagnostics check_there(const std::vector<fs::path>& shards) {
     for (const fs::path& shard : shards) {
         std::error_code ignored;
         if (!fs::exists(shard, ignored)) {
-            return {error(fmt::format("there is no file '{}'", shard.string()), {},
+            return {error(Kind::input, fmt::format("there is no file '{}'", shard.string()),
                           "name the files of all shards, as --shard writes them")};
         }
     }
@@ -38,13 +37,48 @@ Result<std::map<std::string, std::vector<fs::path>>> shards_of_frames(
         if (!heading) {
             return heading.diagnostics;
         }
-        const auto& facts = heading->facts;
-        const bool is_frame =
-            std::any_of(facts.begin(), facts.end(),
-                        [](const render::RenderFact& fact) { return fact.name == frame_fact; });
-        frames[is_frame ? finish_of(heading->output).output.string() : ""].push_back(file);
+        frames[heading->frame ? heading->finish.output.string() : ""].push_back(file);
     }
     return frames;
+}
+
+void merge(const std::vector<fs::path>& shards, const fs::path& other_output,
+           const Observer& observer, MergedPicture& merged) {
+    const auto fails = [&merged](const Diagnostics& found) {
+        return add(merged.diagnostics, found);
+    };
+    if (fails(check_there(shards))) {
+        return;
+    }
+    const auto heading = render::read_shard_heading(shards.front());
+    if (fails(heading.diagnostics)) {
+        return;
+    }
+    Finish finish = heading->finish;
+    if (!other_output.empty()) {
+        finish.output = other_output;
+    }
+    if (fails(check_output(finish.output)) || fails(check_overwrites(finish.output, shards))) {
+        return;
+    }
+    Result<render::Film> film = render::merge_shards(shards);
+    if (fails(film.diagnostics)) {
+        return;
+    }
+    auto denoised = denoise(finish, *film);
+    if (fails(denoised.diagnostics)) {
+        return;
+    }
+    merged.denoised = *denoised;
+    merged.exposure = finish.exposure_of(*film);
+    finish.exposure = merged.exposure;
+    if (fails(write(finish, *film, observer))) {
+        return;
+    }
+    merged.output = finish.output;
+    merged.width = film->window.width;
+    merged.height = film->window.height;
+    merged.shards = shards.size();
 }
 
 }  // namespace
@@ -52,42 +86,7 @@ Result<std::map<std::string, std::vector<fs::path>>> shards_of_frames(
 MergedPicture merge_picture(const std::vector<fs::path>& shards, const fs::path& other_output,
                             const Observer& observer) {
     MergedPicture merged;
-    const auto fails = [&merged](const Diagnostics& found) {
-        add(merged.diagnostics, found);
-        return has_errors(found);
-    };
-    if (fails(check_there(shards))) {
-        return merged;
-    }
-    const auto heading = render::read_shard_heading(shards.front());
-    if (fails(heading.diagnostics)) {
-        return merged;
-    }
-    Finish finish = finish_of(heading->output);
-    if (!other_output.empty()) {
-        finish.output = other_output;
-    }
-    if (fails(check_output(finish.output)) || fails(check_overwrites(finish.output, shards))) {
-        return merged;
-    }
-    Result<render::Film> film = render::merge_shards(shards);
-    if (fails(film.diagnostics)) {
-        return merged;
-    }
-    auto denoised = denoise(finish, *film);
-    if (fails(denoised.diagnostics)) {
-        return merged;
-    }
-    merged.denoised = *denoised;
-    merged.exposure = finish.exposure_of(*film);
-    finish.exposure = merged.exposure;
-    if (fails(write(finish, *film, observer))) {
-        return merged;
-    }
-    merged.output = finish.output;
-    merged.width = film->window.width;
-    merged.height = film->window.height;
-    merged.shards = shards.size();
+    within_memory(merged.diagnostics, [&] { merge(shards, other_output, observer, merged); });
     return merged;
 }
 

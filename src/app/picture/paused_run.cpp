@@ -4,23 +4,17 @@
 #include "app/picture/paused_run.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 
+#include "app/words.hpp"
 #include "balcony/bands.hpp"
 #include "balcony/shard.hpp"
 
 namespace balcony::app {
 
-namespace {
-
-using Clock = std::chrono::steady_clock;
-
 double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
-
-}  // namespace
 
 void tell(const Observer& observer, const Diagnostics& diagnostics) {
     if (observer.tell && !diagnostics.empty()) {
@@ -29,9 +23,12 @@ void tell(const Observer& observer, const Diagnostics& diagnostics) {
 }
 
 Result<render::Summary> trace(render::Job& job, const render::Film& film,
-                              const CheckpointFile& checkpoint, const TraceLimits& limits,
+                              const CheckpointFile& checkpoint, TraceLimits limits,
                               const render::ProgressCallback& progress,
                               const std::stop_token& stop) {
+    if (limits.checkpoint_every) {
+        limits.pauses.push_back({*limits.checkpoint_every, limits.save_checkpoint});
+    }
     const std::vector<std::uint32_t> passes =
         limits.shard
             ? render::passes_of(film, *limits.shard, static_cast<std::uint32_t>(limits.samples))
@@ -40,7 +37,10 @@ Result<render::Summary> trace(render::Job& job, const render::Film& film,
     const Clock::time_point begin = Clock::now();
     std::vector<double> due;  // Of each pause, in seconds since the beginning.
     for (const Pause& pause : limits.pauses) {
-        due.push_back(pause.first.value_or(pause.seconds));
+        due.push_back(pause.seconds);
+    }
+    if (limits.checkpoint_every) {
+        due.back() = std::max(due.back() - limits.since_checkpoint, 0.0);
     }
     const double end = limits.seconds.value_or(std::numeric_limits<double>::infinity());
     std::size_t tiles = 0;
@@ -68,15 +68,21 @@ Result<render::Summary> trace(render::Job& job, const render::Film& film,
         Result<render::Summary> part = passes.empty()
                                            ? job.run(on_progress, pause.get_token())
                                            : job.run(passes, on_progress, pause.get_token());
-        total.diagnostics.insert(total.diagnostics.end(), part.diagnostics.begin(),
-                                 part.diagnostics.end());
+        add(total.diagnostics, part.diagnostics);
         if (!part) {
             return std::move(total.diagnostics);
         }
         render::add(*total, *part);
         tiles_done += done_now;
         const double now = seconds_since(begin);
-        if (!part->interrupted || stop.stop_requested()) {
+        if (!part->interrupted) {
+            return total;
+        }
+        if (stop.stop_requested()) {
+            if (part.diagnostics.empty() &&
+                (limits.begins_checkpoint_at_stop || checkpoint.is_used())) {
+                limits.save_checkpoint();
+            }
             return total;
         }
         if (!part.diagnostics.empty() && checkpoint.is_used()) {

@@ -12,9 +12,8 @@
 #include "app/picture/banded_picture.hpp"
 #include "app/picture/findings.hpp"
 #include "app/picture/paused_run.hpp"
-#include "app/picture/shard_picture.hpp"
+#include "app/picture/picture_facts.hpp"
 #include "app/words.hpp"
-#include "balcony/bands.hpp"
 #include "balcony/inputs.hpp"
 
 namespace balcony::app {
@@ -28,7 +27,7 @@ bool has_samples(const render::Film& film) {
                        [](std::uint32_t count) { return count > 0; });
 }
 
-/// A picture whose film is in memory.
+/// A picture, or a shard of one, whose film is in memory.
 class WholeRun {
 public:
     WholeRun(const Request& request, const Loaded& loaded, std::shared_ptr<render::Film> film,
@@ -41,9 +40,9 @@ public:
           is_outdated_(is_outdated),
           report_(report),
           finish_(finish_of(request)),
-          checkpoint_(
-              request.job.shard ? shard_file(request.output, *request.job.shard) : request.output,
-              request.given, loaded.files(), loaded.since) {}
+          file_(request.job.shard ? shard_file(request.output, *request.job.shard)
+                                  : request.output),
+          checkpoint_(file_, film_facts(request), loaded.files(), loaded.since) {}
 
     void run(const camera::Picture& picture, const std::stop_token& stop) {
         Result<render::Job> job =
@@ -56,29 +55,20 @@ public:
         if (fails(summary.diagnostics) || is_outdated_) {
             return;
         }
-        if (summary->interrupted && checkpoint_.is_used()) {
-            tell(observer_, checkpoint_.save(film_));
-        }
         describe(report_, loaded_, picture, {film_.window, film_.background.has_value()}, *summary);
-        if (request_.job.shard) {
-            write_the_shard();
-            return;
+        report_.shard = request_.job.shard;
+        if (!request_.job.shard) {
+            report_.samples = sample_range(film_);
+            report_.has_samples = has_samples(film_);
+            if (!summary->interrupted) {
+                describe_misses(report_, loaded_, picture, {film_.width, film_.height});
+            }
         }
-        report_.samples = sample_range(film_);
-        report_.has_samples = has_samples(film_);
-        if (!summary->interrupted) {
-            describe_misses(report_, loaded_, picture, {film_.width, film_.height});
-        }
-        if (report_.has_samples) {
-            write_the_picture();
-        }
+        write_file();
     }
 
 private:
-    [[nodiscard]] bool fails(const Diagnostics& found) {
-        add(report_.diagnostics, found);
-        return has_errors(found);
-    }
+    [[nodiscard]] bool fails(const Diagnostics& found) { return add(report_.diagnostics, found); }
 
     [[nodiscard]] bool has_file() const {
         return !request_.output.empty() && request_.output != "-";
@@ -99,64 +89,59 @@ private:
 
     [[nodiscard]] TraceLimits limits() {
         TraceLimits made{.seconds = request_.job.time_limit,
+                         .save_checkpoint = [this] { tell(observer_, checkpoint_.save(film_)); },
+                         .begins_checkpoint_at_stop = false,
                          .shard = request_.job.shard,
                          .samples = loaded_.settings.samples,
                          .remedy = checkpoint_.remedy("restore it")};
+        if (has_file()) {
+            made.checkpoint_every = request_.job.checkpoint_every;
+        }
         if (has_file() && request_.job.save_every) {
             made.pauses.push_back({*request_.job.save_every,
                                    [this] { tell(observer_, write(finish_, film_, observer_)); }});
         }
-        if (has_file() && request_.job.checkpoint_every) {
-            made.pauses.push_back({*request_.job.checkpoint_every,
-                                   [this] { tell(observer_, checkpoint_.save(film_)); }});
-        }
         return made;
     }
 
-    void write_the_shard() {
-        report_.shard = request_.job.shard;
-        if (report_.interrupted) {
-            report_.checkpoint = checkpoint_.is_used() ? checkpoint_.file() : fs::path();
-            return;
-        }
-        const fs::path file = shard_file(request_.output, *request_.job.shard);
-        render::RenderFacts facts = checkpoint_.facts(film_);
-        std::erase_if(facts, [](const render::RenderFact& fact) { return fact.name == "--shard"; });
-        if (fails(of_kind(Kind::environment, render::write_shard(film_, *request_.job.shard, facts,
-                                                                 facts_of(finish_), file)))) {
-            return;
-        }
-        if (checkpoint_.is_used()) {
-            checkpoint_.remove();
-        }
-        report_.output = file;
-    }
-
-    void write_the_picture() {
-        report_.denoised = try_to_denoise(finish_, film_, report_.diagnostics);
-        report_.exposure = finish_.exposure_of(film_);
-        report_.is_exposure_chosen = !finish_.exposure;
-        report_.ambient = film_.ambient;
-        if (request_.output.empty()) {
-            return;
-        }
-        add(report_.diagnostics, warn_of_lost_alpha(film_, finish_));
-        Diagnostics written = write(finish_, film_, observer_);
+    // An interrupted shard is none.
+    void write_file() {
+        const bool is_nothing = request_.job.shard ? report_.interrupted : !report_.has_samples;
+        Diagnostics written = is_nothing           ? Diagnostics{}
+                              : request_.job.shard ? write_the_shard()
+                                                   : write_the_picture();
         if (has_errors(written) && checkpoint_.is_used()) {
             written.front().remedy = checkpoint_.remedy("correct that");
         }
         if (fails(written)) {
             return;
         }
-        report_.output = request_.output;
-        if (!checkpoint_.is_used()) {
-            return;
-        }
-        if (report_.interrupted) {
+        report_.output = is_nothing ? fs::path() : file_;
+        if (checkpoint_.is_used() && report_.interrupted) {
             report_.checkpoint = checkpoint_.file();
-        } else {
+        } else if (checkpoint_.is_used()) {
             checkpoint_.remove();
         }
+    }
+
+    [[nodiscard]] Diagnostics write_the_shard() {
+        render::RenderFacts facts = facts_of(request_, FactsOf::exr);
+        const render::RenderFacts files = facts_of(loaded_.files());
+        facts.insert(facts.end(), files.begin(), files.end());
+        return render::write_shard(
+            film_, {.shard = *request_.job.shard, .facts = facts, .finish = finish_}, file_);
+    }
+
+    [[nodiscard]] Diagnostics write_the_picture() {
+        report_.denoised = try_to_denoise(finish_, film_, report_.diagnostics);
+        report_.exposure = finish_.exposure_of(film_);
+        report_.is_exposure_chosen = !finish_.exposure;
+        report_.ambient = film_.ambient;
+        if (request_.output.empty()) {
+            return {};
+        }
+        add(report_.diagnostics, warn_of_lost_alpha(film_, finish_));
+        return write(finish_, film_, observer_);
     }
 
     const Request& request_;
@@ -167,21 +152,9 @@ private:
     const bool& is_outdated_;
     Report& report_;
     Finish finish_;
+    fs::path file_;
     CheckpointFile checkpoint_;
 };
-
-// What both eyes see of a picture, or one of them.
-std::optional<camera::Picture> stereo_view(const Request& request,
-                                           std::optional<camera::Picture> picture,
-                                           Diagnostics& found) {
-    if (!picture || !request.stereo.is_wanted()) {
-        return picture;
-    }
-    auto views =
-        camera::stereo_picture(*picture, request.stereo.formats.front(), request.stereo.pair);
-    add(found, views.diagnostics);
-    return std::move(views.value);
-}
 
 }  // namespace
 
@@ -207,26 +180,23 @@ void Session::State::prepare(const Request& request) {
     last = request;
 }
 
-Report Session::render(const Request& request, const Observer& observer,
-                       const std::stop_token& stop) {
-    Report report;
-    Loaded& loaded = state_->loaded;
-    state_->film.reset();
-    state_->prepare(request);
+void Session::State::render(const Request& request, const Observer& observer,
+                            const std::stop_token& stop, Report& report) {
+    film.reset();
+    prepare(request);
     const auto fails = [&report](const Diagnostics& found) {
-        add(report.diagnostics, found);
-        return has_errors(found);
+        return add(report.diagnostics, found);
     };
     if (fails(check_request(request)) || !load_settings(request, loaded, report.diagnostics)) {
-        return report;
+        return;
     }
-    auto picture = load_all(request, loaded, report.diagnostics);
-    if (!picture || fails(check_overwrites(request.output, loaded.files()))) {
-        return report;
+    const auto loaded_picture = load_all(request, loaded, report.diagnostics);
+    if (!loaded_picture || fails(check_overwrites(request.output, loaded.files()))) {
+        return;
     }
-    picture = stereo_view(request, std::move(picture), report.diagnostics);
-    if (!picture) {
-        return report;
+    const auto picture = stereo_view(request, *loaded_picture);
+    if (fails(picture.diagnostics)) {
+        return;
     }
     const render::DisplayFormat* const format = finish_of(request).display_format();
     const render::FilmLayout layout = film_layout(request, *picture, format != nullptr);
@@ -234,27 +204,30 @@ Report Session::render(const Request& request, const Observer& observer,
         FrameInverses inverses(request, {layout.width, layout.height});
         add(report.diagnostics, inverses.add_to(loaded.settings, *loaded.scene, *picture));
     }
-    const bool is_large = render::film_bytes(layout) > request.job.film_bytes();
-    if (format == nullptr && !request.output.empty() && is_large) {
-        if (request.job.shard) {
-            fails({error("a shard of this size needs more memory than --film-memory allows", {},
-                         "raise --film-memory, or render parts with --crop")});
-            return report;
-        }
-        const Stoppable stoppable(observer);
-        render_in_bands(request, loaded, *picture, layout, observer, stop, report);
-        return report;
-    }
-    Result<render::Film> film = make_film(layout, request);
-    if (fails(film.diagnostics) ||
-        (format != nullptr &&
-         fails(render::check_size(*format, film->window.width, film->window.height)))) {
-        return report;
-    }
-    const auto kept = std::make_shared<render::Film>(std::move(*film));
-    state_->film = kept;
     const Stoppable stoppable(observer);
-    WholeRun(request, loaded, kept, observer, state_->is_outdated, report).run(*picture, stop);
+    if (format == nullptr && !request.output.empty() && is_large(layout, request)) {
+        if (request.job.shard) {
+            fails({too_large("a shard")});
+        } else {
+            render_in_bands(request, loaded, *picture, layout, observer, stop, report);
+        }
+        return;
+    }
+    Result<render::Film> made = make_film(layout, request);
+    if (fails(made.diagnostics) ||
+        (format != nullptr &&
+         fails(render::check_size(*format, made->window.width, made->window.height)))) {
+        return;
+    }
+    const auto kept = std::make_shared<render::Film>(std::move(*made));
+    film = kept;
+    WholeRun(request, loaded, kept, observer, is_outdated, report).run(*picture, stop);
+}
+
+Report Session::render(const Request& request, const Observer& observer,
+                       const std::stop_token& stop) {
+    Report report;
+    within_memory(report.diagnostics, [&] { state_->render(request, observer, stop, report); });
     return report;
 }
 

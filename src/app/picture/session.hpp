@@ -18,6 +18,8 @@ struct Session::State {
 
     /// Keeps what is loaded if it is what the request needs.
     void prepare(const Request& request);
+    void render(const Request& request, const Observer& observer, const std::stop_token& stop,
+                Report& report);
 };
 
 }  // namespace balcony::app

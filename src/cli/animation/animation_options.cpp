@@ -3,9 +3,6 @@
 
 #include "cli/animation/animation_options.hpp"
 
-#include <array>
-#include <string_view>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
@@ -18,22 +15,6 @@ namespace balcony::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Options that change no pixel of a frame.
-constexpr std::array<std::string_view, 14> of_no_frame = {"SCENE",
-                                                          "--output",
-                                                          "--help",
-                                                          "--threads",
-                                                          "--checkpoint-every",
-                                                          "--film-memory",
-                                                          "--quiet",
-                                                          "--json",
-                                                          "--crf",
-                                                          "--keep-frames",
-                                                          "--overwrite",
-                                                          "--shard",
-                                                          "--parts-per-frame",
-                                                          "--frames"};
 
 void read_output(const std::string& output, const AnimationWords& words,
                  app::AnimationRequest& request, Diagnostics& diagnostics) {
@@ -129,7 +110,6 @@ app::AnimationRequest read_animation(const AnimateOptions& options, Diagnostics&
     request.picture = read_request(options.render, diagnostics);
     request.picture.scene = words.scene;
     request.picture.output = options.render.output.value_or("");
-    request.picture.given = option_facts(*options.render.command, of_no_frame);
     if (!words.frames.empty()) {
         request.frames = app::frame_numbers_of(words.frames);
         if (!request.frames) {

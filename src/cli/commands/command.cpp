@@ -68,20 +68,6 @@ Diagnostics Command::read() const {
     return found;
 }
 
-render::RenderFacts Command::facts(std::initializer_list<app::Effect> effects) const {
-    render::RenderFacts facts;
-    const app::GivenWords words = given();
-    for (const app::OptionInfo& row : rows_) {
-        if (std::find(effects.begin(), effects.end(), row.effect) != effects.end()) {
-            const auto written = words.find(row.name);
-            facts.push_back({row.name, written != words.end()
-                                           ? fmt::format("{}", fmt::join(written->second, " "))
-                                           : row.fallback});
-        }
-    }
-    return facts;
-}
-
 ExitCode refuse(const Command& command, const Diagnostics& found) {
     if (command.has_flag("--json")) {
         print_json(nlohmann::json::object({{"diagnostics", to_json(found)}}));

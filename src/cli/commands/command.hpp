@@ -11,7 +11,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "balcony/checkpoint.hpp"
 #include "balcony/options.hpp"
 #include "cli/exit_code.hpp"
 
@@ -46,8 +45,6 @@ public:
     [[nodiscard]] app::GivenWords given() const;
     /// Reads them into their targets.
     [[nodiscard]] Diagnostics read() const;
-    /// The options with these effects and what they say, or their defaults.
-    [[nodiscard]] render::RenderFacts facts(std::initializer_list<app::Effect> effects) const;
 
 private:
     void add_row(const app::OptionInfo& info);

@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
 #include "cli/options/option_values.hpp"
@@ -25,23 +24,6 @@ struct Unit {
 constexpr std::array units{Unit{"", 1.0},         Unit{"s", 1.0},     Unit{"sec", 1.0},
                            Unit{"m", 60.0},       Unit{"min", 60.0},  Unit{"h", 3600.0},
                            Unit{"hours", 3600.0}, Unit{"d", 86400.0}, Unit{"days", 86400.0}};
-
-// Options that change neither the light nor the layers of a picture.
-constexpr std::array<std::string_view, 15> of_output = {"SCENE",
-                                                        "--output",
-                                                        "--help",
-                                                        "--exposure",
-                                                        "--view-transform",
-                                                        "--time-limit",
-                                                        "--save-every",
-                                                        "--checkpoint-every",
-                                                        "--resume",
-                                                        "--threads",
-                                                        "--film-memory",
-                                                        "--quiet",
-                                                        "--json",
-                                                        "--watch",
-                                                        "--denoise"};
 
 std::optional<double> read_memory(const std::string& text, Diagnostics& diagnostics) {
     if (text == "auto") {
@@ -138,25 +120,6 @@ JobRequest read_job(const JobWords& words, Diagnostics& diagnostics) {
             words.resume,
             read_memory(words.film_memory, diagnostics),
             shard};
-}
-
-render::RenderFacts option_facts(const CLI::App& command) {
-    return option_facts(command, of_output);
-}
-
-render::RenderFacts option_facts(const CLI::App& command,
-                                 std::span<const std::string_view> left_out) {
-    render::RenderFacts facts;
-    for (const CLI::Option* option : command.get_options()) {
-        const std::string name = option->get_name();
-        if (std::find(left_out.begin(), left_out.end(), name) == left_out.end()) {
-            const std::string value =
-                option->count() > 0 ? fmt::format("{}", fmt::join(option->reduced_results(), " "))
-                                    : option->get_default_str();
-            facts.push_back({name, value});
-        }
-    }
-    return facts;
 }
 
 std::optional<double> bytes_of(std::string_view text) {

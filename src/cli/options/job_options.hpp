@@ -5,11 +5,9 @@
 // How long a render runs, and what it leaves on the disk meanwhile.
 
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 
-#include "balcony/checkpoint.hpp"
 #include "balcony/request.hpp"
 #include "cli/command_line.hpp"
 
@@ -37,12 +35,6 @@ void add_job_options(CLI::App& command, JobWords& words);
 /// Only --checkpoint-every and --film-memory.
 void add_safety_options(CLI::App& command, JobWords& words);
 [[nodiscard]] JobRequest read_job(const JobWords& words, Diagnostics& diagnostics);
-
-/// The options of a command line that the light of a picture depends on, with their values.
-[[nodiscard]] render::RenderFacts option_facts(const CLI::App& command);
-/// The same without the options of some names, but with all others.
-[[nodiscard]] render::RenderFacts option_facts(const CLI::App& command,
-                                               std::span<const std::string_view> left_out);
 
 /// A duration in seconds: "90", "90s", "1.5min", "1h30min"; nothing if it cannot be read.
 [[nodiscard]] std::optional<double> duration_of(std::string_view text);

@@ -161,7 +161,6 @@ app::Request read_request(const RenderOptions& options, Diagnostics& diagnostics
     request.denoiser = read_denoiser(options.film, diagnostics);
     request.dither = !options.film.no_dither;
     request.stereo = read_stereo(options.stereo, diagnostics);
-    request.given = option_facts(*options.command);
     const Diagnostics found = app::check_request(request);
     diagnostics.insert(diagnostics.end(), found.begin(), found.end());
     return request;

@@ -75,14 +75,19 @@ std::string exposure_text(const app::Report& report) {
                : fmt::format("  exposure {:+} stops; --exposure sets it\n", report.exposure);
 }
 
+// Of a picture without a partial one.
+std::string interrupted_text(const app::Report& report, const std::string& when) {
+    return report.checkpoint.empty() ? fmt::format("interrupted{}; there is no checkpoint\n", when)
+                                     : fmt::format("interrupted{}; --resume continues from {}\n",
+                                                   when, report.checkpoint.string());
+}
+
 std::string text_of_shard(const app::Report& report, const render::Shard& shard) {
     if (!report.interrupted) {
         return fmt::format("{}: shard {} of {} in {}\n", report.output.string(), shard.index + 1,
                            shard.count, duration_text(report.summary.seconds));
     }
-    return report.checkpoint.empty() ? std::string("interrupted before there was a checkpoint\n")
-                                     : fmt::format("interrupted; --resume continues from {}\n",
-                                                   report.checkpoint.string());
+    return interrupted_text(report, "");
 }
 
 std::string name_of_output(const std::filesystem::path& output) {
@@ -146,8 +151,7 @@ std::string report_text(const app::Report& report, const app::Request& request) 
         return text_of_shard(report, *report.shard);
     }
     if (report.in_bands && report.interrupted) {
-        return fmt::format("interrupted after {:.0f} %; --resume continues from {}\n",
-                           100.0 * report.done, report.checkpoint.string());
+        return interrupted_text(report, fmt::format(" after {:.0f} %", 100.0 * report.done));
     }
     if (!report.has_samples) {
         return "interrupted before there was anything to save\n";

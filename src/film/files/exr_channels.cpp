@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <span>
 
 #include <OpenEXR/ImfChannelList.h>
@@ -105,6 +106,14 @@ ChannelValues::ChannelValues(const std::vector<ChannelGroup>& groups) : groups_(
     for (const ChannelGroup& group : groups) {
         channels_ += group.names.size();
     }
+}
+
+Diagnostic exr_failure(const std::filesystem::path& file, const std::exception& failed) {
+    const bool out_of_memory = dynamic_cast<const std::bad_alloc*>(&failed) != nullptr;
+    return error(Kind::environment,
+                 fmt::format("'{}' cannot be written: {}", file.string(),
+                             out_of_memory ? "out of memory" : failed.what()),
+                 out_of_memory ? "make the picture smaller, or omit layers" : "");
 }
 
 Imf::FrameBuffer ChannelValues::read(const Film& film, const Region& region) {

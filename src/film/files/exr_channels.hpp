@@ -5,12 +5,15 @@
 // The channels of an EXR file of a film.
 
 #include <cstddef>
+#include <exception>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 
+#include "balcony/base.hpp"
 #include "balcony/film.hpp"
 
 namespace balcony::render {
@@ -27,6 +30,10 @@ struct ChannelGroup {
 /// The header of a file with scan lines whose data window is a region of the picture.
 [[nodiscard]] Imf::Header exr_header(const Film& film, const Region& window,
                                      const std::vector<ChannelGroup>& groups);
+
+/// Why OpenEXR could not make a file.
+[[nodiscard]] Diagnostic exr_failure(const std::filesystem::path& file,
+                                     const std::exception& failed);
 
 /// The values of a region, pixel by pixel, in memory that is used again.
 class ChannelValues {

@@ -1,43 +1,27 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "film/files/render_facts.hpp"
-
 #include <algorithm>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "balcony/checkpoint.hpp"
+
 namespace balcony::render {
 
-std::string text_of(const RenderFacts& facts) {
-    std::string text;
-    for (const RenderFact& fact : facts) {
-        text += fact.name + '\0' + fact.value + '\0';
-    }
-    return text;
-}
-
-RenderFacts facts_of(std::string_view text) {
-    std::vector<std::string> words;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\0'), text.size());
-        words.emplace_back(text.substr(0, end));
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    RenderFacts facts;
-    for (std::size_t i = 0; i + 1 < words.size(); i += 2) {
-        facts.push_back({words[i], words[i + 1]});
-    }
-    return facts;
-}
+namespace {
 
 std::optional<std::string_view> find(const RenderFacts& facts, std::string_view name) {
     const auto found = std::find_if(facts.begin(), facts.end(),
                                     [&](const RenderFact& fact) { return fact.name == name; });
     return found != facts.end() ? std::optional<std::string_view>(found->value) : std::nullopt;
 }
+
+}  // namespace
 
 std::string difference(const RenderFacts& before, const RenderFacts& now) {
     std::vector<std::string> found;

@@ -4,22 +4,21 @@
 #include "balcony/shard.hpp"
 
 #include <algorithm>
-#include <sstream>
+#include <optional>
+#include <string>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "film/files/render_facts.hpp"
 #include "film/files/sealed_file.hpp"
 #include "film/sums/film_arrays.hpp"
 
 namespace balcony::render {
 
 namespace {
-
-constexpr std::string_view shard_signature = "Balcony shard 1\n";
 
 bool is_own(const Film& film, const Shard& shard, std::size_t tile) {
     const Region region = film.tile(tile);
@@ -63,155 +62,65 @@ void for_each_part(AnyFilm& film, const OwnParts& own, const Visit& visit) {
     });
 }
 
-// ------------------------------------------------- what a film has besides arrays, as facts
-
-std::string numbers_text(std::initializer_list<double> numbers) {
-    return fmt::format("{}", fmt::join(numbers, " "));
-}
-
-// Up to the first that cannot be read.
-std::vector<double> numbers_of(std::string_view text) {
-    std::vector<double> numbers;
-    std::istringstream stream{std::string(text)};
-    for (double number = 0.0; stream >> number;) {
-        numbers.push_back(number);
-    }
-    return numbers;
-}
-
-// `count` sizes of pictures; nothing if the text is damaged.
-std::optional<std::vector<std::size_t>> sizes_of(std::string_view text, std::size_t count) {
-    constexpr double largest = 1 << 20;
-    std::vector<std::size_t> sizes;
-    for (const double number : numbers_of(text)) {
-        if (!(number >= 0.0 && number <= largest)) {
-            return std::nullopt;
-        }
-        sizes.push_back(static_cast<std::size_t>(number));
-    }
-    return sizes.size() == count ? std::optional(sizes) : std::nullopt;
-}
-
-RenderFacts properties_of(const Film& film) {
-    const auto at = [](std::size_t number) { return static_cast<double>(number); };
-    RenderFacts facts{{"size", numbers_text({at(film.width), at(film.height)})},
-                      {"window", numbers_text({at(film.window.x), at(film.window.y),
-                                               at(film.window.width), at(film.window.height)})},
-                      {"ambient", numbers_text({film.ambient.x, film.ambient.y, film.ambient.z})},
-                      {"data layers", film.layers ? "yes" : "no"}};
-    if (film.background) {
-        facts.push_back({"background", numbers_text({film.background->x, film.background->y,
-                                                     film.background->z})});
-    }
-    for (const LayerInfo& layer : layers()) {
-        if (film.layer_set.contains(layer.id)) {
-            facts.push_back({"layer", std::string(layer.name)});
-        }
-    }
-    const auto add_names = [&facts](const char* kind, const std::vector<std::string>& names) {
-        for (const std::string& name : names) {
-            facts.push_back({kind, name});
-        }
-    };
-    add_names("object", film.objects);
-    add_names("material", film.materials);
-    add_names("picture layer", film.picture_layers);
-    return facts;
-}
-
-std::optional<Color3f> color_of(std::string_view text) {
-    const std::vector<double> numbers = numbers_of(text);
-    return numbers.size() == 3 ? std::optional(Color3f(static_cast<float>(numbers[0]),
-                                                       static_cast<float>(numbers[1]),
-                                                       static_cast<float>(numbers[2])))
-                               : std::nullopt;
-}
-
-void add_layer(Film& film, std::string_view name) {
-    for (const LayerInfo& layer : layers()) {
-        if (layer.name == name) {
-            film.layer_set.insert(layer.id);
-        }
-    }
-}
-
-// A film without arrays; nothing if the facts are damaged.
-std::optional<Film> film_with(const RenderFacts& properties) {
-    Film film;
-    for (const auto& [name, value] : properties) {
-        if (name == "size") {
-            const auto size = sizes_of(value, 2);
-            film.width = size ? size->at(0) : 0;
-            film.height = size ? size->at(1) : 0;
-        } else if (name == "window") {
-            const auto window = sizes_of(value, 4);
-            film.window =
-                window ? Region{(*window)[0], (*window)[1], (*window)[2], (*window)[3]} : Region{};
-        } else if (name == "ambient") {
-            film.ambient = color_of(value).value_or(Color3f(0.0F));
-        } else if (name == "background") {
-            film.background = color_of(value);
-        } else if (name == "data layers" && value == "yes") {
-            film.layers.emplace();
-        } else if (name == "layer") {
-            add_layer(film, value);
-        } else if (name == "object") {
-            film.objects.push_back(value);
-        } else if (name == "material") {
-            film.materials.push_back(value);
-        } else if (name == "picture layer") {
-            film.picture_layers.push_back(value);
-        }
-    }
-    const Region& window = film.window;
-    const bool sound = window.size() > 0 && window.x + window.width <= film.width &&
-                       window.y + window.height <= film.height;
-    return sound ? std::optional(std::move(film)) : std::nullopt;
-}
-
 // ------------------------------------------------------------------------------- the file
+
+constexpr std::string_view shard_kind = "shard";
 
 std::string name_of(const Shard& shard) {
     return fmt::format("{}/{}", shard.index + 1, shard.count);
 }
 
-Diagnostic damaged_shard(const fs::path& file) {
-    return error(fmt::format("'{}' is damaged or no shard of a picture", file.string()), {},
+Diagnostic not_a_shard(const fs::path& file, std::string_view reason) {
+    return error(Kind::input, fmt::format("'{}' cannot be merged: {}", file.string(), reason),
                  "render that shard again");
 }
 
-std::optional<Shard> shard_of(std::string_view text) {
-    const std::vector<double> numbers = numbers_of(text);
-    const bool sound = numbers.size() == 2 && numbers[0] >= 0.0 && numbers[0] < numbers[1] &&
-                       numbers[1] <= static_cast<double>(max_shards);
-    return sound ? std::optional(Shard{static_cast<std::size_t>(numbers[0]),
-                                       static_cast<std::size_t>(numbers[1])})
-                 : std::nullopt;
+// What is written of a heading, and of a film besides its arrays.
+auto members_of_shard(auto& heading) {
+    auto& finish = heading.finish;
+    return std::tie(heading.shard, heading.facts, heading.frame, finish.output, finish.exposure,
+                    finish.view, finish.dither, finish.denoiser);
+}
+auto properties_of(auto& film) {
+    return std::tie(film.width, film.height, film.window, film.background, film.ambient,
+                    film.layer_set, film.objects, film.materials, film.picture_layers);
 }
 
 // The beginning of a shard, and its film without arrays.
 struct OpenShard {
     ShardHeading heading;
-    RenderFacts properties;
     Film film;
 };
 
-std::optional<OpenShard> open_shard(SealedReader& input) {
-    const auto own = input.read_beginning(shard_signature);
-    const auto shard = own && !own->empty() ? shard_of(own->front().value) : std::nullopt;
-    const auto facts = input.read_facts();
-    const auto output = input.read_facts();
-    const auto properties = input.read_facts();
-    if (!shard || !facts || !output || !properties) {
-        return std::nullopt;
+// Whether the sizes are possible, and of a film that a file with so many bytes may be a part of.
+bool is_sound(const OpenShard& opened, std::uintmax_t bytes) {
+    const Shard& shard = opened.heading.shard;
+    const Film& film = opened.film;
+    const Region& window = film.window;
+    const auto within = [](std::size_t begin, std::size_t length, std::size_t side) {
+        return length >= 1 && side <= max_film_side && begin < side && length <= side - begin;
+    };
+    return shard.index < shard.count && shard.count <= max_shards &&
+           within(window.x, window.width, film.width) &&
+           within(window.y, window.height, film.height) &&
+           window.size() / shard.count <= bytes / sizeof(Color4d) + tile_width * tile_height;
+}
+
+Result<OpenShard> open_shard(SealedReader& input, const fs::path& file) {
+    if (const auto why = input.begins_otherwise(shard_kind)) {
+        return not_a_shard(file, *why);
     }
-    auto film = film_with(*properties);
-    // A damaged size would need memory that no file of this size describes.
-    const std::size_t most = input.rest() / sizeof(Color4d) + tile_width * tile_height;
-    if (!film || film->window.size() / shard->count > most) {
-        return std::nullopt;
+    OpenShard opened;
+    bool has_layers = false;
+    if (!input.read_fields(std::tuple_cat(members_of_shard(opened.heading),
+                                          properties_of(opened.film), std::tie(has_layers))) ||
+        !input.is_sealed() || !is_sound(opened, input.rest())) {
+        return not_a_shard(file, damaged(shard_kind));
     }
-    return OpenShard{{*shard, *facts, *output}, *properties, std::move(*film)};
+    if (has_layers) {
+        opened.film.layers.emplace();
+    }
+    return opened;
 }
 
 // Reads the elements of one array that belong to a shard into the array of the whole film, which
@@ -251,7 +160,7 @@ bool read_arrays(SealedReader& input, const Shard& shard, Film& film) {
         const std::size_t all = parts == &own.tiles ? film.tile_count() : film.window.size();
         fits = fits && read_part(input, array, parts, all);
     });
-    return fits && input.ends_with_hash();
+    return fits && input.ends_sealed();
 }
 
 // Which shards there are not, for a message: "2/5 and 4/5".
@@ -269,8 +178,9 @@ Diagnostic missing_shards(const std::vector<const fs::path*>& found) {
         missing.push_back("...");
     }
     return error(
+        Kind::input,
         fmt::format("{} of {} shards missing: {}", count, found.size(), fmt::join(missing, ", ")),
-        {}, fmt::format("render with --shard {}", missing.front()));
+        fmt::format("render with --shard {}", missing.front()));
 }
 
 }  // namespace
@@ -283,16 +193,13 @@ std::vector<std::uint32_t> passes_of(const Film& film, const Shard& shard, std::
     return all;
 }
 
-Diagnostics write_shard(const Film& film, const Shard& shard, const RenderFacts& facts,
-                        const RenderFacts& output, const fs::path& file) {
-    SealedWriter writer("shard", file);
-    writer.write(std::as_bytes(std::span(shard_signature)));
-    const RenderFacts own_facts{{"shard", numbers_text({static_cast<double>(shard.index),
-                                                        static_cast<double>(shard.count)})}};
-    for (const RenderFacts& part : {own_facts, facts, output, properties_of(film)}) {
-        writer.write_part(std::as_bytes(std::span<const char>(text_of(part))));
-    }
-    const OwnParts own = own_parts(film, shard);
+Diagnostics write_shard(const Film& film, const ShardHeading& heading, const fs::path& file) {
+    SealedWriter writer(shard_kind, file);
+    const bool has_layers = film.layers.has_value();
+    writer.write_fields(
+        std::tuple_cat(members_of_shard(heading), properties_of(film), std::tie(has_layers)));
+    writer.seal();
+    const OwnParts own = own_parts(film, heading.shard);
     for_each_part(film, own, [&](const auto& array, const std::vector<std::size_t>* parts) {
         if (parts == nullptr || array.empty()) {
             writer.write_part(std::as_bytes(std::span(array)));
@@ -310,9 +217,9 @@ Diagnostics write_shard(const Film& film, const Shard& shard, const RenderFacts&
 
 Result<ShardHeading> read_shard_heading(const fs::path& file) {
     SealedReader input(file);
-    auto opened = open_shard(input);
+    auto opened = open_shard(input, file);
     return opened ? Result<ShardHeading>(std::move(opened->heading))
-                  : Result<ShardHeading>(damaged_shard(file));
+                  : Result<ShardHeading>(std::move(opened.diagnostics));
 }
 
 Result<Film> merge_shards(std::span<const fs::path> files) {
@@ -320,41 +227,45 @@ Result<Film> merge_shards(std::span<const fs::path> files) {
     std::vector<const fs::path*> found;
     for (const fs::path& file : files) {
         SealedReader input(file);
-        auto opened = open_shard(input);
+        Result<OpenShard> opened = open_shard(input, file);
         if (!opened) {
-            return damaged_shard(file);
+            return std::move(opened.diagnostics);
         }
         if (!merged) {
             found.resize(opened->heading.shard.count, nullptr);
-            merged = opened;
+            merged = *opened;
         }
         const Shard& shard = opened->heading.shard;
-        const auto refused = [&](const std::string& why) {
-            return error(fmt::format("'{}' and '{}' do not belong together: {}",
+        const auto other_than_first = [&](const std::string& why) {
+            return error(Kind::input,
+                         fmt::format("'{}' and '{}' do not belong together: {}",
                                      files.front().string(), file.string(), why),
-                         {}, "merge the shards of one render");
+                         "merge the shards of one render");
         };
         if (shard.count != found.size()) {
-            return refused(fmt::format("one is {}, the other {}", name_of(merged->heading.shard),
-                                       name_of(shard)));
+            return other_than_first(fmt::format("one is {}, the other {}",
+                                                name_of(merged->heading.shard), name_of(shard)));
+        }
+        if (merged->heading.frame != opened->heading.frame) {
+            return other_than_first("they are of two frames");
         }
         std::string why = difference(merged->heading.facts, opened->heading.facts);
-        if (why.empty() && text_of(merged->properties) != text_of(opened->properties)) {
-            why = "the objects, layers or lights differ";
+        if (why.empty() && properties_of(merged->film) != properties_of(opened->film)) {
+            why = "the size, objects, layers or lights differ";
         }
         if (!why.empty()) {
-            return refused(why);
+            return other_than_first(why);
         }
         if (found[shard.index] != nullptr) {
-            return refused(fmt::format("both are shard {}", name_of(shard)));
+            return other_than_first(fmt::format("both are shard {}", name_of(shard)));
         }
         found[shard.index] = &file;
         if (!read_arrays(input, shard, merged->film)) {
-            return damaged_shard(file);
+            return not_a_shard(file, damaged(shard_kind));
         }
     }
     if (!merged) {
-        return error("there is no shard to merge", {}, "name the files of all shards");
+        return error(Kind::usage, "there is no shard to merge", "name the files of all shards");
     }
     if (std::find(found.begin(), found.end(), nullptr) != found.end()) {
         return missing_shards(found);

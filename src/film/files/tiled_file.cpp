@@ -21,6 +21,7 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include "balcony/content_hash.hpp"
 #include "balcony/output_file.hpp"
 #include "balcony/tiled_file.hpp"
 #include "balcony/work_file.hpp"
@@ -120,17 +121,17 @@ struct TiledFile::State {
           part(unfinished(picture)),
           window(region),
           groups(channel_groups(film)),
-          places(tiles_across(window.width) * tiles_across(window.height), 0) {
+          columns(tiles_across(window.width)),
+          all_rows(tiles_across(window.height)) {
         MemoryStream stream;
         { const Imf::TiledOutputFile nothing(stream, tiled_header(film, window, groups), 0); }
         beginning = std::move(stream.bytes());
-        beginning.resize(beginning.size() - places_bytes());
+        end = beginning.size();
+        beginning.resize(end - columns * all_rows * sizeof places[0]);
     }
     State(const State&) = delete;
     State& operator=(const State&) = delete;
     ~State() = default;
-
-    [[nodiscard]] std::size_t places_bytes() const { return places.size() * sizeof places[0]; }
 
     [[nodiscard]] Diagnostics failure(int reason) const {
         return {error(Kind::environment, fmt::format("'{}' cannot be written: {}", part.string(),
@@ -158,36 +159,64 @@ struct TiledFile::State {
                static_cast<ssize_t>(size);
     }
 
-    // Whether the file begins as this one does and has this many tiles, which it is cut to.
-    [[nodiscard]] bool keep(std::size_t tiles) {
+    [[nodiscard]] bool begins_as_this_one() const {
         Bytes found(beginning.size());
-        if (!read(found.data(), found.size(), 0) || found != beginning ||
-            !read(places.data(), places_bytes(), beginning.size())) {
-            return false;
-        }
-        end = beginning.size() + places_bytes();
-        for (std::size_t tile = 0; tile < tiles; ++tile) {
-            ChunkHead head;
-            if (places[tile] != end || !read(&head, sizeof head, end) || head.size < 0) {
-                return false;
-            }
-            end += sizeof head + static_cast<std::size_t>(head.size);
-        }
-        std::fill(places.begin() + static_cast<std::ptrdiff_t>(tiles), places.end(), 0);
-        count = tiles;
+        return read(found.data(), found.size(), 0) && found == beginning;
+    }
+
+    // Finds the rows of tiles with these hashes, up to the first that has another one.
+    void find_rows(const std::vector<std::uint64_t>& expected) {
         const off_t length = ::lseek(file->descriptor(), 0, SEEK_END);
-        return length >= static_cast<off_t>(end) &&
-               ::ftruncate(file->descriptor(), static_cast<off_t>(end)) == 0;
+        Bytes chunk;
+        for (const std::uint64_t hash : expected) {
+            std::vector<std::size_t> sizes;
+            ContentHash found;
+            for (std::uint64_t next = end; sizes.size() < columns; next += sizes.back()) {
+                ChunkHead head;
+                if (!read(&head, sizeof head, next) || head.size < 0 || head.size > length) {
+                    return;
+                }
+                sizes.push_back(sizeof head + static_cast<std::size_t>(head.size));
+                chunk.resize(sizes.back());
+                if (!read(chunk.data(), chunk.size(), next)) {
+                    return;
+                }
+                found.add(std::as_bytes(std::span(chunk)));
+            }
+            if (found.value() != hash) {
+                return;
+            }
+            add_row(sizes, hash);
+        }
+    }
+    // Notes a row of tiles that was appended: the sizes of its chunks, and the hash of all.
+    void add_row(const std::vector<std::size_t>& sizes, std::uint64_t hash) {
+        for (const std::size_t size : sizes) {
+            places.push_back(end);
+            end += size;
+        }
+        hashes.push_back(hash);
+    }
+    // Forgets the rows of tiles after the first ones, and what was not noted. Returns as write().
+    [[nodiscard]] int cut_to(std::size_t rows) {
+        if (rows < hashes.size()) {
+            end = places[rows * columns];
+            places.resize(rows * columns);
+            hashes.resize(rows);
+        }
+        return ::ftruncate(file->descriptor(), static_cast<off_t>(end)) == 0 ? 0 : errno;
     }
 
     fs::path name;
     fs::path part;
     Region window;
     std::vector<ChannelGroup> groups;
-    std::vector<std::uint64_t> places;  // Of the tiles in the file; 0 if they are missing.
+    std::size_t columns;  // Of tiles.
+    std::size_t all_rows;
+    std::vector<std::uint64_t> places;  // Of the tiles in the file.
+    std::vector<std::uint64_t> hashes;  // Of the rows of tiles in the file.
     Bytes beginning;                    // Of the file, up to the places.
     std::optional<WorkFile> file;
-    std::size_t count = 0;  // The number of tiles in the file.
     std::uint64_t end = 0;
 };
 
@@ -210,20 +239,21 @@ Result<TiledFile> TiledFile::create(const fs::path& picture, const Film& film,
         return made.diagnostics;
     }
     state->file = std::move(made.value);
-    state->end = state->beginning.size() + state->places_bytes();
     if (const int reason = state->write(state->beginning.data(), state->beginning.size(), 0)) {
+        ::unlink(state->part.c_str());
         return state->failure(reason);
     }
     return TiledFile(std::move(state));
 }
 
-Result<TiledFile> TiledFile::reopen(const fs::path& picture, const Film& film,
-                                    const Region& window) {
+Result<TiledFile> TiledFile::reopen(const fs::path& picture, const Film& film, const Region& window,
+                                    std::vector<std::uint64_t> hashes) {
     auto state = std::make_unique<State>(picture, film, window);
     const auto refused = [&](std::string_view fault) {
-        return error(fmt::format("'{}', the finished part of the picture, is {}",
+        return error(Kind::input,
+                     fmt::format("'{}', the finished part of the picture, is {}",
                                  state->part.string(), fault),
-                     {}, "restore it, or render without --resume to begin anew");
+                     "restore it, or render without --resume to begin anew");
     };
     if (!fs::exists(fs::symlink_status(state->part))) {
         return refused("missing");
@@ -233,12 +263,18 @@ Result<TiledFile> TiledFile::reopen(const fs::path& picture, const Film& film,
         return opened.diagnostics;
     }
     state->file = std::move(opened.value);
-    const std::size_t above = (film.window.y - window.y) / file_tile_side;
-    if (!state->keep(above * tiles_across(window.width))) {
+    if (!state->begins_as_this_one()) {
         return refused("damaged or of another one");
+    }
+    hashes.resize(std::min(hashes.size(), state->all_rows));
+    state->find_rows(hashes);
+    if (const int reason = state->cut_to(state->hashes.size())) {
+        return state->failure(reason);
     }
     return TiledFile(std::move(state));
 }
+
+std::size_t TiledFile::rows() const { return state_->hashes.size(); }
 
 Diagnostics TiledFile::add(const Film& band) {
     // Blocks of a row of tiles, in parallel.
@@ -256,38 +292,48 @@ Diagnostics TiledFile::add(const Film& band) {
                                  (block.y - state_->window.y) / file_tile_side);
         });
     } catch (const std::exception& failed) {
-        return {
-            error(fmt::format("'{}' cannot be written: {}", state_->part.string(), failed.what()))};
+        return {exr_failure(state_->part, failed)};
     }
-    for (const Chunks& block : blocks) {
-        if (const int reason = state_->write(block.bytes.data(), block.bytes.size(), state_->end)) {
-            return state_->failure(reason);
+    for (std::size_t row = 0; row < blocks.size(); row += columns) {
+        ContentHash hash;
+        std::vector<std::size_t> sizes;
+        std::uint64_t at = state_->end;
+        for (const Chunks& block : std::span(blocks).subspan(row, columns)) {
+            if (const int reason = state_->write(block.bytes.data(), block.bytes.size(), at)) {
+                return state_->failure(reason);
+            }
+            const std::span<const char> bytes = block.bytes;
+            for (std::size_t chunk = 0, begin = 0; chunk < block.sizes.size(); ++chunk) {
+                hash.add(std::as_bytes(bytes.subspan(begin, block.sizes[chunk])));
+                begin += block.sizes[chunk];
+            }
+            at += block.bytes.size();
+            sizes.insert(sizes.end(), block.sizes.begin(), block.sizes.end());
         }
-        for (const std::size_t size : block.sizes) {
-            state_->places[state_->count++] = state_->end;
-            state_->end += size;
-        }
+        state_->add_row(sizes, hash.value());
     }
     return {};
 }
 
-Diagnostics TiledFile::flush() {
-    // The chunks come before their places, in case the machine stops.
-    if (::fsync(state_->file->descriptor()) != 0) {
-        return state_->failure(errno);
+Result<std::vector<std::uint64_t>> TiledFile::flush(const Film& band) {
+    const int reason = state_->cut_to((band.window.y - state_->window.y) / file_tile_side);
+    if (reason != 0 || ::fsync(state_->file->descriptor()) != 0) {
+        return state_->failure(reason != 0 ? reason : errno);
     }
-    if (const int reason = state_->write(state_->places.data(), state_->places_bytes(),
-                                         state_->beginning.size())) {
-        return state_->failure(reason);
-    }
-    return ::fsync(state_->file->descriptor()) == 0 ? Diagnostics{} : state_->failure(errno);
+    return state_->hashes;
 }
 
 Diagnostics TiledFile::commit() {
-    if (Diagnostics found = flush(); !found.empty()) {
-        return found;
+    const std::vector<std::uint64_t>& places = state_->places;
+    if (const int reason = state_->write(places.data(), places.size() * sizeof places[0],
+                                         state_->beginning.size())) {
+        return state_->failure(reason);
     }
-    return move_into_place(state_->part, state_->name);
+    // All of the file comes before its name, in case the machine stops.
+    return ::fsync(state_->file->descriptor()) == 0 ? move_into_place(state_->part, state_->name)
+                                                    : state_->failure(errno);
 }
+
+void TiledFile::remove() { ::unlink(state_->part.c_str()); }
 
 }  // namespace balcony::render

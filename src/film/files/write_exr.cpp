@@ -7,7 +7,6 @@
 
 #include <OpenEXR/ImfIO.h>
 #include <OpenEXR/ImfOutputFile.h>
-#include <fmt/format.h>
 
 #include "balcony/film.hpp"
 #include "balcony/output_file.hpp"
@@ -66,9 +65,7 @@ Diagnostics write_exr(const Film& film, const std::filesystem::path& file) {
         write_rows(film, stream);
     } catch (const std::exception& failed) {
         // The reason is the stream's, or else OpenEXR's.
-        return {output.stream()
-                    ? error(fmt::format("'{}' cannot be written: {}", file.string(), failed.what()))
-                    : output.failure()};
+        return {output.stream() ? exr_failure(file, failed) : output.failure()};
     }
     return output.commit();
 }

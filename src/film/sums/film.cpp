@@ -19,8 +19,6 @@ namespace balcony::render {
 
 namespace {
 
-constexpr std::size_t max_side = std::size_t{1} << 20;
-
 // All layers that the film stores.
 LayerSet layers_of(const FilmLayout& layout) {
     LayerSet wanted = layout.layers;
@@ -47,9 +45,10 @@ double physical_memory() {
 Diagnostics check(const FilmLayout& layout, const Region& window) {
     Diagnostics found;
     const auto check_side = [&](std::size_t side, std::string_view what) {
-        if (side < 1 || side > max_side) {
-            found.push_back(error(fmt::format("the picture's {} {} is out of range", what, side),
-                                  {}, fmt::format("give a number from 1 to {}", max_side)));
+        if (side < 1 || side > max_film_side) {
+            found.push_back(error(Kind::usage,
+                                  fmt::format("the picture's {} {} is out of range", what, side),
+                                  fmt::format("give a number from 1 to {}", max_film_side)));
         }
     };
     check_side(layout.width, "width");

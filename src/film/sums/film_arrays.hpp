@@ -9,6 +9,9 @@
 
 namespace balcony::render {
 
+/// The largest width and height of a picture in pixels.
+inline constexpr std::size_t max_film_side = std::size_t{1} << 20;
+
 /// 0, also for vectors, whose default is undefined.
 template <class Value>
 [[nodiscard]] Value zero() {

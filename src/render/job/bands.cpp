@@ -27,12 +27,14 @@ Diagnostics check(const Settings& settings, const Region& window) {
     const double pixels = static_cast<double>(window.width) * static_cast<double>(window.height);
     if (pixels > max_pixels) {
         return {error(
+            Kind::usage,
             fmt::format("a picture of {} x {} pixels is too large", window.width, window.height),
-            {}, fmt::format("render at most {:.0f} pixels at once", max_pixels))};
+            fmt::format("render at most {:.0f} pixels at once", max_pixels))};
     }
     if (settings.sampling.noise > 0.0 && !settings.sampling.white) {
-        return {error("a noise level in a picture that is rendered in bands needs to know white",
-                      {}, "set the exposure")};
+        return {error(Kind::usage,
+                      "a noise level in a picture that is rendered in bands needs to know white",
+                      "set the exposure")};
     }
     return {};
 }
@@ -99,9 +101,12 @@ Result<BandedRender> BandedRender::make(const Renderer& renderer, const camera::
 
 bool BandedRender::next() {
     const Region& band = job_.film()->window;
-    const std::size_t first = band.y + band.height;
+    return begin_at(band.y + band.height);
+}
+
+bool BandedRender::begin_at(std::size_t first_row) {
     const std::size_t end = window_.y + window_.height;
-    return first < end && go_to(first, std::min(rows_, end - first));
+    return first_row < end && go_to(first_row, std::min(rows_, end - first_row));
 }
 
 bool BandedRender::go_to(std::size_t first_row, std::size_t rows) {
