@@ -4,7 +4,9 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "balcony/base.hpp"
 
@@ -15,5 +17,9 @@ namespace balcony {
 /// end. Nothing if it is a regular file. `name` is what messages call it, in quotes.
 [[nodiscard]] std::optional<Diagnostic> not_a_file(const std::filesystem::path& file,
                                                    std::string_view name);
+
+/// The sorted names in a folder, which is the current one if its name is empty; none if it cannot
+/// be read.
+[[nodiscard]] std::vector<std::string> names_in(const std::filesystem::path& folder);
 
 }  // namespace balcony

@@ -20,7 +20,8 @@ public:
     [[nodiscard]] static Diagnostics check(const std::filesystem::path& file);
 
     /// Opens a new file next to it, with a name that no other writer has, in any process, container
-    /// or machine; good() of the stream tells whether this succeeded.
+    /// or machine; good() of the stream tells whether this succeeded. Removes what writers of the
+    /// file have left that were killed.
     explicit OutputFile(const std::filesystem::path& file);
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
@@ -42,6 +43,7 @@ public:
 private:
     std::filesystem::path file_;
     std::filesystem::path beside_;
+    int lock_ = -1;  ///< A descriptor of the new file, which tells others that it is in use.
     std::ofstream stream_;
     int reason_ = 0;
 };

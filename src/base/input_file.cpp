@@ -3,6 +3,7 @@
 
 #include "balcony/input_file.hpp"
 
+#include <algorithm>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -29,6 +30,17 @@ std::optional<Diagnostic> not_a_file(const fs::path& file, std::string_view name
                      "repair the link, or name the file itself");
     }
     return error(fmt::format("there is no file {}", name), {}, "check its name and its folder");
+}
+
+std::vector<std::string> names_in(const fs::path& folder) {
+    std::vector<std::string> names;
+    std::error_code failed;
+    for (fs::directory_iterator entry(folder.empty() ? "." : folder, failed), end;
+         !failed && entry != end; entry.increment(failed)) {
+        names.push_back(entry->path().filename().string());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
 }
 
 }  // namespace balcony

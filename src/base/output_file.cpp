@@ -9,13 +9,20 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
+
+#include "balcony/input_file.hpp"
+#include "balcony/work_file.hpp"
 
 namespace balcony {
 
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::string_view ending = ".partial";
 
 // Process ids are not unique: processes in two containers that share a folder may have the same
 // one.
@@ -27,28 +34,50 @@ std::uint64_t random_number() {
 }
 
 // Creates a file that did not exist before, so that no other writer has it, in this process,
-// another one or on another machine. Returns an empty name if this fails, with the reason in errno.
-fs::path make_beside(const fs::path& file) {
+// another one or on another machine, and locks it. Returns its descriptor, or -1 with the reason in
+// errno.
+int make_beside(const fs::path& file, fs::path& name) {
     constexpr int max_attempts = 1000;
     constexpr mode_t what_the_user_allows = 0666;
     for (int attempt = 0; attempt < max_attempts; ++attempt) {
-        fs::path name = file;
-        name += fmt::format(".{:016x}.partial", random_number());
+        name = file;
+        name += fmt::format(".{:016x}{}", random_number(), ending);
         const int made =
             ::open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, what_the_user_allows);
-        if (made >= 0) {
-            ::close(made);
-            return name;
-        }
-        if (errno != EEXIST) {
+        if (made < 0 && errno != EEXIST) {
             break;
         }
+        // Another process may have taken it for one that was left.
+        struct stat facts {};
+        if (made >= 0 && (::flock(made, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) &&
+            ::fstat(made, &facts) == 0 && facts.st_nlink > 0) {
+            return made;
+        }
+        if (made >= 0) {
+            ::close(made);
+        }
     }
-    return {};
+    name.clear();
+    return -1;
 }
 
 fs::path folder_of(const fs::path& file) {
     return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+// Removes the unfinished files of a file that nobody has open: their writers were killed.
+void remove_left(const fs::path& file) {
+    constexpr std::size_t digits = 16;
+    const std::string beginning = file.filename().string() + ".";
+    for (const std::string& name : names_in(file.parent_path())) {
+        const fs::path left = file.parent_path() / name;
+        if (name.size() == beginning.size() + digits + ending.size() &&
+            name.starts_with(beginning) && name.ends_with(ending)) {
+            if (const Result<WorkFile> own = WorkFile::reopen(left)) {
+                ::unlink(left.c_str());
+            }
+        }
+    }
 }
 
 Diagnostic cannot_write(const fs::path& file, int number) {
@@ -106,18 +135,22 @@ Diagnostics OutputFile::check(const fs::path& file) {
                       "choose a folder with write permission")};
     }
     // What else may be wrong, such as a name that is too long, shows when a file is made.
-    const fs::path made = make_beside(real);
-    if (made.empty()) {
+    fs::path name;
+    const int made = make_beside(real, name);
+    if (made < 0) {
         Diagnostic found = cannot_write(real, errno);
         found.remedy = "choose another name or folder";
         return {found};
     }
-    fs::remove(made, failed);
+    fs::remove(name, failed);
+    ::close(made);
     return {};
 }
 
-OutputFile::OutputFile(const fs::path& file) : file_(resolved(file)), beside_(make_beside(file_)) {
-    if (beside_.empty()) {
+OutputFile::OutputFile(const fs::path& file) : file_(resolved(file)) {
+    remove_left(file_);
+    lock_ = make_beside(file_, beside_);
+    if (lock_ < 0) {
         stream_.setstate(std::ios::failbit);
     } else {
         errno = 0;
@@ -130,6 +163,9 @@ OutputFile::~OutputFile() {
     stream_.close();
     std::error_code ignored;
     fs::remove(beside_, ignored);
+    if (lock_ >= 0) {
+        ::close(lock_);
+    }
 }
 
 Diagnostics OutputFile::commit() {

@@ -24,18 +24,6 @@ const BuiltInFile* find_built_in_file(std::string_view name) {
     return found == all.end() ? nullptr : &*found;
 }
 
-// The sorted names in the folder of a missing file.
-std::vector<std::string> names_in(const fs::path& folder) {
-    std::vector<std::string> names;
-    std::error_code failure;
-    for (fs::directory_iterator entry(folder.empty() ? "." : folder, failure), end;
-         !failure && entry != end; entry.increment(failure)) {
-        names.push_back(entry->path().filename().string());
-    }
-    std::sort(names.begin(), names.end());
-    return names;
-}
-
 Diagnostic not_found(std::string_view name, const std::optional<fs::path>& folder) {
     std::vector<std::string> known;
     if (folder) {

@@ -64,14 +64,7 @@ std::optional<std::string> near_name(const fs::path& missing) {
     if (fs::exists(fs::symlink_status(missing, code))) {
         return std::nullopt;
     }
-    const fs::path directory = missing.has_parent_path() ? missing.parent_path() : fs::path(".");
-    std::vector<std::string> names;
-    for (fs::directory_iterator entry(directory, code), end; !code && entry != end;
-         entry.increment(code)) {
-        names.push_back(entry->path().filename().string());
-    }
-    std::sort(names.begin(), names.end());
-    const auto near = nearest_name(missing.filename().string(), names);
+    const auto near = nearest_name(missing.filename().string(), names_in(missing.parent_path()));
     return near ? std::optional(fmt::format("did you mean {}?",
                                             in_quotes((missing.parent_path() / *near).string())))
                 : std::nullopt;

@@ -120,6 +120,27 @@ TEST(OutputFile, LeavesNothingIfItIsNotCommitted) {
     fs::remove_all(folder);
 }
 
+TEST(OutputFile, WhatAKilledWriterLeftIsRemoved) {
+    const fs::path folder = new_folder("balcony_left");
+    if (const pid_t killed = fork(); killed == 0) {
+        const OutputFile left(folder / "file");
+        const OutputFile left_of_another(folder / "file.png");
+        _exit(0);
+    } else {
+        waitpid(killed, nullptr, 0);
+    }
+    ASSERT_EQ(file_count(folder), 2);
+    {
+        const OutputFile first(folder / "file");
+        EXPECT_EQ(file_count(folder), 2) << "what was left of another file stays";
+        const OutputFile second(folder / "file");
+        EXPECT_EQ(file_count(folder), 3) << "the first is in use";
+        EXPECT_TRUE(fs::exists(first.beside()));
+    }
+    EXPECT_EQ(file_count(folder), 1);
+    fs::remove_all(folder);
+}
+
 TEST(OutputFile, ANewFileHasThePermissionsThatTheUserAllows) {
     const fs::path folder = new_folder("balcony_user_mask");
     const mode_t before = umask(0027);

@@ -11,6 +11,7 @@
 #include "app/animation/film_file.hpp"
 #include "app/animation/frame_record.hpp"
 #include "app/words.hpp"
+#include "balcony/input_file.hpp"
 
 namespace balcony::app {
 
@@ -21,18 +22,12 @@ namespace fs = std::filesystem;
 // Nothing but what this program has written there.
 void remove_all(const FramePattern& pattern) {
     std::error_code ignored;
-    std::vector<fs::path> files;
-    for (fs::directory_iterator entry(pattern.folder(), ignored), end; !ignored && entry != end;
-         entry.increment(ignored)) {
-        const std::string name = entry->path().filename().string();
+    for (const std::string& name : names_in(pattern.folder())) {
         const std::size_t extension = name.find(".png");
         if (extension != std::string::npos &&
             pattern.number_of_file(name.substr(0, extension + 4))) {
-            files.push_back(entry->path());
+            fs::remove(pattern.folder() / name, ignored);
         }
-    }
-    for (const fs::path& file : files) {
-        fs::remove(file, ignored);
     }
     fs::remove(record_file(pattern), ignored);
     fs::remove(pattern.folder(), ignored);
@@ -73,7 +68,7 @@ Diagnostics make_film_of_frames(const FilmRequest& film, const FramePattern& pat
         found.front().remedy =
             fmt::format("the frames are in '{}'; correct that and give the same command again",
                         pattern.folder().string());
-        return of_kind(Kind::environment, std::move(found));
+        return found;
     }
     if (remove_frames) {
         remove_all(pattern);

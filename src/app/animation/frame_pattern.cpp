@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "app/words.hpp"
+#include "balcony/input_file.hpp"
 
 namespace balcony::app {
 
@@ -83,10 +84,8 @@ std::optional<std::size_t> FramePattern::number_of_file(std::string_view name) c
 
 FrameNumbers FramePattern::existing() const {
     FrameNumbers frames;
-    std::error_code failed;
-    for (fs::directory_iterator entry(folder_.empty() ? fs::path(".") : folder_, failed), end;
-         !failed && entry != end; entry.increment(failed)) {
-        if (const auto number = number_of_file(entry->path().filename().string())) {
+    for (const std::string& name : names_in(folder_)) {
+        if (const auto number = number_of_file(name)) {
             frames.push_back(*number);
         }
     }
