@@ -164,6 +164,9 @@ class Frames(AnimationTest):
 
     def test_wrong_usage(self):
         self.refused(*self.words("--frames", "1", "-o", "no/f.#.png"), code=3, says="no folder")
+        err = self.refused(*self.words("--frames", "1", "-o", "no/f.mp4"), code=3,
+                           says="no folder 'no'")
+        self.assertEqual(err.count("error: "), 1)
         self.refused(*self.words("--frames", "1", "-o", "f.#.png", "--crf", "18"), code=2,
                      says="--crf is for films")
         self.refused(*self.words("--frames", "1", "-o", "f.#.png", "--fps", "0"), code=2,
@@ -346,7 +349,7 @@ class Shards(AnimationTest):
         whole = part.read_bytes()
         part.write_bytes(whole[:-3])
         err = self.refused("merge", "f.#.png", code=1,
-                           says="frame 1: 'f.1.png.shard-1-of-2' is damaged",
+                           says="frame 1: 'f.1.png.shard-1-of-2' cannot be merged: it is damaged",
                            helps="without --shard")
         self.assertIn("frame 2: 1 of 2 shards missing: 2/2", err)
         self.assertIn("1 of 3 frames missing: 3", err)
@@ -355,6 +358,21 @@ class Shards(AnimationTest):
         self.assertEqual(self.json_of(*self.words(*more))["rendered"], 4)
         self.assertEqual(part.read_bytes(), whole)
         self.run_command("merge", "f.#.png")
+
+    def test_damaged_frames_are_named(self):
+        for ending in ("png", "exr", "tif"):
+            more = ("--frames", "1-3", "-o", f"f.#.{ending}")
+            self.animate(*more)
+            self.run_command("merge", f"f.#.{ending}")
+            frame = self.folder / f"f.2.{ending}"
+            whole = frame.read_bytes()
+            for size in (len(whole) - 40, len(whole) // 2, 20):
+                frame.write_bytes(whole[:size])
+                self.refused("merge", f"f.#.{ending}", code=1,
+                             says=f"frame 2: 'f.2.{ending}' is damaged: ", helps="remove it")
+            frame.unlink()
+            self.assertEqual(self.json_of(*self.words(*more))["rendered"], 1)
+            self.run_command("merge", f"f.#.{ending}")
 
     def test_parts_of_other_settings(self):
         more = ("--frames", "1", "--parts-per-frame", "2")

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <span>
 #include <system_error>
 #include <vector>
 
@@ -17,6 +18,8 @@
 #include "app/animation/frame_record.hpp"
 #include "app/picture/paused_run.hpp"
 #include "app/words.hpp"
+#include "balcony/images.hpp"
+#include "balcony/input_file.hpp"
 
 namespace balcony::app {
 
@@ -32,22 +35,43 @@ std::map<std::size_t, std::vector<fs::path>> parts_of_frames(const FramePattern&
                                                              const FrameRecord& record) {
     constexpr std::string_view shard = ".shard-";
     std::map<std::size_t, std::vector<fs::path>> parts;
-    std::error_code failed;
-    const fs::path folder = pattern.folder().empty() ? fs::path(".") : pattern.folder();
-    for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end;
-         entry.increment(failed)) {
-        const std::string name = entry->path().filename().string();
+    for (const std::string& name : names_in(pattern.folder())) {
         const std::size_t begin = name.rfind(shard);
         const auto frame = begin == std::string::npos
                                ? std::nullopt
                                : pattern.number_of_file(name.substr(0, begin));
         const bool is_complete =
             name.find_first_not_of("0123456789-of", begin + shard.size()) == std::string::npos;
-        if (frame && is_complete && record.is_finished(entry->path())) {
+        if (frame && is_complete && record.is_finished(pattern.folder() / name)) {
             parts[*frame].push_back(pattern.folder() / name);
         }
     }
     return parts;
+}
+
+// Whether the file of a frame can be read to its end.
+Diagnostics check_whole(std::size_t frame, const fs::path& file) {
+    const auto refused = [&](const Diagnostic& reason) {
+        return Diagnostics{error(
+            Kind::input,
+            fmt::format("frame {}: '{}' is damaged: {}", frame, file.string(), reason.message),
+            fmt::format("remove it and {}", same_command))};
+    };
+    const auto opened = images::ImageFile::open(file, images::ImageChannels::all);
+    if (!opened) {
+        return refused(opened.diagnostics.front());
+    }
+    images::ImageFile& image = **opened.value;
+    constexpr std::size_t rows_at_once = 64;
+    std::vector<float> values(rows_at_once * image.width() * image.channels());
+    for (std::size_t row = 0; row < image.height(); row += rows_at_once) {
+        const std::size_t end = std::min(row + rows_at_once, image.height());
+        const std::size_t count = (end - row) * image.width() * image.channels();
+        if (const auto reason = image.read_rows(row, end, std::span(values).first(count))) {
+            return refused(*reason);
+        }
+    }
+    return {};
 }
 
 // Merges what is in parts; gives the frames that are still missing.
@@ -58,6 +82,7 @@ FrameNumbers merge_frames(const FramePattern& pattern, const FrameRecord& record
     for (const std::size_t frame : frames) {
         const fs::path file = pattern.file(frame);
         if (record.is_finished(file)) {
+            add(outcome.diagnostics, check_whole(frame, file));
             continue;
         }
         if (!parts.contains(frame)) {
@@ -109,8 +134,7 @@ MergedAnimation merge_animation(const std::string& name, const std::string& outp
                                 const Observer& observer, const std::stop_token& stop) {
     MergedAnimation merged;
     const auto fails = [&merged](const Diagnostics& found) {
-        add(merged.diagnostics, found);
-        return has_errors(found);
+        return add(merged.diagnostics, found);
     };
     const FramePattern pattern = is_film(name) ? pattern_of_film(name) : *FramePattern::read(name);
     const auto record = read_record(pattern);
@@ -118,9 +142,10 @@ MergedAnimation merge_animation(const std::string& name, const std::string& outp
         return merged;
     }
     if (!record->has_value()) {
-        fails({error(fmt::format("there are no frames of '{}': '{}' does not exist", name,
+        fails({error(Kind::input,
+                     fmt::format("there are no frames of '{}': '{}' does not exist", name,
                                  record_file(pattern).string()),
-                     {}, "render them first: balcony animate ... --shard 1/2")});
+                     "render them first: balcony animate ... --shard 1/2")});
         return merged;
     }
     const FrameRecord& known = **record;
@@ -137,9 +162,10 @@ MergedAnimation merge_animation(const std::string& name, const std::string& outp
     }
     const FrameNumbers missing = merge_frames(pattern, known, frames, merged);
     if (!missing.empty()) {
-        fails({error(fmt::format("{} of {} frames missing: {}", missing.size(), frames.size(),
+        fails({error(Kind::input,
+                     fmt::format("{} of {} frames missing: {}", missing.size(), frames.size(),
                                  text_of(missing)),
-                     {}, same_command)});
+                     same_command)});
     }
     if (has_errors(merged.diagnostics)) {
         return merged;
