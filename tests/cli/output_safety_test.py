@@ -3,6 +3,7 @@
 """Output files are complete or not written, and never replace an input."""
 
 import os
+import resource
 import shutil
 import subprocess
 import unittest
@@ -127,6 +128,24 @@ class Inputs(support.CommandTest):
                              says=f"'{output}' is read here and would be overwritten")
                 after = {name: (self.folder / name).read_bytes() for name in self.files()}
                 self.assertEqual(before, after)
+
+
+class LittleMemory(support.CommandTest):
+    def test_is_told_of(self):
+        def little_memory():
+            bytes_ = 700 * 2**20
+            resource.setrlimit(resource.RLIMIT_AS, (bytes_, bytes_))
+
+        before = self.files()
+        for words in (("--size", "1000000x1", "-o", "p.exr"),
+                      ("--size", "4000x3000", "-o", "p.exr"),
+                      ("--size", "9000x9000", "-o", "p.png")):
+            with self.subTest(words=words):
+                _, err = self.run_command("render", "scene.obj", "-s", "1", "-q", *words, code=3,
+                                          preexec_fn=little_memory)
+                self.assertRegex(err, "^error: .*(out of|not enough) memory.*\n  help: ")
+                self.assertNotIn("std::", err)
+                self.assertEqual(self.files(), before)
 
 
 class FullDisk(support.CommandTest):
