@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <map>
-#include <system_error>
-
-#include <fmt/format.h>
 
 #include "app/picture/finished_picture.hpp"
 #include "app/words.hpp"
@@ -15,18 +12,6 @@ namespace balcony::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A file that is missing is not damaged.
-Diagnostics check_there(const std::vector<fs::path>& shards) {
-    for (const fs::path& shard : shards) {
-        std::error_code ignored;
-        if (!fs::exists(shard, ignored)) {
-            return {error(Kind::input, fmt::format("there is no file '{}'", shard.string()),
-                          "name the files of all shards, as --shard writes them")};
-        }
-    }
-    return {};
-}
 
 // The shards of each frame; those of a picture have no frame.
 Result<std::map<std::string, std::vector<fs::path>>> shards_of_frames(
@@ -47,9 +32,6 @@ void merge(const std::vector<fs::path>& shards, const fs::path& other_output,
     const auto fails = [&merged](const Diagnostics& found) {
         return add(merged.diagnostics, found);
     };
-    if (fails(check_there(shards))) {
-        return;
-    }
     const auto heading = render::read_shard_heading(shards.front());
     if (fails(heading.diagnostics)) {
         return;
@@ -92,13 +74,10 @@ MergedPicture merge_picture(const std::vector<fs::path>& shards, const fs::path&
 
 std::vector<MergedPicture> merge_pictures(const std::vector<fs::path>& shards,
                                           const fs::path& other_output, const Observer& observer) {
-    Diagnostics found = check_there(shards);
-    if (!other_output.empty() && !has_errors(found)) {
+    if (!other_output.empty()) {
         return {merge_picture(shards, other_output, observer)};
     }
-    const auto frames = has_errors(found)
-                            ? Result<std::map<std::string, std::vector<fs::path>>>(std::move(found))
-                            : shards_of_frames(shards);
+    const auto frames = shards_of_frames(shards);
     if (!frames) {
         return {MergedPicture{.diagnostics = frames.diagnostics}};
     }

@@ -107,6 +107,9 @@ bool is_sound(const OpenShard& opened, std::uintmax_t bytes) {
 }
 
 Result<OpenShard> open_shard(SealedReader& input, const fs::path& file) {
+    if (const auto missing = not_a_file(file, fmt::format("'{}'", file.string()))) {
+        return *missing;
+    }
     if (const auto why = input.begins_otherwise(shard_kind)) {
         return not_a_shard(file, *why);
     }
