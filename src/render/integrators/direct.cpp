@@ -3,8 +3,6 @@
 
 // The lights of the scene with sharp shadows, ambient light without shadows, and mirrors.
 
-#include "render/integrators/direct.hpp"
-
 #include <algorithm>
 
 #include "render/integrators/ray_tree.hpp"
@@ -14,6 +12,10 @@
 namespace balcony::render {
 
 namespace {
+
+// Surfaces with a roughness below this are perfect mirrors: without other samples, rays cannot show
+// what a glossy surface reflects.
+constexpr float mirror_roughness = 0.1F;
 
 // The minimum weight of a traced reflection: less than half a step of an 8-bit picture.
 constexpr float min_weight = 1.0F / 512.0F;
@@ -102,9 +104,12 @@ private:
 
 }  // namespace
 
-bool may_be_mirror(const scene::Material& material) {
-    return !material.unlit &&
-           (material.roughness < mirror_roughness || material.roughness_texture.valid());
+// A texture only reduces the roughness.
+bool has_mirrors(const scene::Scene& scene) {
+    return std::any_of(scene.materials.begin(), scene.materials.end(), [](const auto& material) {
+        return !material.unlit &&
+               (material.roughness < mirror_roughness || material.roughness_texture.valid());
+    });
 }
 
 std::unique_ptr<Integrator> make_direct(const TracedScene& traced, const Settings& settings) {

@@ -57,8 +57,7 @@ public:
                              std::span<surface_lanes::Radiances> radiances) = 0;
 };
 
-/// Belongs to one thread. A new integrator needs a file with a class and a maker, and a row in
-/// integrators.cpp; its settings are declared in balcony/integrators.hpp.
+/// Belongs to one thread.
 class Integrator {
 public:
     virtual ~Integrator() = default;
@@ -71,20 +70,22 @@ public:
     [[nodiscard]] virtual LightTracer* light_tracer() { return nullptr; }
 };
 
-/// The scene and the settings must outlive the integrator.
-using IntegratorMaker = std::unique_ptr<Integrator> (*)(const TracedScene& traced,
-                                                        const Settings& settings);
+/// A row of the table in integrators.cpp. A new integrator needs a file with a class and its row's
+/// functions, and the row; its settings are declared in balcony/integrators.hpp.
+struct IntegratorRow {
+    IntegratorInfo info;
+    /// The scene and the settings must outlive the integrator.
+    std::unique_ptr<Integrator> (*make)(const TracedScene& traced, const Settings& settings);
+    /// The errors of its own settings; null if there are none.
+    Diagnostics (*check)(const Settings& settings) = nullptr;
+    /// Whether it shows something in a scene as a mirror, which reflects the background; null if it
+    /// never does.
+    bool (*shows_mirrors)(const scene::Scene& scene) = nullptr;
+    /// Whether it finds the light of an environment, so that ambient light is one.
+    bool traces_environment = false;
+};
 
-/// The errors of the settings that only the chosen integrator has.
-[[nodiscard]] Diagnostics check_own_settings(const Settings& settings);
-
-/// Whether an integrator finds the light of an environment, so that ambient light is one.
-[[nodiscard]] bool traces_environment(std::string_view name);
-
-/// Whether an integrator shows materials of the scene as mirrors, which reflect the background.
-[[nodiscard]] bool shows_mirrors(std::string_view name, const scene::Scene& scene);
-
-/// The maker of an integrator by its name; null if there is none.
-[[nodiscard]] IntegratorMaker find_integrator(std::string_view name);
+/// The row of an integrator by its name; null if there is none.
+[[nodiscard]] const IntegratorRow* find_integrator(std::string_view name);
 
 }  // namespace balcony::render

@@ -65,11 +65,13 @@ Diagnostics check(const Settings& settings) {
         found.push_back(error("the time from frame to frame is not a number of seconds", {},
                               "give a duration above 0, such as 1/24"));
     }
-    if (find_integrator(settings.integrator) == nullptr) {
+    const IntegratorRow* const integrator = find_integrator(settings.integrator);
+    if (integrator == nullptr) {
         found.push_back(unknown("integrator", settings.integrator, integrators()));
+    } else if (integrator->check != nullptr) {
+        const Diagnostics own = integrator->check(settings);
+        found.insert(found.end(), own.begin(), own.end());
     }
-    const Diagnostics own = check_own_settings(settings);
-    found.insert(found.end(), own.begin(), own.end());
     if (!(settings.sampling.noise >= 0.0) || !std::isfinite(settings.sampling.noise)) {
         found.push_back(error("the noise level must be a finite number, 0 or more"));
     }

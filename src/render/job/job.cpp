@@ -135,7 +135,7 @@ Diagnostics compile(const camera::Picture& picture, const PictureInputs& inputs,
 // Chooses what the settings leave open of the light.
 void choose_light(JobParts& parts, PictureRays& rays, const Film& film) {
     Settings& settings = parts.settings;
-    if (traces_environment(settings.integrator)) {
+    if (parts.integrator->traces_environment) {
         Lighting lighting = lighting_of(parts.traced, rays, film, settings);
         parts.traced.lights = std::move(lighting.lights);
         parts.light = std::move(lighting.description);
@@ -173,7 +173,8 @@ void prepare(Film& film, const JobParts& parts) {
         film.first_half.assign(pixels, Color4d(0.0));
         film.white = sampling.white.value_or(0.0);
     }
-    if (film.mirrored.empty() && shows_mirrors(parts.settings.integrator, scene)) {
+    const auto shows_mirrors = parts.integrator->shows_mirrors;
+    if (film.mirrored.empty() && shows_mirrors != nullptr && shows_mirrors(scene)) {
         film.mirrored.assign(pixels, Color4d(0.0));
     }
 }

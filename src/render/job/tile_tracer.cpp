@@ -60,11 +60,12 @@ LaneBits lanes_within(const Region& region, std::size_t x, std::size_t y) {
 
 }  // namespace
 
-TileTracer::TileTracer(const TracedScene& traced, const Settings& settings, IntegratorMaker make)
+TileTracer::TileTracer(const TracedScene& traced, const Settings& settings,
+                       const IntegratorRow& integrator)
     : traced_(&traced),
       // Many samples share the filtering; pbrt limits the reduction in the same way.
       footprint_scale_(std::max(0.125, 1.0 / std::sqrt(static_cast<double>(settings.samples)))),
-      integrator_(make(traced, settings)),
+      integrator_(integrator.make(traced, settings)),
       light_tracer_(integrator_->light_tracer()) {}
 
 template <class Visit>

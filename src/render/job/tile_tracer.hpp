@@ -44,7 +44,8 @@ struct RayCounts {
 /// Traces rays; belongs to one thread.
 class TileTracer {
 public:
-    TileTracer(const TracedScene& traced, const Settings& settings, IntegratorMaker make);
+    TileTracer(const TracedScene& traced, const Settings& settings,
+               const IntegratorRow& integrator);
 
     /// Calls show(i, seen) with the result of each requested ray i that can be traced. Radiance
     /// that is not finite is replaced by black.

@@ -32,7 +32,7 @@ struct JobParts {
     TracedScene traced;  ///< With the lights of the picture.
     PictureForm form;
     Settings settings;
-    IntegratorMaker integrator;
+    const IntegratorRow* integrator;
     rays::CompiledPicture picture{};
     /// The central rays, if distances of objects in focus are measured along them.
     std::optional<rays::CompiledPicture> central{};
