@@ -3,7 +3,7 @@
 
 #include "balcony/rays.hpp"
 
-#include "rays/compile.hpp"
+#include "rays/results.hpp"
 
 namespace balcony::rays {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "rays/compile.hpp"
+#include "rays/results.hpp"
 
 namespace balcony::rays {
 

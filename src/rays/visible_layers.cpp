@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "rays/compile.hpp"
+#include "rays/results.hpp"
 
 namespace balcony::rays {
 
