@@ -5,6 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
+#include <set>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -127,36 +131,37 @@ Result<OpenPicture> open_picture(const MakeOpen& make,
         return std::move(closed.diagnostics);
     }
     OpenPicture made{closed->picture, {}, closed->others};
+    const std::set<std::string_view> wanted =
+        requested ? std::set<std::string_view>(requested->begin(), requested->end())
+                  : std::set<std::string_view>();
     std::vector<std::string> candidates;
     for (const OpenParameter& number : closed->numbers) {
-        if (!requested ||
-            std::find(requested->begin(), requested->end(), number.name) != requested->end()) {
+        if (!requested || wanted.contains(number.name)) {
             candidates.push_back(number.name);
         }
     }
-    const auto accept = [&](const OpenAttempt& opened, const std::vector<std::string>& names) {
-        made.picture = opened.picture;
-        made.open.clear();
-        for (const OpenParameter& number : closed->numbers) {
-            if (std::find(names.begin(), names.end(), number.name) != names.end()) {
-                made.open.push_back(number);
-            }
-        }
-    };
-    if (const auto all = attempt(make, candidates, closed->picture)) {
-        accept(*all, candidates);
-        return {std::move(made), std::move(closed.diagnostics)};
-    }
+    // All at once, or else each half by itself.
     std::vector<std::string> open;
-    for (const std::string& name : candidates) {
-        open.push_back(name);
-        if (const auto more = attempt(make, open, closed->picture)) {
-            accept(*more, open);
-        } else {
-            open.pop_back();
-            made.closed.push_back(name);
-        }
+    const std::function<void(std::span<const std::string>)> add =
+        [&](std::span<const std::string> names) {
+            std::vector<std::string> more = open;
+            more.insert(more.end(), names.begin(), names.end());
+            if (auto opened = attempt(make, more, closed->picture)) {
+                made.picture = std::move(opened->picture);
+                open = std::move(more);
+            } else if (names.size() == 1) {
+                made.closed.push_back(names.front());
+            } else {
+                add(names.first(names.size() / 2));
+                add(names.subspan(names.size() / 2));
+            }
+        };
+    if (!candidates.empty()) {
+        add(candidates);
     }
+    const std::set<std::string_view> is_open(open.begin(), open.end());
+    std::copy_if(closed->numbers.begin(), closed->numbers.end(), std::back_inserter(made.open),
+                 [&](const OpenParameter& number) { return is_open.contains(number.name); });
     return {std::move(made), std::move(closed.diagnostics)};
 }
 
