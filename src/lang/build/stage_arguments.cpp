@@ -150,7 +150,7 @@ std::optional<Arguments> StageBuilder::bind(const StageEntry& row, const std::ve
         const Given& about = given[*finding.value];
         const bool of_name = finding.kind == Finding::Kind::unknown_name ||
                              finding.kind == Finding::Kind::given_twice;
-        const Place* place = &about.place;
+        const Written* place = &about.place;
         for (const std::size_t i : finding.element) {
             place = i < place->parts.size() ? &place->parts[i] : place;
         }

@@ -74,7 +74,7 @@ StageBuilder::Located StageBuilder::table(const camera::PointsParameter& type, E
     const bool numbers = type.coordinates == std::vector<std::size_t>{1};
     camera::Points points;
     for (const auto& line : read->rows) {
-        Place place;
+        Written place;
         camera::Tuple point;
         for (std::size_t i = 0; i < line.size(); ++i) {
             point.push_back({camera::Scalar(line[i].value),

@@ -109,8 +109,8 @@ camera::Tuple StageBuilder::tuple(const Value& value) const {
     return made;
 }
 
-StageBuilder::Place StageBuilder::place_of(const Value& value, const SourceSpan& span) {
-    Place made{span};
+StageBuilder::Written StageBuilder::place_of(const Value& value, const SourceSpan& span) {
+    Written made{span};
     if (value.elements) {
         for (const Element& element : *value.elements) {
             made.parts.push_back(place_of(element.value, element.place));

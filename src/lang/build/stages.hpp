@@ -106,18 +106,18 @@ private:
 
     // ------------------------------------------------------------------------ what is given
     /// Where a value is written, and where its parts are.
-    struct Place {
+    struct Written {
         SourceSpan span{};
-        std::vector<Place> parts{};
+        std::vector<Written> parts{};
     };
     struct Located {
         camera::ArgumentValue value;
-        Place place;
+        Written place;
     };
     /// A value for a parameter, with what in the camera file stands for it.
     struct Given {
         camera::NamedValue named;
-        Place place;
+        Written place;
         Span name{};
         Span expression{};
     };
@@ -137,7 +137,7 @@ private:
     Located unsuitable(ExpressionId given);
     [[nodiscard]] camera::Quantity quantity(const Value& value) const;
     [[nodiscard]] camera::Tuple tuple(const Value& value) const;
-    [[nodiscard]] static Place place_of(const Value& value, const SourceSpan& span);
+    [[nodiscard]] static Written place_of(const Value& value, const SourceSpan& span);
     std::optional<std::string> named_axis(const Expression& node);
 
     // --------------------------------------------------------------------------------- files

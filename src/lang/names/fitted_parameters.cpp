@@ -23,7 +23,7 @@ FittedParameters::FittedParameters(const LocatedDefinition& place, Scope& names,
             }
         }
     }
-    if (!places_.empty()) {
+    if (!entries_.empty()) {
         define_scene_names(session.scene().value_or(SceneMeasures()), axes(), *session.graph(),
                            scene_names_);
     }
@@ -47,9 +47,9 @@ void FittedParameters::read(const Assignment& assignment,
 
 void FittedParameters::add(const Assignment& assignment, std::size_t index) {
     const Identifier& name = assignment.names[index];
-    const auto [earlier, is_new] = places_.try_emplace(name.text, Place{&assignment, index});
+    const auto [earlier, is_new] = entries_.try_emplace(name.text, Entry{&assignment, index});
     if (!is_new) {
-        const Place& first = earlier->second;
+        const Entry& first = earlier->second;
         Diagnostic diagnostic = error(fmt::format("'{}' is fitted twice", name.text),
                                       tree_.at(name.span), "remove one of the two");
         diagnostic.notes.push_back(
@@ -70,8 +70,8 @@ Axes FittedParameters::axes() const {
 }
 
 std::optional<FittedParameters::Fitted> FittedParameters::find(std::string_view name) {
-    const auto found = places_.find(name);
-    if (found == places_.end()) {
+    const auto found = entries_.find(name);
+    if (found == entries_.end()) {
         return std::nullopt;
     }
     const auto& [assignment, index] = found->second;

@@ -27,7 +27,7 @@ public:
     [[nodiscard]] std::optional<Fitted> find(std::string_view name);
 
 private:
-    struct Place {
+    struct Entry {
         const Assignment* assignment;
         std::size_t index;  ///< Of the name in it.
     };
@@ -40,7 +40,7 @@ private:
     const SyntaxTree& tree_;
     Session& session_;
     Scope scene_names_;
-    std::map<std::string_view, Place> places_;
+    std::map<std::string_view, Entry> entries_;
 };
 
 }  // namespace balcony::lang

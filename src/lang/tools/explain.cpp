@@ -51,7 +51,7 @@ std::string one_line(const SyntaxTree& tree, Span span) {
 using Meanings = std::vector<std::string>;
 
 // The file to explain, and the stages that it may name.
-struct Place {
+struct Source {
     const SyntaxTree& tree;
     const camera::Catalogue& catalogue;
 };
@@ -73,7 +73,7 @@ std::optional<StageKind> nested_kind(const camera::StageEntry& row, const Argume
 }
 
 // The catalogue's meanings of a call and of the stages inside it, each once.
-void add_stages(const Place& place, ExpressionId call, StageKind kind, Meanings& found) {
+void add_stages(const Source& place, ExpressionId call, StageKind kind, Meanings& found) {
     const Expression& node = place.tree[call];
     const bool may_be_stage = node.kind == ExpressionKind::call ||
                               node.kind == ExpressionKind::name ||
@@ -115,7 +115,7 @@ Meanings of_blend(const Statement& statement) {
     return {fmt::format("{}: {}", name, camera::blend_modes()[mode].meaning)};
 }
 
-Meanings meanings(const Place& place, const StatementRow& row, const Statement& statement) {
+Meanings meanings(const Source& place, const StatementRow& row, const Statement& statement) {
     if (!row.meaning.empty()) {
         return {std::string(row.meaning)};
     }
@@ -132,7 +132,7 @@ Meanings meanings(const Place& place, const StatementRow& row, const Statement& 
     return found;
 }
 
-void add_steps(const Place& place, const std::vector<Statement>& statements, std::size_t depth,
+void add_steps(const Source& place, const std::vector<Statement>& statements, std::size_t depth,
                std::vector<Explanation::Step>& made) {
     std::vector<std::pair<const StatementRow*, const Statement*>> ordered;
     for (const Statement& statement : statements) {
