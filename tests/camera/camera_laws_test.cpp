@@ -313,7 +313,7 @@ TEST(CameraMake, SaysWhatIsMissing) {
     EXPECT_EQ(message_of(parts), "camera 'test' has no direction rule");
     parts = whole;
     parts.look = look("relative");
-    EXPECT_EQ(message_of(parts), "camera 'test' has no direction object");
+    EXPECT_EQ(message_of(parts), "camera 'test': this direction rule needs a direction object");
     parts = with_direction_object("relative");
     parts.toward->generator = nullptr;
     EXPECT_EQ(message_of(parts), "camera 'test' has no direction object");
@@ -321,10 +321,10 @@ TEST(CameraMake, SaysWhatIsMissing) {
 
 TEST(CameraMake, SaysWhatDoesNotFit) {
     Camera::Parts parts = normal_camera(object("circle"), range(-3.0, 3.0, -1.0, 1.0));
-    EXPECT_NE(message_of(parts).find("needs a surface as eye object, but has a curve"),
+    EXPECT_NE(message_of(parts).find("needs a surface, but the eye object is a curve"),
               std::string::npos);
     parts.eye.generator = object("point");
-    EXPECT_NE(message_of(parts).find("needs a surface as eye object, but has a point"),
+    EXPECT_NE(message_of(parts).find("needs a surface, but the eye object is a point"),
               std::string::npos);
     parts.eye.generator = object("sphere");
     for (const double aspect : {0.0, -1.0, std::nan(""), HUGE_VAL}) {

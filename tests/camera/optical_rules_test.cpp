@@ -178,8 +178,9 @@ TEST(OpticalRules, SayWhatTheyNeed) {
         EXPECT_EQ(at("toward")->min_direction_dimension(), 2);
         const Result<Camera> made = Camera::make(looking_at(object("circle"), false, at("toward")));
         ASSERT_FALSE(made);
-        EXPECT_NE(made.diagnostics.front().message.find("needs a surface as direction object"),
-                  std::string::npos);
+        EXPECT_NE(
+            made.diagnostics.front().message.find("needs a surface, but the direction object"),
+            std::string::npos);
     }
 }
 

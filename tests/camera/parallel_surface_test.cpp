@@ -123,9 +123,8 @@ TEST(Offset, NeedsASurface) {
         parts.look = look("relative");
         const Result<Camera> made = Camera::make(std::move(parts));
         ASSERT_FALSE(made);
-        EXPECT_NE(
-            made.diagnostics.front().message.find("needs a surface, but the direction object"),
-            std::string::npos);
+        EXPECT_NE(made.diagnostics.front().message.find("needs a surface, but the 'toward' object"),
+                  std::string::npos);
         EXPECT_FALSE(made.diagnostics.front().remedy.empty());
     }
 }

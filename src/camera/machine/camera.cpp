@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "camera/machine/arrange.hpp"
+#include "camera/machine/misfits.hpp"
 #include "camera/machine/ray_expressions.hpp"
 #include "camera/machine/size_limit.hpp"
 
@@ -54,15 +55,21 @@ void check_path(const Path& path, std::string_view object, const std::string& ca
     }
     if (!path.generator) {
         diagnostics.push_back(error(fmt::format("camera '{}' has no {} object", camera, object)));
-        return;
     }
-    for (const ObjectTransformerPointer& transformer : path.object_transformers) {
+}
+
+void add_misfits_of_moves(const Path& path, Misfit::Of of, std::vector<Misfit>& found) {
+    for (std::size_t i = 0; path.generator && i < path.object_transformers.size(); ++i) {
+        const ObjectTransformerPointer& transformer = path.object_transformers[i];
         if (transformer && path.generator->dimension() < transformer->min_dimension()) {
-            diagnostics.push_back(error(
-                fmt::format("an object transformer of camera '{}' needs a surface, but the {} "
-                            "object is a {}",
-                            camera, object, name_of_dimension(path.generator->dimension())),
-                {}, "move only the path whose object is a surface"));
+            found.push_back(
+                {of, i,
+                 error(fmt::format("this stage needs a surface, but the '{}' object is a {}",
+                                   of == Misfit::Of::eye_move ? "eye" : "toward",
+                                   name_of_dimension(path.generator->dimension())),
+                       {},
+                       "write it in the block of an object that is a surface, for example eye { "
+                       "object sphere(1)  move offset(1) }")});
         }
     }
 }
@@ -84,6 +91,40 @@ Expr ClipShape::coverage(const PicturePoint& picture, Expr softness, Emitter& em
     return select(0.0 < softness, ramp * ramp * (3.0 - 2.0 * ramp), sharp);
 }
 
+std::vector<Misfit> misfits(const Camera::Parts& parts) {
+    std::vector<Misfit> found;
+    add_misfits_of_moves(parts.eye, Misfit::Of::eye_move, found);
+    if (parts.toward) {
+        add_misfits_of_moves(*parts.toward, Misfit::Of::toward_move, found);
+    }
+    if (!parts.look) {
+        return found;
+    }
+    const auto add = [&found](Misfit::Of of, std::string message, std::string remedy) {
+        found.push_back({of, 0, error(std::move(message), {}, std::move(remedy))});
+    };
+    if (parts.look->needs_direction_object() && !parts.toward) {
+        add(Misfit::Of::missing_toward, "this direction rule needs a direction object",
+            "add one with toward, for example toward sphere(10)");
+    }
+    if (parts.toward && parts.toward->generator &&
+        parts.toward->generator->dimension() < parts.look->min_direction_dimension()) {
+        add(Misfit::Of::look,
+            fmt::format("this direction rule needs a surface, but the direction object is a {}",
+                        name_of_dimension(parts.toward->generator->dimension())),
+            "write a surface after toward");
+    }
+    const int minimum = parts.look->min_eye_dimension();
+    if (parts.eye.generator && parts.eye.generator->dimension() < minimum) {
+        add(Misfit::Of::look,
+            fmt::format("this direction rule needs a {}, but the eye object is a {}",
+                        minimum == 2 ? "surface" : "curve or a surface",
+                        name_of_dimension(parts.eye.generator->dimension())),
+            "add a direction object with toward, or use another eye object");
+    }
+    return found;
+}
+
 Result<Camera> Camera::make(Parts parts) {
     const std::string name = parts.name;
     Diagnostics diagnostics;
@@ -93,38 +134,18 @@ Result<Camera> Camera::make(Parts parts) {
     }
     if (!parts.look) {
         diagnostics.push_back(error(fmt::format("camera '{}' has no direction rule", parts.name)));
-    } else {
-        const int minimum = parts.look->min_eye_dimension();
-        if (parts.eye.generator && parts.eye.generator->dimension() < minimum) {
-            diagnostics.push_back(error(
-                fmt::format("the direction rule of camera '{}' needs a {} as eye object, but has "
-                            "a {}",
-                            parts.name, minimum == 2 ? "surface" : "curve or surface",
-                            name_of_dimension(parts.eye.generator->dimension())),
-                {}, "use another eye object, or add a direction object with: toward ..."));
-        }
-        if (parts.look->needs_direction_object() && !parts.toward) {
-            diagnostics.push_back(
-                error(fmt::format("camera '{}' has no direction object", parts.name), {},
-                      "add: toward ..."));
-        }
-        const int minimum_toward = parts.look->min_direction_dimension();
-        if (parts.toward && parts.toward->generator &&
-            parts.toward->generator->dimension() < minimum_toward) {
-            diagnostics.push_back(error(
-                fmt::format("the direction rule of camera '{}' needs a surface as direction "
-                            "object, but has a {}",
-                            parts.name, name_of_dimension(parts.toward->generator->dimension())),
-                {}, "use another direction object"));
-        }
-        if (parts.toward && !parts.look->needs_direction_object()) {
-            diagnostics.push_back(warning(
-                fmt::format(
-                    "camera '{}' has a direction object that its direction rule does not use",
-                    parts.name),
-                {}, "remove toward, or use: look relative"));
-            parts.toward.reset();
-        }
+    }
+    for (Misfit& misfit : misfits(parts)) {
+        misfit.diagnostic.message =
+            fmt::format("camera '{}': {}", parts.name, misfit.diagnostic.message);
+        diagnostics.push_back(std::move(misfit.diagnostic));
+    }
+    if (parts.toward && parts.look && !parts.look->needs_direction_object()) {
+        diagnostics.push_back(warning(
+            fmt::format("camera '{}' has a direction object that its direction rule does not use",
+                        parts.name),
+            {}, "remove toward, or use: look relative"));
+        parts.toward.reset();
     }
     if (!(parts.aspect > 0.0 && std::isfinite(parts.aspect))) {
         diagnostics.push_back(

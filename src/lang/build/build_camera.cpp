@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
+#include "camera/machine/misfits.hpp"
 #include "lang/build/build_map.hpp"
 #include "lang/build/build_morph.hpp"
 #include "lang/build/stages.hpp"
@@ -51,6 +53,7 @@ public:
             paths(parts);
             own_picture(parts);
             look(parts);
+            report_misfits(parts);
         }
         stereo(parts);
         lens(parts);
@@ -264,7 +267,7 @@ private:
         if (!statement.stages().empty()) {
             made.generator = generator(statement.stages().front());
             shares_map = true;
-            check_moves(made, statements_, 0, statement);
+            moves_[statement.kind] = statements_.stages(StatementKind::move);
             return made;
         }
         const Statements own(tree_, statement.block, reporter_);
@@ -286,26 +289,11 @@ private:
         const auto moves = list<camera::ObjectTransformer>(own, StatementKind::move);
         made.object_transformers.insert(made.object_transformers.begin(), moves.begin(),
                                         moves.end());
-        check_moves(made, own, 0, statement);
-        check_moves(made, statements_, moves.size(), statement);
+        std::vector<ExpressionId>& calls = moves_[statement.kind];
+        calls = own.stages(StatementKind::move);
+        const std::vector<ExpressionId> shared = statements_.stages(StatementKind::move);
+        calls.insert(calls.end(), shared.begin(), shared.end());
         return made;
-    }
-
-    // Reports moves that need a surface where the path has none. `first` is the position among the
-    // path's moves of the first one in the statements.
-    void check_moves(const camera::Path& path, const Statements& statements, std::size_t first,
-                     const Statement& object) {
-        for (const ExpressionId call : statements.stages(StatementKind::move)) {
-            const auto& move = path.object_transformers[first++];
-            if (move && path.generator && path.generator->dimension() < move->min_dimension()) {
-                error(tree_[call].span,
-                      fmt::format("this stage needs a surface, but the '{}' object is a {}",
-                                  keyword(object.kind),
-                                  path.generator->dimension() == 0 ? "point" : "curve"),
-                      "write it in the block of an object that is a surface, for example eye { "
-                      "object sphere(1)  move offset(1) }");
-            }
-        }
     }
 
     void require_map(const Statement& path) {
@@ -336,28 +324,24 @@ private:
             parts.look = stages_.make<camera::DirectionRule>(
                 toward != nullptr ? "relative" : "normal", std::span<const ExpressionId>(), span);
         }
-        if (!parts.look) {
-            return;
-        }
-        if (parts.look->needs_direction_object() && statements_.lacks(StatementKind::toward)) {
-            error(span, "this direction rule needs a direction object",
-                  "add one with toward, for example toward sphere(10)");
-        }
-        if (parts.toward && parts.toward->generator &&
-            parts.toward->generator->dimension() < parts.look->min_direction_dimension()) {
-            error(span,
-                  fmt::format("this direction rule needs a surface, but the direction object is a "
-                              "{}",
-                              parts.toward->generator->dimension() == 0 ? "point" : "curve"),
-                  "write a surface after toward");
-        }
-        const int minimum = parts.look->min_eye_dimension();
-        if (parts.eye.generator && parts.eye.generator->dimension() < minimum) {
-            error(span,
-                  fmt::format("this direction rule needs a {}, but the eye object is a {}",
-                              minimum == 2 ? "surface" : "curve or a surface",
-                              parts.eye.generator->dimension() == 0 ? "point" : "curve"),
-                  "add a direction object with toward, or use another eye object");
+    }
+
+    void report_misfits(const camera::Camera::Parts& parts) {
+        using Of = camera::Misfit::Of;
+        const Statement* look = statements_.find(StatementKind::look);
+        for (camera::Misfit& misfit : camera::misfits(parts)) {
+            // A broken statement has been reported.
+            if (misfit.of == Of::missing_toward && !statements_.lacks(StatementKind::toward)) {
+                continue;
+            }
+            const Span span = misfit.of == Of::eye_move
+                                  ? tree_[moves_[StatementKind::eye][misfit.move]].span
+                              : misfit.of == Of::toward_move
+                                  ? tree_[moves_[StatementKind::toward][misfit.move]].span
+                              : look != nullptr ? look->span
+                                                : camera_.name.span;
+            misfit.diagnostic.span = tree_.at(span);
+            reporter_.add(std::move(misfit.diagnostic));
         }
     }
 
@@ -402,6 +386,8 @@ private:
     StageBuilder stages_;
     Statements statements_;
     camera::Path shared_;  // Statements at camera level.
+    std::map<StatementKind, std::vector<ExpressionId>>
+        moves_;  // Of the paths, by their statements.
     bool map_missed_ = false;
 };
 
