@@ -360,7 +360,7 @@ class Shards(AnimationTest):
         self.run_command("merge", "f.#.png")
 
     def test_damaged_frames_are_named(self):
-        for ending in ("png", "exr", "tif"):
+        for ending in ("png", "exr", "tif", "jpg", "webp"):
             more = ("--frames", "1-3", "-o", f"f.#.{ending}")
             self.animate(*more)
             self.run_command("merge", f"f.#.{ending}")

@@ -4,6 +4,7 @@
 #include "balcony/animation.hpp"
 
 #include <algorithm>
+#include <fstream>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -49,6 +50,16 @@ std::map<std::size_t, std::vector<fs::path>> parts_of_frames(const FramePattern&
     return parts;
 }
 
+// Decoders take what there is of a JPEG file, whose end is marked.
+bool is_cut_off(const fs::path& file) {
+    const render::DisplayFormat* const format = render::display_format(file);
+    std::ifstream stream(file, std::ios::binary);
+    std::string end(2, '\0');
+    stream.seekg(-2, std::ios::end);
+    stream.read(end.data(), 2);
+    return format != nullptr && format->encoder == "jpeg" && end != "\xff\xd9";
+}
+
 // Whether the file of a frame can be read to its end.
 Diagnostics check_whole(std::size_t frame, const fs::path& file) {
     const auto refused = [&](const Diagnostic& reason) {
@@ -71,7 +82,7 @@ Diagnostics check_whole(std::size_t frame, const fs::path& file) {
             return refused(*reason);
         }
     }
-    return {};
+    return is_cut_off(file) ? refused(error("it is truncated")) : Diagnostics{};
 }
 
 // Merges what is in parts; gives the frames that are still missing.
