@@ -8,11 +8,15 @@
 #include <filesystem>
 #include <fstream>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "balcony/base.hpp"
 
 namespace balcony {
+
+/// The extension of a file name in lower case, with the dot: by it, a file has its format.
+[[nodiscard]] std::string ending_of(const std::filesystem::path& file);
 
 class OutputFile {
 public:

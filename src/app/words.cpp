@@ -3,9 +3,7 @@
 
 #include "app/words.hpp"
 
-#include <algorithm>
 #include <charconv>
-#include <filesystem>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -21,14 +19,6 @@ std::optional<std::size_t> whole_number_of(std::string_view text) {
     const char* const end = text.data() + text.size();
     const auto [read_to, failed] = std::from_chars(text.data(), end, number);
     return failed == std::errc() && read_to == end ? std::optional(number) : std::nullopt;
-}
-
-std::string ending_of(const std::string& file) {
-    std::string ending = std::filesystem::path(file).extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
-    return ending;
 }
 
 bool add(Diagnostics& diagnostics, const Diagnostics& more) {

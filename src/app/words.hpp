@@ -18,9 +18,6 @@ namespace balcony::app {
 /// The whole text as a number without a sign, or nothing.
 [[nodiscard]] std::optional<std::size_t> whole_number_of(std::string_view text);
 
-/// The extension of a file name in lower case, including the dot.
-[[nodiscard]] std::string ending_of(const std::string& file);
-
 /// Adds diagnostics; true if there are errors among them.
 bool add(Diagnostics& diagnostics, const Diagnostics& more);
 

@@ -100,6 +100,14 @@ fs::path resolved(const fs::path& file) {
 }
 
 Diagnostics move_into_place(const fs::path& complete, const fs::path& file) {
+std::string ending_of(const fs::path& file) {
+    std::string ending = file.extension().string();
+    for (char& c : ending) {
+        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    return ending;
+}
+
     std::error_code failed;
     const fs::file_status before = fs::status(file, failed);
     if (fs::exists(before)) {

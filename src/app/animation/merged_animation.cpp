@@ -21,6 +21,7 @@
 #include "app/words.hpp"
 #include "balcony/images.hpp"
 #include "balcony/input_file.hpp"
+#include "balcony/output_file.hpp"
 
 namespace balcony::app {
 

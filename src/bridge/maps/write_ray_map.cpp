@@ -72,10 +72,7 @@ RaysWritten write_npy(const RayGrid& grid, std::ostream& stream, const std::stop
 
 RaysWritten write_ray_map(const RayGrid& grid, const fs::path& file, NumberFormat format,
                           const std::stop_token& stop) {
-    std::string ending = file.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
+    const std::string ending = ending_of(file);
     if ((ending != ".exr" && ending != ".npy") || format == NumberFormat::text) {
         return {.problems = {error(fmt::format("'{}' is no ray map", file.string()), {},
                                    "use a file name that ends in .exr or .npy")}};

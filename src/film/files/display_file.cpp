@@ -41,7 +41,7 @@ Result<std::vector<std::uint8_t>> encode(const images::Samples& samples, const D
 std::span<const DisplayFormat> display_formats() { return formats; }
 
 const DisplayFormat* display_format(const std::filesystem::path& file) {
-    const std::string extension = extension_of(file);
+    const std::string extension = ending_of(file);
     const auto* const format = std::find_if(
         formats.begin(), formats.end(),
         [&](const DisplayFormat& candidate) { return candidate.extension == extension; });

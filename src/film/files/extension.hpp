@@ -3,14 +3,10 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 
 #include "balcony/base.hpp"
 
 namespace balcony::render {
-
-/// The extension of a file in lower case, with the dot.
-[[nodiscard]] std::string extension_of(const std::filesystem::path& file);
 
 /// The error for a file whose extension is none of the formats that are written.
 [[nodiscard]] Diagnostic not_a_picture_format(const std::filesystem::path& file);

@@ -1,7 +1,6 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include <algorithm>
 #include <string>
 
 #include <fmt/format.h>
@@ -14,13 +13,6 @@
 
 namespace balcony::render {
 
-std::string extension_of(const std::filesystem::path& file) {
-    std::string text = file.extension().string();
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    return text;
-}
-
 Diagnostic not_a_picture_format(const std::filesystem::path& file) {
     std::string known;
     for (const DisplayFormat& format : display_formats()) {
@@ -32,7 +24,7 @@ Diagnostic not_a_picture_format(const std::filesystem::path& file) {
 }
 
 Diagnostics check_output(const std::filesystem::path& file) {
-    if (extension_of(file) == ".exr") {
+    if (ending_of(file) == ".exr") {
         return OutputFile::check(file);
     }
     if (display_format(file) == nullptr) {
