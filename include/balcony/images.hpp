@@ -131,10 +131,7 @@ public:
 // ------------------------------------------------------------------------------- OpenImageIO
 
 /// Loads OpenImageIO at once, so that a caller that writes an image after long work learns before
-/// it that OpenImageIO is missing.
+/// it that OpenImageIO is missing, which is an error of Kind::environment.
 [[nodiscard]] Diagnostics require();
-
-/// Whether OpenImageIO was needed and could not be loaded.
-[[nodiscard]] bool is_missing();
 
 }  // namespace balcony::images

@@ -86,7 +86,8 @@ Diagnostic cannot_write(const fs::path& file, int number) {
 }
 
 Diagnostic not_a_file(const fs::path& file) {
-    return error(Kind::usage, fmt::format("'{}' exists and is not a regular file", file.string()),
+    return error(Kind::environment,
+                 fmt::format("'{}' exists and is not a regular file", file.string()),
                  "choose another file name");
 }
 
@@ -99,7 +100,6 @@ fs::path resolved(const fs::path& file) {
     return failed ? file : real;
 }
 
-Diagnostics move_into_place(const fs::path& complete, const fs::path& file) {
 std::string ending_of(const fs::path& file) {
     std::string ending = file.extension().string();
     for (char& c : ending) {
@@ -108,6 +108,7 @@ std::string ending_of(const fs::path& file) {
     return ending;
 }
 
+Diagnostics move_into_place(const fs::path& complete, const fs::path& file) {
     std::error_code failed;
     const fs::file_status before = fs::status(file, failed);
     if (fs::exists(before)) {

@@ -13,7 +13,6 @@
 #include <unistd.h>
 #include <nlohmann/json.hpp>
 
-#include "balcony/images.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/interruption.hpp"
 #include "cli/options/command_words.hpp"
@@ -153,10 +152,6 @@ int main(int argc, char** argv) {
         "balcony"};
     describe(app);
     ExitCode code = run(app, argc, argv);
-    // Whatever could not be done without it: the installation is at fault.
-    if (balcony::images::is_missing()) {
-        code = ExitCode::environment;
-    }
     // A command that has failed in its environment has said so.
     if (!cli::finish_output() && code != ExitCode::environment) {
         cli::report(

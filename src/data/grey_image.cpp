@@ -18,7 +18,8 @@ using camera::GreyImage;
 using images::ImageFile;
 
 Diagnostic no_image(const File& file, const Diagnostic& reason) {
-    return error(fmt::format("'{}' cannot be read as an image: {}", file.name, reason.message), {},
+    return error(reason.kind,
+                 fmt::format("'{}' cannot be read as an image: {}", file.name, reason.message),
                  reason.remedy);
 }
 

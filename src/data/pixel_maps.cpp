@@ -116,9 +116,10 @@ std::optional<Diagnostic> refuse_size(const MapForm& form, const File& file, std
 // --------------------------------------------------------------------------------------- images
 
 Diagnostic no_map(const MapForm& form, const File& file, const Diagnostic& reason) {
-    return error(fmt::format("'{}' cannot be read as {} {}: {}", file.name,
+    return error(reason.kind,
+                 fmt::format("'{}' cannot be read as {} {}: {}", file.name,
                              form.what.starts_with('S') ? "an" : "a", form.what, reason.message),
-                 {}, reason.remedy);
+                 reason.remedy);
 }
 
 MapResult read_image(const MapForm& form, const File& file, ImageFile& input) {

@@ -11,6 +11,4 @@ const Result<const ImageLibrary*>& image_library() {
     return library;
 }
 
-bool is_missing() { return false; }
-
 }  // namespace balcony::images

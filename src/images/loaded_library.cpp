@@ -1,8 +1,6 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include <atomic>
-
 #include <dlfcn.h>
 #include <fmt/format.h>
 
@@ -14,10 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::atomic<bool> missing = false;
-
 Diagnostic incomplete(std::string_view reason, std::string remedy) {
-    missing = true;
     return error(Kind::environment, fmt::format("the installation is incomplete: {}", reason),
                  std::move(remedy));
 }
@@ -65,7 +60,5 @@ const Result<const ImageLibrary*>& image_library() {
     static const Result<const ImageLibrary*> library = load();
     return library;
 }
-
-bool is_missing() { return missing; }
 
 }  // namespace balcony::images

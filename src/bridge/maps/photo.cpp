@@ -17,8 +17,9 @@ namespace {
 using images::ImageFile;
 
 Diagnostic no_photo(const std::filesystem::path& file, const Diagnostic& reason) {
-    return error(fmt::format("'{}' cannot be read as an image: {}", file.string(), reason.message),
-                 {}, reason.remedy);
+    return error(reason.kind,
+                 fmt::format("'{}' cannot be read as an image: {}", file.string(), reason.message),
+                 reason.remedy);
 }
 
 /// How the channels of a file become linear light.

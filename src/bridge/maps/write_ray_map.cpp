@@ -74,7 +74,7 @@ RaysWritten write_ray_map(const RayGrid& grid, const fs::path& file, NumberForma
                           const std::stop_token& stop) {
     const std::string ending = ending_of(file);
     if ((ending != ".exr" && ending != ".npy") || format == NumberFormat::text) {
-        return {.problems = {error(fmt::format("'{}' is no ray map", file.string()), {},
+        return {.problems = {error(Kind::usage, fmt::format("'{}' is no ray map", file.string()),
                                    "use a file name that ends in .exr or .npy")}};
     }
     OutputFile output(file);

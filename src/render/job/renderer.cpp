@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "balcony/images.hpp"
 #include "base/stopwatch.hpp"
 #include "render/job/renderer_state.hpp"
 
@@ -32,6 +33,11 @@ Result<Renderer> Renderer::make(std::shared_ptr<const scene::Scene> scene,
         return error(fmt::format("{:.3g} MiB are too little memory for textures",
                                  static_cast<double>(settings.texture_memory) / 0x1p20),
                      {}, fmt::format("give at least {} MiB", min_texture_memory >> 20U));
+    }
+    // Its absence is no fault of a texture, so that no picture is made without textures.
+    if (Diagnostics found = scene->textures.empty() ? Diagnostics() : images::require();
+        has_errors(found)) {
+        return found;
     }
     const Stopwatch watch;
     const scene::TimeInterval times =

@@ -96,8 +96,9 @@ EnvironmentMap sky_map(const Atmosphere& air) {
 }
 
 Diagnostic unusable(const std::filesystem::path& file, const Diagnostic& reason) {
-    return error(fmt::format("environment '{}' cannot be used: {}", file.string(), reason.message),
-                 {}, reason.remedy);
+    return error(reason.kind,
+                 fmt::format("environment '{}' cannot be used: {}", file.string(), reason.message),
+                 reason.remedy);
 }
 
 }  // namespace
