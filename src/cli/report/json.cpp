@@ -13,6 +13,9 @@ nlohmann::json to_json(const Diagnostics& diagnostics) {
         nlohmann::json entry{
             {"severity", diagnostic.severity == Severity::error ? "error" : "warning"},
             {"message", diagnostic.message}};
+        if (diagnostic.severity == Severity::error) {
+            entry["kind"] = name_of(diagnostic.kind);
+        }
         if (!diagnostic.remedy.empty()) {
             entry["remedy"] = diagnostic.remedy;
         }

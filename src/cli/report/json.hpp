@@ -8,7 +8,7 @@
 
 namespace balcony::cli {
 
-/// Diagnostics as a list of objects: severity, message, remedy, file, line, column.
+/// Diagnostics as a list of objects: severity, kind of errors, message, remedy, file, line, column.
 [[nodiscard]] nlohmann::json to_json(const Diagnostics& diagnostics);
 
 }  // namespace balcony::cli
