@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The options that describe a picture. Each group has its file in src/app/options.
+// The options that describe a picture or an animation. Each group has its file in src/app/options.
 
 #include <string>
 
+#include "balcony/animation.hpp"
 #include "balcony/options.hpp"
 #include "balcony/request.hpp"
 
@@ -44,6 +45,10 @@ namespace balcony::app {
 [[nodiscard]] Options<Request> picture_options();
 /// --threads
 [[nodiscard]] Options<Request> thread_options();
+/// All of a picture but its scene and its output.
+[[nodiscard]] Options<Request> request_options();
+/// All of an animation but its scene, --output among them.
+[[nodiscard]] Options<AnimationRequest> animation_options();
 
 /// --time in seconds, at the end of a path of members.
 template <class Target, class First, class... More>

@@ -11,13 +11,11 @@
 
 #include <fcntl.h>
 #include <unistd.h>
-#include <nlohmann/json.hpp>
 
 #include "cli/commands/command.hpp"
 #include "cli/interruption.hpp"
 #include "cli/options/command_words.hpp"
 #include "cli/report/completions.hpp"
-#include "cli/report/json.hpp"
 #include "cli/report/manual.hpp"
 #include "cli/report/report.hpp"
 #include "cli/report/usage.hpp"
@@ -58,14 +56,6 @@ void describe(CLI::App& app) {
         "...), 130 interrupted (the partial picture is saved).");
 }
 
-void report_error(const balcony::Diagnostic& diagnostic, bool as_json) {
-    if (as_json) {
-        cli::print_json(nlohmann::json::object({{"diagnostics", cli::to_json({diagnostic})}}));
-    } else {
-        cli::report({diagnostic});
-    }
-}
-
 // CLI11 expects the words in reverse order.
 std::vector<std::string> words_from_the_last(int argc, char** argv) {
     std::vector<std::string> words =
@@ -94,6 +84,9 @@ ExitCode run(CLI::App& app, int argc, char** argv) {
     // Looked up before the command line is parsed, since parsing may fail.
     const bool as_json = std::any_of(
         argv, argv + argc, [](const char* word) { return std::string_view(word) == "--json"; });
+    const auto refused = [as_json](const balcony::Diagnostic& diagnostic) {
+        return cli::give({{diagnostic}}, {.json = as_json});
+    };
     if (argc < 2) {
         cli::print_aside(app.help());
         return ExitCode::wrong_usage;
@@ -105,32 +98,25 @@ ExitCode run(CLI::App& app, int argc, char** argv) {
         return code;
     }
     if (std::string_view(argv[1]) == "manual" && words.size() == 1) {
-        const balcony::Diagnostics found = cli::write_manual(app, words.front());
-        cli::report(found);
-        return found.empty() ? ExitCode::done : ExitCode::environment;
+        return cli::give({cli::write_manual(app, words.front())}, {});
     }
     try {
         app.parse(words_from_the_last(argc, argv));
     } catch (const CLI::CallForHelp&) {
         const std::vector<std::string> unknown = app.remaining();
         if (app.get_subcommands().empty() && !unknown.empty()) {
-            report_error(cli::usage_error(app, CLI::ExtrasError("help", unknown)), as_json);
-            return ExitCode::wrong_usage;
+            return refused(cli::usage_error(app, CLI::ExtrasError("help", unknown)));
         }
         cli::print_result(app.help());
     } catch (const CLI::CallForVersion& version) {
         cli::print_result(std::string(version.what()) + "\n");
     } catch (const CLI::ParseError& problem) {
-        report_error(cli::usage_error(app, problem), as_json);
-        return ExitCode::wrong_usage;
+        return refused(cli::usage_error(app, problem));
     } catch (const std::bad_alloc&) {
-        report_error(balcony::error(balcony::Kind::environment, "there is not enough memory",
-                                    "make the picture smaller, or free some memory"),
-                     as_json);
-        return ExitCode::environment;
+        return refused(balcony::error(balcony::Kind::environment, "there is not enough memory",
+                                      "make the picture smaller, or free some memory"));
     } catch (const std::exception& problem) {
-        report_error(balcony::error(problem.what()), as_json);
-        return ExitCode::environment;
+        return refused(balcony::error(balcony::Kind::internal, problem.what()));
     }
     return code;
 }
@@ -154,9 +140,10 @@ int main(int argc, char** argv) {
     ExitCode code = run(app, argc, argv);
     // A command that has failed in its environment has said so.
     if (!cli::finish_output() && code != ExitCode::environment) {
-        cli::report(
-            {balcony::error(balcony::Kind::environment, "standard output cannot be written to")});
-        code = code == ExitCode::done ? ExitCode::environment : code;
+        const balcony::Diagnostics failed{
+            balcony::error(balcony::Kind::environment, "standard output cannot be written to")};
+        cli::report(failed);
+        code = code == ExitCode::done ? cli::exit_code_of(failed) : code;
     }
     return static_cast<int>(code);
 }

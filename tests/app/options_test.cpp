@@ -12,17 +12,6 @@
 namespace balcony::app::options_test {
 namespace {
 
-Options<Request> all_options() {
-    Options<Request> all = scene_options();
-    all.rows.push_back(time_option(1e12, &Request::settings, &render::Settings::time));
-    all.add(&Request::shutter, shutter_options());
-    all.add(&Request::stereo, stereo_options());
-    all.add(picture_options());
-    all.add(&Request::job, job_options());
-    all.add(thread_options());
-    return all;
-}
-
 // A word that is not the default of each option, as it is written back; none is the same word.
 const std::map<std::string, std::pair<std::string, std::string>>& examples() {
     static const std::map<std::string, std::pair<std::string, std::string>> words{
@@ -74,45 +63,82 @@ const std::map<std::string, std::pair<std::string, std::string>>& examples() {
         {"--resume", {"true", ""}},
         {"--shard", {"2/5", ""}},
         {"--threads", {"3", ""}},
+        {"--frames", {"1-3,5", "1-3,5"}},
+        {"--start-time", {"1.5", ""}},
+        {"--turntable", {"true", ""}},
+        {"--around", {"vase", ""}},
+        {"--output", {"frame.####.png", ""}},
+        {"--crf", {"18", ""}},
+        {"--keep-frames", {"true", ""}},
+        {"--overwrite", {"true", ""}},
+        {"--same-noise", {"true", ""}},
+        {"--parts-per-frame", {"4", ""}},
     };
     return words;
 }
 
-TEST(OptionRow, WritesWhatItHasRead) {
-    for (const Option<Request>& row : all_options().rows) {
+// A target to begin with: --crf is the quality of a film.
+template <class Target>
+Target target_for(const OptionInfo&) {
+    return {};
+}
+template <>
+AnimationRequest target_for(const OptionInfo& row) {
+    AnimationRequest animation;
+    if (row.name == "--crf") {
+        animation.film.emplace();
+    }
+    return animation;
+}
+
+template <class Target>
+void expect_rows_write_what_they_have_read(const Options<Target>& options) {
+    for (const Option<Target>& row : options.rows) {
         ASSERT_TRUE(examples().contains(row.name)) << row.name << " needs an example";
         const auto& [word, other] = examples().at(row.name);
         const std::vector<std::string> written{other.empty() ? word : other};
         for (const std::vector<std::string>& words : {std::vector{word}, written}) {
-            Request request;
+            Target target = target_for<Target>(row);
             Diagnostics found;
-            EXPECT_NE(row.write(request), written) << row.name << " has the default";
-            row.read(words, request, found);
+            EXPECT_NE(row.write(target), written) << row.name << " has the default";
+            row.read(words, target, found);
             EXPECT_TRUE(found.empty()) << row.name << ": " << to_text(found);
-            EXPECT_EQ(row.write(request), written) << row.name;
+            EXPECT_EQ(row.write(target), written) << row.name;
         }
     }
 }
 
-TEST(OptionRow, RefusesAWordByTheNameOfItsOption) {
-    for (const Option<Request>& row : all_options().rows) {
+TEST(OptionRow, WritesWhatItHasRead) {
+    expect_rows_write_what_they_have_read(request_options());
+    expect_rows_write_what_they_have_read(animation_options());
+}
+
+template <class Target>
+void expect_rows_refuse_a_word(const Options<Target>& options) {
+    for (const Option<Target>& row : options.rows) {
         if (row.type == OptionType::flag || row.repeated || row.name == "--camera" ||
-            row.name == "--fit-to" || row.name == "--environment") {
+            row.name == "--fit-to" || row.name == "--around" || row.name == "--environment") {
             continue;
         }
-        Request request;
+        Target target;
         Diagnostics found;
-        row.read(std::vector<std::string>{"?!"}, request, found);
+        row.read(std::vector<std::string>{"?!"}, target, found);
         ASSERT_EQ(found.size(), 1U) << row.name;
-        EXPECT_TRUE(found.front().message.starts_with(row.name)) << found.front().message;
+        const std::string begin = row.name == "--output" ? "'?!'" : row.name;
+        EXPECT_TRUE(found.front().message.starts_with(begin)) << found.front().message;
         EXPECT_EQ(found.front().kind, Kind::usage) << row.name;
         EXPECT_FALSE(found.front().remedy.empty()) << row.name;
     }
 }
 
+TEST(OptionRow, RefusesAWordByTheNameOfItsOption) {
+    expect_rows_refuse_a_word(request_options());
+    expect_rows_refuse_a_word(animation_options());
+}
+
 TEST(OptionRow, HasTheDefaultOfItsTarget) {
     std::map<std::string, std::string> defaults;
-    for (const Option<Request>& row : all_options().rows) {
+    for (const Option<Request>& row : request_options().rows) {
         defaults[row.name] = row.fallback;
     }
     EXPECT_EQ(defaults["--noise"], "0");
@@ -127,17 +153,48 @@ TEST(OptionRow, HasTheDefaultOfItsTarget) {
 }
 
 TEST(OptionRow, IsCheckedTogetherWithOthers) {
-    const Options<Request> all = all_options();
-    const auto errors_of = [&](const GivenWords& given) {
+    const auto errors_of = [](const GivenWords& given) {
         Request request;
         Diagnostics found;
-        all.read(given, request, found);
+        request_options().read(given, request, found);
         return found.size();
     };
+    EXPECT_EQ(errors_of({}), 0U);
+    EXPECT_EQ(errors_of({{"--set", {"fov=1"}}}), 1U);
     EXPECT_EQ(errors_of({{"--size", {"8x8"}}, {"--width", {"8"}}}), 1U);
     EXPECT_EQ(errors_of({{"--separation", {"0.1"}}}), 1U);
     EXPECT_EQ(errors_of({{"--separation", {"0.1"}}, {"--stereo", {"anaglyph"}}}), 0U);
     EXPECT_EQ(errors_of({{"--shard", {"1/2"}}, {"--save-every", {"1min"}}}), 1U);
+}
+
+TEST(OptionRow, OfAnAnimationIsCheckedTogetherWithOthers) {
+    const auto errors_of = [](const GivenWords& given) {
+        AnimationRequest animation;
+        Diagnostics found;
+        animation_options().read(given, animation, found);
+        return found.size();
+    };
+    EXPECT_EQ(errors_of({{"--output", {"film.mp4"}}, {"--crf", {"20"}}}), 0U);
+    EXPECT_EQ(errors_of({{"--output", {"frame.##.png"}}, {"--crf", {"20"}}}), 1U);
+    EXPECT_EQ(errors_of({{"--output", {"frame.##.png"}}, {"--keep-frames", {"true"}}}), 1U);
+    EXPECT_EQ(errors_of({{"--output", {"film.mp4"}}, {"--stereo", {"files"}}}), 1U);
+}
+
+TEST(OptionRow, OfAnAnimationMakesAFilmOrASequence) {
+    AnimationRequest film;
+    AnimationRequest sequence;
+    Diagnostics found;
+    animation_options().read(
+        {{"--output", {"film.mp4"}}, {"--fps", {"30"}}, {"--around", {"vase"}}}, film, found);
+    animation_options().read({{"--output", {"frame.##.png"}}}, sequence, found);
+    EXPECT_TRUE(found.empty()) << to_text(found);
+    ASSERT_TRUE(film.film);
+    EXPECT_EQ(film.film->file, "film.mp4");
+    EXPECT_EQ(film.film->rate, (FrameRate{30.0, 1.0}));
+    EXPECT_TRUE(film.turntable);
+    EXPECT_FALSE(sequence.film);
+    EXPECT_EQ(sequence.pattern.file(7), "frame.07.png");
+    EXPECT_FALSE(sequence.turntable);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ class Outputs(support.CommandTest):
             self.assertTrue((self.folder / name).read_bytes().startswith(signature), name)
         self.refused("render", "scene.obj", "-o", "p.gif", code=2, says="not a picture format",
                      helps=".png, .jpg, .jpeg, .webp, .tif, .tiff, or .exr")
-        self.refused("render", "scene.obj", "--size", "20000x2", "-o", "p.webp", code=1,
+        self.refused("render", "scene.obj", "--size", "20000x2", "-o", "p.webp", code=2,
                      says="at most 16383 pixels")
 
     def test_jpeg_says_that_it_loses_transparency(self):

@@ -19,6 +19,18 @@ picture masked {
 """
 
 
+PAINTED = """mtllib paint.mtl
+v 0 0 0
+v 1 0 0
+v 0 1 0
+vt 0 0
+vt 1 0
+vt 0 1
+usemtl paint
+f 1/1 2/2 3/3
+"""
+
+
 class Start(support.CommandTest):
     def libraries(self, *words):
         """What the dynamic linker says of the libraries that it loads."""
@@ -53,6 +65,9 @@ class Installation(support.CommandTest):
         self.balcony = self.folder / "bin" / "balcony"
         self.balcony.parent.mkdir()
         (self.folder / "masked.cam").write_text(MASKED)
+        (self.folder / "painted.obj").write_text(PAINTED)
+        (self.folder / "paint.mtl").write_text("newmtl paint\nmap_Kd paint.png\n")
+        (self.folder / "paint.png").write_bytes(b"an image")
 
     def run_copy(self, *words):
         run = subprocess.run([self.balcony, *words], cwd=self.folder, stdin=subprocess.DEVNULL,
@@ -60,12 +75,14 @@ class Installation(support.CommandTest):
         return run.returncode, run.stderr
 
     def assert_incomplete(self, *reasons):
-        for words in (("render", "scene.obj", "-o", "picture.png"), ("check", "masked.cam")):
+        for words in (("render", "scene.obj", "-o", "picture.png"), ("check", "masked.cam"),
+                      ("render", "painted.obj", "-W", "8", "-o", "painted.exr"),
+                      ("warp", "paint.png", "--from", "pinhole", "-c", "pinhole", "-o", "w.exr")):
             code, said = self.run_copy(*words)
             self.assertEqual(code, 3, said)
             for reason in ("the installation is incomplete: ", *reasons):
                 self.assertIn(reason, said)
-        self.assertFalse((self.folder / "picture.png").exists())
+        self.assertFalse({"picture.png", "painted.exr", "w.exr"} & set(self.files()))
         self.assertEqual(self.run_copy("list", "cameras"), (0, ""))
 
     def module(self):

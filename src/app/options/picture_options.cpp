@@ -3,6 +3,10 @@
 
 #include "balcony/picture_options.hpp"
 
+#include <limits>
+
+#include "app/words.hpp"
+
 namespace balcony::app {
 
 Options<Request> scene_options() {
@@ -53,6 +57,21 @@ Options<Request> thread_options() {
                      .meaning = "number of threads; 0 uses all processors",
                      .effect = Effect::run},
                     count(0, 1024), &Request::settings, &render::Settings::threads)}};
+}
+
+Options<Request> request_options() {
+    Options<Request> made = scene_options();
+    made.rows.push_back(time_option(std::numeric_limits<double>::max(), &Request::settings,
+                                    &render::Settings::time));
+    made.add(&Request::shutter, shutter_options());
+    made.add(&Request::stereo, stereo_options());
+    made.add(picture_options());
+    made.add(&Request::job, job_options());
+    made.add(thread_options());
+    made.checks.push_back([](Request& request, const GivenWords&, Diagnostics& found) {
+        add(found, check_request(request));
+    });
+    return made;
 }
 
 }  // namespace balcony::app

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include "balcony/display_file.hpp"
 #include "balcony/lang.hpp"
@@ -16,13 +15,9 @@
 #include "balcony/output_file.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/interruption.hpp"
-#include "cli/options/camera_argument.hpp"
 #include "cli/options/check_subjects.hpp"
 #include "cli/options/command_rows.hpp"
-#include "cli/options/scene_argument.hpp"
 #include "cli/report/check_report.hpp"
-#include "cli/report/json.hpp"
-#include "cli/report/report.hpp"
 
 namespace balcony::cli {
 
@@ -43,7 +38,7 @@ struct CheckOptions {
     std::optional<double> distance;
     std::vector<Map> maps;
     bool strict = false;
-    bool json = false;
+    Manner manner;
 };
 
 constexpr double largest_check = 1e12;
@@ -60,7 +55,7 @@ Map read_map(const std::string& name, const std::string& file, Diagnostics& diag
             did_you_mean(name, analyse::map_kinds().all(), "write " + names_of_maps())));
     }
     if (render::display_format(file) == nullptr) {
-        diagnostics.push_back(error(fmt::format("'{}' cannot be a map", file), {},
+        diagnostics.push_back(error(Kind::usage, fmt::format("'{}' cannot be a map", file),
                                     "name a file that ends in .png, .jpg, .webp or .tif"));
     }
     return {kind.value_or(analyse::MapKind::magnification), file};
@@ -73,13 +68,19 @@ bool lead_to_one_file(const fs::path& a, const fs::path& b) {
     return !failed && place == fs::weakly_canonical(fs::absolute(b, failed), failed);
 }
 
-void check_maps(CheckOptions& options, const app::GivenWords&, Diagnostics& diagnostics) {
+void check_together(CheckOptions& options, const app::GivenWords&, Diagnostics& diagnostics) {
+    if (!options.cameras.layer.empty() && options.files.size() > 1) {
+        diagnostics.push_back(error(Kind::usage,
+                                    "--layer refers to one picture, but there are several files",
+                                    "name the picture"));
+    }
     for (std::size_t i = 0; i < options.maps.size(); ++i) {
         const std::string file = options.maps[i].file.string();
         for (std::size_t j = 0; j < i; ++j) {
             if (lead_to_one_file(options.maps[j].file, file)) {
                 diagnostics.push_back(
-                    error(fmt::format("two maps cannot be written to the same file '{}'", file), {},
+                    error(Kind::usage,
+                          fmt::format("two maps cannot be written to the same file '{}'", file),
                           "name a different file for each"));
             }
         }
@@ -146,40 +147,37 @@ public:
         if (!scene_) {
             job_.emplace();
         }
-        if (code_ == ExitCode::done) {
+        if (all_.is_done()) {
             for (const Checked& checked : all) {
-                if (code_ != ExitCode::interrupted) {
+                if (!stopped_) {
                     check_file(checked);
                 }
             }
         }
-        if (options_.json) {
-            print_json({{"files", files_}, {"diagnostics", to_json(diagnostics_)}});
+        if (options_.manner.json) {
+            print_json(to_json(all_));
         }
-        return code_;
+        return exit_code_of(all_.diagnostics);
     }
 
 private:
     // Text is printed at once, JSON at the end.
     void add(const Diagnostics& diagnostics) {
-        diagnostics_.insert(diagnostics_.end(), diagnostics.begin(), diagnostics.end());
-        if (!options_.json) {
+        all_.add(diagnostics);
+        stopped_ = stopped_ || kind_of_errors(diagnostics) == Kind::interrupted;
+        if (!options_.manner.json) {
             report(diagnostics);
-        }
-        const ExitCode found = exit_code_of(diagnostics);
-        if (code_ == ExitCode::done || found == ExitCode::interrupted) {
-            code_ = found;
         }
     }
 
     void print(const std::string& text) const {
-        if (!options_.json) {
+        if (!options_.manner.json) {
             print_result(text);
         }
     }
 
     void read_scene() {
-        Result<scene::Scene> loaded = load_scene(options_.scene, options_.cameras.time);
+        Result<scene::Scene> loaded = app::load_scene(options_.scene, options_.cameras.time);
         add(loaded.diagnostics);
         scene_ = std::move(loaded.value);
         if (scene_) {
@@ -202,12 +200,12 @@ private:
                               counted(count, "camera", "cameras"),
                               pictures > 0 ? ", " + counted(pictures, "picture", "pictures") : ""));
             for (const CheckSubject& subject : *checked.subjects) {
-                if (code_ != ExitCode::interrupted) {
+                if (!stopped_) {
                     check_camera(subject, entry["reports"]);
                 }
             }
         }
-        files_.push_back(std::move(entry));
+        all_.facts["files"].push_back(std::move(entry));
     }
 
     void check_camera(const CheckSubject& subject, nlohmann::json& reports) {
@@ -301,16 +299,12 @@ private:
         // Check before computing a large picture that cannot be written.
         const Diagnostics refused = OutputFile::check(map.file);
         if (has_errors(refused)) {
-            code_ = ExitCode::environment;
             add(refused);
             return;
         }
         const Image image = analyse::false_color(report, map.kind);
         const Diagnostics diagnostics =
             render::write_samples(image.samples, {image.width, image.height, 3}, map.file);
-        if (has_errors(diagnostics)) {
-            code_ = ExitCode::environment;
-        }
         add(diagnostics);
         if (!has_errors(diagnostics)) {
             print(line_of_map(map));
@@ -326,9 +320,8 @@ private:
     std::optional<scene::Scene> scene_;
     std::optional<double> scene_distance_;
     std::optional<Job> job_;  ///< Not while rays look at a scene, which cannot be stopped.
-    ExitCode code_ = ExitCode::done;
-    Diagnostics diagnostics_;
-    nlohmann::json files_ = nlohmann::json::array();
+    bool stopped_ = false;
+    Answer all_{.facts = {{"files", nlohmann::json::array()}}};
 };
 
 // A map shows one camera. Other mistakes are found when the cameras are analysed.
@@ -346,39 +339,24 @@ void check_one_camera(const std::vector<Checked>& all, Diagnostics& diagnostics)
     }
     const bool of_picture = all.size() == 1 && first.argument != first.file;
     diagnostics.push_back(
-        error("--map shows one camera, but there are several", {},
+        error(Kind::usage, "--map shows one camera, but there are several",
               of_picture ? fmt::format("choose one with --layer: {}", fmt::join(choice, ", "))
                          : fmt::format("name it: {}:NAME", first.file)));
 }
 
 ExitCode check_command(const CheckOptions& options) {
-    Diagnostics diagnostics;
     lang::Workspace workspace;
-    if (!options.cameras.layer.empty() && options.files.size() > 1) {
-        diagnostics.push_back(error("--layer refers to one picture, but there are several files",
-                                    {}, "name the picture"));
-    }
     std::vector<Checked> all;
-    if (!has_errors(diagnostics)) {
-        for (const std::string& argument : options.files) {
-            all.push_back({argument, camera_file(argument).string(),
-                           check_subjects(argument, options.cameras, workspace)});
-        }
-        if (!options.maps.empty()) {
-            check_one_camera(all, diagnostics);
-            const Diagnostics found = check_overwrites(options.maps, workspace.files());
-            diagnostics.insert(diagnostics.end(), found.begin(), found.end());
-        }
+    for (const std::string& argument : options.files) {
+        all.push_back({argument, app::camera_file(argument).string(),
+                       check_subjects(argument, options.cameras, workspace)});
     }
-    if (has_errors(diagnostics)) {
-        if (options.json) {
-            print_json(nlohmann::json::object({{"diagnostics", to_json(diagnostics)}}));
-        } else {
-            report(diagnostics);
-        }
-        return ExitCode::wrong_usage;
+    Answer refused;
+    if (!options.maps.empty()) {
+        check_one_camera(all, refused.diagnostics);
+        refused.add(check_overwrites(options.maps, workspace.files()));
     }
-    return Run(options, workspace)(all);
+    return refused.is_done() ? Run(options, workspace)(all) : give(refused, options.manner);
 }
 
 }  // namespace
@@ -425,8 +403,8 @@ void add_check_command(CLI::App& app, ExitCode& code) {
                         .meaning = "exit with code 1 if a camera has a defect: a fold, a seam, a "
                                    "region without rays, ..."},
                        true, &CheckOptions::strict),
-                  json_flag(&CheckOptions::json, "print the report as JSON")},
-                 {check_maps}});
+                  json_flag(&CheckOptions::manner, "print the report as JSON")},
+                 {check_together}});
         command.add(std::move(all), options);
         command.footer(
             "Examples:\n"

@@ -5,13 +5,6 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
-
-#include "cli/report/json.hpp"
-#include "cli/report/report.hpp"
-
 namespace balcony::cli {
 
 const app::OptionInfo* Command::row_of(const CLI::Option* option) const {
@@ -66,15 +59,6 @@ Diagnostics Command::read() const {
         reader(words, found);
     }
     return found;
-}
-
-ExitCode refuse(const Command& command, const Diagnostics& found) {
-    if (command.has_flag("--json")) {
-        print_json(nlohmann::json::object({{"diagnostics", to_json(found)}}));
-    } else {
-        report(found);
-    }
-    return ExitCode::wrong_usage;
 }
 
 }  // namespace balcony::cli

@@ -12,7 +12,7 @@
 #include <CLI/CLI.hpp>
 
 #include "balcony/options.hpp"
-#include "cli/exit_code.hpp"
+#include "cli/report/answer.hpp"
 
 namespace balcony::cli {
 
@@ -75,9 +75,6 @@ void add_export_command(CLI::App& app, ExitCode& code);
 void add_info_command(CLI::App& app, ExitCode& code);
 void add_pov_command(CLI::App& app, ExitCode& code);
 
-/// Reports what is wrong with a command line, as JSON if it says so.
-[[nodiscard]] ExitCode refuse(const Command& command, const Diagnostics& found);
-
 /// The body of such a function. `describe` adds the options, whose values go to an Options; `run`
 /// is the subcommand. It is not called if a word cannot be read.
 template <class Options, class Describe>
@@ -91,7 +88,8 @@ Command& add_command(CLI::App& app, ExitCode& code, const std::string& name,
     describe(*command, *options);
     command->callback([&command = *command, options, run, &code] {
         const Diagnostics found = command.read();
-        code = has_errors(found) ? refuse(command, found) : run(*options);
+        code =
+            has_errors(found) ? give({found}, {.json = command.has_flag("--json")}) : run(*options);
     });
     return *command;
 }

@@ -10,7 +10,6 @@
 #include <optional>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "balcony/display_file.hpp"
 #include "balcony/drawing.hpp"
@@ -20,10 +19,7 @@
 #include "balcony/scene.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/interruption.hpp"
-#include "cli/options/camera_argument.hpp"
 #include "cli/options/command_rows.hpp"
-#include "cli/report/json.hpp"
-#include "cli/report/report.hpp"
 
 namespace balcony::cli {
 
@@ -36,17 +32,11 @@ struct DrawOptions {
     std::string output;
     std::vector<std::string> set;
     analyse::Depiction depiction;
-    /// Azimuth and elevation in degrees.
-    std::array<double, 2> direction{-50.0, 25.0};
+    std::array<double, 2> direction{-50.0, 25.0};  ///< Azimuth and elevation in degrees.
+    analyse::DrawingView view;                     ///< From there, in the size.
     std::optional<Imath::Color3f> color;
     PictureSize size;
-    bool quiet = false;
-    bool json = false;
-};
-
-struct Outcome {
-    ExitCode code = ExitCode::done;
-    Diagnostics diagnostics;
+    Manner manner;
 };
 
 constexpr double largest = 1e12;
@@ -115,27 +105,6 @@ app::Options<DrawOptions> arrow_options() {
              part("--no-axes", "omit the axes", &Depiction::axes)}};
 }
 
-analyse::DrawingView read_view(const DrawOptions& options, Diagnostics& diagnostics) {
-    analyse::DrawingView view;
-    constexpr double radians = std::numbers::pi / 180.0;
-    view.azimuth = options.direction[0] * radians;
-    view.elevation = options.direction[1] * radians;
-    constexpr std::size_t minimum = 16;
-    constexpr std::size_t maximum = 16384;
-    constexpr std::array<std::size_t, 2> standard{960, 720};
-    const auto [width, height] = options.size.resolve(4.0 / 3.0, standard);
-    if (std::min(width, height) >= minimum && std::max(width, height) <= maximum) {
-        view.width = width;
-        view.height = height;
-    } else {
-        diagnostics.push_back(
-            error(fmt::format("a drawing cannot have {} x {} pixels", width, height), {},
-                  fmt::format("give a size such as 960x720; a side has {} to {} pixels", minimum,
-                              maximum)));
-    }
-    return view;
-}
-
 enum class Format { svg, picture, glb };
 
 std::optional<Format> format_of(const fs::path& file) {
@@ -146,103 +115,82 @@ std::optional<Format> format_of(const fs::path& file) {
                                                      : std::nullopt;
 }
 
-ExitCode check_output(const fs::path& file, Diagnostics& diagnostics) {
-    if (!format_of(file)) {
-        diagnostics.push_back(
-            error(fmt::format("the file extension of '{}' is not a drawing format", file.string()),
-                  {}, "use a file name that ends in .svg, .png, .jpg, .webp, .tif or .glb"));
-        return ExitCode::wrong_usage;
+void check_drawing(DrawOptions& options, const app::GivenWords&, Diagnostics& found) {
+    constexpr std::size_t minimum = 16;
+    constexpr std::size_t maximum = 16384;
+    constexpr std::array<std::size_t, 2> standard{960, 720};
+    const auto [width, height] = options.size.resolve(4.0 / 3.0, standard);
+    constexpr double radians = std::numbers::pi / 180.0;
+    options.view = {options.direction[0] * radians, options.direction[1] * radians, width, height};
+    if (std::min(width, height) < minimum || std::max(width, height) > maximum) {
+        found.push_back(error(Kind::usage,
+                              fmt::format("a drawing cannot have {} x {} pixels", width, height),
+                              fmt::format("give a size such as 960x720; a side has {} to {} pixels",
+                                          minimum, maximum)));
+    } else if (!format_of(options.output)) {
+        found.push_back(
+            error(Kind::usage,
+                  fmt::format("the file extension of '{}' is not a drawing format", options.output),
+                  "use a file name that ends in .svg, .png, .jpg, .webp, .tif or .glb"));
     }
-    const Diagnostics found = OutputFile::check(file);
-    diagnostics.insert(diagnostics.end(), found.begin(), found.end());
-    return has_errors(found) ? ExitCode::environment : ExitCode::done;
 }
 
-Diagnostics write_drawing(const analyse::Drawing& drawing, Format format, const fs::path& file) {
+// What a signal may end; not so the writing of a file.
+template <class Work>
+auto stoppable(const Work& work) {
+    const Job job;
+    return work(job.token());
+}
+
+Diagnostics write(const analyse::Drawing& drawing, Format format, const fs::path& file) {
     if (format == Format::svg) {
         return write_whole(file, analyse::to_svg(drawing));
     }
-    std::optional<Job> job(std::in_place);
-    const Result<Image> image = analyse::rasterise(drawing, {}, job->token());
-    job.reset();
+    const Result<Image> image = stoppable(
+        [&drawing](const std::stop_token& stop) { return analyse::rasterise(drawing, {}, stop); });
     return image ? render::write_samples(image->samples, {image->width, image->height, 3}, file)
                  : image.diagnostics;
 }
 
-// An error of the camera is in the first value, an error of writing in the second.
-struct Written {
-    Diagnostics camera, file;
-};
-
-Written write(const camera::Picture& picture, const analyse::Depiction& depiction,
-              const analyse::DrawingView& view, const fs::path& file) {
-    const Format format = *format_of(file);
-    if (format == Format::glb) {
-        std::optional<Job> job(std::in_place);
-        const auto scene = analyse::model(picture, depiction, {}, job->token());
-        job.reset();
-        if (!scene) {
-            return {scene.diagnostics, {}};
-        }
-        return {scene.diagnostics, write_whole(file, scene::to_glb(*scene))};
-    }
-    std::optional<Job> job(std::in_place);
-    const auto drawing = analyse::draw(picture, depiction, view, {}, job->token());
-    job.reset();
-    return {drawing.diagnostics, drawing ? write_drawing(*drawing, format, file) : Diagnostics{}};
-}
-
-Outcome make_drawing(const DrawOptions& options) {
-    Outcome outcome;
-    const auto add = [&outcome](const Diagnostics& diagnostics, ExitCode code) {
-        outcome.diagnostics.insert(outcome.diagnostics.end(), diagnostics.begin(),
-                                   diagnostics.end());
-        const std::optional<Kind> kind = kind_of_errors(diagnostics);
-        outcome.code = kind == Kind::interrupted ? ExitCode::interrupted
-                       : kind                    ? code
-                                                 : outcome.code;
-    };
-    Diagnostics usage;
+void write(const camera::Picture& picture, const DrawOptions& options, Answer& answer) {
     analyse::Depiction depiction = options.depiction;
     if (options.color) {
         depiction.color = drawing_color(*options.color);
     }
-    const analyse::DrawingView view = read_view(options, usage);
-    add(usage, ExitCode::wrong_usage);
-    if (outcome.code == ExitCode::done) {
-        outcome.code = check_output(options.output, outcome.diagnostics);
+    const Format format = *format_of(options.output);
+    if (format == Format::glb) {
+        const auto scene = stoppable([&](const std::stop_token& stop) {
+            return analyse::model(picture, depiction, {}, stop);
+        });
+        if (answer.add(scene.diagnostics)) {
+            answer.add(write_whole(options.output, scene::to_glb(*scene)));
+        }
+    } else {
+        const auto drawing = stoppable([&](const std::stop_token& stop) {
+            return analyse::draw(picture, depiction, options.view, {}, stop);
+        });
+        if (answer.add(drawing.diagnostics)) {
+            answer.add(write(*drawing, format, options.output));
+        }
     }
-    if (outcome.code != ExitCode::done) {
-        return outcome;
-    }
-    lang::Workspace workspace;
-    const auto picture = load_picture(options.camera, options.set, workspace);
-    add(picture.diagnostics, ExitCode::bad_input);
-    add(app::check_overwrites(options.output, workspace.files()), ExitCode::wrong_usage);
-    if (outcome.code == ExitCode::done) {
-        const Written written = write(*picture, depiction, view, options.output);
-        add(written.camera, ExitCode::bad_input);
-        add(written.file, ExitCode::environment);
-    }
-    return outcome;
 }
 
 ExitCode draw(const DrawOptions& options) {
-    const Outcome outcome = make_drawing(options);
-    const bool done = outcome.code == ExitCode::done;
-    if (options.json) {
-        nlohmann::json facts{{"diagnostics", to_json(outcome.diagnostics)}, {"output", nullptr}};
-        if (done) {
-            facts["output"] = options.output;
+    Answer answer;
+    answer.facts["output"] = nullptr;
+    if (answer.add(OutputFile::check(options.output))) {
+        lang::Workspace workspace;
+        const auto picture = load_picture(options.camera, options.set, workspace);
+        if (answer.add(picture.diagnostics) &&
+            answer.add(app::check_overwrites(options.output, workspace.files()))) {
+            write(*picture, options, answer);
         }
-        print_json(facts);
-        return outcome.code;
     }
-    report(outcome.diagnostics);
-    if (done && !options.quiet) {
-        print_result(fmt::format("{}: drawn\n", printable(options.output)));
+    if (answer.is_done()) {
+        answer.facts["output"] = options.output;
+        answer.text = fmt::format("{}: drawn\n", printable(options.output));
     }
-    return outcome.code;
+    return give(answer, options.manner);
 }
 
 }  // namespace
@@ -264,8 +212,8 @@ void add_draw_command(CLI::App& app, ExitCode& code) {
         all.add(&DrawOptions::size,
                 app::size_options("size of a drawing in pixels (default: 960x720)"));
         all.add(arrow_options());
-        all.add({{quiet_flag(&DrawOptions::quiet),
-                  json_flag(&DrawOptions::json, "print file name and diagnostics as JSON")}});
+        all.add(manner_options(&DrawOptions::manner, "print file name and diagnostics as JSON"));
+        all.checks.emplace_back(check_drawing);
         command.add(std::move(all), options);
         command.footer(
             "Examples:\n"

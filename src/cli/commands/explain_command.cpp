@@ -2,14 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "cli/commands/command.hpp"
-#include "cli/options/camera_argument.hpp"
 #include "cli/options/command_rows.hpp"
 #include "cli/report/explain_report.hpp"
-#include "cli/report/json.hpp"
-#include "cli/report/report.hpp"
 
 namespace balcony::cli {
 
@@ -19,51 +15,37 @@ struct ExplainOptions {
     std::string camera;
     std::vector<std::string> set;
     PictureSize size;
-    bool json = false;
+    Manner manner;
 };
 
-// Prints the text, or adds the same facts to the JSON document.
-ExitCode explain(const CameraArgument& wanted, const PictureSize& size, bool as_json,
-                 nlohmann::json& document, Diagnostics& diagnostics) {
+void explain(const app::CameraArgument& wanted, const PictureSize& size, Answer& answer) {
     const auto made = lang::Workspace().explain(wanted.file, wanted.name, wanted.overrides);
-    diagnostics.insert(diagnostics.end(), made.diagnostics.begin(), made.diagnostics.end());
-    if (!made) {
-        return ExitCode::bad_input;
+    if (!answer.add(made.diagnostics)) {
+        return;
     }
     const auto& [picture, explanation] = *made;
     const auto [width, height] = size.resolve(picture.aspect(), picture.parts().size);
     const std::string formulas = formulas_text(
         picture.with_fit(size.fit), static_cast<double>(width), static_cast<double>(height));
-    if (as_json) {
-        document = explanation_json(explanation);
-        document["width"] = width;
-        document["height"] = height;
-        document["formulas"] = formulas;
-    } else {
-        print_result(fmt::format(
-            "{}\nFormulas for a picture of {} x {} pixels. x and y are the position in pixels from "
-            "the\n"
-            "top left corner, t is the time{}:\n\n{}",
-            explanation_text(explanation), width, height,
-            explanation.is_picture ? ", a coverage is the opacity at the position" : "", formulas));
-    }
-    return ExitCode::done;
+    answer.facts = explanation_json(explanation);
+    answer.facts["width"] = width;
+    answer.facts["height"] = height;
+    answer.facts["formulas"] = formulas;
+    answer.text = fmt::format(
+        "{}\nFormulas for a picture of {} x {} pixels. x and y are the position in pixels from "
+        "the\n"
+        "top left corner, t is the time{}:\n\n{}",
+        explanation_text(explanation), width, height,
+        explanation.is_picture ? ", a coverage is the opacity at the position" : "", formulas);
 }
 
 ExitCode explain(const ExplainOptions& options) {
-    const Result<CameraArgument> wanted = read_camera(options.camera, options.set);
-    Diagnostics diagnostics = wanted.diagnostics;
-    nlohmann::json document = nlohmann::json::object();
-    const ExitCode code = wanted
-                              ? explain(*wanted, options.size, options.json, document, diagnostics)
-                              : ExitCode::bad_input;
-    if (options.json) {
-        document["diagnostics"] = to_json(diagnostics);
-        print_json(document);
-    } else {
-        report(diagnostics);
+    const Result<app::CameraArgument> wanted = app::read_camera(options.camera, options.set);
+    Answer answer;
+    if (answer.add(wanted.diagnostics)) {
+        explain(*wanted, options.size, answer);
     }
-    return code;
+    return give(answer, options.manner);
 }
 
 }  // namespace
@@ -76,7 +58,7 @@ void add_explain_command(CLI::App& app, ExitCode& code) {
                 app::size_options("size of the picture in pixels for which the formulas are "
                                   "valid"));
         all.add(&ExplainOptions::size, app::aspect_options());
-        all.rows.push_back(json_flag(&ExplainOptions::json, "print the description as JSON"));
+        all.rows.push_back(json_flag(&ExplainOptions::manner, "print the description as JSON"));
         command.add(std::move(all), options);
         command.footer(
             "Examples:\n  balcony explain superelliptic\n  balcony explain my.cam:closeup");

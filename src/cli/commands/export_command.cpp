@@ -5,17 +5,13 @@
 #include <optional>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "balcony/export.hpp"
 #include "balcony/inputs.hpp"
 #include "balcony/lang.hpp"
 #include "balcony/output_file.hpp"
 #include "cli/commands/command.hpp"
-#include "cli/options/camera_argument.hpp"
 #include "cli/options/command_rows.hpp"
-#include "cli/report/json.hpp"
-#include "cli/report/report.hpp"
 
 namespace balcony::cli {
 
@@ -32,8 +28,8 @@ struct CameraExportOptions {
     std::string precision = "double";
     std::optional<Axes> axes;
     PictureSize size;
-    bool quiet = false;
-    bool json = false;
+    Manner manner;
+    const ExportTarget* target = nullptr;  ///< Of these words.
 };
 
 std::vector<app::OptionChoice> targets() {
@@ -52,33 +48,27 @@ std::string target_names() {
     return names;
 }
 
-// The target of --to, or else the one whose files end as the output does.
-const ExportTarget* chosen_target(const CameraExportOptions& options, Diagnostics& diagnostics) {
-    if (!options.to.empty()) {
-        return bridge::find_export_target(options.to);
+// That of --to, or else the one whose files end as the output does.
+void choose_target(CameraExportOptions& options, const app::GivenWords& given, Diagnostics& found) {
+    if (given.contains("--to")) {
+        options.target = bridge::find_export_target(options.to);
+        return;
     }
     for (const ExportTarget& target : bridge::export_targets()) {
         if (!options.output.empty() && ending_of(options.output) == target.ending) {
-            return &target;
+            options.target = &target;
         }
     }
-    diagnostics.push_back(error("what the camera is exported to is not known", {},
-                                "add --to and one of " + target_names()));
-    return nullptr;
-}
-
-bridge::ExportOptions read_export(const CameraExportOptions& options, const ExportTarget* target) {
-    bridge::ExportOptions made;
-    made.single = options.precision == "single" || (target != nullptr && target->always_single);
-    made.axes = options.axes;
-    return made;
+    if (options.target == nullptr) {
+        found.push_back(error(Kind::usage, "what the camera is exported to is not known",
+                              "add --to and one of " + target_names()));
+    }
 }
 
 // The parameters that stay open; nothing for all of them.
-std::optional<std::vector<std::string>> open_names(const CameraExportOptions& options,
-                                                   const ExportTarget& target) {
-    const bool all =
-        options.parameters == "all" || (options.parameters == "auto" && target.opens_parameters);
+std::optional<std::vector<std::string>> open_names(const CameraExportOptions& options) {
+    const bool all = options.parameters == "all" ||
+                     (options.parameters == "auto" && options.target->opens_parameters);
     if (all) {
         return std::nullopt;
     }
@@ -95,7 +85,7 @@ std::optional<std::vector<std::string>> open_names(const CameraExportOptions& op
     return names;
 }
 
-std::string comment_of(lang::Workspace& workspace, const CameraArgument& wanted,
+std::string comment_of(lang::Workspace& workspace, const app::CameraArgument& wanted,
                        const std::string& camera) {
     const auto described = workspace.describe(wanted.file);
     if (described) {
@@ -121,14 +111,13 @@ struct ReadyCamera {
     std::vector<std::string> closed;
 };
 
-Result<ReadyCamera> load(const CameraExportOptions& options, const ExportTarget& target,
-                         lang::Workspace& workspace) {
-    const Result<CameraArgument> wanted = read_camera(options.camera, options.set);
+Result<ReadyCamera> load(const CameraExportOptions& options, lang::Workspace& workspace) {
+    const Result<app::CameraArgument> wanted = app::read_camera(options.camera, options.set);
     if (!wanted) {
         return wanted.diagnostics;
     }
     Result<lang::OpenCamera> opened = workspace.make_open_camera(
-        wanted->file, wanted->name, wanted->overrides, open_names(options, target));
+        wanted->file, wanted->name, wanted->overrides, open_names(options));
     if (!opened) {
         return std::move(opened.diagnostics);
     }
@@ -176,95 +165,59 @@ nlohmann::json precision_json(const bridge::SinglePrecision& found) {
             {"p99_pixels", found.usual}, {"x", found.x},       {"y", found.y}};
 }
 
-struct ExportOutcome {
-    ExitCode code = ExitCode::done;
-    Diagnostics diagnostics{};
-    std::string text{};
-    std::string facts{};  // For a person.
-    nlohmann::json document = nlohmann::json::object();
-
-    /// Takes diagnostics over; false if there is an error among them.
-    bool accept(const Diagnostics& found, ExitCode code_of_errors) {
-        diagnostics.insert(diagnostics.end(), found.begin(), found.end());
-        code = has_errors(found) ? code_of_errors : code;
-        return !has_errors(found);
-    }
-};
-
-void make_text(const CameraExportOptions& options, const ExportTarget& target,
-               const bridge::ExportOptions& wanted, ExportOutcome& made) {
+// The text that the camera becomes.
+std::string make_text(const CameraExportOptions& options, Answer& answer) {
     lang::Workspace workspace;
-    const Result<ReadyCamera> ready = load(options, target, workspace);
-    if (!made.accept(ready.diagnostics, ExitCode::bad_input) ||
-        !made.accept(app::check_overwrites(options.output, workspace.files()),
-                     ExitCode::wrong_usage)) {
-        return;
+    const Result<ReadyCamera> ready = load(options, workspace);
+    if (!answer.add(ready.diagnostics) ||
+        !answer.add(app::check_overwrites(options.output, workspace.files()))) {
+        return {};
     }
-    bridge::ExportOptions options_of_text = wanted;
+    bridge::ExportOptions wanted;
+    wanted.single = options.precision == "single" || options.target->always_single;
+    wanted.axes = options.axes;
     if (wanted.single) {
         const auto [width, height] = options.size.resolve(ready->source.camera.parts().aspect);
-        options_of_text.judged_in = {width, height};
+        wanted.judged_in = {width, height};
     }
     Result<bridge::ExportedCamera> exported =
-        bridge::export_camera(target, ready->source, options_of_text);
-    if (!made.accept(exported.diagnostics, ExitCode::bad_input)) {
-        return;
+        bridge::export_camera(*options.target, ready->source, wanted);
+    if (!answer.add(exported.diagnostics)) {
+        return {};
     }
-    made.text = std::move(exported->text);
     nlohmann::json open = nlohmann::json::array();
     for (const bridge::ExportParameter& parameter : ready->source.parameters) {
         open.push_back(parameter.name);
     }
-    made.document["parameters"] = {{"open", open}, {"closed", ready->closed}};
+    answer.facts["parameters"] = {{"open", open}, {"closed", ready->closed}};
+    std::string precision;
     if (const auto& found = exported->single) {
-        judge(*found, made.diagnostics);
-        made.document["single_precision"] = precision_json(*found);
-        made.facts =
+        judge(*found, answer.diagnostics);
+        answer.facts["single_precision"] = precision_json(*found);
+        precision =
             fmt::format("; single precision moves rays by {:.1g} pixels at most", found->largest);
     }
-}
-
-ExportOutcome make_export(const CameraExportOptions& options) {
-    ExportOutcome made;
-    Diagnostics usage;
-    const ExportTarget* target = chosen_target(options, usage);
-    const bridge::ExportOptions wanted = read_export(options, target);
-    if (!made.accept(usage, ExitCode::wrong_usage)) {
-        return made;
-    }
-    made.document["target"] = target->name;
-    if (!options.output.empty() &&
-        !made.accept(OutputFile::check(options.output), ExitCode::environment)) {
-        return made;
-    }
-    make_text(options, *target, wanted, made);
-    if (made.code == ExitCode::done && !options.output.empty()) {
-        made.accept(write_whole(options.output, made.text), ExitCode::environment);
-    }
-    return made;
+    answer.text = fmt::format("{}: exported{}\n", printable(options.output), precision);
+    return std::move(exported->text);
 }
 
 ExitCode export_camera(const CameraExportOptions& options) {
-    ExportOutcome made = make_export(options);
-    const bool done = made.code == ExitCode::done;
-    if (options.json) {
-        made.document["diagnostics"] = to_json(made.diagnostics);
-        made.document["output"] = nullptr;
-        if (done && options.output.empty()) {
-            made.document["text"] = made.text;
-        } else if (done) {
-            made.document["output"] = options.output;
-        }
-        print_json(made.document);
-        return made.code;
+    const bool to_file = !options.output.empty();
+    Answer answer;
+    answer.facts = {{"target", options.target->name}, {"output", nullptr}};
+    if (to_file && !answer.add(OutputFile::check(options.output))) {
+        return give(answer, options.manner);
     }
-    report(made.diagnostics);
-    if (done && options.output.empty()) {
-        print_file(made.text);
-    } else if (done && !options.quiet) {
-        print_result(fmt::format("{}: exported{}\n", printable(options.output), made.facts));
+    const std::string text = make_text(options, answer);
+    if (answer.is_done() && to_file && answer.add(write_whole(options.output, text))) {
+        answer.facts["output"] = options.output;
+    } else if (answer.is_done() && !to_file) {
+        answer.facts["text"] = text;
+        answer.text = text;
+        answer.print = print_file;
     }
-    return made.code;
+    answer.text = answer.is_done() ? answer.text : "";
+    return give(answer, {to_file && options.manner.quiet, options.manner.json});
 }
 
 std::string target_list() {
@@ -308,9 +261,9 @@ void add_export_command(CLI::App& app, ExitCode& code) {
         all.add(&CameraExportOptions::size,
                 app::size_options("size in pixels of the picture that single precision is judged "
                                   "in; the text is good for any size"));
-        all.add({{quiet_flag(&CameraExportOptions::quiet),
-                  json_flag(&CameraExportOptions::json,
-                            "print file name, facts and diagnostics as JSON")}});
+        all.add(manner_options(&CameraExportOptions::manner,
+                               "print file name, facts and diagnostics as JSON"));
+        all.checks.emplace_back(choose_target);
         command.add(std::move(all), options);
         command.footer(
             "Languages:\n" + target_list() +

@@ -6,14 +6,11 @@
 #include <optional>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "balcony/lang.hpp"
 #include "balcony/output_file.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/options/command_rows.hpp"
-#include "cli/report/json.hpp"
-#include "cli/report/report.hpp"
 
 namespace balcony::cli {
 
@@ -22,13 +19,12 @@ namespace {
 struct FmtOptions {
     std::vector<std::string> files;
     bool check = false;
-    bool json = false;
+    Manner manner;
 };
 
 struct Formatted {
     Diagnostics diagnostics;
     bool changed = false;
-    bool written = true;
     std::optional<std::string> text{};  // The formatted standard input.
 };
 
@@ -44,8 +40,7 @@ Formatted format_input(bool only_check) {
     if (!made) {
         return {made.diagnostics};
     }
-    Formatted formatted{made.diagnostics, *made != text, true,
-                        only_check ? std::nullopt : made.value};
+    Formatted formatted{made.diagnostics, *made != text, only_check ? std::nullopt : made.value};
     if (formatted.changed && only_check) {
         formatted.diagnostics.push_back(not_in_layout("standard input", "balcony fmt -"));
     }
@@ -61,47 +56,39 @@ Formatted format_file(const std::string& file, bool only_check) {
     if (!made) {
         return {made.diagnostics};
     }
-    Formatted formatted{made.diagnostics, *made != (*source)->text(), true};
+    Formatted formatted{made.diagnostics, *made != (*source)->text()};
     if (formatted.changed && only_check) {
         formatted.diagnostics.push_back(not_in_layout(file, fmt::format("balcony fmt {}", file)));
     } else if (formatted.changed) {
         const Diagnostics failed = write_whole(file, *made);
-        formatted.written = failed.empty();
         formatted.diagnostics.insert(formatted.diagnostics.end(), failed.begin(), failed.end());
     }
     return formatted;
 }
 
 ExitCode format(const FmtOptions& options) {
-    ExitCode code = ExitCode::done;
-    Diagnostics all;
-    nlohmann::json files = nlohmann::json::array();
+    Answer all;
     for (const std::string& file : options.files) {
         const bool piped = file == "-";
         const Formatted formatted =
             piped ? format_input(options.check) : format_file(file, options.check);
-        all.insert(all.end(), formatted.diagnostics.begin(), formatted.diagnostics.end());
-        files.push_back({{"file", file}, {"changed", formatted.changed}});
+        all.facts["files"].push_back({{"file", file}, {"changed", formatted.changed}});
         if (formatted.text) {
-            files.back()["text"] = *formatted.text;
+            all.facts["files"].back()["text"] = *formatted.text;
         }
-        if (!formatted.written) {
-            code = ExitCode::environment;
-        } else if (has_errors(formatted.diagnostics) && code == ExitCode::done) {
-            code = ExitCode::bad_input;
-        }
-        if (!options.json) {
+        const bool good = all.add(formatted.diagnostics);
+        if (!options.manner.json) {
             report(formatted.diagnostics);
             print_file(formatted.text.value_or(""));
-            if (formatted.changed && formatted.written && !piped && !options.check) {
+            if (formatted.changed && good && !piped) {
                 print_result(fmt::format("{}: formatted\n", printable(file)));
             }
         }
     }
-    if (options.json) {
-        print_json({{"files", files}, {"diagnostics", to_json(all)}});
+    if (options.manner.json) {
+        print_json(to_json(all));
     }
-    return code;
+    return exit_code_of(all.diagnostics);
 }
 
 }  // namespace
@@ -118,7 +105,7 @@ void add_fmt_command(CLI::App& app, ExitCode& code) {
               flag({.name = "--check",
                     .meaning = "change nothing; exit with code 1 if a file is not formatted"},
                    true, &FmtOptions::check),
-              json_flag(&FmtOptions::json, "print files and diagnostics as JSON")}},
+              json_flag(&FmtOptions::manner, "print files and diagnostics as JSON")}},
             options);
         command.footer("Examples:\n  balcony fmt my.cam\n  balcony fmt --check *.cam");
     };

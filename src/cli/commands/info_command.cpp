@@ -10,7 +10,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "balcony/inputs.hpp"
 #include "balcony/motion.hpp"
@@ -18,9 +17,6 @@
 #include "balcony/scene.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/options/command_rows.hpp"
-#include "cli/options/scene_argument.hpp"
-#include "cli/report/json.hpp"
-#include "cli/report/report.hpp"
 
 namespace balcony::cli {
 
@@ -29,7 +25,7 @@ namespace {
 struct InfoOptions {
     std::string scene;
     bool objects = false;
-    bool json = false;
+    Manner manner;
 };
 
 // "Door, perspective, 60 x 36 degrees"
@@ -175,26 +171,15 @@ std::string scene_text(const scene::Scene& scene, const std::string& light, bool
 }
 
 ExitCode info(const InfoOptions& options) {
-    auto loaded = load_scene(options.scene);
-    std::shared_ptr<const scene::Scene> scene;
-    std::string light;
-    if (loaded) {
-        scene = std::make_shared<const scene::Scene>(std::move(*loaded));
-        light = may_need_light(*scene) ? default_light(scene) : "";
+    auto loaded = app::load_scene(options.scene);
+    Answer answer;
+    if (answer.add(loaded.diagnostics)) {
+        const auto scene = std::make_shared<const scene::Scene>(std::move(*loaded));
+        const std::string light = may_need_light(*scene) ? default_light(scene) : "";
+        answer.facts["scene"] = scene_json(*scene, light);
+        answer.text = scene_text(*scene, light, options.objects);
     }
-    if (options.json) {
-        nlohmann::json result{{"diagnostics", to_json(loaded.diagnostics)}};
-        if (scene) {
-            result["scene"] = scene_json(*scene, light);
-        }
-        print_json(result);
-    } else {
-        report(loaded.diagnostics);
-        if (scene) {
-            print_result(scene_text(*scene, light, options.objects));
-        }
-    }
-    return scene ? ExitCode::done : ExitCode::bad_input;
+    return give(answer, options.manner);
 }
 
 }  // namespace
@@ -202,14 +187,12 @@ ExitCode info(const InfoOptions& options) {
 void add_info_command(CLI::App& app, ExitCode& code) {
     const auto describe = [](Command& command, InfoOptions& options) {
         command.add<InfoOptions>(
-            {{option({.name = "SCENE",
-                      .meaning = scene_files_text() + "; for cameras, see 'list' and 'explain'",
-                      .required = true},
-                     text(OptionType::scene), &InfoOptions::scene),
+            {{scene_argument(&InfoOptions::scene,
+                             scene_files_text() + "; for cameras, see 'list' and 'explain'"),
               flag({.name = "--objects",
                     .meaning = "list the objects with their ids in the object layer"},
                    true, &InfoOptions::objects),
-              json_flag(&InfoOptions::json, "print the facts and all objects as JSON")}},
+              json_flag(&InfoOptions::manner, "print the facts and all objects as JSON")}},
             options);
         command.footer("Example:\n  balcony info gallery.glb --objects");
     };

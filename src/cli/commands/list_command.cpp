@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "balcony/catalogue.hpp"
 #include "balcony/lang.hpp"
@@ -15,8 +14,6 @@
 #include "balcony/output_file.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/options/command_rows.hpp"
-#include "cli/report/json.hpp"
-#include "cli/report/report.hpp"
 #include "cli/report/stage_pages.hpp"
 #include "cli/report/stage_text.hpp"
 
@@ -30,7 +27,7 @@ using camera::StageParameter;
 struct ListOptions {
     std::string what;
     std::string markdown;
-    bool json = false;
+    Manner manner;
     const CLI::App* app = nullptr;  ///< All commands.
 };
 
@@ -105,22 +102,17 @@ std::string stages_text(const std::string& what) {
     return text;
 }
 
-ExitCode list_stages(const ListOptions& options) {
+Answer list_stages(const ListOptions& options) {
     const bool several = options.what == "stages" || is_kind(options.what);
-    nlohmann::json all = nlohmann::json::array();
-    std::string text = several ? stages_text(options.what) : "";
+    Answer answer;
+    answer.text = several ? stages_text(options.what) : "";
     for (const StageEntry& row : camera::catalogue()) {
         if (is_listed(row, options.what)) {
-            all.push_back(stage_json(row));
-            text += several ? "" : stage_text(row);
+            answer.facts["stages"].push_back(stage_json(row));
+            answer.text += several ? "" : stage_text(row);
         }
     }
-    if (options.json) {
-        print_json({{"stages", all}, {"diagnostics", nlohmann::json::array()}});
-    } else {
-        print_result(text);
-    }
-    return ExitCode::done;
+    return answer;
 }
 
 bool is_stage(const std::string& name) {
@@ -259,66 +251,51 @@ std::string cameras_text(const std::vector<lang::Description>& cameras) {
     return text;
 }
 
-ExitCode list_cameras(const ListOptions& options) {
+Answer list_cameras(const ListOptions& options) {
     const bool built_in = options.what == "cameras";
     const auto cameras =
         built_in ? built_in_descriptions() : lang::Workspace().describe(options.what);
-    if (options.json) {
-        nlohmann::json all = nlohmann::json::array();
-        for (const lang::Description& described :
-             cameras.value.value_or(std::vector<lang::Description>())) {
-            all.push_back(camera_json(described));
-            if (built_in) {
-                all.back()["family"] = lang::family_of(described.name);
-            }
-        }
-        print_json({{"cameras", all}, {"diagnostics", to_json(cameras.diagnostics)}});
-    } else {
-        report(cameras.diagnostics);
-        if (cameras) {
-            print_result(built_in ? built_in_text(*cameras) : cameras_text(*cameras));
+    Answer answer;
+    nlohmann::json& all = answer.facts["cameras"] = nlohmann::json::array();
+    if (!answer.add(cameras.diagnostics)) {
+        return answer;
+    }
+    for (const lang::Description& described : *cameras) {
+        all.push_back(camera_json(described));
+        if (built_in) {
+            all.back()["family"] = lang::family_of(described.name);
         }
     }
-    return cameras ? ExitCode::done : ExitCode::bad_input;
+    answer.text = built_in ? built_in_text(*cameras) : cameras_text(*cameras);
+    return answer;
 }
 
-ExitCode refuse_unknown(const ListOptions& options) {
+Answer refuse_unknown(const ListOptions& options) {
     std::vector<std::string> known = lang::built_in_cameras();
     known.insert(known.end(), {"stages", "cameras", "options"});
     for (const StageEntry& row : camera::catalogue()) {
         known.emplace_back(row.name);
         known.push_back(plural_of(row.kind));
     }
-    const Diagnostics diagnostics{error(
-        fmt::format("there is no stage, camera or file named '{}'", options.what), {},
+    return {{error(
+        Kind::usage, fmt::format("there is no stage, camera or file named '{}'", options.what),
         did_you_mean(
             options.what, known,
-            "write stages, cameras, or the name of a stage, a built-in camera or a .cam file"))};
-    if (options.json) {
-        print_json(nlohmann::json::object({{"diagnostics", to_json(diagnostics)}}));
-    } else {
-        report(diagnostics);
-    }
-    return ExitCode::wrong_usage;
+            "write stages, cameras, or the name of a stage, a built-in camera or a .cam file"))}};
 }
 
 // Writes the pages of the documentation. No page is ever incomplete.
-ExitCode write_pages(const ListOptions& options) {
-    Diagnostics diagnostics;
+Answer write_pages(const ListOptions& options) {
+    Answer answer;
     for (const StagePage& page : stage_pages()) {
         const std::filesystem::path file = std::filesystem::path(options.markdown) / page.file;
         std::error_code failed;
         std::filesystem::create_directories(file.parent_path(), failed);
-        if (diagnostics = write_whole(file, page.text); has_errors(diagnostics)) {
+        if (!answer.add(write_whole(file, page.text))) {
             break;
         }
     }
-    if (options.json) {
-        print_json(nlohmann::json::object({{"diagnostics", to_json(diagnostics)}}));
-    } else {
-        report(diagnostics);
-    }
-    return has_errors(diagnostics) ? ExitCode::environment : ExitCode::done;
+    return answer;
 }
 
 nlohmann::json option_json(const app::OptionInfo& row) {
@@ -349,29 +326,24 @@ nlohmann::json option_json(const app::OptionInfo& row) {
 }
 
 // The options of all commands, from which another program can build its own.
-ExitCode list_options(const ListOptions& options) {
-    nlohmann::json commands = nlohmann::json::array();
-    std::string text;
+Answer list_options(const ListOptions& options) {
+    Answer answer;
     for (const CLI::App* one : options.app->get_subcommands({})) {
         nlohmann::json rows = nlohmann::json::array();
-        text += fmt::format("{}: {}\n", one->get_name(), one->get_description());
+        answer.text += fmt::format("{}: {}\n", one->get_name(), one->get_description());
         for (const app::OptionInfo& row : static_cast<const Command*>(one)->rows()) {
             rows.push_back(option_json(row));
-            text += fmt::format("    {:<24}{}\n", row.name, app::option_types()[row.type].name);
+            answer.text +=
+                fmt::format("    {:<24}{}\n", row.name, app::option_types()[row.type].name);
         }
-        commands.push_back({{"name", one->get_name()},
-                            {"meaning", one->get_description()},
-                            {"options", std::move(rows)}});
+        answer.facts["commands"].push_back({{"name", one->get_name()},
+                                            {"meaning", one->get_description()},
+                                            {"options", std::move(rows)}});
     }
-    if (options.json) {
-        print_json({{"commands", commands}, {"diagnostics", nlohmann::json::array()}});
-    } else {
-        print_result(text);
-    }
-    return ExitCode::done;
+    return answer;
 }
 
-ExitCode list(const ListOptions& options) {
+Answer listed(const ListOptions& options) {
     if (!options.markdown.empty()) {
         return write_pages(options);
     }
@@ -385,6 +357,8 @@ ExitCode list(const ListOptions& options) {
     }
     return options.what == "options" ? list_options(options) : refuse_unknown(options);
 }
+
+ExitCode list(const ListOptions& options) { return give(listed(options), options.manner); }
 
 }  // namespace
 
@@ -403,7 +377,7 @@ void add_list_command(CLI::App& app, ExitCode& code) {
                       .meaning = "write the documentation pages of all stages to a folder, with "
                                  "the examples as camera files"},
                      text(OptionType::folder), &ListOptions::markdown),
-              json_flag(&ListOptions::json, "print the list as JSON")}},
+              json_flag(&ListOptions::manner, "print the list as JSON")}},
             options);
         command.footer(
             "Examples:\n"

@@ -10,7 +10,6 @@
 #include <tuple>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "balcony/data.hpp"
 #include "balcony/inverse.hpp"
@@ -18,11 +17,7 @@
 #include "balcony/scene.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/interruption.hpp"
-#include "cli/options/camera_argument.hpp"
 #include "cli/options/command_rows.hpp"
-#include "cli/options/scene_argument.hpp"
-#include "cli/report/json.hpp"
-#include "cli/report/report.hpp"
 
 namespace balcony::cli {
 
@@ -32,14 +27,14 @@ using analyse::V3d;
 
 struct LocateOptions {
     std::string camera;
-    std::vector<std::string> points;
+    std::vector<V3d> points;
     std::string file;
     std::vector<std::string> set;
     PictureSize size;
     double time = 0.0;
     std::optional<Axes> axes;
     std::string scene;
-    bool json = false;
+    Manner manner;
 };
 
 // "1,2.5,-3"
@@ -96,23 +91,36 @@ void read_rows(const std::string& name, std::vector<V3d>& points, Diagnostics& d
     }
 }
 
-std::vector<V3d> read_points(const LocateOptions& options, Diagnostics& usage, Diagnostics& input) {
-    std::vector<V3d> points;
-    for (const std::string& text : options.points) {
-        if (const std::optional<V3d> point = point_of(text)) {
-            points.push_back(*point);
-        } else {
-            usage.push_back(
-                app::refused("--point", text, "write three numbers, such as --point 1,0.5,-2"));
-        }
-    }
-    if (options.points.empty() && options.file.empty()) {
-        usage.push_back(error("no point is given", {},
+void check_points(LocateOptions& options, const app::GivenWords& given, Diagnostics& found) {
+    if (!given.contains("--point") && options.file.empty()) {
+        found.push_back(error(Kind::usage, "no point is given",
                               "add --point X,Y,Z, or --points FILE with one point per line"));
-    } else if (!options.file.empty() && usage.empty()) {
-        read_rows(options.file, points, input);
     }
-    return points;
+}
+
+app::Option<LocateOptions> point_option() {
+    return app::custom_option<LocateOptions>(
+        {.name = "--point",
+         .placeholder = "X,Y,Z",
+         .meaning = "point in space; may be repeated",
+         .repeated = true},
+        [](std::span<const std::string> words, LocateOptions& options, Diagnostics& found) {
+            for (const std::string& word : words) {
+                if (const std::optional<V3d> point = point_of(word)) {
+                    options.points.push_back(*point);
+                } else {
+                    found.push_back(app::refused("--point", word,
+                                                 "write three numbers, such as --point 1,0.5,-2"));
+                }
+            }
+        },
+        [](const LocateOptions& options) {
+            std::vector<std::string> words;
+            for (const V3d& point : options.points) {
+                words.push_back(fmt::format("{},{},{}", point.x, point.y, point.z));
+            }
+            return words;
+        });
 }
 
 // The points to locate and the positions found.
@@ -143,41 +151,35 @@ std::vector<std::string> numbers_of_layers(const camera::Picture& picture, std::
     return numbers;
 }
 
-void add_to(Diagnostics& diagnostics, const Diagnostics& more) {
-    diagnostics.insert(diagnostics.end(), more.begin(), more.end());
-}
-
 // Determines whether the sightings are hidden in a scene.
-void look_for_obstacles(const scene::Scene& scene, Axes axes, Located& located,
-                        Diagnostics& diagnostics) {
+void look_for_obstacles(const scene::Scene& scene, Located& located, Answer& answer) {
     std::vector<render::SightLine> lines;
     lines.reserve(located.sightings.size());
     for (const analyse::Sighting& sighting : located.sightings) {
         lines.push_back({sighting.origin, located.points[sighting.point]});
     }
-    auto found = render::find_obstacles(scene, lines, axes);
-    add_to(diagnostics, found.diagnostics);
+    auto found = render::find_obstacles(scene, lines, located.axes);
+    answer.add(found.diagnostics);
     located.obstacles = std::move(found.value);
     located.objects = scene.objects;
 }
 
 // By default, points are in the axes of the scene, if there is one.
-Result<Located> find_all(const LocateOptions& options, std::vector<V3d> points) {
+Located find_all(const LocateOptions& options, std::vector<V3d> points, Answer& answer) {
+    Located found;
     std::optional<Axes> axes = options.axes;
-    Diagnostics diagnostics;
     std::optional<scene::Scene> scene;
     if (!options.scene.empty()) {
-        Result<scene::Scene> loaded = load_scene(options.scene, options.time);
-        add_to(diagnostics, loaded.diagnostics);
+        Result<scene::Scene> loaded = app::load_scene(options.scene, options.time);
+        answer.add(loaded.diagnostics);
         scene = std::move(loaded.value);
     }
     Result<camera::Picture> picture = scene ? load_picture(options.camera, options.set, *scene)
                                             : load_picture(options.camera, options.set);
-    add_to(diagnostics, picture.diagnostics);
-    if (has_errors(diagnostics)) {
-        return diagnostics;
+    answer.add(picture.diagnostics);
+    if (!answer.is_done()) {
+        return found;
     }
-    Located found;
     found.axes_from = axes ? "by --axes" : scene ? "axes of the scene" : "axes of the camera";
     if (scene && !axes) {
         axes = scene->axes;
@@ -190,42 +192,36 @@ Result<Located> find_all(const LocateOptions& options, std::vector<V3d> points) 
     const auto locator = analyse::Locator::make(*picture, static_cast<double>(found.width),
                                                 static_cast<double>(found.height), options.time,
                                                 axes, {}, job->token());
-    if (!locator) {
-        add_to(diagnostics, locator.diagnostics);
-        return diagnostics;
+    if (!answer.add(locator.diagnostics)) {
+        return found;
     }
     found.layers = locator->layers();
     found.numbers = numbers_of_layers(*picture, found.layers.size());
     found.closed_form = locator->closed_form();
     found.axes = locator->axes();
     found.points = std::move(points);
-    add_to(diagnostics, locator.diagnostics);
     std::vector<std::size_t> in_part;
     auto sightings = locator->locate(found.points, in_part, {}, job->token());
     job.reset();
-    if (!sightings) {
-        add_to(diagnostics, sightings.diagnostics);
-        return diagnostics;
+    if (!answer.add(sightings.diagnostics)) {
+        return found;
     }
     found.sightings = std::move(*sightings);
     if (!in_part.empty()) {
-        diagnostics.push_back(
-            warning(fmt::format("so many parts of the picture may see {} that not all "
-                                "of these parts were searched",
-                                counted(in_part.size(), "point", "points"))));
+        answer.add(
+            {warning(fmt::format("so many parts of the picture may see {} that not all "
+                                 "of these parts were searched",
+                                 counted(in_part.size(), "point", "points")))});
     }
     if (found.sightings.empty() && !found.points.empty()) {
-        add_to(diagnostics, app::explain_unseen({*picture, static_cast<double>(found.width),
-                                                 static_cast<double>(found.height), options.time,
-                                                 found.axes, found.points}));
+        answer.add(app::explain_unseen({*picture, static_cast<double>(found.width),
+                                        static_cast<double>(found.height), options.time, found.axes,
+                                        found.points}));
     }
     if (scene) {
-        look_for_obstacles(*scene, locator->axes(), found, diagnostics);
-        if (!found.obstacles) {
-            return diagnostics;
-        }
+        look_for_obstacles(*scene, found, answer);
     }
-    return {std::move(found), std::move(diagnostics)};
+    return found;
 }
 
 std::string name_of(const Located& located, const render::Obstacle& obstacle) {
@@ -299,31 +295,19 @@ nlohmann::json json_of(const Located& located) {
 }
 
 ExitCode locate(const LocateOptions& options) {
-    Diagnostics diagnostics;
-    Diagnostics input;
-    std::vector<V3d> points = read_points(options, diagnostics, input);
-    ExitCode code = diagnostics.empty() ? ExitCode::bad_input : ExitCode::wrong_usage;
-    diagnostics.insert(diagnostics.end(), input.begin(), input.end());
-    nlohmann::json document = nlohmann::json::object();
-    if (diagnostics.empty()) {
-        const Result<Located> located = find_all(options, std::move(points));
-        diagnostics = located.diagnostics;
-        code = kind_of_errors(diagnostics) == Kind::interrupted ? ExitCode::interrupted : code;
-        if (located) {
-            code = ExitCode::done;
-            document = options.json ? json_of(*located) : document;
-            if (!options.json) {
-                print_result(text_of(*located));
-            }
+    Answer answer;
+    std::vector<V3d> points = options.points;
+    if (!options.file.empty()) {
+        read_rows(options.file, points, answer.diagnostics);
+    }
+    if (answer.is_done()) {
+        const Located located = find_all(options, std::move(points), answer);
+        if (answer.is_done()) {
+            answer.facts = json_of(located);
+            answer.text = text_of(located);
         }
     }
-    if (options.json) {
-        document["diagnostics"] = to_json(diagnostics);
-        print_json(document);
-    } else {
-        report(diagnostics);
-    }
-    return code;
+    return give(answer, options.manner);
 }
 
 }  // namespace
@@ -331,11 +315,7 @@ ExitCode locate(const LocateOptions& options) {
 void add_locate_command(CLI::App& app, ExitCode& code) {
     const auto describe = [](Command& command, LocateOptions& options) {
         app::Options<LocateOptions> all{
-            {camera_argument(&LocateOptions::camera),
-             app::words({.name = "--point",
-                         .placeholder = "X,Y,Z",
-                         .meaning = "point in space; may be repeated"},
-                        &LocateOptions::points),
+            {camera_argument(&LocateOptions::camera), point_option(),
              option({.name = "--points",
                      .placeholder = "FILE",
                      .meaning = "table with one point per line; - is standard input"},
@@ -343,7 +323,8 @@ void add_locate_command(CLI::App& app, ExitCode& code) {
              scene_option(&LocateOptions::scene,
                           "scene file: also report whether the point is hidden, by which object "
                           "and at which distance"),
-             app::set_option(&LocateOptions::set)}};
+             app::set_option(&LocateOptions::set)},
+            {check_points}};
         all.add(&LocateOptions::size, app::size_options("size of the picture in pixels"));
         all.add(&LocateOptions::size, app::aspect_options());
         all.add(
@@ -351,7 +332,7 @@ void add_locate_command(CLI::App& app, ExitCode& code) {
               axes_option(&LocateOptions::axes,
                           "axes of the points: y_up, as in most scenes, or z_up (default: those of "
                           "the scene or, without a scene, of the camera)"),
-              json_flag(&LocateOptions::json, "print the positions as JSON")}});
+              json_flag(&LocateOptions::manner, "print the positions as JSON")}});
         command.add(std::move(all), options);
         command.footer(
             "Examples:\n"

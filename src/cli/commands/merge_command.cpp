@@ -8,16 +8,12 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include "balcony/animation.hpp"
 #include "cli/commands/command.hpp"
-#include "cli/options/common_options.hpp"
-#include "cli/report/json.hpp"
+#include "cli/options/command_rows.hpp"
 #include "cli/report/render_observer.hpp"
 #include "cli/report/render_report.hpp"
-#include "cli/report/report.hpp"
 
 namespace balcony::cli {
 
@@ -28,8 +24,7 @@ namespace fs = std::filesystem;
 struct MergeOptions {
     std::vector<std::string> shards;
     std::string output;
-    bool quiet = false;
-    bool json = false;
+    Manner manner;
 };
 
 // The shards of a picture that are beside it; the file itself if there are none, or if it is one.
@@ -52,83 +47,63 @@ std::vector<std::string> shards_beside(const std::string& name) {
     return shards.empty() ? std::vector{name} : shards;
 }
 
-ExitCode finish(const nlohmann::json& facts, const std::string& text,
-                const Diagnostics& diagnostics, bool interrupted, const MergeOptions& options) {
-    if (options.json) {
-        print_json(facts);
-    } else {
-        report(diagnostics);
-        if (!options.quiet && !text.empty()) {
-            print_result(text);
-        }
-    }
-    return exit_code_of(diagnostics, interrupted);
-}
-
-ExitCode merge_files(const MergeOptions& options) {
+Answer merge_files(const MergeOptions& options) {
     std::vector<fs::path> files;
     for (const std::string& name : options.shards) {
         const std::vector<std::string> found = shards_beside(name);
         files.insert(files.end(), found.begin(), found.end());
     }
-    RenderObserver observer(true);
+    RenderObserver observer({.quiet = true});
     const std::vector<app::MergedPicture> pictures =
         app::merge_pictures(files, options.output, observer.observer());
     if (pictures.size() == 1) {
-        return finish(report_json(pictures.front()), report_text(pictures.front()),
-                      pictures.front().diagnostics, false, options);
+        return answer_of(pictures.front());
     }
-    nlohmann::json facts{{"pictures", nlohmann::json::array()}};
-    std::string text;
-    Diagnostics all;
+    Answer all;
     for (const app::MergedPicture& merged : pictures) {
-        facts["pictures"].push_back(report_json(merged));
-        text += report_text(merged);
-        all.insert(all.end(), merged.diagnostics.begin(), merged.diagnostics.end());
+        const Answer answer = answer_of(merged);
+        all.facts["pictures"].push_back(to_json(answer));
+        all.text += answer.text;
+        all.add(answer.diagnostics);
     }
-    facts["diagnostics"] = to_json(all);
-    return finish(facts, text, all, false, options);
+    return all;
 }
 
-ExitCode merge(const MergeOptions& options) {
+Answer merge_parts(const MergeOptions& options) {
     const auto animation =
         std::find_if(options.shards.begin(), options.shards.end(), app::is_animation);
     if (animation == options.shards.end()) {
         return merge_files(options);
     }
     if (options.shards.size() > 1) {
-        app::MergedAnimation refused;
-        refused.diagnostics = {error(
-            Kind::usage, fmt::format("'{}' is an animation, which is merged alone", *animation),
-            "quote the name of a sequence: 'frame.####.png'")};
-        return finish({{"diagnostics", to_json(refused.diagnostics)}}, "", refused.diagnostics,
-                      false, options);
+        return {{error(Kind::usage,
+                       fmt::format("'{}' is an animation, which is merged alone", *animation),
+                       "quote the name of a sequence: 'frame.####.png'")}};
     }
-    RenderObserver observer(options.quiet || options.json);
-    const app::MergedAnimation merged =
-        app::merge_animation(*animation, options.output, observer.observer(), observer.token());
-    observer.clear();
-    return finish(report_json(merged), report_text(merged), merged.diagnostics, merged.interrupted,
-                  options);
+    RenderObserver observer(options.manner);
+    return answer_of(
+        app::merge_animation(*animation, options.output, observer.observer(), observer.token()));
 }
+
+ExitCode merge(const MergeOptions& options) { return give(merge_parts(options), options.manner); }
 
 }  // namespace
 
 void add_merge_command(CLI::App& app, ExitCode& code) {
-    const auto describe = [](CLI::App& command, MergeOptions& options) {
-        command
-            .add_option(
-                "SHARD", options.shards,
-                "the files of all shards, as --shard writes them, or the name of an animation: "
-                "film.mp4, or 'frame.####.png'")
-            ->type_name("FILE")
-            ->required();
-        command
-            .add_option("-o,--output", options.output,
-                        "output file (default: that of the renders); of a sequence, a film")
-            ->type_name("FILE");
-        add_quiet_option(command, options.quiet);
-        command.add_flag("--json", options.json, "print facts and diagnostics as JSON");
+    const auto describe = [](Command& command, MergeOptions& options) {
+        app::Options<MergeOptions> all{
+            {app::words({.name = "SHARD",
+                         .placeholder = "FILE",
+                         .meaning = "the files of all shards, as --shard writes them, or the name "
+                                    "of an animation: film.mp4, or 'frame.####.png'",
+                         .required = true,
+                         .effect = Effect::run,
+                         .type = OptionType::file},
+                        &MergeOptions::shards),
+             output_option(&MergeOptions::output,
+                           "output file (default: that of the renders); of a sequence, a film")}};
+        all.add(manner_options(&MergeOptions::manner));
+        command.add(std::move(all), options);
         command.footer(
             "Examples:\n"
             "  balcony merge room.png\n"

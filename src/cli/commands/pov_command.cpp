@@ -10,20 +10,16 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include "balcony/app.hpp"
 #include "balcony/images.hpp"
 #include "balcony/inputs.hpp"
 #include "balcony/povray.hpp"
 #include "cli/commands/command.hpp"
-#include "cli/options/camera_argument.hpp"
 #include "cli/options/command_rows.hpp"
 #include "cli/options/picture_output.hpp"
-#include "cli/report/json.hpp"
 #include "cli/report/peak_memory.hpp"
 #include "cli/report/render_observer.hpp"
-#include "cli/report/report.hpp"
 
 namespace balcony::cli {
 
@@ -38,22 +34,13 @@ struct PovOptions {
     std::vector<std::string> set;
     PictureSize size;
     bridge::PovraySettings settings;
-    bool quiet = false;
-    bool json = false;
+    Manner manner;
 };
 
 struct PovRequest {
     bridge::PovraySettings settings;
     PictureSize size;
     app::Finish finish;
-};
-
-/// What there is to say of a picture, as text or JSON.
-struct PovReport {
-    Diagnostics diagnostics;
-    bool interrupted = false;
-    nlohmann::json facts = nlohmann::json::object();
-    std::string sentence;
 };
 
 PovRequest pov_request(const PovOptions& options) {
@@ -73,10 +60,6 @@ std::string name_of_pov(const fs::path& output) {
     return output == "-" ? "standard output" : output.string();
 }
 
-void join_to(Diagnostics& diagnostics, const Diagnostics& more) {
-    diagnostics.insert(diagnostics.end(), more.begin(), more.end());
-}
-
 std::size_t transparent_pixels(const render::Film& film) {
     std::size_t count = 0;
     for (std::size_t y = 0; y < film.height; ++y) {
@@ -87,35 +70,34 @@ std::size_t transparent_pixels(const render::Film& film) {
     return count;
 }
 
-void describe_pov(PovReport& outcome, const PovRequest& request, const camera::Picture& picture,
+void describe_pov(Answer& answer, const PovRequest& request, const camera::Picture& picture,
                   const render::Film& film, const bridge::PovrayProgram& program,
                   const bridge::PovraySummary& summary) {
     const std::size_t transparent = transparent_pixels(film);
     if (transparent > 0) {
-        outcome.diagnostics.push_back(
+        answer.diagnostics.push_back(
             warning(fmt::format("no camera has a ray at {} of {} pixels; they are transparent",
                                 transparent, film.window.size())));
     }
-    join_to(outcome.diagnostics, app::warn_of_lost_alpha(film, request.finish));
-    const bool interrupted = summary.interrupted;
-    outcome.facts = {{"output", nullptr},
-                     {"camera", picture.name()},
-                     {"width", film.width},
-                     {"height", film.height},
-                     {"passes", film.passes.front()},
-                     {"rays", summary.camera_rays},
-                     {"single_rays", summary.single_rays},
-                     {"faces", summary.faces},
-                     {"largest_error", summary.largest_error},
-                     {"povray", program.version},
-                     {"povray_runs", summary.runs},
-                     {"povray_seconds", summary.povray_seconds},
-                     {"camera_seconds", summary.camera_seconds},
-                     {"peak_memory", peak_memory()},
-                     {"interrupted", interrupted}};
-    outcome.sentence =
+    answer.add(app::warn_of_lost_alpha(film, request.finish));
+    answer.facts = {{"output", nullptr},
+                    {"camera", picture.name()},
+                    {"width", film.width},
+                    {"height", film.height},
+                    {"passes", film.passes.front()},
+                    {"rays", summary.camera_rays},
+                    {"single_rays", summary.single_rays},
+                    {"faces", summary.faces},
+                    {"largest_error", summary.largest_error},
+                    {"povray", program.version},
+                    {"povray_runs", summary.runs},
+                    {"povray_seconds", summary.povray_seconds},
+                    {"camera_seconds", summary.camera_seconds},
+                    {"peak_memory", peak_memory()},
+                    {"interrupted", summary.interrupted}};
+    answer.text =
         fmt::format("{}{}: {} x {} pixels through '{}', {}, {} rays; POV-Ray {} ran {} for {}\n",
-                    interrupted ? "interrupted; the partial picture is " : "",
+                    summary.interrupted ? "interrupted; the partial picture is " : "",
                     printable(name_of_pov(request.finish.output)), film.width, film.height,
                     picture.name(), counted(film.passes.front(), "pass", "passes"),
                     count_text(static_cast<double>(summary.camera_rays)), program.version,
@@ -123,24 +105,18 @@ void describe_pov(PovReport& outcome, const PovRequest& request, const camera::P
                     duration_text(summary.povray_seconds));
 }
 
-void render_pov_picture(const PovOptions& options, PovReport& outcome) {
-    const auto fails = [&outcome](Diagnostics found, Kind kind = Kind::input) {
-        for (Diagnostic& one : found) {
-            one.kind = one.kind == Kind::input ? kind : one.kind;
-        }
-        join_to(outcome.diagnostics, found);
-        return has_errors(found);
-    };
+void render_pov_picture(const PovOptions& options, Answer& answer) {
     PovRequest request = pov_request(options);
-    lang::Workspace cameras;
-    if (fails(check_output(request.finish.output))) {
+    if (!answer.add(check_output(request.finish.output))) {
         return;
     }
+    lang::Workspace cameras;
     Result<camera::Picture> picture = load_picture(options.camera, options.set, cameras);
     std::vector<fs::path> inputs = cameras.files();
     inputs.emplace_back(options.scene);
-    inputs.push_back(camera_file(options.camera));
-    if (fails(app::check_overwrites(request.finish.output, inputs)) || fails(picture.diagnostics)) {
+    inputs.push_back(app::camera_file(options.camera));
+    if (!answer.add(app::check_overwrites(request.finish.output, inputs)) ||
+        !answer.add(picture.diagnostics)) {
         return;
     }
     *picture = picture->with_fit(request.size.fit);
@@ -149,47 +125,37 @@ void render_pov_picture(const PovOptions& options, PovReport& outcome) {
         render::make_film({.width = width, .height = height, .data_layers = false});
     const Result<bridge::PovrayProgram> program = bridge::find_povray();
     // POV-Ray writes images, whatever becomes of them.
-    if (fails(film.diagnostics) || fails(program.diagnostics) ||
-        fails(images::require(), Kind::environment)) {
+    if (!answer.add(film.diagnostics) || !answer.add(program.diagnostics) ||
+        !answer.add(images::require())) {
         return;
     }
-    RenderObserver observer(options.quiet || options.json);
+    RenderObserver observer(options.manner);
     observer.observer().stoppable(true);
     const bridge::PovraySummary summary =
         bridge::render_with_povray(*program, options.scene, *picture, request.settings, *film,
                                    observer.observer().progress, observer.token());
     observer.clear();
-    outcome.interrupted = summary.interrupted;
-    if (fails(summary.diagnostics)) {
+    answer.interrupted = summary.interrupted;
+    if (!answer.add(summary.diagnostics)) {
         return;
     }
     if (film->passes.front() == 0) {
-        outcome.sentence = "interrupted before there was anything to save\n";
+        answer.text = "interrupted before there was anything to save\n";
         return;
     }
-    describe_pov(outcome, request, *picture, *film, *program, summary);
-    if (!fails(app::write(request.finish, *film, observer.observer()))) {
-        outcome.facts["output"] = request.finish.output.string();
+    describe_pov(answer, request, *picture, *film, *program, summary);
+    if (answer.add(app::write(request.finish, *film, observer.observer()))) {
+        answer.facts["output"] = request.finish.output.string();
+    } else {
+        answer.text.clear();
     }
 }
 
 ExitCode pov(const PovOptions& options) {
-    PovReport outcome;
-    render_pov_picture(options, outcome);
-    if (options.json) {
-        outcome.facts["diagnostics"] = to_json(outcome.diagnostics);
-        print_json(outcome.facts);
-    } else {
-        report(outcome.diagnostics);
-        if (!options.quiet && !has_errors(outcome.diagnostics)) {
-            if (options.output == "-") {
-                print_aside(outcome.sentence);
-            } else {
-                print_result(outcome.sentence);
-            }
-        }
-    }
-    return exit_code_of(outcome.diagnostics, outcome.interrupted);
+    Answer answer;
+    answer.print = options.output == "-" ? print_aside : print_result;
+    render_pov_picture(options, answer);
+    return give(answer, options.manner);
 }
 
 app::Options<PovOptions> povray_options() {
@@ -220,9 +186,7 @@ app::Options<PovOptions> povray_options() {
              app::words({.name = "OPTION",
                          .meaning = "options for POV-Ray itself, after --, such as +Q5 or "
                                     "Declare=Night=1"},
-                        &PovOptions::settings, &PovraySettings::options),
-             quiet_flag(&PovOptions::quiet),
-             json_flag(&PovOptions::json, "print file name, counts and diagnostics as JSON")}};
+                        &PovOptions::settings, &PovraySettings::options)}};
 }
 
 }  // namespace
@@ -246,6 +210,8 @@ void add_pov_command(CLI::App& app, ExitCode& code) {
         all.add(&PovOptions::size, app::size_options("size of the picture in pixels"));
         all.add(&PovOptions::size, app::aspect_options());
         all.add(povray_options());
+        all.add(
+            manner_options(&PovOptions::manner, "print file name, counts and diagnostics as JSON"));
         command.add(std::move(all), options);
         command.footer(
             "Examples:\n"

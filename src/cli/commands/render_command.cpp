@@ -1,74 +1,63 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "balcony/app.hpp"
 #include "cli/commands/command.hpp"
-#include "cli/options/camera_argument.hpp"
-#include "cli/options/common_options.hpp"
+#include "cli/options/command_rows.hpp"
 #include "cli/options/picture_output.hpp"
-#include "cli/options/render_options.hpp"
-#include "cli/options/scene_argument.hpp"
-#include "cli/report/json.hpp"
 #include "cli/report/render_observer.hpp"
 #include "cli/report/render_report.hpp"
-#include "cli/report/report.hpp"
 #include "cli/report/usage.hpp"
 
 namespace balcony::cli {
 
 namespace {
 
-void show(const app::Report& outcome, const app::Request& request, bool quiet) {
-    report(outcome.diagnostics);
-    if (quiet || has_errors(outcome.diagnostics)) {
-        return;
-    }
-    const std::string text = report_text(outcome, request);
-    if (request.output == "-") {
-        print_aside(text);
-    } else {
-        print_result(text);
-    }
-}
-
-ExitCode finish(const app::Report& outcome, const app::Request& request,
-                const RenderOptions& options) {
-    if (options.json) {
-        print_json(report_json(outcome));
-    } else {
-        show(outcome, request, options.quiet);
-    }
-    return exit_code_of(outcome.diagnostics, outcome.interrupted);
-}
+struct RenderOptions {
+    std::vector<std::string> scenes;
+    std::optional<std::string> output;
+    app::Request request;  ///< But for scenes and outputs.
+    bool watch = false;
+    Manner manner;
+    std::vector<app::Request> pictures;  ///< Made of all these.
+};
 
 /// Renders again whenever a file changes that the picture is made of. A signal ends it.
-ExitCode watch(const RenderOptions& options, const app::Request& request) {
-    RenderObserver observer(options.quiet || options.json);
+ExitCode watch(const app::Request& request, const Manner& manner) {
+    RenderObserver observer(manner);
     bool good = true;
     const app::Report last = app::watch(
         request, observer.observer(),
         [&](const app::Report& outcome) {
             observer.clear();
-            finish(outcome, request, options);
+            give(answer_of(outcome, request), manner);
             good = finish_output();
             if (!good) {
                 observer.stop();
             }
         },
         [&](std::size_t files) {
-            if (!options.quiet) {
+            if (!manner.quiet) {
                 print_aside(
                     fmt::format("watching {}; Ctrl-C ends\n", counted(files, "file", "files")));
             }
         },
         observer.token());
-    return good ? exit_code_of(last.diagnostics, last.interrupted) : ExitCode::environment;
+    // main() says that standard output cannot be written to.
+    return exit_code_of(last.diagnostics, good && last.interrupted);
+}
+
+Answer render(app::Session& session, const app::Request& picture, app::Report& report,
+              const Manner& manner) {
+    RenderObserver observer(manner);
+    report = session.render(picture, observer.observer(), observer.token());
+    return answer_of(report, picture);
 }
 
 /// Whether a picture is that of the other eye.
@@ -78,59 +67,57 @@ bool is_second_eye(const app::Request& picture, const app::Request& request) {
 }
 
 /// Renders one picture after the other. A scene that fails does not stop the others.
-ExitCode render_all(const RenderOptions& options, const app::Request& request,
-                    const std::vector<app::Request>& wanted) {
-    ExitCode code = ExitCode::done;
-    nlohmann::json pictures = nlohmann::json::array();
+ExitCode render_all(const RenderOptions& options) {
+    Answer all;
+    nlohmann::json& pictures = all.facts["pictures"] = nlohmann::json::array();
     app::Session session;
-    app::Report outcome;
-    for (app::Request picture : wanted) {
-        if (is_second_eye(picture, request)) {
-            if (has_errors(outcome.diagnostics)) {
+    app::Report report;
+    for (app::Request picture : options.pictures) {
+        if (is_second_eye(picture, options.request)) {
+            if (has_errors(report.diagnostics)) {
                 continue;
             }
-            hold_look(outcome, picture);
+            hold_look(report, picture);
         }
-        RenderObserver observer(options.quiet || options.json);
-        outcome = session.render(picture, observer.observer(), observer.token());
-        observer.clear();
-        if (options.json) {
-            pictures.push_back(report_json(outcome));
+        const Answer answer = render(session, picture, report, options.manner);
+        all.add(answer.diagnostics);
+        if (options.manner.json) {
+            pictures.push_back(to_json(answer));
             pictures.back()["scene"] = picture.scene;
         } else {
-            show(outcome, picture, options.quiet);
+            give(answer, options.manner);
         }
-        const ExitCode own = exit_code_of(outcome.diagnostics, outcome.interrupted);
-        code = code == ExitCode::done || own == ExitCode::interrupted ? own : code;
-        if (own == ExitCode::interrupted) {
+        if (answer.interrupted) {
+            all.interrupted = true;
             break;
         }
     }
-    if (options.json) {
-        print_json({{"pictures", pictures}, {"diagnostics", nlohmann::json::array()}});
+    if (options.manner.json) {
+        print_json(to_json(all));
     }
-    return code;
+    return exit_code_of(all.diagnostics, all.interrupted);
 }
 
-void check_outputs(const RenderOptions& options, const std::vector<app::Request>& pictures,
-                   Diagnostics& found) {
+void check_outputs(const RenderOptions& options, Diagnostics& found) {
+    const bool to_stream = options.output == "-";
+    const bool several = options.pictures.size() > 1;
     const auto refuse_both = [&found](const std::string& what, const std::string& remedy) {
         found.push_back(error(Kind::usage, what, remedy));
     };
-    if (options.output == "-" && (options.json || options.watch)) {
+    if (to_stream && (options.manner.json || options.watch)) {
         refuse_both(fmt::format("--output - and {} exclude each other",
-                                options.json ? "--json" : "--watch"),
+                                options.manner.json ? "--json" : "--watch"),
                     "name a file for the picture");
-    } else if (options.output == "-" && pictures.size() > 1) {
+    } else if (to_stream && several) {
         refuse_both("--output - takes one picture, but there are several",
                     "name a file for the pictures");
-    } else if (options.watch && pictures.size() > 1 && options.stereo.format == "files") {
+    } else if (options.watch && several && options.request.stereo.has_two_files()) {
         refuse_both("--watch shows one picture, but --stereo files makes two",
                     "write --stereo side_by_side");
-    } else if (options.watch && pictures.size() > 1) {
+    } else if (options.watch && several) {
         refuse_both("--watch shows one scene, but there are several", "give one scene");
     }
-    if (!options.job.shard.empty() && (options.output == "-" || options.watch)) {
+    if (options.request.job.shard && (to_stream || options.watch)) {
         refuse_both(fmt::format("--shard and {} exclude each other",
                                 options.watch ? "--watch" : "--output -"),
                     "name a file for the picture that the shards make");
@@ -138,64 +125,70 @@ void check_outputs(const RenderOptions& options, const std::vector<app::Request>
 }
 
 ExitCode render_command(const RenderOptions& options) {
-    app::Report refused;
-    Diagnostics& found = refused.diagnostics;
-    const app::Request request = read_request(options, found);
-    const std::vector<app::Request> pictures = pictures_of(options, request, found);
-    check_outputs(options, pictures, found);
-    if (has_errors(found)) {
-        finish(refused, request, options);
-        return ExitCode::wrong_usage;
-    }
+    const std::vector<app::Request>& pictures = options.pictures;
     for (const app::Request& picture : pictures) {
-        const Diagnostics output = check_output(picture.output);
-        found.insert(found.end(), output.begin(), output.end());
-        if (has_errors(found)) {
-            return finish(refused, request, options);
+        if (const Diagnostics found = check_output(picture.output); has_errors(found)) {
+            return give({found}, options.manner);
         }
     }
     if (options.watch) {
-        return watch(options, pictures.front());
+        return watch(pictures.front(), options.manner);
     }
     if (pictures.size() > 1) {
-        return render_all(options, request, pictures);
+        return render_all(options);
     }
-    RenderObserver observer(options.quiet || options.json);
     app::Session session;
-    const app::Report outcome =
-        session.render(pictures.front(), observer.observer(), observer.token());
-    observer.clear();
-    return finish(outcome, pictures.front(), options);
+    app::Report report;
+    return give(render(session, pictures.front(), report, options.manner), options.manner);
+}
+
+app::Option<RenderOptions> output_row() {
+    const auto name = app::converted<std::optional<std::string>>(
+        text(OptionType::file), [](const std::string& file) { return std::optional(file); },
+        [](const std::optional<std::string>& file) { return file.value_or(""); });
+    return option({.name = "--output",
+                   .letter = "-o",
+                   .placeholder = "FILE",
+                   .meaning = "output file: .png, .jpg, .webp, .tif, or .exr with all layers; "
+                              "{scene} stands for the scene's name, and - is standard output (PNG) "
+                              "(default: {scene}.png)",
+                   .effect = Effect::run},
+                  name, &RenderOptions::output);
+}
+
+app::Options<RenderOptions> render_rows() {
+    app::Options<RenderOptions> all{
+        {app::words({.name = "SCENE",
+                     .meaning = scene_files_text() +
+                                "; several, or a pattern such as '*.glb', each give a picture",
+                     .required = true,
+                     .effect = Effect::run,
+                     .type = OptionType::scene},
+                    &RenderOptions::scenes),
+         output_row()}};
+    all.add(&RenderOptions::request, app::request_options());
+    all.add({{flag({.name = "--watch",
+                    .meaning = "render again whenever a file of the camera or the scene changes",
+                    .effect = Effect::run},
+                   true, &RenderOptions::watch)}});
+    all.add(manner_options(&RenderOptions::manner));
+    all.checks.emplace_back([](RenderOptions& options, const app::GivenWords&, Diagnostics& found) {
+        options.pictures = pictures_of(options.scenes, options.output, options.request, found);
+        check_outputs(options, found);
+    });
+    return all;
 }
 
 }  // namespace
 
 void add_render_command(CLI::App& app, ExitCode& code) {
-    const auto describe = [](CLI::App& command, RenderOptions& options) {
-        options.command = &command;
-        CLI::Option* scenes = command.add_option(
-            "SCENE", options.scenes,
-            scene_files_text() + "; several, or a pattern such as '*.glb', each give a picture");
-        scenes->type_name("SCENE")->required()->take_all();
+    const auto describe = [](Command& command, RenderOptions& options) {
+        command.add(render_rows(), options);
+        CLI::Option* const scenes = command.get_option("SCENE");
         scenes->check([&command, scenes](const std::string& word) {
             const bool wrong = scenes->results().size() > 1 && is_misplaced(command, word);
             return std::string(wrong ? "misplaced" : "");
         });
-        add_scene_options(command, options);
-        add_time_option(command, options.time);
-        add_shutter_options(command, options.shutter);
-        add_stereo_options(command, options.stereo);
-        command
-            .add_option_function<std::string>(
-                "-o,--output", [&options](const std::string& file) { options.output = file; },
-                "output file: .png, .jpg, .webp, .tif, or .exr with all layers; {scene} stands for "
-                "the scene's name, and - is standard output (PNG) (default: {scene}.png)")
-            ->type_name("FILE");
-        add_picture_options(command, options);
-        command.add_flag("--watch", options.watch,
-                         "render again whenever a file of the camera or the scene changes");
-        add_job_options(command, options.job);
-        add_run_options(command, options);
         command.footer(
             "Examples:\n"
             "  balcony render room.glb -o room.png\n"

@@ -8,7 +8,6 @@
 #include "balcony/output_file.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/interruption.hpp"
-#include "cli/options/camera_argument.hpp"
 #include "cli/options/command_rows.hpp"
 #include "cli/options/photo_options.hpp"
 #include "cli/report/st_map_report.hpp"
@@ -21,53 +20,44 @@ struct StMapOptions {
     PhotoRequest photo;
     PictureSize photo_size;
     std::string output;
-    bool quiet = false;
-    bool json = false;
+    Manner manner;
 };
 
-ExitCode check_st_map_output(const StMapOptions& options, Diagnostics& diagnostics) {
-    if (ending_of(options.output) != ".exr") {
-        diagnostics.push_back(error(
-            fmt::format("'{}' is no name for an STMap, whose numbers need floats", options.output),
-            {}, "use a file name that ends in .exr"));
-        return ExitCode::wrong_usage;
-    }
-    const Diagnostics found = OutputFile::check(options.output);
-    diagnostics.insert(diagnostics.end(), found.begin(), found.end());
-    return has_errors(found) ? ExitCode::environment : ExitCode::done;
-}
-
-// Both sides, or what follows from the aspect of the photo's camera.
-void check_photo_size(StMapOptions& options, const app::GivenWords&, Diagnostics& diagnostics) {
+void check_st_map(StMapOptions& options, const app::GivenWords&, Diagnostics& found) {
+    // Both sides, or what follows from the aspect of the photo's camera.
     if (options.photo_size.width && !options.photo_size.height) {
-        diagnostics.push_back(
-            error("--from-size needs both sides of the photo", {}, "write --from-size 4096x2048"));
+        found.push_back(error(Kind::usage, "--from-size needs both sides of the photo",
+                              "write --from-size 4096x2048"));
+    }
+    if (ending_of(options.output) != ".exr") {
+        found.push_back(error(
+            Kind::usage,
+            fmt::format("'{}' is no name for an STMap, whose numbers need floats", options.output),
+            "use a file name that ends in .exr"));
     }
 }
 
-StMapOutcome make_st_map_file(const StMapOptions& options) {
-    StMapOutcome outcome;
-    outcome.code = check_st_map_output(options, outcome.diagnostics);
-    if (outcome.code != ExitCode::done) {
-        return outcome;
+void make_st_map_file(const StMapOptions& options, Answer& answer) {
+    if (!answer.add(OutputFile::check(options.output))) {
+        return;
     }
     const PictureSize& size = options.photo_size;
-    lang::Workspace workspace;
     const auto photo_size =
         size.width ? std::optional(std::array{*size.width, *size.height}) : std::nullopt;
-    auto map = make_st_map(options.photo, photo_size, workspace);
-    outcome.add(map.diagnostics, ExitCode::bad_input);
-    outcome.map = std::move(map.value);
-    outcome.add(app::check_overwrites(options.output, workspace.files()), ExitCode::wrong_usage);
-    if (outcome.code == ExitCode::done) {
+    lang::Workspace workspace;
+    const auto map = make_st_map(options.photo, photo_size, workspace);
+    if (answer.add(map.diagnostics) &&
+        answer.add(app::check_overwrites(options.output, workspace.files()))) {
         const Job job;
-        outcome.add(write_st_map(*outcome.map, options.output, job.token()));
+        add_written(answer, *map, write_st_map(*map, options.output, job.token()), options.output);
     }
-    return outcome;
 }
 
 ExitCode stmap(const StMapOptions& options) {
-    return report_st_map(make_st_map_file(options), options.output, options.quiet, options.json);
+    Answer answer;
+    answer.facts["output"] = nullptr;
+    make_st_map_file(options, answer);
+    return give(answer, options.manner);
 }
 
 }  // namespace
@@ -88,9 +78,8 @@ void add_stmap_command(CLI::App& app, ExitCode& code) {
                      .placeholder = "WIDTHxHEIGHT",
                      .meaning = "size of the photo in pixels, if its aspect ratio is not that of "
                                 "its camera"})}});
-        all.add({{quiet_flag(&StMapOptions::quiet),
-                  json_flag(&StMapOptions::json, "print facts and diagnostics as JSON")},
-                 {check_photo_size}});
+        all.add(manner_options(&StMapOptions::manner));
+        all.checks.emplace_back(check_st_map);
         command.add(std::move(all), options);
         command.footer(
             "Examples:\n"

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "balcony/display_file.hpp"
 #include "balcony/film.hpp"
 #include "balcony/inputs.hpp"
 #include "cli/commands/command.hpp"
@@ -25,44 +24,34 @@ struct WarpOptions {
     std::string photo;
     PhotoRequest view;
     std::string output;
-    bool quiet = false;
-    bool json = false;
+    Manner manner;
 };
 
-void check_warp_output(const WarpOptions& options, StMapOutcome& outcome) {
-    const bool known = render::display_format(options.output) != nullptr ||
-                       fs::path(options.output).extension() == ".exr";
-    outcome.add(render::check_output(options.output),
-                known ? ExitCode::environment : ExitCode::wrong_usage);
-}
-
-StMapOutcome warp_file(const WarpOptions& options) {
-    StMapOutcome outcome;
-    check_warp_output(options, outcome);
-    if (outcome.code != ExitCode::done) {
-        return outcome;
+void warp_file(const WarpOptions& options, Answer& answer) {
+    if (!answer.add(render::check_output(options.output))) {
+        return;
     }
     const auto photo = bridge::Photo::load(options.photo);
-    outcome.add(photo.diagnostics, ExitCode::bad_input);
-    if (!photo) {
-        return outcome;
+    if (!answer.add(photo.diagnostics)) {
+        return;
     }
     lang::Workspace workspace;
-    auto map = make_st_map(options.view, std::array{photo->width(), photo->height()}, workspace);
-    outcome.add(map.diagnostics, ExitCode::bad_input);
-    outcome.map = std::move(map.value);
+    const auto map =
+        make_st_map(options.view, std::array{photo->width(), photo->height()}, workspace);
     std::vector<fs::path> inputs = workspace.files();
     inputs.emplace_back(options.photo);
-    outcome.add(app::check_overwrites(options.output, inputs), ExitCode::wrong_usage);
-    if (outcome.code == ExitCode::done) {
+    if (answer.add(map.diagnostics) && answer.add(app::check_overwrites(options.output, inputs))) {
         const Job job;
-        outcome.add(warp_photo(*outcome.map, *photo, options.output, job.token()));
+        add_written(answer, *map, warp_photo(*map, *photo, options.output, job.token()),
+                    options.output);
     }
-    return outcome;
 }
 
 ExitCode warp(const WarpOptions& options) {
-    return report_st_map(warp_file(options), options.output, options.quiet, options.json);
+    Answer answer;
+    answer.facts["output"] = nullptr;
+    warp_file(options, answer);
+    return give(answer, options.manner);
 }
 
 }  // namespace
@@ -86,8 +75,7 @@ void add_warp_command(CLI::App& app, ExitCode& code) {
         all.rows.push_back(output_option(&WarpOptions::output,
                                          "output file: .png, .jpg, .webp, .tif, or .exr", true));
         all.add(&WarpOptions::view, photo_options());
-        all.add({{quiet_flag(&WarpOptions::quiet),
-                  json_flag(&WarpOptions::json, "print facts and diagnostics as JSON")}});
+        all.add(manner_options(&WarpOptions::manner));
         command.add(std::move(all), options);
         command.footer(
             "Examples:\n"

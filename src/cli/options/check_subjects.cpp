@@ -76,7 +76,7 @@ private:
 };
 
 // The requested pictures of a file.
-Result<std::vector<camera::Picture>> make_pictures(const CameraArgument& wanted,
+Result<std::vector<camera::Picture>> make_pictures(const app::CameraArgument& wanted,
                                                    const SubjectRequest& request,
                                                    lang::Workspace& workspace) {
     std::string name = wanted.name;
@@ -96,7 +96,7 @@ Result<std::vector<camera::Picture>> make_pictures(const CameraArgument& wanted,
 Result<std::vector<CheckSubject>> check_subjects(const std::string& argument,
                                                  const SubjectRequest& request,
                                                  lang::Workspace& workspace) {
-    const Result<CameraArgument> wanted = read_camera(argument, request.set);
+    const Result<app::CameraArgument> wanted = app::read_camera(argument, request.set);
     if (!wanted) {
         return wanted.diagnostics;
     }

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "balcony/inputs.hpp"
 #include "balcony/request.hpp"
-#include "cli/options/camera_argument.hpp"
 #include "cli/report/check_report.hpp"
 
 namespace balcony::cli {

@@ -8,12 +8,15 @@
 #include <optional>
 #include <string>
 
+#include "balcony/inputs.hpp"
 #include "balcony/picture_options.hpp"
+#include "cli/report/answer.hpp"
 
 namespace balcony::cli {
 
 using app::Effect;
 using app::flag;
+using app::load_picture;
 using app::option;
 using app::OptionType;
 using app::PictureSize;
@@ -28,6 +31,17 @@ template <class Target>
                               "last), or a built-in camera",
                    .required = true},
                   text(OptionType::camera), camera);
+}
+
+/// "scene file (.glb, ...)"
+[[nodiscard]] std::string scene_files_text();
+
+/// The required argument SCENE.
+template <class Target>
+[[nodiscard]] app::Option<Target> scene_argument(std::string Target::*scene, std::string meaning) {
+    return option(
+        {.name = "SCENE", .meaning = std::move(meaning), .required = true, .effect = Effect::run},
+        text(OptionType::scene), scene);
 }
 
 /// -o and --output.
@@ -71,20 +85,22 @@ template <class Target>
                   axes);
 }
 
-/// -q and --quiet.
 template <class Target>
-[[nodiscard]] app::Option<Target> quiet_flag(bool Target::*quiet) {
-    return flag({.name = "--quiet",
-                 .letter = "-q",
-                 .meaning = "print only warnings and errors",
-                 .effect = Effect::run},
-                true, quiet);
+[[nodiscard]] app::Option<Target> json_flag(Manner Target::*manner, std::string meaning) {
+    return flag({.name = "--json", .meaning = std::move(meaning), .effect = Effect::run}, true,
+                manner, &Manner::json);
 }
 
+/// --quiet and --json; the meaning is that of --json.
 template <class Target>
-[[nodiscard]] app::Option<Target> json_flag(bool Target::*json, std::string meaning) {
-    return flag({.name = "--json", .meaning = std::move(meaning), .effect = Effect::run}, true,
-                json);
+[[nodiscard]] app::Options<Target> manner_options(
+    Manner Target::*manner, std::string meaning = "print facts and diagnostics as JSON") {
+    return {{flag({.name = "--quiet",
+                   .letter = "-q",
+                   .meaning = "print only warnings and errors",
+                   .effect = Effect::run},
+                  true, manner, &Manner::quiet),
+             json_flag(manner, std::move(meaning))}};
 }
 
 }  // namespace balcony::cli

@@ -8,7 +8,6 @@
 #include <tuple>
 
 #include "balcony/inverse.hpp"
-#include "cli/options/camera_argument.hpp"
 #include "cli/options/command_rows.hpp"
 
 namespace balcony::cli {

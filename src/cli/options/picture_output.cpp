@@ -61,19 +61,19 @@ Diagnostics check_output(const fs::path& output) {
     return app::check_output(output);
 }
 
-std::vector<app::Request> pictures_of(const RenderOptions& options, const app::Request& request,
-                                      Diagnostics& diagnostics) {
+std::vector<app::Request> pictures_of(const std::vector<std::string>& scenes,
+                                      const std::optional<std::string>& output,
+                                      const app::Request& request, Diagnostics& diagnostics) {
     std::vector<app::Request> made;
-    std::map<fs::path, std::string> scenes;
-    for (const std::string& pattern : options.scenes) {
+    std::map<fs::path, std::string> known;
+    for (const std::string& pattern : scenes) {
         for (const std::string& scene : matches_of(pattern)) {
             app::Request one = request;
             one.scene = scene;
-            one.output = output_for(scene, options.output);
-            const auto [other, is_new] = scenes.try_emplace(one.output.lexically_normal(), scene);
+            one.output = output_for(scene, output);
+            const auto [other, is_new] = known.try_emplace(one.output.lexically_normal(), scene);
             if (!is_new) {
-                const bool has_place =
-                    !options.output || options.output->find(place_of_scene) != std::string::npos;
+                const bool has_place = !output || output->find(place_of_scene) != std::string::npos;
                 diagnostics.push_back(
                     error(Kind::usage,
                           fmt::format("the pictures of '{}' and '{}' would both be '{}'",

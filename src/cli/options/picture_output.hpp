@@ -3,10 +3,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "balcony/app.hpp"
-#include "cli/options/render_options.hpp"
 
 namespace balcony::cli {
 
@@ -14,11 +15,12 @@ namespace balcony::cli {
 /// terminal.
 [[nodiscard]] Diagnostics check_output(const std::filesystem::path& output);
 
-/// The pictures of a command line, which are alike but for their scenes and outputs. Expands
+/// The pictures of several scenes, which are alike but for these and their outputs. Expands
 /// patterns of scenes such as '*.glb' that the shell has left, and "{scene}" in the name of the
 /// output. Without a name, a picture is in this folder and named after its scene. Several scenes
 /// need several outputs.
-[[nodiscard]] std::vector<app::Request> pictures_of(const RenderOptions& options,
+[[nodiscard]] std::vector<app::Request> pictures_of(const std::vector<std::string>& scenes,
+                                                    const std::optional<std::string>& output,
                                                     const app::Request& request,
                                                     Diagnostics& diagnostics);
 

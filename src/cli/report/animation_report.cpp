@@ -4,25 +4,15 @@
 #include <string>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include "cli/report/json.hpp"
 #include "cli/report/render_report.hpp"
-#include "cli/report/report.hpp"
 
 namespace balcony::cli {
 
 namespace {
 
-std::string name_of(const app::AnimationRequest& request) {
-    return request.film ? request.film->file.string() : request.picture.output.string();
-}
-
-}  // namespace
-
-nlohmann::json report_json(const app::AnimationReport& report,
-                           const app::AnimationRequest& request) {
-    nlohmann::json facts{{"diagnostics", to_json(report.diagnostics)}};
+nlohmann::json facts_of(const app::AnimationReport& report, const app::AnimationRequest& request) {
+    nlohmann::json facts = nlohmann::json::object();
     if (!report.is_rendered) {
         return facts;
     }
@@ -42,12 +32,13 @@ nlohmann::json report_json(const app::AnimationReport& report,
                   {"height", report.height},
                   {"seconds", report.seconds}});
     if (!has_errors(report.diagnostics)) {
-        facts["output"] = name_of(request);
+        facts["output"] = request.picture.output.string();
     }
     return facts;
 }
 
-std::string report_text(const app::AnimationReport& report, const app::AnimationRequest& request) {
+std::string text_of(const app::AnimationReport& report, const app::AnimationRequest& request) {
+    const std::string output = request.picture.output.string();
     const bool in_parts = request.parts_per_frame > 1;
     const std::string done = fmt::format(
         "{} rendered in {}{}",
@@ -57,16 +48,15 @@ std::string report_text(const app::AnimationReport& report, const app::Animation
     if (report.interrupted && !report.is_film_missing) {
         return fmt::format("interrupted: {}; the same command continues\n", done);
     }
-    std::string text =
-        fmt::format("{}: frames {} of {} x {} pixels, {}\n", printable(name_of(request)),
-                    app::text_of(report.frames), report.width, report.height, done);
+    std::string text = fmt::format("{}: frames {} of {} x {} pixels, {}\n", printable(output),
+                                   app::text_of(report.frames), report.width, report.height, done);
     if (!request.picture.exposure && report.exposure != 0.0) {
         text += fmt::format("  exposure {:+} stops, that of frame 1; --exposure sets it\n",
                             report.exposure);
     }
     if (request.shard || in_parts) {
         text += fmt::format("  when all shards are done: balcony merge {}\n",
-                            request.film ? name_of(request) : "'" + name_of(request) + "'");
+                            request.film ? output : "'" + output + "'");
     }
     if (report.is_film_missing) {
         text += "  interrupted before the film was made\n";
@@ -74,22 +64,26 @@ std::string report_text(const app::AnimationReport& report, const app::Animation
     return text;
 }
 
-nlohmann::json report_json(const app::MergedAnimation& merged) {
-    nlohmann::json facts{{"diagnostics", to_json(merged.diagnostics)}, {"merged", merged.merged}};
-    if (!merged.output.empty()) {
-        facts["output"] = merged.output.string();
-        facts["frames"] = app::text_of(merged.frames);
-    }
-    return facts;
+}  // namespace
+
+Answer answer_of(const app::AnimationReport& report, const app::AnimationRequest& request) {
+    Answer answer{report.diagnostics, report.interrupted, facts_of(report, request)};
+    answer.text = has_errors(report.diagnostics) ? "" : text_of(report, request);
+    return answer;
 }
 
-std::string report_text(const app::MergedAnimation& merged) {
-    if (merged.output.empty()) {
-        return {};
+Answer answer_of(const app::MergedAnimation& merged) {
+    Answer answer{merged.diagnostics, merged.interrupted};
+    answer.facts["merged"] = merged.merged;
+    if (!merged.output.empty()) {
+        const std::string frames = app::text_of(merged.frames);
+        answer.facts["output"] = merged.output.string();
+        answer.facts["frames"] = frames;
+        answer.text = fmt::format(
+            "{}: frames {}, {} merged from parts\n{}", merged.output.string(), frames,
+            merged.merged, merged.interrupted ? "  interrupted before the film was made\n" : "");
     }
-    return fmt::format("{}: frames {}, {} merged from parts\n{}", merged.output.string(),
-                       app::text_of(merged.frames), merged.merged,
-                       merged.interrupted ? "  interrupted before the film was made\n" : "");
+    return answer;
 }
 
 }  // namespace balcony::cli

@@ -13,11 +13,9 @@
 #include <fmt/format.h>
 
 #include "balcony/catalogue.hpp"
+#include "balcony/inputs.hpp"
 #include "balcony/lang.hpp"
-#include "balcony/picture_options.hpp"
 #include "cli/commands/command.hpp"
-#include "cli/options/camera_argument.hpp"
-#include "cli/options/scene_argument.hpp"
 
 namespace balcony::cli {
 
@@ -94,7 +92,7 @@ void add_folders(const Before&, Candidates& words) {
     add_files(words, [](const std::string&) { return false; });
 }
 
-void add_scenes(const Before&, Candidates& words) { add_files(words, is_scene_file); }
+void add_scenes(const Before&, Candidates& words) { add_files(words, app::is_scene_file); }
 
 void add_camera_files(const Before&, Candidates& words) {
     add_files(words, [](const std::string& name) { return name.ends_with(".cam"); });
@@ -142,7 +140,8 @@ std::optional<std::string> camera_in(const Before& before) {
 
 void add_parameters(const Before& before, Candidates& words) {
     const auto camera = camera_in(before);
-    const auto wanted = camera ? read_camera(*camera, {}) : Result<CameraArgument>(Diagnostics());
+    const auto wanted =
+        camera ? app::read_camera(*camera, {}) : Result<app::CameraArgument>(Diagnostics());
     const auto known = wanted ? lang::Workspace().describe(wanted->file)
                               : Result<std::vector<lang::Description>>(Diagnostics());
     for (std::size_t i = 0; known && i < known->size(); ++i) {
@@ -165,30 +164,9 @@ void add_what_is_listed(const Before& before, Candidates& words) {
     add_cameras(before, words);
 }
 
-// The row of an option by its name, for commands that render.
-const app::OptionInfo* row_of_picture(const CLI::Option& option) {
-    static const std::vector<app::OptionInfo> rows = [] {
-        std::vector<app::OptionInfo> made{{.name = "SCENE", .type = app::OptionType::scene},
-                                          {.name = "--output", .type = app::OptionType::file}};
-        app::Options<app::Request> all = app::scene_options();
-        all.add(app::picture_options());
-        all.add(&app::Request::shutter, app::shutter_options());
-        all.add(&app::Request::stereo, app::stereo_options());
-        made.insert(made.end(), all.rows.begin(), all.rows.end());
-        return made;
-    }();
-    const std::string name = option.get_positional()        ? option.get_name(true)
-                             : !option.get_lnames().empty() ? "--" + option.get_lnames().front()
-                                                            : "";
-    const auto found = std::find_if(rows.begin(), rows.end(),
-                                    [&name](const auto& row) { return row.name == name; });
-    return found != rows.end() ? &*found : nullptr;
-}
-
 // By the row of an option or argument. Numbers and the like have none.
 void add_values(const CLI::Option& option, const Before& before, Candidates& words) {
-    const app::OptionInfo* row = before.command.row_of(&option);
-    row = row != nullptr ? row : row_of_picture(option);
+    const app::OptionInfo* const row = before.command.row_of(&option);
     if (row == nullptr) {
         return;
     }

@@ -9,7 +9,7 @@
 
 namespace balcony::cli {
 
-RenderObserver::RenderObserver(bool quiet) : display_(quiet) {
+RenderObserver::RenderObserver(const Manner& manner) : display_(manner.quiet || manner.json) {
     observer_.progress = [this](const render::Progress& state) { display_.show(state); };
     observer_.tell = [this](const Diagnostics& diagnostics) {
         display_.clear();

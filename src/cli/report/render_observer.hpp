@@ -7,6 +7,7 @@
 
 #include "balcony/app.hpp"
 #include "cli/interruption.hpp"
+#include "cli/report/answer.hpp"
 #include "cli/report/progress_display.hpp"
 
 namespace balcony::cli {
@@ -15,7 +16,7 @@ namespace balcony::cli {
 /// is obeyed, and otherwise ends the process.
 class RenderObserver {
 public:
-    explicit RenderObserver(bool quiet);
+    explicit RenderObserver(const Manner& manner);
 
     [[nodiscard]] const app::Observer& observer() const { return observer_; }
     [[nodiscard]] std::stop_token token() const { return stop_.get_token(); }

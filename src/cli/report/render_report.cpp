@@ -8,11 +8,8 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
-#include "cli/report/json.hpp"
 #include "cli/report/peak_memory.hpp"
-#include "cli/report/report.hpp"
 
 namespace balcony::cli {
 
@@ -94,10 +91,8 @@ std::string name_of_output(const std::filesystem::path& output) {
     return output == "-" ? "standard output" : output.string();
 }
 
-}  // namespace
-
-nlohmann::json report_json(const app::Report& report) {
-    nlohmann::json facts{{"diagnostics", to_json(report.diagnostics)}};
+nlohmann::json facts_of(const app::Report& report) {
+    nlohmann::json facts = nlohmann::json::object();
     const render::Summary& summary = report.summary;
     if (report.shard) {
         if (!report.output.empty()) {
@@ -145,7 +140,7 @@ nlohmann::json report_json(const app::Report& report) {
     return facts;
 }
 
-std::string report_text(const app::Report& report, const app::Request& request) {
+std::string text_of(const app::Report& report, const app::Request& request) {
     const render::Summary& summary = report.summary;
     if (report.shard) {
         return text_of_shard(report, *report.shard);
@@ -182,26 +177,31 @@ std::string report_text(const app::Report& report, const app::Request& request) 
     return text;
 }
 
-nlohmann::json report_json(const app::MergedPicture& merged) {
-    nlohmann::json facts{{"diagnostics", to_json(merged.diagnostics)}};
-    if (merged.denoised) {
-        facts["denoiser"] = merged.denoised->used;
-    }
-    if (!merged.output.empty()) {
-        facts.update({{"output", name_of_output(merged.output)},
-                      {"exposure", merged.exposure},
-                      {"shards", merged.shards},
-                      {"width", merged.width},
-                      {"height", merged.height}});
-    }
-    return facts;
+}  // namespace
+
+Answer answer_of(const app::Report& report, const app::Request& request) {
+    Answer answer{report.diagnostics, report.interrupted, facts_of(report)};
+    answer.text = has_errors(report.diagnostics) ? "" : text_of(report, request);
+    answer.print = request.output == "-" ? print_aside : print_result;
+    return answer;
 }
 
-std::string report_text(const app::MergedPicture& merged) {
-    return merged.output.empty() ? std::string()
-                                 : fmt::format("{}: {} x {} pixels, merged from {} shards\n",
-                                               name_of_output(merged.output), merged.width,
-                                               merged.height, merged.shards);
+Answer answer_of(const app::MergedPicture& merged) {
+    Answer answer{merged.diagnostics};
+    if (merged.denoised) {
+        answer.facts["denoiser"] = merged.denoised->used;
+    }
+    if (!merged.output.empty()) {
+        const std::string name = name_of_output(merged.output);
+        answer.facts.update({{"output", name},
+                             {"exposure", merged.exposure},
+                             {"shards", merged.shards},
+                             {"width", merged.width},
+                             {"height", merged.height}});
+        answer.text = fmt::format("{}: {} x {} pixels, merged from {} shards\n", name, merged.width,
+                                  merged.height, merged.shards);
+    }
+    return answer;
 }
 
 }  // namespace balcony::cli

@@ -15,9 +15,9 @@
 #include <CLI/CLI.hpp>
 
 #include "balcony/display_file.hpp"
+#include "balcony/inputs.hpp"
 #include "balcony/lang.hpp"
 #include "balcony/names.hpp"
-#include "cli/options/scene_argument.hpp"
 
 namespace balcony::cli {
 
@@ -147,7 +147,7 @@ std::string option_for(const CLI::App& command, const std::string& word) {
     const char* option =
         is_camera(word)                                                              ? "--camera"
         : render::display_format(word) != nullptr || ends_in(word, {".exr", ".svg"}) ? "--output"
-        : is_scene_file(word)                                                        ? "--scene"
+        : app::is_scene_file(word)                                                   ? "--scene"
         : is_point                                                                   ? "--point"
         : word.find('=') != std::string::npos && word[0] != '='                      ? "--set"
                                                                                      : nullptr;
@@ -156,23 +156,27 @@ std::string option_for(const CLI::App& command, const std::string& word) {
                : "";
 }
 
+Diagnostic unexpected(const std::string& word, std::string remedy) {
+    return error(Kind::usage, fmt::format("'{}' is an unexpected argument", word),
+                 std::move(remedy));
+}
+
 // The first of several arguments that looks like the value of an option.
 Diagnostic misplaced_argument(const CLI::App& command) {
     for (const CLI::Option* option : command.get_options()) {
         for (const std::string& word :
              option->get_positional() ? option->results() : std::vector<std::string>()) {
             if (is_misplaced(command, word)) {
-                return error(fmt::format("'{}' is an unexpected argument", word), {},
-                             option_for(command, word));
+                return unexpected(word, option_for(command, word));
             }
         }
     }
-    return error("an argument is unexpected");
+    return error(Kind::usage, "an argument is unexpected");
 }
 
 // The command for a file that was given in place of a command.
 std::string command_for(const std::string& word) {
-    return is_scene_file(word)       ? fmt::format("did you mean balcony render {}?", word)
+    return app::is_scene_file(word)  ? fmt::format("did you mean balcony render {}?", word)
            : ends_in(word, {".cam"}) ? fmt::format("did you mean balcony check {}?", word)
                                      : "";
 }
@@ -204,7 +208,7 @@ std::string meaning(const CLI::Option& option) {
 std::shared_ptr<CLI::FormatterBase> help_layout() { return std::make_shared<HelpLayout>(); }
 
 bool is_misplaced(const CLI::App& command, const std::string& word) {
-    return !is_scene_file(word) && !option_for(command, word).empty();
+    return !app::is_scene_file(word) && !option_for(command, word).empty();
 }
 
 Diagnostic usage_error(const CLI::App& app, const CLI::ParseError& problem) {
@@ -222,16 +226,16 @@ Diagnostic usage_error(const CLI::App& app, const CLI::ParseError& problem) {
         return misplaced_argument(command);
     }
     if (!is_option && (unknown.empty() || problem.get_name() == "ArgumentMismatch")) {
-        return error(chosen.empty() ? "no command is given" : in_plain_words(problem), {}, look_up);
+        return error(Kind::usage, chosen.empty() ? "no command is given" : in_plain_words(problem),
+                     look_up);
     }
     const std::string word = is_option ? option->substr(0, option->find('=')) : unknown.front();
     if (!is_option && !chosen.empty()) {
         const std::string meant = option_for(command, word);
-        return error(fmt::format("'{}' is an unexpected argument", word), {},
-                     meant.empty() ? look_up : meant);
+        return unexpected(word, meant.empty() ? look_up : meant);
     }
     return error(
-        fmt::format("{} has no {} '{}'", name, is_option ? "option" : "command", word), {},
+        Kind::usage, fmt::format("{} has no {} '{}'", name, is_option ? "option" : "command", word),
         did_you_mean(word, is_option ? names_of_options(command) : names_of_commands(app),
                      is_option || command_for(word).empty() ? look_up : command_for(word)));
 }

@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "cli/options/scene_argument.hpp"
+#include "cli/options/command_rows.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
