@@ -32,7 +32,7 @@ scene::Scene modelled(const camera::Camera& camera, const Depiction& depiction =
 std::map<std::string, const scene::Mesh*> parts_of(const scene::Scene& scene) {
     std::map<std::string, const scene::Mesh*> parts;
     for (const scene::Instance& instance : scene.instances) {
-        parts[scene.objects[instance.object].name] = &scene.meshes[instance.mesh.value()];
+        parts[scene.objects[instance.object].name] = &*scene.meshes[instance.mesh.value()];
     }
     return parts;
 }
