@@ -4,6 +4,7 @@
 #include "scene/polygons/polygon.hpp"
 
 #include <cmath>
+#include <ctime>
 #include <numbers>
 #include <random>
 
@@ -84,6 +85,16 @@ TEST(Polygons, AreCoveredOnce) {
         }
     }
     expect_division(spiral(400));
+}
+
+// Tests of all ears against all corners take twice this time.
+TEST(Polygons, OfThousandsOfCornersAreQuick) {
+    std::mt19937 random(6);
+    const std::clock_t begin = std::clock();
+    for (int i = 0; i < 10; ++i) {
+        expect_division(star(max_polygon_corners, random));
+    }
+    EXPECT_LT(std::clock() - begin, 3 * CLOCKS_PER_SEC / 2);
 }
 
 TEST(Polygons, MayLieInAnyPlaneAndWindEitherWay) {

@@ -11,7 +11,7 @@
 
 namespace balcony::scene {
 
-/// Polygons with more corners are not read: triangulation needs quadratic time.
+/// Polygons with more corners are not read: triangulation needs quadratic time at worst.
 inline constexpr std::size_t max_polygon_corners = 4096;
 
 /// Divides a polygon of at least three finite corners into triangles, given by the numbers of their
