@@ -29,13 +29,19 @@
 
 namespace balcony::app {
 
+/// What is done before a picture is traced.
+enum class Step : std::uint8_t {
+    reading,   ///< The files of a scene.
+    building,  ///< What the renderer makes of it: its structure, its textures.
+};
+
 /// What is told during a render. All functions may be empty; they must be fast and not throw.
 struct Observer {
+    /// The part of a step that is done, from 0 to 1. Called by any thread, one at a time.
+    std::function<void(Step, double)> step{};
     render::ProgressCallback progress{};  ///< Called by the threads that trace, one at a time.
     /// Warnings that should not wait for the report, as its end may be hours away.
     std::function<void(const Diagnostics&)> tell{};
-    /// A stop is obeyed from now on, or not any more: reading a scene cannot be stopped.
-    std::function<void(bool)> stoppable{};
     /// The picture as a PNG file, if Request::output is "-".
     std::function<void(std::span<const std::uint8_t>)> bytes{};
     /// Of several frames, one begins: its number, its index among them and their count.
@@ -97,7 +103,8 @@ public:
     ~Session();
 
     /// Renders a picture and writes it, if the request names an output. A stop ends the rendering,
-    /// but what is there is written. Of two stereo formats, only the first is rendered.
+    /// but what is there is written; before that, it is an error of Kind::interrupted. Of two
+    /// stereo formats, only the first is rendered.
     [[nodiscard]] Report render(const Request& request, const Observer& observer = {},
                                 const std::stop_token& stop = {});
 

@@ -14,6 +14,7 @@
 // finished, and the unfinished file, another process continues to the very same file.
 
 #include <cstddef>
+#include <stop_token>
 #include <utility>
 
 #include "balcony/render.hpp"
@@ -32,7 +33,8 @@ public:
     [[nodiscard]] static Result<BandedRender> make(const Renderer& renderer,
                                                    const camera::Picture& picture,
                                                    const Settings& settings,
-                                                   const FilmLayout& layout, std::size_t rows);
+                                                   const FilmLayout& layout, std::size_t rows,
+                                                   const std::stop_token& stop = {});
 
     /// Of the band in progress: a job for its film.
     [[nodiscard]] Film& film() { return *job_.film(); }

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -58,7 +59,8 @@ struct CameraArgument {
 
 /// That of the default camera: the first of the scene, or else that of its renderer.
 [[nodiscard]] Result<camera::Picture> default_picture(const scene::Scene& scene,
-                                                      const render::Renderer& renderer);
+                                                      const render::Renderer& renderer,
+                                                      const std::stop_token& stop = {});
 
 // -------------------------------------------------------------------------------------- scenes
 
@@ -66,9 +68,11 @@ struct CameraArgument {
 [[nodiscard]] bool is_scene_file(std::string_view name);
 
 /// Loads a scene as it stands at a time in seconds, with what other files add to it. A camera in
-/// its place gives a specific error.
+/// its place gives a specific error. A stop is an error of Kind::interrupted.
 [[nodiscard]] Result<scene::Scene> load_scene(const std::string& name, double time = 0.0,
-                                              const std::vector<std::string>& added = {});
+                                              const std::vector<std::string>& added = {},
+                                              const std::stop_token& stop = {},
+                                              const PartDone& progress = {});
 
 // ---------------------------------------------------------------------------------- explaining
 

@@ -4,11 +4,15 @@
 
 // Probe: which objects of a scene a camera sees, whether rays start inside an object, what hides a
 // point from a camera, why a camera sees nothing, and where one stands well.
+//
+// A probe looks at the scene of a renderer as it stands, and builds nothing of its own. A stop is
+// an error of Kind::interrupted.
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -17,6 +21,8 @@
 
 #include "balcony/base.hpp"
 #include "balcony/camera.hpp"
+#include "balcony/progress.hpp"
+#include "balcony/render.hpp"
 #include "balcony/scene.hpp"
 
 namespace balcony::render {
@@ -46,8 +52,9 @@ struct Probe {
 };
 
 /// Transparent surfaces count as visible, and so do those behind them.
-[[nodiscard]] Result<Probe> probe(const scene::Scene& scene, const camera::Camera& camera,
-                                  const ProbeSettings& settings);
+[[nodiscard]] Result<Probe> probe(const Renderer& renderer, const camera::Camera& camera,
+                                  const ProbeSettings& settings, const std::stop_token& stop = {},
+                                  const PartDone& progress = {});
 
 /// A change of all rays of a camera.
 enum class RayChange : std::uint8_t {
@@ -71,14 +78,15 @@ struct Miss {
 };
 
 /// Tries changes of the rays of a camera, on a coarse grid of its picture.
-[[nodiscard]] Result<Miss> explain_miss(const scene::Scene& scene, const camera::Camera& camera,
+[[nodiscard]] Result<Miss> explain_miss(const Renderer& renderer, const camera::Camera& camera,
                                         const ProbeSettings& settings);
 
 /// A perspective camera for a scene that has none. It stands in front of the scene and slightly
 /// above it, as near as shows all but its surroundings: a ground or a sky much larger than all
 /// other objects together. If the scene is a closed room, it stands inside where it sees many
 /// objects, each of them large. A scene without a finite size is an error.
-[[nodiscard]] Result<scene::Camera> default_camera(const scene::Scene& scene);
+[[nodiscard]] Result<scene::Camera> default_camera(const Renderer& renderer,
+                                                   const std::stop_token& stop = {});
 
 /// Where a scene or an object is and where one stands well in it, in axes with z up.
 struct SceneExtent {
@@ -97,8 +105,9 @@ struct SceneExtent {
 
 /// Measures a scene, or the first object of a name. An unknown name and what has no finite size are
 /// errors.
-[[nodiscard]] Result<SceneExtent> measure_scene(const scene::Scene& scene,
-                                                const std::string& object = {});
+[[nodiscard]] Result<SceneExtent> measure_scene(const Renderer& renderer,
+                                                const std::string& object = {},
+                                                const std::stop_token& stop = {});
 
 /// From the origin of a ray to a point that it may show.
 struct SightLine {
@@ -116,6 +125,7 @@ struct Obstacle {
 /// The end lies on a surface if it is in the plane of the triangle within float precision, or if
 /// the distance to the surface is below 1e-5 of the line's length. `axes` are those of the lines.
 [[nodiscard]] Result<std::vector<std::optional<Obstacle>>> find_obstacles(
-    const scene::Scene& scene, std::span<const SightLine> lines, Axes axes);
+    const Renderer& renderer, std::span<const SightLine> lines, Axes axes,
+    const std::stop_token& stop = {});
 
 }  // namespace balcony::render

@@ -30,6 +30,7 @@
 #include "balcony/image_points.hpp"
 #include "balcony/integrators.hpp"
 #include "balcony/picture.hpp"
+#include "balcony/progress.hpp"
 #include "balcony/scene.hpp"
 #include "balcony/shutter.hpp"
 
@@ -152,22 +153,28 @@ public:
     /// A scene is traced as it stands at its time. With an interval of time, what moves during the
     /// interval is where it stands at the time of each ray: before the interval as at its
     /// beginning, after it as at its end.
+    ///
+    /// A stop is an error of Kind::interrupted. Progress may be reported by any thread.
     [[nodiscard]] static Result<Renderer> make(std::shared_ptr<const scene::Scene> scene,
-                                               const RendererSettings& settings = {});
+                                               const RendererSettings& settings = {},
+                                               const std::stop_token& stop = {},
+                                               const PartDone& progress = {});
 
     /// The same scene for other times, as scene::moved_to() gives it. Shares the textures and all
     /// that does not move. A scene with other parts is an error of Kind::usage.
     [[nodiscard]] Result<Renderer> moved(std::shared_ptr<const scene::Scene> scene,
-                                         const scene::TimeInterval& interval) const;
-
-    /// render::default_camera() of the scene, without a structure of its own.
-    [[nodiscard]] Result<scene::Camera> default_camera() const;
+                                         const scene::TimeInterval& interval,
+                                         const std::stop_token& stop = {},
+                                         const PartDone& progress = {}) const;
 
     [[nodiscard]] const Preparation& preparation() const;
 
+    struct State;
+    /// For the functions of this layer.
+    [[nodiscard]] const State& state() const { return *state_; }
+
 private:
     friend class Job;
-    struct State;
     explicit Renderer(std::shared_ptr<const State> state) : state_(std::move(state)) {}
     std::shared_ptr<const State> state_;
 };
@@ -231,14 +238,16 @@ public:
     /// Compiles the picture for the film's size and writes the names of objects and layers, the
     /// background and the ambient light into the film, to which it adds the sums that the picture
     /// needs. Settings out of range, an unknown integrator, no film, or one whose vectors do not
-    /// have its size are errors.
+    /// have its size are errors; so is a stop, of Kind::interrupted.
     [[nodiscard]] static Result<Job> make(const Renderer& renderer, const camera::Picture& picture,
-                                          const Settings& settings, std::shared_ptr<Film> film);
+                                          const Settings& settings, std::shared_ptr<Film> film,
+                                          const std::stop_token& stop = {});
 
     /// The same picture with other settings, such as another time, on another film. A film of the
     /// same size takes over the compiled picture. The renderer is one of the same scene.
     [[nodiscard]] Result<Job> again(const Renderer& renderer, const Settings& settings,
-                                    std::shared_ptr<Film> film) const;
+                                    std::shared_ptr<Film> film,
+                                    const std::stop_token& stop = {}) const;
 
     /// Never null.
     [[nodiscard]] const std::shared_ptr<Film>& film() const;
@@ -269,7 +278,7 @@ private:
     explicit Job(std::shared_ptr<const State> state) : state_(std::move(state)) {}
     [[nodiscard]] static Result<Job> make(const Renderer& renderer, const camera::Picture& picture,
                                           const Settings& settings, std::shared_ptr<Film> film,
-                                          const State* previous);
+                                          const State* previous, const std::stop_token& stop);
     std::shared_ptr<const State> state_;
 };
 

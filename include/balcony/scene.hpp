@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -26,6 +27,7 @@
 #include <Imath/ImathVec.h>
 
 #include "balcony/base.hpp"
+#include "balcony/progress.hpp"
 
 namespace balcony::scene {
 
@@ -286,12 +288,14 @@ struct Scene {
 
 /// Reads a scene file (.glb, .gltf, .obj, .ply, .stl). A part that cannot be used (a missing
 /// texture, a vertex that is not finite) is skipped or replaced with a warning that names it; an
-/// error means that there is nothing to render.
-[[nodiscard]] Result<Scene> load(const std::filesystem::path& file);
+/// error means that there is nothing to render. A stop is an error of Kind::interrupted.
+[[nodiscard]] Result<Scene> load(const std::filesystem::path& file,
+                                 const std::stop_token& stop = {}, const PartDone& progress = {});
 /// The same from the bytes of a file; its name determines the format, and the folder of other files
 /// that it names.
 [[nodiscard]] Result<Scene> load(const std::filesystem::path& name,
-                                 std::span<const std::uint8_t> bytes);
+                                 std::span<const std::uint8_t> bytes,
+                                 const std::stop_token& stop = {}, const PartDone& progress = {});
 
 /// Adds all that another scene has, with its motion, turned to the axes of the first. Objects keep
 /// their names, which may then be the same.

@@ -5,7 +5,6 @@
 
 #include <csignal>
 #include <mutex>
-#include <utility>
 
 #include <unistd.h>
 
@@ -68,7 +67,7 @@ Interruption::Interruption() {
 
 Interruption::~Interruption() { pthread_kill(watcher_.native_handle(), wake_signal()); }
 
-Job::Job(std::stop_source stop) : stop_(std::move(stop)) {
+Job::Job() {
     const std::lock_guard lock(job_mutex);
     job = &stop_;
 }

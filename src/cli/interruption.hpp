@@ -23,15 +23,15 @@ private:
 };
 
 /// During its lifetime, the first signal requests a stop through it. Only one may exist at a time.
-/// A stop that was requested of an earlier one with the same source remains.
 class Job {
 public:
-    explicit Job(std::stop_source stop = {});
+    Job();
     ~Job();
     Job(const Job&) = delete;
     Job& operator=(const Job&) = delete;
 
     [[nodiscard]] std::stop_token token() const { return stop_.get_token(); }
+    void stop() { stop_.request_stop(); }
 
 private:
     std::stop_source stop_;

@@ -33,8 +33,32 @@ bool Import::has_texture(const fs::path& texture, const std::string& user) {
     return !fault;
 }
 
-std::vector<std::uint8_t> Import::bytes() const {
-    return given ? std::vector<std::uint8_t>(given->begin(), given->end()) : read_bytes(file);
+void Import::check_stop() const {
+    if (stop.stop_requested()) {
+        throw Stopped{};
+    }
+}
+
+void Import::begin_phase(double begin, double end) {
+    phase_begin_ = begin;
+    phase_end_ = end;
+    report(0, 1);
+}
+
+void Import::report(std::size_t done, std::size_t total) {
+    constexpr std::size_t until_next = std::size_t{1} << 16U;
+    next_report_ = done + until_next;
+    check_stop();
+    if (progress) {
+        const double part = static_cast<double>(std::min(done, total)) /
+                            static_cast<double>(std::max<std::size_t>(total, 1));
+        reported_ = std::max(reported_, phase_begin_ + part * (phase_end_ - phase_begin_));
+        progress(reported_);
+    }
+}
+
+std::vector<std::uint8_t> Import::bytes() {
+    return given ? std::vector<std::uint8_t>(given->begin(), given->end()) : bytes_of(file);
 }
 
 std::string in_quotes(std::string_view name) {
@@ -59,34 +83,43 @@ std::string counted(std::size_t count, std::string_view noun) {
     return fmt::format("{} {}{}", count, noun, count == 1 ? "" : sibilant ? "es" : "s");
 }
 
-std::optional<std::string> near_name(const fs::path& missing) {
+std::optional<std::string> Import::near_name(const fs::path& missing) const {
     std::error_code code;
     if (fs::exists(fs::symlink_status(missing, code))) {
         return std::nullopt;
     }
-    const auto near = nearest_name(missing.filename().string(), names_in(missing.parent_path()));
+    std::vector<std::string> names = names_in(missing.parent_path());
+    std::erase(names, file.filename().string());
+    const auto near = nearest_name(missing.filename().string(), names);
     return near ? std::optional(fmt::format("did you mean {}?",
                                             in_quotes((missing.parent_path() / *near).string())))
                 : std::nullopt;
 }
 
-std::vector<std::uint8_t> read_bytes(const fs::path& file) {
-    const std::string name = in_quotes(file.string());
-    if (std::optional<Diagnostic> fault = not_a_file(file, name)) {
-        fault->remedy = near_name(file).value_or(fault->remedy);
+std::vector<std::uint8_t> Import::bytes_of(const fs::path& other) {
+    const std::string name = in_quotes(other.string());
+    if (std::optional<Diagnostic> fault = not_a_file(other, name)) {
+        fault->remedy = near_name(other).value_or(fault->remedy);
         throw ReadError{*fault};
     }
     std::error_code code;
-    const std::uintmax_t size = fs::file_size(file, code);
-    std::ifstream stream(file, std::ios::binary);
+    const std::uintmax_t size = fs::file_size(other, code);
+    std::ifstream stream(other, std::ios::binary);
     if (code || !stream) {
         throw ReadError{
             error(fmt::format("{} cannot be opened", name), {}, "check its read permission")};
     }
+    constexpr std::size_t at_once = std::size_t{1} << 22U;
     std::vector<std::uint8_t> bytes(size);
-    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-    if (stream.gcount() != static_cast<std::streamsize>(size)) {
-        throw ReadError{error(fmt::format("{} could not be read completely", name))};
+    for (std::size_t done = 0; done < size;) {
+        report(done, size);
+        const std::size_t count = std::min<std::size_t>(at_once, size - done);
+        stream.read(reinterpret_cast<char*>(bytes.data() + done),
+                    static_cast<std::streamsize>(count));
+        if (stream.gcount() != static_cast<std::streamsize>(count)) {
+            throw ReadError{error(fmt::format("{} could not be read completely", name))};
+        }
+        done += count;
     }
     return bytes;
 }

@@ -229,14 +229,18 @@ std::optional<Mesh> finish_mesh(Mesh mesh, Import& import, std::vector<std::uint
     for_each_attribute(mesh, [&]([[maybe_unused]] const auto& attribute) {
         assert(attribute.empty() || attribute.size() == mesh.positions.size());
     });
+    import.check_stop();
     drop_bad_triangles(mesh, import);
     if (mesh.triangles.empty()) {
         return std::nullopt;
     }
+    import.check_stop();
     keep_used_vertices(mesh, vertices);
+    import.check_stop();
     clean_texture_coordinates(mesh, import);
     clean_colors(mesh);
     normalize_tangents(mesh);
+    import.check_stop();
     if (mesh.normals.empty()) {
         make_flat(mesh, vertices);
     } else {

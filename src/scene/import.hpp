@@ -9,10 +9,12 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "balcony/progress.hpp"
 #include "balcony/scene.hpp"
 #include "scene/part_error.hpp"
 
@@ -23,11 +25,16 @@ struct ReadError {
     Diagnostic diagnostic;
 };
 
+/// Thrown inside this layer when a stop is requested; load() returns it as an error.
+struct Stopped {};
+
 /// A scene under construction, with its diagnostics.
 struct Import {
     std::filesystem::path file;
     std::optional<std::span<const std::uint8_t>>
         given;  ///< The bytes of the file, if given in memory.
+    std::stop_token stop;
+    PartDone progress;
     Scene scene;
     Diagnostics diagnostics;
     std::size_t further_warnings = 0;
@@ -42,12 +49,36 @@ struct Import {
     [[nodiscard]] bool has_texture(const std::filesystem::path& texture, const std::string& user);
     [[nodiscard]] bool adds_warnings() const { return diagnostics.size() < max_warnings; }
     /// The bytes of the file. Throws ReadError if it cannot be read.
-    [[nodiscard]] std::vector<std::uint8_t> bytes() const;
+    [[nodiscard]] std::vector<std::uint8_t> bytes();
+    /// All bytes of a regular file. Throws ReadError if there is none, or if it cannot be read.
+    [[nodiscard]] std::vector<std::uint8_t> bytes_of(const std::filesystem::path& other);
+    /// "did you mean 'x.bin'?" if the folder of a missing file has a similar name, other than that
+    /// of the file itself.
+    [[nodiscard]] std::optional<std::string> near_name(const std::filesystem::path& missing) const;
+
+    /// Throws Stopped if a stop is requested.
+    void check_stop() const;
+    /// What follows is the part of loading from `begin` to `end`.
+    void begin_phase(double begin, double end);
+    /// Within a phase: checks for a stop and reports progress, at once or, for bytes and elements
+    /// that take no time by themselves, now and then.
+    void report(std::size_t done, std::size_t total);
+    void go_on(std::size_t done, std::size_t total) {
+        if (done >= next_report_) {
+            report(done, total);
+        }
+    }
     /// The path of a file of this scene that `other` names, relative to the folder of that file.
     /// Throws PartError unless it is in the folder of the scene or below: a scene that was
     /// downloaded must not show other files of the machine.
     [[nodiscard]] std::filesystem::path beside(const std::filesystem::path& other,
                                                std::string_view written);
+
+private:
+    double phase_begin_ = 0.0;
+    double phase_end_ = 1.0;
+    double reported_ = 0.0;
+    std::size_t next_report_ = 0;
 };
 
 /// The readers of the formats. They throw ReadError.
@@ -64,10 +95,4 @@ void read_stl(Import& import);
 
 /// "1 triangle", "12 triangles"
 [[nodiscard]] std::string counted(std::size_t count, std::string_view noun);
-
-/// All bytes of a regular file. Throws ReadError if there is none, or if it cannot be read.
-[[nodiscard]] std::vector<std::uint8_t> read_bytes(const std::filesystem::path& file);
-
-/// "did you mean 'x.glb'?" if the folder of a missing file has a similar name.
-[[nodiscard]] std::optional<std::string> near_name(const std::filesystem::path& missing);
 }  // namespace balcony::scene

@@ -48,9 +48,10 @@ const Format& format_of(const fs::path& file) {
 }
 
 // Before the format is looked at, which a missing file or a folder has not.
-void refuse_what_is_no_file(const fs::path& file) {
+void refuse_what_is_no_file(const Import& import) {
+    const fs::path& file = import.file;
     if (std::optional<Diagnostic> fault = not_a_file(file, in_quotes(file.string()))) {
-        fault->remedy = near_name(file).value_or(fault->remedy);
+        fault->remedy = import.near_name(file).value_or(fault->remedy);
         throw ReadError{*fault};
     }
 }
@@ -66,7 +67,7 @@ bool lights_itself(const Scene& scene) {
 void read(Import& import) {
     const fs::path& file = import.file;
     if (!import.given) {
-        refuse_what_is_no_file(file);
+        refuse_what_is_no_file(import);
     }
     import.scene.files.push_back(file);
     format_of(file).read(import);
@@ -99,9 +100,12 @@ Result<Scene> load(Import import) {
     // The boundary to libraries that throw: any exception becomes a diagnostic.
     try {
         read(import);
+        import.begin_phase(1.0, 1.0);
         return {std::move(import.scene), std::move(import.diagnostics)};
     } catch (const ReadError& reason) {
         return failed(reason.diagnostic);
+    } catch (const Stopped&) {
+        return failed(stopped());
     } catch (const std::bad_alloc&) {
         return failed(
             error(fmt::format("{} needs more memory than available", in_quotes(file.string()))));
@@ -124,16 +128,21 @@ std::span<const std::string_view> file_extensions() {
     return extensions;
 }
 
-Result<Scene> load(const fs::path& file) {
+Result<Scene> load(const fs::path& file, const std::stop_token& stop, const PartDone& progress) {
     Import import;
     import.file = file;
+    import.stop = stop;
+    import.progress = progress;
     return load(std::move(import));
 }
 
-Result<Scene> load(const fs::path& name, std::span<const std::uint8_t> bytes) {
+Result<Scene> load(const fs::path& name, std::span<const std::uint8_t> bytes,
+                   const std::stop_token& stop, const PartDone& progress) {
     Import import;
     import.file = name;
     import.given = bytes;
+    import.stop = stop;
+    import.progress = progress;
     return load(std::move(import));
 }
 

@@ -66,9 +66,9 @@ class Interruption(support.CommandTest):
             time.sleep(1.0)
             self.assertIsNone(process.poll(), "it ended early")
             process.send_signal(which)
-            seconds, out, _ = self.end(process)
+            seconds, out, err = self.end(process)
             self.assertEqual(process.returncode, 130)
-            self.assertEqual(out, "")
+            self.assertEqual((out, err), ("", "error: interrupted\n"))
             self.assertLess(seconds, 1.0)
         self.assertNotIn("p.png", self.files())
 

@@ -29,15 +29,9 @@ std::uint32_t add_box(scene::Scene& scene, const V3f& low, const V3f& high) {
     return add(scene, box(low, high), white());
 }
 
-// As a renderer of the scene finds it, too.
 scene::Camera camera_of(const scene::Scene& scene) {
-    const Result<scene::Camera> camera = default_camera(scene);
+    const Result<scene::Camera> camera = default_camera(renderer_of(scene));
     EXPECT_TRUE(camera) << to_text(camera.diagnostics);
-    const auto renderer = Renderer::make(std::make_shared<const scene::Scene>(scene));
-    EXPECT_TRUE(renderer) << to_text(renderer.diagnostics);
-    const Result<scene::Camera> shared = renderer->default_camera();
-    EXPECT_TRUE(shared && shared->position == camera->position &&
-                shared->forward == camera->forward);
     return *camera;
 }
 
@@ -144,7 +138,9 @@ TEST(DefaultCamera, StandsInAnEmptyRoomOnlyIfItIsMeantToBeSeenFromInside) {
     EXPECT_TRUE(is_within(camera_of(scene).position, low, high)) << "the walls face inwards";
 }
 
-TEST(DefaultCamera, RefusesWhatHasNoSize) { EXPECT_FALSE(default_camera(scene::Scene{})); }
+TEST(DefaultCamera, RefusesWhatHasNoSize) {
+    EXPECT_FALSE(default_camera(renderer_of(scene::Scene{})));
+}
 
 }  // namespace
 }  // namespace balcony::render::test::default_camera_test

@@ -25,7 +25,7 @@ using Obstacles = std::vector<std::optional<Obstacle>>;
 
 Obstacles obstacles(const scene::Scene& scene, const std::vector<SightLine>& lines,
                     Axes axes = Axes::y_up) {
-    const auto found = find_obstacles(scene, lines, axes);
+    const auto found = find_obstacles(test::renderer_of(scene), lines, axes);
     EXPECT_TRUE(found) << to_text(found.diagnostics);
     EXPECT_TRUE(found.diagnostics.empty()) << to_text(found.diagnostics);
     return *found;

@@ -36,7 +36,7 @@ Probe probed(const scene::Scene& scene, const camera::Camera& camera) {
     ProbeSettings settings;
     settings.width = 128;
     settings.height = 128;
-    Result<Probe> made = probe(scene, camera, settings);
+    Result<Probe> made = probe(renderer_of(scene), camera, settings);
     EXPECT_TRUE(made) << to_text(made.diagnostics);
     return *made;
 }
@@ -44,7 +44,8 @@ Probe probed(const scene::Scene& scene, const camera::Camera& camera) {
 // The attempts that meet something, and how many objects.
 std::vector<std::pair<RayChange, std::size_t>> attempts_of(const scene::Scene& scene,
                                                            const camera::Camera& camera) {
-    const Result<Miss> miss = explain_miss(scene, camera, {.width = 128, .height = 128});
+    const Result<Miss> miss =
+        explain_miss(renderer_of(scene), camera, {.width = 128, .height = 128});
     EXPECT_TRUE(miss) << to_text(miss.diagnostics);
     std::vector<std::pair<RayChange, std::size_t>> found;
     for (const Miss::Attempt& attempt : miss->attempts) {
@@ -73,7 +74,7 @@ TEST(Miss, IsExplainedByTheChangeThatMeetsObjects) {
     view = view_down_z(300.0, 0.0, 500.0);
     view.forward = V3d(-0.1, 0, -1);
     EXPECT_EQ(attempts_of(scene, orthographic(view)), (Attempts{{RayChange::scaled, 1}}));
-    const Result<Miss> miss = explain_miss(scene, orthographic(view), {});
+    const Result<Miss> miss = explain_miss(renderer_of(scene), orthographic(view), {});
     EXPECT_EQ(miss->attempts.at(0).factor, 1e-3);
     EXPECT_NEAR(miss->origins.min.x, 299.0, 0.1);
     EXPECT_EQ(miss->bounds.max.x, 0.5);

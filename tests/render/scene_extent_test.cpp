@@ -63,7 +63,7 @@ TEST(SceneExtent, FollowsAnObjectOfRevolution) {
     scene::Scene scene = empty(Axes::z_up);
     // A cone frustum with a bulge; its radius is linear in the height between these points.
     add(scene, lathe(3.0, -2.0, {{1.0, 0.0}, {2.0, 4.0}, {0.5, 8.0}}, 64), white());
-    const Result<SceneExtent> extent = measure_scene(scene);
+    const Result<SceneExtent> extent = measure_scene(renderer_of(scene));
     ASSERT_TRUE(extent);
     EXPECT_NEAR(extent->radius, 2.0, 1e-6);
     EXPECT_NEAR(extent->bounds.min.z, 0.0, 1e-6);
@@ -89,7 +89,7 @@ TEST(SceneExtent, StandsInARoomAtEyeLevel) {
             p = turned(p, Axes::z_up, axes);
         }
         add(scene, walls, white());
-        const Result<SceneExtent> extent = measure_scene(scene);
+        const Result<SceneExtent> extent = measure_scene(renderer_of(scene));
         ASSERT_TRUE(extent);
         EXPECT_NEAR(extent->inside.x, 14.0, 1.0);
         EXPECT_NEAR(extent->inside.y, 22.0, 1.0);
@@ -108,7 +108,7 @@ TEST(SceneExtent, StandsInNothingSolid) {
         std::swap(triangle[0], triangle[1]);
     }
     add(scene, cupboard, white());
-    const Result<SceneExtent> extent = measure_scene(scene);
+    const Result<SceneExtent> extent = measure_scene(renderer_of(scene));
     ASSERT_TRUE(extent);
     const V3d p = extent->inside;
     EXPECT_TRUE(p.x < 2.5 || p.x > 5.5 || p.y < 2.0 || p.y > 4.0) << p;
@@ -118,7 +118,7 @@ TEST(SceneExtent, StandsInNothingSolid) {
 TEST(SceneExtent, OfAFlatSceneHasNoSideOfLengthZero) {
     scene::Scene scene = empty(Axes::z_up);
     add(scene, parallelogram({0.0F, 0.0F, 5.0F}, {8.0F, 0.0F, 0.0F}, {0.0F, 6.0F, 0.0F}), white());
-    const Result<SceneExtent> extent = measure_scene(scene);
+    const Result<SceneExtent> extent = measure_scene(renderer_of(scene));
     ASSERT_TRUE(extent);
     EXPECT_NEAR(extent->radius, 5.0, 1e-6);
     EXPECT_NEAR(extent->bounds.size().z, 5.0 / 50.0, 1e-6);
@@ -130,12 +130,12 @@ TEST(SceneExtent, KnowsObjectsByName) {
     add(scene, lathe(0.0, 0.0, {{1.0, 0.0}, {1.0, 1.0}}, 32), white());
     const std::uint32_t far = add(scene, lathe(9.0, 0.0, {{2.0, 0.0}, {2.0, 3.0}}, 32), white());
     scene.objects[far - 1].name = "far one";
-    const Result<SceneExtent> extent = measure_scene(scene, "far one");
+    const Result<SceneExtent> extent = measure_scene(renderer_of(scene), "far one");
     ASSERT_TRUE(extent);
     EXPECT_NEAR(extent->bounds.min.x, 7.0, 1e-6);
     EXPECT_NEAR(extent->radius, 2.0, 1e-6);
-    EXPECT_FALSE(measure_scene(scene, "near one"));
-    EXPECT_FALSE(measure_scene(empty(Axes::z_up)));
+    EXPECT_FALSE(measure_scene(renderer_of(scene), "near one"));
+    EXPECT_FALSE(measure_scene(renderer_of(empty(Axes::z_up))));
 }
 
 }  // namespace balcony::render::test::scene_extent_test

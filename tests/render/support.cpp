@@ -196,6 +196,12 @@ Request request(std::size_t width, std::size_t height, std::string integrator,
     return made;
 }
 
+Renderer renderer_of(const scene::Scene& scene) {
+    Result<Renderer> made = Renderer::make(std::make_shared<const scene::Scene>(scene));
+    EXPECT_TRUE(made && made.diagnostics.empty()) << to_text(made.diagnostics);
+    return std::move(*made);
+}
+
 std::shared_ptr<const scene::Scene> at_time(const scene::Scene& scene, double time) {
     Result<scene::Scene> moved = scene::moved_to(scene, time);
     EXPECT_TRUE(moved.diagnostics.empty()) << to_text(moved.diagnostics);

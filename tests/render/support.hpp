@@ -63,6 +63,9 @@ std::uint32_t add(scene::Scene& scene, scene::Mesh mesh, scene::Material materia
 
 [[nodiscard]] scene::Material white();
 
+/// That of a scene without faults.
+[[nodiscard]] Renderer renderer_of(const scene::Scene& scene);
+
 /// A scene that can stand at a time, as it stands then.
 [[nodiscard]] std::shared_ptr<const scene::Scene> at_time(const scene::Scene& scene, double time);
 

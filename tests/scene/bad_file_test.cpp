@@ -193,6 +193,15 @@ TEST_F(BadFiles, ExternalBuffer) {
     EXPECT_TRUE(fails(load(directory / "scene.gltf"), "it contains 20 of "));
 }
 
+TEST_F(BadFiles, MissingBufferBesideTheScene) {
+    Json json = one_triangle().json;
+    json["buffers"] = {{{"uri", "textured_box.bin"}, {"byteLength", 3}}};
+    const auto file = write("textured_box.gltf", json.dump());
+    EXPECT_FALSE(says(load(file), "did you mean"));
+    write("texturd_box.bin", "abc");
+    EXPECT_TRUE(says(load(file), "did you mean '" + (directory / "texturd_box.bin").string()));
+}
+
 // A scene cannot name files outside its folder, however they are written.
 TEST_F(BadFiles, FilesOutsideTheFolderAreNotRead) {
     std::filesystem::create_directories(directory / "scene" / "maps");

@@ -106,17 +106,19 @@ void warn_of_long_numbers(const FramePattern& pattern, const FrameNumbers& frame
 // The picture of a turntable. Without a camera, it shows the whole scene, or object, from all
 // sides.
 std::optional<camera::Picture> turned_round(const AnimationRequest& animation,
-                                            const FrameNumbers& frames, const scene::Scene& scene,
-                                            camera::Picture picture, Diagnostics& found) {
+                                            const FrameNumbers& frames, const Loaded& loaded,
+                                            camera::Picture picture, const std::stop_token& stop,
+                                            Diagnostics& found) {
     const Request& request = animation.picture;
-    const Result<render::SceneExtent> extent = render::measure_scene(scene, animation.around);
+    const Result<render::SceneExtent> extent =
+        render::measure_scene(*loaded.renderer, animation.around, stop);
     if (add(found, extent.diagnostics)) {
         return std::nullopt;
     }
     if (request.camera.empty()) {
         const auto [width, height] = request.size.resolve(camera::default_aspect);
         const Result<camera::Picture> whole = turntable_picture(
-            scene, *extent, static_cast<double>(width) / static_cast<double>(height));
+            *loaded.scene, *extent, static_cast<double>(width) / static_cast<double>(height));
         if (add(found, whole.diagnostics)) {
             return std::nullopt;
         }
@@ -151,14 +153,15 @@ struct Prepared {
     render::FilmLayout layout;
 };
 
-bool prepare(const AnimationRequest& animation, Prepared& made, Diagnostics& found) {
+bool prepare(const AnimationRequest& animation, const Observer& observer,
+             const std::stop_token& stop, Prepared& made, Diagnostics& found) {
     const Request& request = animation.picture;
     Loaded& loaded = made.loaded;
     loaded.since = FileWatch::Time::clock::now();
     if (add(found, check_request(request)) || !load_settings(request, loaded, found)) {
         return false;
     }
-    auto picture = load_all(request, loaded, found);
+    auto picture = load_all(request, loaded, observer, stop, found);
     if (!picture) {
         return false;
     }
@@ -172,7 +175,7 @@ bool prepare(const AnimationRequest& animation, Prepared& made, Diagnostics& fou
     made.frames = std::move(*frames);
     warn_of_long_numbers(animation.pattern, made.frames, found);
     if (animation.turntable) {
-        picture = turned_round(animation, made.frames, *loaded.scene, *picture, found);
+        picture = turned_round(animation, made.frames, loaded, *picture, stop, found);
     }
     if (!picture || add(found, check_stereo(request, *loaded.scene))) {
         return false;
@@ -194,10 +197,10 @@ void render_all(const AnimationRequest& request, const Observer& observer,
     AnimationRequest animation = request;
     animation.picture.settings.time = animation.time_of(1);
     Prepared made;
-    if (!prepare(animation, made, report.diagnostics)) {
+    if (!prepare(animation, observer, stop, made, report.diagnostics)) {
+        report.interrupted = kind_of_errors(report.diagnostics) == Kind::interrupted;
         return;
     }
-    const Stoppable stoppable(observer);
     FrameLoop(animation, made.loaded, *made.picture, made.layout, observer, report)
         .run(made.frames, stop);
     const bool is_whole = !animation.shard && animation.parts_per_frame == 1;

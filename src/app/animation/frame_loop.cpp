@@ -137,7 +137,7 @@ void FrameLoop::add_once(const Diagnostics& diagnostics) {
 }
 
 // What stands still is not prepared again.
-bool FrameLoop::go_to(std::size_t frame) {
+bool FrameLoop::go_to(std::size_t frame, const std::stop_token& stop) {
     render::Settings& settings = loaded_.settings;
     settings.time = animation_.time_of(frame);
     settings.sampling.seed =
@@ -160,7 +160,7 @@ bool FrameLoop::go_to(std::size_t frame) {
         picture_ = *moved;
         job_.reset();
     }
-    const bool moved = move_along(picture_, loaded_, found);
+    const bool moved = move_along(picture_, loaded_, stop, found);
     if (moved && layout_.layers.contains(render::LayerId::motion)) {
         add(found, inverses_.add_to(settings, *loaded_.scene, picture_));
     }
@@ -173,8 +173,8 @@ Result<render::Summary> FrameLoop::trace_unit(const FrameUnit& unit,
                                               CheckpointFile& checkpoint,
                                               const std::stop_token& stop) {
     Result<render::Job> job =
-        job_ ? job_->again(*loaded_.renderer, loaded_.settings, shared)
-             : render::Job::make(*loaded_.renderer, picture_, loaded_.settings, shared);
+        job_ ? job_->again(*loaded_.renderer, loaded_.settings, shared, stop)
+             : render::Job::make(*loaded_.renderer, picture_, loaded_.settings, shared, stop);
     if (!job) {
         return std::move(job.diagnostics);
     }
@@ -235,7 +235,8 @@ void FrameLoop::describe_first(const FrameUnit& unit, const render::Film& film,
 
 bool FrameLoop::render(const FrameUnit& unit, const std::stop_token& stop) {
     const Clock::time_point begin = Clock::now();
-    if (!go_to(unit.frame)) {
+    if (!go_to(unit.frame, stop)) {
+        report_.interrupted = stop.stop_requested();
         return false;
     }
     Result<render::Film> made = make_film(layout_, request_);
@@ -250,7 +251,8 @@ bool FrameLoop::render(const FrameUnit& unit, const std::stop_token& stop) {
     const Result<render::Summary> summary = trace_unit(unit, film, checkpoint, stop);
     add_once(summary.diagnostics);
     if (!summary || summary->interrupted) {
-        report_.interrupted = summary.value.has_value();
+        report_.interrupted =
+            summary.value.has_value() || kind_of_errors(summary.diagnostics) == Kind::interrupted;
         return false;
     }
     describe_first(unit, *film, *summary);

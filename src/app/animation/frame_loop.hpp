@@ -47,7 +47,7 @@ private:
     [[nodiscard]] std::filesystem::path file_of(const FrameUnit& unit) const;
     [[nodiscard]] bool is_finished(const FrameUnit& unit) const;
     [[nodiscard]] bool is_displayed() const;
-    [[nodiscard]] bool go_to(std::size_t frame);
+    [[nodiscard]] bool go_to(std::size_t frame, const std::stop_token& stop);
     [[nodiscard]] bool render(const FrameUnit& unit, const std::stop_token& stop);
     [[nodiscard]] Result<render::Summary> trace_unit(const FrameUnit& unit,
                                                      const std::shared_ptr<render::Film>& shared,

@@ -185,7 +185,6 @@ MergedAnimation merge_animation(const std::string& name, const std::string& outp
     merged.output = *film ? (*film)->file : fs::path(pattern.text());
     merged.frames = frames;
     if (*film) {
-        const Stoppable stoppable(observer);
         const Diagnostics found =
             make_film_of_frames(**film, pattern, frames, is_film(name), observer, stop);
         merged.interrupted = kind_of_errors(found) == Kind::interrupted;

@@ -121,12 +121,12 @@ Result<camera::Picture> picture_of(const scene::Camera& camera, Axes axes) {
                 : Result<camera::Picture>(std::move(made.diagnostics));
 }
 
-Result<camera::Picture> default_picture(const scene::Scene& scene,
-                                        const render::Renderer& renderer) {
+Result<camera::Picture> default_picture(const scene::Scene& scene, const render::Renderer& renderer,
+                                        const std::stop_token& stop) {
     if (!scene.cameras.empty()) {
         return picture_of(scene.cameras.front(), scene.axes);
     }
-    const Result<scene::Camera> view = renderer.default_camera();
+    const Result<scene::Camera> view = render::default_camera(renderer, stop);
     return view ? picture_of(*view, scene.axes) : Result<camera::Picture>(view.diagnostics);
 }
 

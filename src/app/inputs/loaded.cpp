@@ -38,62 +38,128 @@ scene::TimeInterval times_of_rays(const render::Settings& settings,
     return times ? scene::TimeInterval{times->first, times->last} : exposure;
 }
 
-bool read_scene(const Request& request, Loaded& loaded, Diagnostics& found) {
-    if (loaded.scene) {
-        return true;
-    }
-    const auto begin = std::chrono::steady_clock::now();
-    auto scene = load_scene(request.scene, request.settings.time, request.added);
-    loaded.load_seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    add(found, scene.diagnostics);
-    if (!scene) {
+bool has_times(const Loaded& loaded, const scene::TimeInterval& times) {
+    return times.begin == loaded.times.begin && times.end == loaded.times.end;
+}
+
+bool move_renderer(Loaded& loaded, const scene::TimeInterval& times, const std::stop_token& stop,
+                   Diagnostics& found) {
+    Result<render::Renderer> moved = loaded.renderer->moved(loaded.scene, times, stop);
+    add(found, moved.diagnostics);
+    if (!moved) {
         return false;
     }
-    loaded.scene = std::make_shared<const scene::Scene>(std::move(*scene));
+    loaded.renderer = std::move(*moved);
+    loaded.times = times;
     return true;
 }
 
-// Without a picture, for the time that the shutter is open.
-bool prepare(const Request& request, const std::optional<camera::Picture>& picture, Loaded& loaded,
-             Diagnostics& found) {
-    const scene::TimeInterval times = times_of_rays(loaded.settings, picture, found);
-    if (loaded.renderer && times.begin == loaded.times.begin && times.end == loaded.times.end) {
+// Loads what a request needs, as far as that is not done.
+class Loading {
+public:
+    Loading(const Request& request, Loaded& loaded, const Observer& observer,
+            const std::stop_token& stop, Diagnostics& found)
+        : request_(request), loaded_(loaded), observer_(observer), stop_(stop), found_(found) {}
+
+    // A camera loads fast, so its mistakes are reported before a large scene is read.
+    std::optional<camera::Picture> picture() {
+        const bool of_file = !request_.camera.empty() && !is_of_scene(request_.camera);
+        if (request_.is_fitted() && !fit_cameras()) {
+            return std::nullopt;
+        }
+        Result<camera::Picture> picture;
+        if (of_file) {
+            picture = load_picture(request_.camera, request_.set, loaded_.cameras);
+            add(found_, picture.diagnostics);
+            if (picture && request_.is_fitted() && loaded_.cameras.fitted().empty()) {
+                found_.push_back(error(
+                    "the camera has no fit statement, so --fit cannot place it", {},
+                    "leave out --fit, or add a statement such as fit (px, py, pz) = scene_inside"));
+            }
+        }
+        if (has_errors(found_) || !prepare(picture.value)) {
+            return std::nullopt;
+        }
+        if (!of_file) {
+            picture = request_.camera.empty()
+                          ? default_picture(*loaded_.scene, *loaded_.renderer, stop_)
+                          : load_picture(request_.camera, request_.set, *loaded_.scene);
+            add(found_, picture.diagnostics);
+        }
+        return picture ? std::optional(picture->with_fit(request_.size.fit)) : std::nullopt;
+    }
+
+private:
+    [[nodiscard]] PartDone telling(Step step) const {
+        return observer_.step ? PartDone([this, step](double part) { observer_.step(step, part); })
+                              : PartDone();
+    }
+
+    bool read_scene() {
+        if (loaded_.scene) {
+            return true;
+        }
+        const auto begin = std::chrono::steady_clock::now();
+        auto scene = load_scene(request_.scene, request_.settings.time, request_.added, stop_,
+                                telling(Step::reading));
+        loaded_.load_seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        add(found_, scene.diagnostics);
+        if (!scene) {
+            return false;
+        }
+        loaded_.scene = std::make_shared<const scene::Scene>(std::move(*scene));
         return true;
     }
-    if (!read_scene(request, loaded, found)) {
-        return false;
-    }
-    auto renderer = render::Renderer::make(
-        loaded.scene, {.texture_memory = request.texture_memory, .interval = times});
-    add(found, renderer.diagnostics);
-    loaded.renderer = std::move(renderer.value);
-    loaded.times = times;
-    return loaded.renderer.has_value();
-}
 
-// Fits the cameras that a workspace makes to the scene, or to its object that is named.
-bool fit_cameras(const Request& request, Loaded& loaded, Diagnostics& found) {
-    if (!read_scene(request, loaded, found)) {
-        return false;
+    // Without a picture, for the time that the shutter is open.
+    bool prepare(const std::optional<camera::Picture>& picture) {
+        const scene::TimeInterval times = times_of_rays(loaded_.settings, picture, found_);
+        if (loaded_.renderer) {
+            return has_times(loaded_, times) || move_renderer(loaded_, times, stop_, found_);
+        }
+        if (!read_scene()) {
+            return false;
+        }
+        auto renderer = render::Renderer::make(
+            loaded_.scene, {.texture_memory = request_.texture_memory, .interval = times}, stop_,
+            telling(Step::building));
+        add(found_, renderer.diagnostics);
+        loaded_.renderer = std::move(renderer.value);
+        loaded_.times = times;
+        return loaded_.renderer.has_value();
     }
-    const Result<render::SceneExtent> extent = render::measure_scene(*loaded.scene, request.fit_to);
-    add(found, extent.diagnostics);
-    if (!extent) {
-        return false;
+
+    // Fits the cameras that a workspace makes to the scene, or to its object that is named.
+    bool fit_cameras() {
+        if (!prepare(std::nullopt)) {
+            return false;
+        }
+        const Result<render::SceneExtent> extent =
+            render::measure_scene(*loaded_.renderer, request_.fit_to, stop_);
+        add(found_, extent.diagnostics);
+        if (!extent) {
+            return false;
+        }
+        const auto point = [](const Imath::V3d& p) { return std::array{p.x, p.y, p.z}; };
+        lang::SceneMeasures measures{.min = point(extent->bounds.min),
+                                     .max = point(extent->bounds.max),
+                                     .inside = point(extent->inside),
+                                     .radius = extent->radius,
+                                     .profile = {}};
+        for (const Imath::V2d& p : extent->profile) {
+            measures.profile.push_back({p.x, p.y});
+        }
+        loaded_.cameras.fit_to(std::move(measures));
+        return !has_errors(found_);
     }
-    const auto point = [](const Imath::V3d& p) { return std::array{p.x, p.y, p.z}; };
-    lang::SceneMeasures measures{.min = point(extent->bounds.min),
-                                 .max = point(extent->bounds.max),
-                                 .inside = point(extent->inside),
-                                 .radius = extent->radius,
-                                 .profile = {}};
-    for (const Imath::V2d& p : extent->profile) {
-        measures.profile.push_back({p.x, p.y});
-    }
-    loaded.cameras.fit_to(std::move(measures));
-    return !has_errors(found);
-}
+
+    const Request& request_;
+    Loaded& loaded_;
+    const Observer& observer_;
+    const std::stop_token& stop_;
+    Diagnostics& found_;
+};
 
 }  // namespace
 
@@ -130,48 +196,17 @@ bool load_settings(const Request& request, Loaded& loaded, Diagnostics& found) {
     return settings && !has_errors(found);
 }
 
-bool move_along(const camera::Picture& picture, Loaded& loaded, Diagnostics& found) {
+bool move_along(const camera::Picture& picture, Loaded& loaded, const std::stop_token& stop,
+                Diagnostics& found) {
     const scene::TimeInterval times = times_of_rays(loaded.settings, picture, found);
-    if (!loaded.scene->motion && times.begin == loaded.times.begin &&
-        times.end == loaded.times.end) {
-        return true;
-    }
-    Result<render::Renderer> moved = loaded.renderer->moved(loaded.scene, times);
-    add(found, moved.diagnostics);
-    if (!moved) {
-        return false;
-    }
-    loaded.renderer = std::move(*moved);
-    loaded.times = times;
-    return true;
+    return (!loaded.scene->motion && has_times(loaded, times)) ||
+           move_renderer(loaded, times, stop, found);
 }
 
-// A camera loads fast, so its mistakes are reported before a large scene is read.
 std::optional<camera::Picture> load_all(const Request& request, Loaded& loaded,
+                                        const Observer& observer, const std::stop_token& stop,
                                         Diagnostics& found) {
-    Result<camera::Picture> picture;
-    const bool of_file = !request.camera.empty() && !is_of_scene(request.camera);
-    if (request.is_fitted() && !fit_cameras(request, loaded, found)) {
-        return std::nullopt;
-    }
-    if (of_file) {
-        picture = load_picture(request.camera, request.set, loaded.cameras);
-        add(found, picture.diagnostics);
-        if (picture && request.is_fitted() && loaded.cameras.fitted().empty()) {
-            found.push_back(error(
-                "the camera has no fit statement, so --fit cannot place it", {},
-                "leave out --fit, or add a statement such as fit (px, py, pz) = scene_inside"));
-        }
-    }
-    if (has_errors(found) || !prepare(request, picture.value, loaded, found)) {
-        return std::nullopt;
-    }
-    if (!of_file) {
-        picture = request.camera.empty() ? default_picture(*loaded.scene, *loaded.renderer)
-                                         : load_picture(request.camera, request.set, *loaded.scene);
-        add(found, picture.diagnostics);
-    }
-    return picture ? std::optional(picture->with_fit(request.size.fit)) : std::nullopt;
+    return Loading(request, loaded, observer, stop, found).picture();
 }
 
 render::FilmLayout film_layout(const Request& request, const camera::Picture& picture,

@@ -7,10 +7,12 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
 #include "app/inputs/file_watch.hpp"
+#include "balcony/app.hpp"
 #include "balcony/lang.hpp"
 #include "balcony/render.hpp"
 #include "balcony/request.hpp"
@@ -39,14 +41,17 @@ struct Loaded {
 [[nodiscard]] bool load_settings(const Request& request, Loaded& loaded, Diagnostics& found);
 
 /// The camera that a request names, or that of the scene, and the scene, both loaded and prepared
-/// for the times of the picture's rays, as far as that is not done. Nothing if that fails, as the
-/// diagnostics say.
+/// for the times of the picture's rays, as far as that is not done. Nothing if that fails or is
+/// stopped, as the diagnostics say.
 [[nodiscard]] std::optional<camera::Picture> load_all(const Request& request, Loaded& loaded,
+                                                      const Observer& observer,
+                                                      const std::stop_token& stop,
                                                       Diagnostics& found);
 
 /// Prepares the scene, which was moved, for the rays of a picture at another time. False if it
 /// fails, as the diagnostics say.
-[[nodiscard]] bool move_along(const camera::Picture& picture, Loaded& loaded, Diagnostics& found);
+[[nodiscard]] bool move_along(const camera::Picture& picture, Loaded& loaded,
+                              const std::stop_token& stop, Diagnostics& found);
 
 /// The film that a picture needs. A picture for the display has no layers.
 [[nodiscard]] render::FilmLayout film_layout(const Request& request, const camera::Picture& picture,

@@ -177,8 +177,9 @@ void render_in_bands(const Request& request, const Loaded& loaded, const camera:
                                 "raise --film-memory if the machine has more")});
     }
     const double bytes = std::min(request.job.film_bytes(), enough_for_a_band);
-    Result<render::BandedRender> bands = render::BandedRender::make(
-        *loaded.renderer, picture, loaded.settings, layout, render::band_height(layout, bytes));
+    Result<render::BandedRender> bands =
+        render::BandedRender::make(*loaded.renderer, picture, loaded.settings, layout,
+                                   render::band_height(layout, bytes), stop);
     if (add(report.diagnostics, bands.diagnostics)) {
         return;
     }

@@ -87,7 +87,7 @@ void describe_misses(Report& report, const Loaded& loaded, const camera::Picture
                 continue;
             }
             const Result<render::Miss> miss = render::explain_miss(
-                *loaded.scene, shown.camera,
+                *loaded.renderer, shown.camera,
                 {.width = size.first, .height = size.second, .time = loaded.settings.time});
             report.misses.push_back({use.index, miss.value});
             const MissText text = miss ? miss_text(*miss, shown.camera) : MissText{};

@@ -52,21 +52,4 @@ void tell(const Observer& observer, const Diagnostics& diagnostics);
 using Clock = std::chrono::steady_clock;
 [[nodiscard]] double seconds_since(Clock::time_point begin);
 
-/// While it lives, a stop is obeyed.
-class Stoppable {
-public:
-    explicit Stoppable(const Observer& observer) : observer_(observer) { say(true); }
-    ~Stoppable() { say(false); }
-    Stoppable(const Stoppable&) = delete;
-    Stoppable& operator=(const Stoppable&) = delete;
-
-private:
-    void say(bool obeyed) const {
-        if (observer_.stoppable) {
-            observer_.stoppable(obeyed);
-        }
-    }
-    const Observer& observer_;
-};
-
 }  // namespace balcony::app

@@ -46,7 +46,7 @@ public:
 
     void run(const camera::Picture& picture, const std::stop_token& stop) {
         Result<render::Job> job =
-            render::Job::make(*loaded_.renderer, picture, loaded_.settings, shared_);
+            render::Job::make(*loaded_.renderer, picture, loaded_.settings, shared_, stop);
         if (fails(job.diagnostics) || fails(resume())) {
             return;
         }
@@ -190,7 +190,7 @@ void Session::State::render(const Request& request, const Observer& observer,
     if (fails(check_request(request)) || !load_settings(request, loaded, report.diagnostics)) {
         return;
     }
-    const auto loaded_picture = load_all(request, loaded, report.diagnostics);
+    const auto loaded_picture = load_all(request, loaded, observer, stop, report.diagnostics);
     if (!loaded_picture || fails(check_overwrites(request.output, loaded.files()))) {
         return;
     }
@@ -204,7 +204,6 @@ void Session::State::render(const Request& request, const Observer& observer,
         FrameInverses inverses(request, {layout.width, layout.height});
         add(report.diagnostics, inverses.add_to(loaded.settings, *loaded.scene, *picture));
     }
-    const Stoppable stoppable(observer);
     if (format == nullptr && !request.output.empty() && is_large(layout, request)) {
         if (request.job.shard) {
             fails({too_large("a shard")});
@@ -228,6 +227,7 @@ Report Session::render(const Request& request, const Observer& observer,
                        const std::stop_token& stop) {
     Report report;
     within_memory(report.diagnostics, [&] { state_->render(request, observer, stop, report); });
+    report.interrupted |= kind_of_errors(report.diagnostics) == Kind::interrupted;
     return report;
 }
 

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "app/inputs/file_watch.hpp"
-#include "app/picture/paused_run.hpp"
 #include "app/picture/session.hpp"
 
 namespace balcony::app {
@@ -53,7 +52,6 @@ public:
     [[nodiscard]] bool wait(const std::function<void(std::size_t)>& on_wait,
                             const std::stop_token& stop) {
         look();
-        const Stoppable stoppable(observer_);
         if (on_wait) {
             on_wait(cameras_->size() + scene_->size() + environment_.size());
         }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -179,8 +181,14 @@ private:
     void read_scene() {
         Result<scene::Scene> loaded = app::load_scene(options_.scene, options_.cameras.time);
         add(loaded.diagnostics);
-        scene_ = std::move(loaded.value);
-        if (scene_) {
+        if (!loaded) {
+            return;
+        }
+        scene_ = std::make_shared<const scene::Scene>(std::move(*loaded));
+        auto renderer = render::Renderer::make(scene_, {.textures_on_demand = true});
+        add(renderer.diagnostics);
+        renderer_ = std::move(renderer.value);
+        if (renderer_) {
             add(check_overwrites(options_.maps, scene_->files));
         }
     }
@@ -218,8 +226,8 @@ private:
         check.has_lens = subject.camera.parts().lens != nullptr;
         check.by_itself = subject.by_itself;
         check.layers = subject.layers;
-        if (scene_) {
-            const Result<render::Probe> probe = look_at(*scene_, subject);
+        if (renderer_) {
+            const Result<render::Probe> probe = look_at(subject);
             if (!probe) {
                 add(probe.diagnostics);
                 return;
@@ -251,8 +259,7 @@ private:
     }
 
     // Rays are at most one pixel apart, or further in a very large picture to limit the work.
-    [[nodiscard]] Result<render::Probe> look_at(const scene::Scene& scene,
-                                                const CheckSubject& subject) const {
+    [[nodiscard]] Result<render::Probe> look_at(const CheckSubject& subject) const {
         constexpr double max_pixels = 16e6;
         const double scale = std::max(1.0, std::sqrt(subject.width * subject.height / max_pixels));
         const auto scaled = [scale](double side) {
@@ -261,7 +268,7 @@ private:
         const std::size_t width = scaled(subject.width);
         const std::size_t height = scaled(subject.height);
         Result<render::Probe> probe =
-            render::probe(scene, subject.camera,
+            render::probe(*renderer_, subject.camera,
                           {.width = width, .height = height, .time = options_.cameras.time});
         if (probe) {
             for (render::ObjectSight& sight : probe->objects) {
@@ -274,7 +281,7 @@ private:
 
     void explain_empty_view(const CheckSubject& subject, CameraCheck::InScene& found) const {
         const Result<render::Miss> miss =
-            render::explain_miss(*scene_, subject.camera,
+            render::explain_miss(*renderer_, subject.camera,
                                  {.width = static_cast<std::size_t>(subject.width),
                                   .height = static_cast<std::size_t>(subject.height),
                                   .time = options_.cameras.time});
@@ -317,7 +324,8 @@ private:
 
     const CheckOptions& options_;
     lang::Workspace& workspace_;
-    std::optional<scene::Scene> scene_;
+    std::shared_ptr<const scene::Scene> scene_;
+    std::optional<render::Renderer> renderer_;
     std::optional<double> scene_distance_;
     std::optional<Job> job_;  ///< Not while rays look at a scene, which cannot be stopped.
     bool stopped_ = false;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iostream>
 #include <limits>
+#include <memory>
 #include <span>
 #include <string_view>
 #include <tuple>
@@ -152,14 +153,21 @@ std::vector<std::string> numbers_of_layers(const camera::Picture& picture, std::
 }
 
 // Determines whether the sightings are hidden in a scene.
-void look_for_obstacles(const scene::Scene& scene, Located& located, Answer& answer) {
+void look_for_obstacles(const scene::Scene& scene, Axes axes, Located& located,
+                        Diagnostics& diagnostics) {
+    const auto renderer = render::Renderer::make(std::make_shared<const scene::Scene>(scene),
+                                                 {.textures_on_demand = true});
+    add_to(diagnostics, renderer.diagnostics);
+    if (!renderer) {
+        return;
+    }
     std::vector<render::SightLine> lines;
     lines.reserve(located.sightings.size());
     for (const analyse::Sighting& sighting : located.sightings) {
         lines.push_back({sighting.origin, located.points[sighting.point]});
     }
-    auto found = render::find_obstacles(scene, lines, located.axes);
-    answer.add(found.diagnostics);
+    auto found = render::find_obstacles(*renderer, lines, axes);
+    add_to(diagnostics, found.diagnostics);
     located.obstacles = std::move(found.value);
     located.objects = scene.objects;
 }

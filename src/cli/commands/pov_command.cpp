@@ -130,7 +130,6 @@ void render_pov_picture(const PovOptions& options, Answer& answer) {
         return;
     }
     RenderObserver observer(options.manner);
-    observer.observer().stoppable(true);
     const bridge::PovraySummary summary =
         bridge::render_with_povray(*program, options.scene, *picture, request.settings, *film,
                                    observer.observer().progress, observer.token());

@@ -78,6 +78,14 @@ void ProgressDisplay::show(const render::Progress& progress) {
     }
 }
 
+// Most steps are over at once.
+void ProgressDisplay::show_step(const std::string& step, double part) {
+    constexpr auto long_enough = std::chrono::milliseconds(300);
+    if (!quiet_ && terminal_ && Clock::now() - begin_ >= long_enough) {
+        show_bar(part, fmt::format("{:3.0f} %, {}", 100.0 * part, step));
+    }
+}
+
 void ProgressDisplay::show_text(const std::string& text) {
     if (!quiet_ && terminal_) {
         show_status(text.substr(0, terminal_width() - 1));

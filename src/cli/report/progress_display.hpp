@@ -23,6 +23,8 @@ public:
     /// From now on, the progress is that of one of several frames, which all take equally long.
     void begin_frame(std::size_t frame, std::size_t index, std::size_t count);
     void show(const render::Progress& progress);
+    /// The part of a step before the render, on a terminal.
+    void show_step(const std::string& step, double part);
     /// Another text, on a terminal.
     void show_text(const std::string& text);
     /// Makes place for other output.

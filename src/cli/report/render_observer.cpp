@@ -15,13 +15,9 @@ RenderObserver::RenderObserver(const Manner& manner) : display_(manner.quiet || 
         display_.clear();
         report(diagnostics);
     };
-    observer_.stoppable = [this](bool obeyed) {
-        if (obeyed) {
-            job_.emplace(stop_);
-        } else {
-            job_.reset();
-            display_.clear();
-        }
+    observer_.step = [this](app::Step step, double part) {
+        display_.show_step(step == app::Step::reading ? "reading the scene" : "preparing the scene",
+                           part);
     };
     observer_.bytes = [](std::span<const std::uint8_t> bytes) { print_bytes(bytes); };
     observer_.frame = [this](std::size_t frame, std::size_t index, std::size_t count) {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <stop_token>
 
 #include "balcony/app.hpp"
@@ -12,22 +11,20 @@
 
 namespace balcony::cli {
 
-/// Shows on standard error what a render tells while it runs. A signal stops the render when that
-/// is obeyed, and otherwise ends the process.
+/// Shows on standard error what a render tells while it runs. A signal stops the render.
 class RenderObserver {
 public:
     explicit RenderObserver(const Manner& manner);
 
     [[nodiscard]] const app::Observer& observer() const { return observer_; }
-    [[nodiscard]] std::stop_token token() const { return stop_.get_token(); }
-    void stop() { stop_.request_stop(); }
+    [[nodiscard]] std::stop_token token() const { return job_.token(); }
+    void stop() { job_.stop(); }
     /// Makes place for other output.
     void clear() { display_.clear(); }
 
 private:
     ProgressDisplay display_;
-    std::stop_source stop_;
-    std::optional<Job> job_;
+    Job job_;
     app::Observer observer_;
 };
 

@@ -14,6 +14,7 @@
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
 
+#include "render/embree/build_monitor.hpp"
 #include "render/embree/instance_use.hpp"
 #include "render/embree/packet_setup.hpp"
 #include "render/embree/scene_check.hpp"
@@ -83,9 +84,11 @@ void pass_transparent(const RTCFilterFunctionNArguments* arguments) {
     }
 }
 
-// A mesh as triangles, placed as an instance is if one is given.
+// A mesh as triangles, placed as an instance is if one is given. Null after a stop, or for lack of
+// memory.
 Geometry make_triangles(RTCDevice device, const scene::Scene& scene, const MotionSteps& motion,
-                        scene::MeshIndex index, std::optional<std::size_t> instance) {
+                        scene::MeshIndex index, std::optional<std::size_t> instance,
+                        const BuildMonitor& monitor) {
     const scene::Mesh& mesh = scene.meshes[index.value()];
     Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
     const std::size_t steps =
@@ -101,7 +104,11 @@ Geometry make_triangles(RTCDevice device, const scene::Scene& scene, const Motio
         const float time =
             steps == 1 ? 0.0F : static_cast<float>(step) / static_cast<float>(steps - 1);
         const scene::M44d placed = instance ? motion.matrix(*instance, time) : scene::M44d();
+        constexpr std::size_t until_next = 1U << 16U;
         for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+            if (v % until_next == 0 && monitor.is_stopped()) {
+                return {};
+            }
             const V3f p = motion.position(index, v, time);
             positions[v] = instance ? V3f(scene::V3d(p) * placed) : p;
         }
@@ -199,6 +206,29 @@ void set_lane(RTCRay16& packet, std::size_t lane, const Ray& ray) {
     packet.flags[lane] = 0;
 }
 
+// What there is to build, in triangles and instances.
+struct Sizes {
+    std::size_t world = 0;   // Of the structure of all.
+    std::size_t meshes = 0;  // Of those of shared meshes, which may have been built before.
+};
+
+Sizes sizes_of(const scene::Scene& scene, const std::vector<Use>& uses) {
+    Sizes sizes;
+    std::vector<bool> placed(scene.meshes.size());
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+        const std::uint32_t mesh = scene.instances[i].mesh.value();
+        const std::size_t triangles = scene.meshes[mesh]->triangles.size();
+        if (uses[i] == Use::copied) {
+            sizes.world += triangles;
+        } else if (uses[i] == Use::placed) {
+            ++sizes.world;
+            sizes.meshes += placed[mesh] ? 0 : triangles;
+            placed[mesh] = true;
+        }
+    }
+    return sizes;
+}
+
 }  // namespace
 
 // Embree, with the errors that it reports.
@@ -214,22 +244,24 @@ struct Accelerator::State {
     float reach = max_coordinate;
 
     [[nodiscard]] RTCDevice device() const { return engine->device.get(); }
-    void place(const scene::Scene& scene, const MotionSteps& motion, std::size_t instance);
-    void copy(const scene::Scene& scene, const MotionSteps& motion, std::size_t instance);
+    void place(const scene::Scene& scene, const MotionSteps& motion, std::size_t instance,
+               BuildMonitor& monitor);
+    void copy(const scene::Scene& scene, const MotionSteps& motion, std::size_t instance,
+              const BuildMonitor& monitor);
     [[nodiscard]] bool traceable(const Ray& ray) const;
 };
 
 void Accelerator::State::place(const scene::Scene& scene, const MotionSteps& motion,
-                               std::size_t instance) {
+                               std::size_t instance, BuildMonitor& monitor) {
     const scene::MeshIndex index = scene.instances[instance].mesh;
     BuiltScene& mesh = meshes[index.value()];
     if (!mesh) {
         mesh = make_scene(device());
         if (const Geometry triangles =
-                make_triangles(device(), scene, motion, index, std::nullopt)) {
+                make_triangles(device(), scene, motion, index, std::nullopt, monitor)) {
             rtcAttachGeometry(mesh.get(), triangles.get());
         }
-        rtcCommitScene(mesh.get());
+        monitor.commit(mesh.get(), scene.meshes[index.value()]->triangles.size());
     }
     const auto steps = motion.matrices(instance);
     const Geometry placed = make_instance(device(), mesh.get(), steps);
@@ -240,9 +272,9 @@ void Accelerator::State::place(const scene::Scene& scene, const MotionSteps& mot
 }
 
 void Accelerator::State::copy(const scene::Scene& scene, const MotionSteps& motion,
-                              std::size_t instance) {
-    if (const Geometry triangles =
-            make_triangles(device(), scene, motion, scene.instances[instance].mesh, instance)) {
+                              std::size_t instance, const BuildMonitor& monitor) {
+    if (const Geometry triangles = make_triangles(
+            device(), scene, motion, scene.instances[instance].mesh, instance, monitor)) {
         rtcAttachGeometryByID(world.get(), triangles.get(), static_cast<unsigned>(instance));
     }
 }
@@ -254,7 +286,8 @@ bool Accelerator::State::traceable(const Ray& ray) const {
            ray.time >= 0.0F && ray.time <= 1.0F;
 }
 
-Result<Accelerator> Accelerator::build(const scene::Scene& scene, const scene::Movement& movement) {
+Result<Accelerator> Accelerator::build(const scene::Scene& scene, const scene::Movement& movement,
+                                       const std::stop_token& stop, const PartDone& progress) {
     if (Diagnostics broken = check(scene); !broken.empty()) {
         return broken;
     }
@@ -266,11 +299,12 @@ Result<Accelerator> Accelerator::build(const scene::Scene& scene, const scene::M
     }
     rtcSetDeviceErrorFunction(engine.device.get(), record_error, &engine.errors);
     state->meshes.resize(scene.meshes.size());
-    return fill(std::move(state), scene, movement);
+    return fill(std::move(state), scene, movement, stop, progress);
 }
 
-Result<Accelerator> Accelerator::moved(const scene::Scene& scene,
-                                       const scene::Movement& movement) const {
+Result<Accelerator> Accelerator::moved(const scene::Scene& scene, const scene::Movement& movement,
+                                       const std::stop_token& stop,
+                                       const PartDone& progress) const {
     auto state = std::make_shared<State>();
     state->engine = state_->engine;
     state->meshes = state_->meshes;
@@ -279,27 +313,33 @@ Result<Accelerator> Accelerator::moved(const scene::Scene& scene,
             state->meshes[deformation.mesh.value()].reset();
         }
     }
-    return fill(std::move(state), scene, movement);
+    return fill(std::move(state), scene, movement, stop, progress);
 }
 
 Result<Accelerator> Accelerator::fill(std::shared_ptr<State> state, const scene::Scene& scene,
-                                      const scene::Movement& movement) {
+                                      const scene::Movement& movement, const std::stop_token& stop,
+                                      const PartDone& progress) {
     state->world = make_scene(state->device());
     const MotionSteps motion(scene, movement);
     const std::vector<Use> uses = choose_uses(scene, motion);
-    for (std::size_t i = 0; i < uses.size(); ++i) {
+    const Sizes sizes = sizes_of(scene, uses);
+    BuildMonitor monitor(stop, progress, sizes.world + sizes.meshes);
+    for (std::size_t i = 0; i < uses.size() && !monitor.is_stopped(); ++i) {
         const scene::Instance& instance = scene.instances[i];
         if (uses[i] == Use::none || scene.meshes[instance.mesh.value()]->triangles.empty()) {
             continue;
         }
         if (uses[i] == Use::placed) {
-            state->place(scene, motion, i);
+            state->place(scene, motion, i, monitor);
         } else {
-            state->copy(scene, motion, i);
+            state->copy(scene, motion, i, monitor);
         }
     }
-    rtcCommitScene(state->world.get());
-
+    monitor.commit(state->world.get(), sizes.world);
+    if (monitor.is_stopped()) {
+        state->engine->errors.first.clear();  // Embree calls a stop an error.
+        return stopped();
+    }
     if (const std::string& first = state->engine->errors.first; !first.empty()) {
         return error(fmt::format("the acceleration structure cannot be built: {}", first));
     }

@@ -9,9 +9,11 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <stop_token>
 
 #include "balcony/base.hpp"
 #include "balcony/motion.hpp"
+#include "balcony/progress.hpp"
 #include "balcony/scene.hpp"
 #include "shading/geometry/ray.hpp"
 
@@ -32,14 +34,19 @@ public:
     /// Builds the structure. An instance that Embree cannot handle (without a finite affine matrix,
     /// or with a vertex beyond max_coordinate) is skipped with a warning that names its object; a
     /// scene with invalid indices and a lack of memory are errors. What moves is where it stands at
-    /// the time of a ray, from 0 to 1 over the interval of the movement.
+    /// the time of a ray, from 0 to 1 over the interval of the movement. A stop is an error of
+    /// Kind::interrupted.
     [[nodiscard]] static Result<Accelerator> build(const scene::Scene& scene,
-                                                   const scene::Movement& movement = {});
+                                                   const scene::Movement& movement = {},
+                                                   const std::stop_token& stop = {},
+                                                   const PartDone& progress = {});
 
     /// The same for the scene of this structure at another time. Shares the meshes that are placed
     /// and keep their shape.
     [[nodiscard]] Result<Accelerator> moved(const scene::Scene& scene,
-                                            const scene::Movement& movement) const;
+                                            const scene::Movement& movement,
+                                            const std::stop_token& stop = {},
+                                            const PartDone& progress = {}) const;
 
     /// The largest absolute coordinate of a ray's origin: max_coordinate, or less if a shared
     /// mesh is placed by a matrix that shrinks it.
@@ -71,7 +78,9 @@ private:
     explicit Accelerator(std::shared_ptr<const State> state) : state_(std::move(state)) {}
     [[nodiscard]] static Result<Accelerator> fill(std::shared_ptr<State> state,
                                                   const scene::Scene& scene,
-                                                  const scene::Movement& movement);
+                                                  const scene::Movement& movement,
+                                                  const std::stop_token& stop,
+                                                  const PartDone& progress);
     std::shared_ptr<const State> state_;
 };
 

@@ -79,7 +79,7 @@ void add(Summary& total, const Summary& part) {
 
 Result<BandedRender> BandedRender::make(const Renderer& renderer, const camera::Picture& picture,
                                         const Settings& settings, const FilmLayout& layout,
-                                        std::size_t rows) {
+                                        std::size_t rows, const std::stop_token& stop) {
     assert(rows > 0 && rows % file_tile_side == 0);
     const Region window = window_of(layout);
     if (Diagnostics found = check(settings, window); !found.empty()) {
@@ -92,7 +92,7 @@ Result<BandedRender> BandedRender::make(const Renderer& renderer, const camera::
         return std::move(made.diagnostics);
     }
     Result<Job> job =
-        Job::make(renderer, picture, settings, std::make_shared<Film>(std::move(*made)));
+        Job::make(renderer, picture, settings, std::make_shared<Film>(std::move(*made)), stop);
     if (!job) {
         return std::move(job.diagnostics);
     }

@@ -190,18 +190,19 @@ struct Job::State {
 };
 
 Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
-                      const Settings& settings, std::shared_ptr<Film> film) {
-    return make(renderer, picture, settings, std::move(film), nullptr);
+                      const Settings& settings, std::shared_ptr<Film> film,
+                      const std::stop_token& stop) {
+    return make(renderer, picture, settings, std::move(film), nullptr, stop);
 }
 
 Result<Job> Job::again(const Renderer& renderer, const Settings& settings,
-                       std::shared_ptr<Film> film) const {
-    return make(renderer, state_->picture, settings, std::move(film), state_.get());
+                       std::shared_ptr<Film> film, const std::stop_token& stop) const {
+    return make(renderer, state_->picture, settings, std::move(film), state_.get(), stop);
 }
 
 Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
-                      const Settings& settings, std::shared_ptr<Film> shared,
-                      const State* previous) {
+                      const Settings& settings, std::shared_ptr<Film> shared, const State* previous,
+                      const std::stop_token& stop) {
     if (Diagnostics found = check(settings); !found.empty()) {
         return found;
     }
@@ -236,7 +237,10 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
         measure_focus(*inputs, traced, parts->central, film, settings.time);
         PictureRays rays(parts->picture, traced.interval, *inputs);
         if (!renderer.state_->textures_on_demand) {
-            read_visible_textures(traced, rays, film, settings.time);
+            read_visible_textures(traced, rays, film, settings.time, stop);
+        }
+        if (stop.stop_requested()) {
+            return stopped();
         }
         choose_light(*parts, rays, film);
         prepare(film, *parts);
@@ -300,7 +304,12 @@ Result<Summary> render(const Renderer& renderer, const camera::Picture& picture,
                        std::stop_token stop) {
     // The job does not outlive this call, so it need not own the film.
     const std::shared_ptr<Film> borrowed(std::shared_ptr<Film>(), &film);
-    Result<Job> job = Job::make(renderer, picture, settings, borrowed);
+    Result<Job> job = Job::make(renderer, picture, settings, borrowed, stop);
+    if (!job && kind_of_errors(job.diagnostics) == Kind::interrupted) {
+        Summary summary;
+        summary.interrupted = true;
+        return summary;
+    }
     if (!job) {
         return std::move(job.diagnostics);
     }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
-#include <cassert>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -27,8 +26,11 @@ bool has_parts_of(const scene::Scene& moved, const scene::Scene& scene) {
 }  // namespace
 
 Result<Renderer> Renderer::make(std::shared_ptr<const scene::Scene> scene,
-                                const RendererSettings& settings) {
-    assert(scene);
+                                const RendererSettings& settings, const std::stop_token& stop,
+                                const PartDone& progress) {
+    if (!scene) {
+        return error(Kind::internal, "a renderer needs a scene");
+    }
     if (settings.texture_memory < min_texture_memory) {
         return error(fmt::format("{:.3g} MiB are too little memory for textures",
                                  static_cast<double>(settings.texture_memory) / 0x1p20),
@@ -43,16 +45,21 @@ Result<Renderer> Renderer::make(std::shared_ptr<const scene::Scene> scene,
     const scene::TimeInterval times =
         settings.interval.value_or(scene::TimeInterval{scene->time, scene->time});
     const scene::Movement movement = scene::movement(*scene, times);
-    Result<embree::Accelerator> accelerator = embree::Accelerator::build(*scene, movement);
+    const bool reads_textures = !settings.textures_on_demand && !scene->textures.empty();
+    Result<embree::Accelerator> accelerator = embree::Accelerator::build(
+        *scene, movement, stop, part_of(progress, 0.0, reads_textures ? 0.5 : 1.0));
     if (!accelerator) {
         return std::move(accelerator.diagnostics);
     }
     Diagnostics warnings = std::move(accelerator.diagnostics);
     const double build_seconds = watch.seconds();
     auto textures =
-        std::make_shared<const TextureLibrary>(*scene, settings.texture_memory, warnings);
-    if (!settings.textures_on_demand) {
-        textures->read_all();
+        std::make_shared<const TextureLibrary>(*scene, settings.texture_memory, warnings, stop);
+    if (reads_textures) {
+        textures->read_all(stop, part_of(progress, 0.5, 1.0));
+    }
+    if (stop.stop_requested()) {
+        return stopped();
     }
     SurfaceFinder surfaces(*scene, movement);
     LightSet lights(*scene, textures.get(), movement);
@@ -72,7 +79,8 @@ Result<Renderer> Renderer::make(std::shared_ptr<const scene::Scene> scene,
 }
 
 Result<Renderer> Renderer::moved(std::shared_ptr<const scene::Scene> scene,
-                                 const scene::TimeInterval& interval) const {
+                                 const scene::TimeInterval& interval, const std::stop_token& stop,
+                                 const PartDone& progress) const {
     if (!scene || !has_parts_of(*scene, *state_->traced.scene)) {
         return error(Kind::usage, "a renderer moves to another time of its own scene only",
                      "give what scene::moved_to() makes of it");
@@ -83,7 +91,8 @@ Result<Renderer> Renderer::moved(std::shared_ptr<const scene::Scene> scene,
     Diagnostics warnings;
     if (scene->motion) {
         const scene::Movement movement = scene::movement(*scene, interval);
-        Result<embree::Accelerator> accelerator = traced.accelerator.moved(*scene, movement);
+        Result<embree::Accelerator> accelerator =
+            traced.accelerator.moved(*scene, movement, stop, progress);
         if (!accelerator) {
             return std::move(accelerator.diagnostics);
         }

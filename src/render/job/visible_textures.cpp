@@ -11,7 +11,7 @@
 namespace balcony::render {
 
 void read_visible_textures(const TracedScene& traced, PictureRays& rays, const Film& film,
-                           double time) {
+                           double time, const std::stop_token& stop) {
     if (traced.textures->all_fit()) {
         return;
     }
@@ -26,7 +26,7 @@ void read_visible_textures(const TracedScene& traced, PictureRays& rays, const F
     for (const std::size_t material : seen) {
         materials.push_back(&traced.scene->materials[material]);
     }
-    traced.textures->read(materials);
+    traced.textures->read(materials, stop);
 }
 
 }  // namespace balcony::render

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "balcony/probe.hpp"
-#include "render/job/renderer_state.hpp"
 #include "render/probe/main_objects.hpp"
 #include "render/probe/viewer.hpp"
 
@@ -90,7 +89,7 @@ RoomView best_view_from(const Viewer& viewer, const V3d& point, Axes axes) {
 
 // From the points of a grid at eye level and below; nothing if none of them is in a closed room.
 std::optional<RoomView> best_room_view(const Viewer& viewer, const scene::Scene& scene,
-                                       const Imath::Box3d& bounds) {
+                                       const Imath::Box3d& bounds, const std::stop_token& stop) {
     constexpr double enclosed = 0.97;   // The share of directions in which a closed room has walls.
     constexpr double clearance = 0.02;  // Of the scene's extent.
     constexpr int steps = 5;
@@ -101,7 +100,7 @@ std::optional<RoomView> best_room_view(const Viewer& viewer, const scene::Scene&
                            turned(bounds.max, scene.axes, Axes::z_up));
     const auto between = [](double a, double b, double share) { return a + share * (b - a); };
     for (const double level : {0.35, 0.6}) {
-        for (int i = 0; i < steps * steps; ++i) {
+        for (int i = 0; i < steps * steps && !stop.stop_requested(); ++i) {
             const double x = (i % steps + 0.5) / steps;
             const double y = (i / steps + 0.5) / steps;  // NOLINT(bugprone-integer-division)
             const V3d point =
@@ -133,8 +132,11 @@ bool is_better(const RoomView& room, const Sight& outside, const scene::Scene& s
     return shows_more || room.lit || (room.faces_inwards && scene.lights.empty());
 }
 
-// With the structure of the scene as it stands.
-Result<scene::Camera> find_view(const scene::Scene& scene, const embree::Accelerator& accelerator) {
+}  // namespace
+
+Result<scene::Camera> default_camera(const Renderer& renderer, const std::stop_token& stop) {
+    const ProbedScene probed(renderer);
+    const scene::Scene& scene = probed.scene();
     const Imath::Box3f bounds = scene.bounds();
     // In double precision, as the sum of two corners may be too large for single.
     const Imath::Box3d whole{V3d(bounds.min), V3d(bounds.max)};
@@ -142,26 +144,13 @@ Result<scene::Camera> find_view(const scene::Scene& scene, const embree::Acceler
         return error("the scene has no finite size, so no camera can show all of it", {},
                      "name a camera with --camera, or correct the coordinates of the scene");
     }
-    const Viewer viewer(scene, accelerator);
+    const Viewer viewer(probed);
     scene::Camera outside = view_of(box_of_main_objects(scene).value_or(whole), scene.axes);
-    const std::optional<RoomView> room = best_room_view(viewer, scene, whole);
+    const std::optional<RoomView> room = best_room_view(viewer, scene, whole, stop);
+    if (stop.stop_requested()) {
+        return stopped();
+    }
     return room && is_better(*room, viewer.look(outside), scene) ? room->camera : outside;
-}
-
-}  // namespace
-
-Result<scene::Camera> default_camera(const scene::Scene& scene) {
-    const Result<embree::Accelerator> accelerator = embree::Accelerator::build(scene);
-    return accelerator ? find_view(scene, *accelerator)
-                       : Result<scene::Camera>(accelerator.diagnostics);
-}
-
-Result<scene::Camera> Renderer::default_camera() const {
-    const TracedScene& traced = state_->traced;
-    const scene::Scene& scene = *traced.scene;
-    const bool as_it_stands =
-        !scene.motion || (traced.interval.begin == scene.time && traced.interval.end == scene.time);
-    return as_it_stands ? find_view(scene, traced.accelerator) : render::default_camera(scene);
 }
 
 }  // namespace balcony::render

@@ -8,7 +8,7 @@
 
 #include "balcony/probe.hpp"
 #include "render/job/camera_rays.hpp"
-#include "render/probe/hit_geometry.hpp"
+#include "render/probe/probed_scene.hpp"
 
 namespace balcony::render {
 
@@ -60,17 +60,15 @@ double max_coordinate(const Imath::Box3d& box) {
     return largest;
 }
 
-std::size_t count_objects(const std::vector<Line>& lines, const scene::Scene& scene,
-                          const embree::Accelerator& accelerator) {
-    const HitGeometry geometry(scene);
-    std::vector<bool> met(scene.objects.size());
+std::size_t count_objects(const std::vector<Line>& lines, const ProbedScene& scene) {
+    std::vector<bool> met(scene.scene().objects.size());
     for (const Line& line : lines) {
         if (!embree::in_range(line.origin)) {
             continue;
         }
-        const embree::Hit hit = accelerator.intersect({V3f(line.origin), V3f(line.direction)});
+        const embree::Hit hit = scene.nearest(scene.ray(V3f(line.origin), V3f(line.direction)));
         if (hit.any()) {
-            met[geometry.object(hit)] = true;
+            met[scene.object(hit)] = true;
         }
     }
     return static_cast<std::size_t>(std::count(met.begin(), met.end(), true));
@@ -78,12 +76,10 @@ std::size_t count_objects(const std::vector<Line>& lines, const scene::Scene& sc
 
 }  // namespace
 
-Result<Miss> explain_miss(const scene::Scene& scene, const camera::Camera& camera,
+Result<Miss> explain_miss(const Renderer& renderer, const camera::Camera& camera,
                           const ProbeSettings& settings) {
-    const Result<embree::Accelerator> accelerator = embree::Accelerator::build(scene);
-    if (!accelerator) {
-        return accelerator.diagnostics;
-    }
+    const ProbedScene probed(renderer);
+    const scene::Scene& scene = probed.scene();
     const Result<rays::RayProgram> program =
         rays::compile(camera, static_cast<double>(settings.width),
                       static_cast<double>(settings.height), {.axes = scene.axes});
@@ -102,7 +98,7 @@ Result<Miss> explain_miss(const scene::Scene& scene, const camera::Camera& camer
         std::vector<Line> others;
         others.reserve(lines.size());
         std::transform(lines.begin(), lines.end(), std::back_inserter(others), changed);
-        if (const std::size_t objects = count_objects(others, scene, *accelerator); objects > 0) {
+        if (const std::size_t objects = count_objects(others, probed); objects > 0) {
             miss.attempts.push_back({change, factor, objects});
         }
     };

@@ -7,11 +7,8 @@
 
 #include "balcony/probe.hpp"
 #include "balcony/render.hpp"
-#include "render/embree/accelerator.hpp"
 #include "render/job/camera_rays.hpp"
-#include "shading/materials/material_set.hpp"
-#include "shading/surfaces/surface.hpp"
-#include "shading/textures/texture_library.hpp"
+#include "render/probe/probed_scene.hpp"
 
 namespace balcony::render {
 
@@ -22,9 +19,7 @@ using Imath::V3d;
 /// Traces lines, one after another; belongs to one thread.
 class SightTracer {
 public:
-    SightTracer(const scene::Scene& scene, const embree::Accelerator& accelerator,
-                const TextureLibrary& textures)
-        : accelerator_(accelerator), surfaces_(scene), materials_(scene, textures) {}
+    explicit SightTracer(const ProbedScene& scene) : scene_(scene) {}
 
     [[nodiscard]] std::optional<Obstacle> operator()(const V3d& from, const V3d& to) const {
         const V3d way = to - from;
@@ -36,13 +31,13 @@ public:
         }
         const V3d direction = scaled.normalized();
         const double length = size * scaled.length();
-        embree::Ray ray{V3f(from), V3f(direction)};
+        embree::Ray ray = scene_.ray(V3f(from), V3f(direction));
         for (std::size_t crossings = 0;; ++crossings) {
-            const embree::Hit hit = accelerator_.intersect(ray);
+            const embree::Hit hit = scene_.nearest(ray);
             if (!hit.any()) {
                 return std::nullopt;
             }
-            const Surface surface = surfaces_.find(hit, ray.direction);
+            const Surface surface = scene_.traced().surfaces.find(hit, ray.direction, ray.time);
             const double distance = (V3d(surface.position) - from).dot(direction);
             if (distance >= nearly_all * length) {
                 return std::nullopt;
@@ -63,35 +58,30 @@ private:
     }
 
     [[nodiscard]] bool is_opaque(const Surface& surface) const {
-        return materials_.opacity(surface.in_mesh) >= 1.0F;
+        return scene_.traced().materials.opacity(surface.in_mesh) >= 1.0F;
     }
 
-    const embree::Accelerator& accelerator_;
-    SurfaceFinder surfaces_;
-    MaterialSet materials_;
+    const ProbedScene& scene_;
 };
 
 }  // namespace
 
-Result<std::vector<std::optional<Obstacle>>> find_obstacles(const scene::Scene& scene,
+Result<std::vector<std::optional<Obstacle>>> find_obstacles(const Renderer& renderer,
                                                             std::span<const SightLine> lines,
-                                                            Axes axes) {
-    const Result<embree::Accelerator> accelerator = embree::Accelerator::build(scene);
-    if (!accelerator) {
-        return accelerator.diagnostics;
-    }
-    Diagnostics warnings = accelerator.diagnostics;
-    const TextureLibrary textures(scene, default_texture_memory, warnings);
-    const SightTracer look(scene, *accelerator, textures);
+                                                            Axes axes,
+                                                            const std::stop_token& stop) {
+    const ProbedScene scene(renderer);
+    const SightTracer look(scene);
     std::vector<std::optional<Obstacle>> found;
     found.reserve(lines.size());
     for (const SightLine& line : lines) {
-        found.push_back(
-            look(turned(line.from, axes, scene.axes), turned(line.to, axes, scene.axes)));
+        if (stop.stop_requested()) {
+            return stopped();
+        }
+        found.push_back(look(turned(line.from, axes, scene.scene().axes),
+                             turned(line.to, axes, scene.scene().axes)));
     }
-    const Diagnostics of_textures = textures.warnings();
-    warnings.insert(warnings.end(), of_textures.begin(), of_textures.end());
-    return {std::move(found), std::move(warnings)};
+    return {std::move(found), scene.traced().textures->warnings()};
 }
 
 }  // namespace balcony::render

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "balcony/median.hpp"
-#include "render/embree/accelerator.hpp"
 #include "render/job/camera_rays.hpp"
-#include "render/probe/hit_geometry.hpp"
+#include "render/probe/probed_scene.hpp"
 #include "shading/geometry/closed_surface.hpp"
 
 namespace balcony::render {
@@ -36,13 +36,14 @@ struct RayTile {
 
 class Prober {
 public:
-    Prober(const scene::Scene& scene, const embree::Accelerator& accelerator,
-           const rays::RayProgram& program, const ProbeSettings& settings)
-        : scene_(scene),
-          geometry_(scene),
-          accelerator_(accelerator),
+    Prober(const ProbedScene& probed, const rays::RayProgram& program,
+           const ProbeSettings& settings, std::stop_token stop, const PartDone& progress)
+        : scene_(probed),
           program_(program),
-          settings_(settings) {
+          settings_(settings),
+          stop_(std::move(stop)),
+          progress_(progress) {
+        const scene::Scene& scene = probed.scene();
         probe_.objects.resize(scene.objects.size());
         for (const scene::Instance& instance : scene.instances) {
             if (!scene.meshes[instance.mesh.value()]->triangles.empty()) {
@@ -63,6 +64,9 @@ public:
                 }
             });
         }
+        if (progress_) {
+            progress_(1.0);
+        }
         probe_.median_distance = median(std::move(distances_));
         return std::move(probe_);
     }
@@ -75,8 +79,11 @@ private:
         const double middle = 0.5 * static_cast<double>(step);
         RayTile tile;
         tile.step = static_cast<double>(step);
-        for (std::size_t top = 0; top < rows; top += program::max_tile_height) {
-            for (std::size_t left = 0; left < columns; left += program::max_tile_width) {
+        for (std::size_t top = 0; top < rows && !stop_.stop_requested();
+             top += program::max_tile_height) {
+            report(step, top, rows);
+            for (std::size_t left = 0; left < columns && !stop_.stop_requested();
+                 left += program::max_tile_width) {
                 tile.width = std::min(program::max_tile_width, columns - left);
                 tile.height = std::min(program::max_tile_height, rows - top);
                 tile.corner = {middle + tile.step * static_cast<double>(left),
@@ -89,14 +96,22 @@ private:
         }
     }
 
+    // The first half is the look at the step.
+    void report(std::size_t step, std::size_t row, std::size_t rows) const {
+        if (progress_) {
+            const double part = 0.5 * static_cast<double>(row) / static_cast<double>(rows);
+            progress_(step == settings_.step ? part : 0.5 + part);
+        }
+    }
+
     [[nodiscard]] bool misses_something() const {
         return std::any_of(
             probe_.objects.begin(), probe_.objects.end(),
             [](const ObjectSight& sight) { return sight.has_surface && !sight.seen; });
     }
 
-    static embree::Ray ray_of(const RayTile& tile, std::size_t i) {
-        return {V3f(tile.rays.origin(i)), V3f(tile.rays.direction(i))};
+    [[nodiscard]] embree::Ray ray_of(const RayTile& tile, std::size_t i) const {
+        return scene_.ray(V3f(tile.rays.origin(i)), V3f(tile.rays.direction(i)));
     }
 
     // Marks the objects that the rays of a tile hit.
@@ -108,14 +123,14 @@ private:
             active[i] = traceable(tile.rays, i) ? 1 : 0;
             rays[i] = active[i] != 0 ? ray_of(tile, i) : embree::Ray{};
         }
-        accelerator_.intersect_grid(tile.width, rays, active, hits);
+        scene_.traced().accelerator.intersect_grid(tile.width, rays, active, hits);
         for (std::size_t i = 0; i < tile.size(); ++i) {
             probe_.rays += measure && active[i] != 0 ? 1U : 0U;
             if (active[i] == 0 || !hits[i].any()) {
                 continue;
             }
             if (measure) {
-                distances_.push_back((geometry_.place(hits[i]) - rays[i].origin).length());
+                distances_.push_back((scene_.place(hits[i]) - rays[i].origin).length());
             }
             follow(rays[i], hits[i]);
         }
@@ -124,19 +139,19 @@ private:
     void follow(embree::Ray ray, Hit hit) {
         constexpr int max_layers = 64;
         for (int layer = 0; layer < max_layers && hit.any(); ++layer) {
-            probe_.objects[geometry_.object(hit)].seen = true;
-            if (geometry_.material(hit).alpha_mode == scene::AlphaMode::opaque) {
+            probe_.objects[scene_.object(hit)].seen = true;
+            if (scene_.material(hit).alpha_mode == scene::AlphaMode::opaque) {
                 return;
             }
             ray.origin = beyond(ray, hit);
-            hit = accelerator_.intersect(ray);
+            hit = scene_.nearest(ray);
         }
     }
 
     // Beyond the surface by more than the rounding error.
     [[nodiscard]] V3f beyond(const embree::Ray& ray, const Hit& hit) const {
         constexpr float share = 1e-5F;
-        const V3f place = geometry_.place(hit);
+        const V3f place = scene_.place(hit);
         const float size = std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z),
                                      (place - ray.origin).length()});
         return place + share * size * ray.direction;
@@ -172,27 +187,27 @@ private:
     }
 
     [[nodiscard]] std::optional<std::uint32_t> object_round(const embree::Ray& ray) {
-        const Hit hit = accelerator_.intersect(ray);
+        const Hit hit = scene_.nearest(ray);
         if (!hit.any()) {
             return std::nullopt;
         }
-        if (!geometry_.from_behind(hit, ray.direction)) {
+        if (!scene_.from_behind(hit, ray.direction)) {
             return std::nullopt;
         }
-        const std::uint32_t object = geometry_.object(hit);
+        const std::uint32_t object = scene_.object(hit);
         const auto [known, is_new] = encloses_.try_emplace(object, false);
         if (is_new) {
-            known->second = encloses_volume(scene_, object);
+            known->second = encloses_volume(scene_.scene(), object);
         }
         return known->second ? std::optional(object) : std::nullopt;
     }
 
-    const scene::Scene& scene_;
-    HitGeometry geometry_;
-    const embree::Accelerator& accelerator_;
+    const ProbedScene& scene_;
     const rays::RayProgram& program_;
     rays::Scratch scratch_;
     ProbeSettings settings_;
+    std::stop_token stop_;
+    const PartDone& progress_;
     Probe probe_;
     std::vector<double> distances_;
     std::map<std::uint32_t, bool> encloses_;
@@ -200,19 +215,21 @@ private:
 
 }  // namespace
 
-Result<Probe> probe(const scene::Scene& scene, const camera::Camera& camera,
-                    const ProbeSettings& settings) {
-    const Result<embree::Accelerator> accelerator = embree::Accelerator::build(scene);
-    if (!accelerator) {
-        return accelerator.diagnostics;
-    }
+Result<Probe> probe(const Renderer& renderer, const camera::Camera& camera,
+                    const ProbeSettings& settings, const std::stop_token& stop,
+                    const PartDone& progress) {
+    const ProbedScene scene(renderer);
     const Result<rays::RayProgram> program =
         rays::compile(camera, static_cast<double>(settings.width),
-                      static_cast<double>(settings.height), {.axes = scene.axes});
+                      static_cast<double>(settings.height), {.axes = scene.scene().axes});
     if (!program) {
         return program.diagnostics;
     }
-    return {Prober(scene, *accelerator, *program, settings).run(), accelerator.diagnostics};
+    Probe found = Prober(scene, *program, settings, stop, progress).run();
+    if (stop.stop_requested()) {
+        return stopped();
+    }
+    return found;
 }
 
 }  // namespace balcony::render

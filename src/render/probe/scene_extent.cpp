@@ -128,15 +128,16 @@ private:
 /// A place to stand in the open.
 class Inside {
 public:
-    Inside(const scene::Scene& scene, const Viewer& viewer, const Box& box)
-        : scene_(scene), viewer_(viewer), box_(box) {}
+    Inside(const scene::Scene& scene, const Viewer& viewer, const Box& box,
+           const std::stop_token& stop)
+        : scene_(scene), viewer_(viewer), box_(box), stop_(stop) {}
 
     /// Much of the scene is seen from there, nothing is near, and it is near the middle.
     [[nodiscard]] V3d find() const {
         constexpr int steps = 9;
         V3d best = 0.5 * (box_.min + box_.max);
         double highest = 0.0;
-        for (int i = 0; i < steps * steps; ++i) {
+        for (int i = 0; i < steps * steps && !stop_.stop_requested(); ++i) {
             const double x = (i % steps + 0.5) / steps;
             const double y = (i / steps + 0.5) / steps;  // NOLINT(bugprone-integer-division)
             for (const double level : {0.5 * (box_.min.z + box_.max.z), box_.min.z}) {
@@ -186,6 +187,7 @@ private:
     const scene::Scene& scene_;
     const Viewer& viewer_;
     const Box box_;
+    const std::stop_token& stop_;
 };
 
 // -------------------------------------------------------------------------------------- object
@@ -208,7 +210,10 @@ Result<std::optional<std::uint32_t>> find_object(const scene::Scene& scene,
 
 }  // namespace
 
-Result<SceneExtent> measure_scene(const scene::Scene& scene, const std::string& object) {
+Result<SceneExtent> measure_scene(const Renderer& renderer, const std::string& object,
+                                  const std::stop_token& stop) {
+    const ProbedScene probed(renderer);
+    const scene::Scene& scene = probed.scene();
     const auto wanted = find_object(scene, object);
     if (!wanted) {
         return wanted.diagnostics;
@@ -224,10 +229,6 @@ Result<SceneExtent> measure_scene(const scene::Scene& scene, const std::string& 
     if (const auto main = box_of_main_objects(scene); main && object.empty()) {
         box = turned_box(*main, scene.axes);
     }
-    const Result<embree::Accelerator> accelerator = embree::Accelerator::build(scene);
-    if (!accelerator) {
-        return accelerator.diagnostics;
-    }
     const V3d center = 0.5 * (box.min + box.max);
     SceneExtent extent;
     Profile profile(box);
@@ -240,7 +241,10 @@ Result<SceneExtent> measure_scene(const scene::Scene& scene, const std::string& 
     });
     extent.bounds = thickened(box, extent.radius);
     extent.profile = profile.points(1e-3 * std::max(extent.radius, 1e-9));
-    extent.inside = Inside(scene, Viewer(scene, *accelerator), box).find();
+    extent.inside = Inside(scene, Viewer(probed), box, stop).find();
+    if (stop.stop_requested()) {
+        return stopped();
+    }
     return extent;
 }
 

@@ -55,37 +55,38 @@ Sight Viewer::look_round(const V3d& from) const {
 }
 
 double Viewer::distance(const V3d& from, const V3d& direction) const {
-    const embree::Hit hit = accelerator_.intersect({V3f(from), V3f(direction)});
-    return hit.any() ? (V3d(geometry_.place(hit)) - from).length()
+    const embree::Hit hit = scene_.nearest(scene_.ray(V3f(from), V3f(direction)));
+    return hit.any() ? (V3d(scene_.place(hit)) - from).length()
                      : std::numeric_limits<double>::infinity();
 }
 
 bool Viewer::is_lit(const V3d& point) const {
-    return std::any_of(scene_.lights.begin(), scene_.lights.end(), [&](const scene::Light& light) {
+    const std::vector<scene::Light>& lights = scene_.scene().lights;
+    return std::any_of(lights.begin(), lights.end(), [&](const scene::Light& light) {
         const V3d way = light.position - point;
-        embree::Ray ray{V3f(point), V3f(way)};
+        embree::Ray ray = scene_.ray(V3f(point), V3f(way));
         ray.farthest = 1.0F;
-        return light.kind != scene::LightKind::directional && !accelerator_.intersect(ray).any();
+        return light.kind != scene::LightKind::directional && !scene_.nearest(ray).any();
     });
 }
 
 Sight Viewer::empty_sight() const {
     Sight sight;
-    sight.rays_by_object.resize(scene_.objects.size());
+    sight.rays_by_object.resize(scene_.scene().objects.size());
     return sight;
 }
 
 void Viewer::add(const V3d& from, const V3d& direction, Sight& sight) const {
-    const embree::Ray ray{V3f(from), V3f(direction)};
-    const embree::Hit hit = accelerator_.intersect(ray);
+    const embree::Ray ray = scene_.ray(V3f(from), V3f(direction));
+    const embree::Hit hit = scene_.nearest(ray);
     ++sight.rays;
     if (!hit.any()) {
         return;
     }
-    const double distance = (V3d(geometry_.place(hit)) - from).length();
+    const double distance = (V3d(scene_.place(hit)) - from).length();
     ++sight.hits;
-    ++sight.rays_by_object[geometry_.object(hit)];
-    sight.fronts += geometry_.from_behind(hit, ray.direction) ? 0 : 1;
+    ++sight.rays_by_object[scene_.object(hit)];
+    sight.fronts += scene_.from_behind(hit, ray.direction) ? 0 : 1;
     sight.distance_sum += distance;
     sight.nearest = std::min(sight.nearest, distance);
 }

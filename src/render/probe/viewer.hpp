@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "balcony/scene.hpp"
-#include "render/probe/hit_geometry.hpp"
+#include "render/probe/probed_scene.hpp"
 
 namespace balcony::render {
 
@@ -31,8 +31,8 @@ struct Sight {
 /// Looks around in a scene.
 class Viewer {
 public:
-    Viewer(const scene::Scene& scene, const embree::Accelerator& accelerator)
-        : scene_(scene), geometry_(scene), accelerator_(accelerator) {}
+    /// The scene must outlive it.
+    explicit Viewer(const ProbedScene& scene) : scene_(scene) {}
 
     [[nodiscard]] Sight look(const scene::Camera& camera) const;
     /// In all directions, on a Fibonacci lattice.
@@ -46,9 +46,7 @@ private:
     [[nodiscard]] Sight empty_sight() const;
     void add(const scene::V3d& from, const scene::V3d& direction, Sight& sight) const;
 
-    const scene::Scene& scene_;
-    HitGeometry geometry_;
-    const embree::Accelerator& accelerator_;
+    const ProbedScene& scene_;
 };
 
 }  // namespace balcony::render

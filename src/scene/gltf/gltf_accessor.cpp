@@ -196,6 +196,7 @@ GltfAccessor GltfDocument::read_accessor(const Json& json) {
 }
 
 const GltfAccessor& GltfDocument::accessor(std::size_t index, std::size_t components) {
+    import_.check_stop();
     auto known = accessors_.find(index);
     if (known == accessors_.end()) {
         known = accessors_.emplace(index, read_accessor(element(root_, "accessors", index))).first;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstring>
+#include <iterator>
 #include <memory>
 
 #include <fmt/format.h>
@@ -80,6 +81,31 @@ GlbChunks split_glb(Bytes bytes, const std::string& name) {
     return chunks;
 }
 
+// A place in a text. Stepping through the text can be stopped, and is progress.
+class Characters {
+public:
+    using iterator_category = std::forward_iterator_tag;
+    using value_type = char;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const char*;
+    using reference = const char&;
+
+    Characters(std::string_view text, std::size_t at, Import& import)
+        : text_(text), at_(at), import_(&import) {}
+
+    reference operator*() const { return text_[at_]; }
+    Characters& operator++() {
+        import_->go_on(++at_, text_.size());
+        return *this;
+    }
+    bool operator==(const Characters& other) const { return at_ == other.at_; }
+
+private:
+    std::string_view text_;
+    std::size_t at_;
+    Import* import_;
+};
+
 // The word around a byte, such as Infinity.
 std::string_view word_around(Bytes bytes, std::size_t at) {
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -135,7 +161,8 @@ std::string decode_percent(std::string_view uri) {
 
 GltfDocument::GltfDocument(Import& import) : import_(import) {
     const std::string name = in_quotes(import_.file.string());
-    bytes_ = import.bytes();
+    import_.begin_phase(0.0, 0.1);
+    bytes_ = import_.bytes();
     const Bytes all(bytes_);
     is_binary_ = begins_with(all, "glTF");
     if (is_binary_) {
@@ -163,7 +190,9 @@ void GltfDocument::parse(Bytes bytes) {
     try {
         const std::string text =
             data_uris_.lift({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-        root_ = Json::parse(text, nullptr, false);
+        import_.begin_phase(0.1, 0.4);
+        root_ = Json::parse(Characters(text, 0, import_), Characters(text, text.size(), import_),
+                            nullptr, false);
         if (root_.is_discarded()) {
             // For the place of the mistake in the file.
             root_ = Json::parse(bytes.data(), bytes.data() + bytes.size());
@@ -208,13 +237,14 @@ GltfDocument::Bytes GltfDocument::buffer_bytes(std::string_view uri) {
     const std::filesystem::path path = import_.beside(import_.file, decode_percent(uri));
     auto known = files_.find(path);
     if (known == files_.end()) {
-        known = files_.emplace(path, read_bytes(path)).first;
+        known = files_.emplace(path, import_.bytes_of(path)).first;
     }
     return known->second;
 }
 
 void GltfDocument::read_buffers(Bytes binary) {
     const std::string name = in_quotes(import_.file.string());
+    import_.begin_phase(0.4, 0.5);
     const std::size_t count = array_size(root_, "buffers");
     for (std::size_t i = 0; i < count; ++i) {
         const Json& buffer = root_["buffers"][i];
@@ -252,6 +282,7 @@ std::string_view GltfDocument::uri_in(const Json& owner) const {
 }
 
 GltfDocument::Bytes GltfDocument::view(std::size_t index) const {
+    import_.check_stop();
     const Json& view = element(root_, "bufferViews", index);
     const std::size_t buffer = count_in(view, "buffer", buffers_.size());
     if (buffer >= buffers_.size()) {

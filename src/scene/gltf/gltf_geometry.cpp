@@ -75,6 +75,8 @@ GltfReader::GltfReader(GltfDocument& document, Import& import)
                  "the file has more instances than a file of its size may have") {}
 
 void GltfReader::read() {
+    import_.begin_phase(0.5, 1.0);
+    const std::size_t nodes = array_size(root_, "nodes");
     std::vector<Node> pending;
     for (const std::size_t root : root_nodes()) {
         pending.push_back({root, M44d(), {}});
@@ -83,6 +85,7 @@ void GltfReader::read() {
     while (!pending.empty()) {
         const Node node = pending.back();
         pending.pop_back();
+        import_.report(visited_nodes_.size(), nodes);
         read_node(node, pending);
     }
     animations_.finish();

@@ -42,13 +42,16 @@ SectionOrder in_sections(const FaceSet& set) {
     return order;
 }
 
-// Corners with the same indices become one vertex.
-Mesh merged(const FaceSet& set, std::span<const std::uint32_t> faces) {
+// Corners with the same indices become one vertex. `first` faces are in the sections before.
+Mesh merged(const FaceSet& set, std::span<const std::uint32_t> faces, std::size_t first,
+            Import& import) {
     Mesh mesh;
     TripleNumbers vertices;
     bool has_coordinates = false;
     mesh.triangles.reserve(faces.size());
+    import.report(first, set.faces.size());
     for (const std::uint32_t face : faces) {
+        import.go_on(first + mesh.triangles.size(), set.faces.size());
         auto& triangle = mesh.triangles.emplace_back();
         for (std::size_t i = 0; i < 3; ++i) {
             const Corner& corner = set.faces[face].corners[i];
@@ -57,6 +60,7 @@ Mesh merged(const FaceSet& set, std::span<const std::uint32_t> faces) {
             has_coordinates = has_coordinates || corner.texture_coordinate != no_index;
         }
     }
+    import.check_stop();
     const std::size_t count = vertices.triples().size();
     mesh.positions.reserve(count);
     mesh.normals.reserve(count);
@@ -130,14 +134,16 @@ void FaceSet::warn_of_skipped(Import& import) const {
 }
 
 void add_to_scene(FaceSet set, Import& import) {
-    add_missing_normals(set);
+    add_missing_normals(set, import);
+    import.begin_phase(meshes_begin, 1.0);
     const SectionOrder order = in_sections(set);
     std::map<std::uint32_t, std::uint32_t> objects;
     Scene& scene = import.scene;
     for (std::size_t i = 0; i < set.sections.size(); ++i) {
         const FaceSet::Section& section = set.sections[i];
         const std::size_t begin = order.begins[i];
-        Mesh mesh = merged(set, std::span(order.faces).subspan(begin, order.begins[i + 1] - begin));
+        Mesh mesh = merged(set, std::span(order.faces).subspan(begin, order.begins[i + 1] - begin),
+                           begin, import);
         mesh.name = section.object;
         mesh.material = section.material;
         auto finished = finish_mesh(std::move(mesh), import);

@@ -66,7 +66,12 @@ private:
 };
 
 /// Gives all corners a normal. Positions with the same coordinates count as one.
-void add_missing_normals(FaceSet& set);
+void add_missing_normals(FaceSet& set, Import& import);
+
+/// The phases of a reader of faces: of loading, these parts have begun with them.
+inline constexpr double text_begins = 0.1;
+inline constexpr double normals_begin = 0.5;
+inline constexpr double meshes_begin = 0.8;
 
 /// Adds a mesh and an instance for each section that has a usable triangle, and the objects.
 void add_to_scene(FaceSet set, Import& import);

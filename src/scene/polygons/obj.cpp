@@ -64,7 +64,9 @@ public:
         object_ = std::move(unnamed);
         has_objects_ = text.starts_with("o ") || text.find("\no ") != std::string_view::npos;
         std::string joined;
+        const std::size_t size = text.size();
         while (!text.empty()) {
+            import_.go_on(size - text.size(), size);
             read_statement(take_statement(text, joined));
         }
         set_.warn_of_skipped(import_);
@@ -202,7 +204,9 @@ private:
 };
 
 FaceSet read_obj_faces(Import& import) {
+    import.begin_phase(0.0, text_begins);
     const std::vector<std::uint8_t> bytes = import.bytes();
+    import.begin_phase(text_begins, normals_begin);
     ObjReader reader(import);
     reader.read(text_of(bytes), import.file.stem().string());
     return reader.take();

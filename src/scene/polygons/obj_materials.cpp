@@ -62,7 +62,7 @@ void ObjMaterials::read_library(const std::filesystem::path& file) {
     std::vector<std::uint8_t> bytes;
     std::string_view text;
     try {
-        bytes = read_bytes(file);
+        bytes = import_.bytes_of(file);
         text = text_of(bytes);
     } catch (const ReadError& fault) {
         import_.warn(fmt::format("material library skipped: {}", fault.diagnostic.message),

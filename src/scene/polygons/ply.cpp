@@ -24,6 +24,7 @@ class PlyNumbers {
 public:
     PlyNumbers(std::string_view text, PlyEncoding encoding) : text_(text), encoding_(encoding) {}
 
+    [[nodiscard]] std::size_t bytes_left() const { return text_.size(); }
     /// The next number; NaN if it cannot be read. Nothing at the end of the file.
     [[nodiscard]] std::optional<double> take(PlyType type) {
         return encoding_ == PlyEncoding::text ? take_written() : take_binary(type);
@@ -129,6 +130,7 @@ public:
     void read(std::string_view text) {
         const PlyHeader header = take_ply_header(text, import_.file.string());
         PlyNumbers numbers(text, header.encoding);
+        size_ = text.size();
         for (const PlyElement& element : header.elements) {
             if (!read_element(element, numbers)) {
                 import_.warn(fmt::format("the file ends before the last {} of {}",
@@ -273,6 +275,7 @@ private:
             length = *stated;
         }
         for (double i = 0.0; i < length; ++i) {
+            import_.go_on(size_ - numbers.bytes_left(), size_);
             const auto value = numbers.take(property.type);
             if (!value) {
                 return false;
@@ -297,6 +300,7 @@ private:
 
     Import& import_;
     FaceSet set_;
+    std::size_t size_ = 0;             // Of the numbers, in bytes.
     std::vector<std::size_t> places_;  // By property of a vertex: its Meaning.
     std::vector<double> scales_;
     bool has_normals_ = false;
@@ -307,7 +311,9 @@ private:
 };
 
 FaceSet read_ply_faces(Import& import) {
+    import.begin_phase(0.0, text_begins);
     const std::vector<std::uint8_t> bytes = import.bytes();
+    import.begin_phase(text_begins, normals_begin);
     PlyReader reader(import);
     reader.read({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     return reader.take();

@@ -21,15 +21,18 @@ std::uint32_t bits_of(float value) { return std::bit_cast<std::uint32_t>(value +
 // The corners of faces without normals, by the point in space that they share.
 class CornersByPoint {
 public:
-    explicit CornersByPoint(const FaceSet& set) {
+    CornersByPoint(const FaceSet& set, Import& import) {
         TripleNumbers points;
         point_of_position_.reserve(set.positions.size());
         for (const V3f& p : set.positions) {
+            import.go_on(point_of_position_.size(), 4 * set.positions.size());
             point_of_position_.push_back(points.number({bits_of(p.x), bits_of(p.y), bits_of(p.z)}));
         }
         begins_.assign(points.triples().size() + 1, 0);
         const auto for_each_corner = [&](const auto& visit) {
+            import.report(1, 4);
             for (std::uint32_t face = 0; face < set.faces.size(); ++face) {
+                import.go_on(face, 4 * set.faces.size());
                 const auto& corners = set.faces[face].corners;
                 for (std::uint32_t i = 0; i < 3 && corners[0].normal == no_index; ++i) {
                     visit(point(corners[i]), 3 * face + i);
@@ -64,10 +67,13 @@ private:
 /// Wüthrich 1998), so that it does not depend on the triangulation.
 class Smoother {
 public:
-    explicit Smoother(FaceSet& set) : set_(set), around_(set) {}
+    Smoother(FaceSet& set, Import& import) : set_(set), import_(import), around_(set, import) {}
 
     void add_normals() {
-        for (std::size_t point = 0; point < around_.points(); ++point) {
+        const std::size_t points = around_.points();
+        import_.report(1, 2);
+        for (std::size_t point = 0; point < points; ++point) {
+            import_.go_on(points + point, 2 * points);
             collect(around_.corners(point));
             connect();
             add_normals_of_fans();
@@ -162,6 +168,7 @@ private:
     }
 
     FaceSet& set_;
+    Import& import_;
     CornersByPoint around_;
     std::vector<Wedge> wedges_;
     std::vector<Edge> edges_;
@@ -170,10 +177,11 @@ private:
 
 }  // namespace
 
-void add_missing_normals(FaceSet& set) {
+void add_missing_normals(FaceSet& set, Import& import) {
     if (std::any_of(set.faces.begin(), set.faces.end(),
                     [](const Face& face) { return face.corners[0].normal == no_index; })) {
-        Smoother smoother(set);
+        import.begin_phase(normals_begin, meshes_begin);
+        Smoother smoother(set, import);
         smoother.add_normals();
     }
 }

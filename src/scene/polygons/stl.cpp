@@ -81,6 +81,7 @@ private:
         set_.positions.reserve(3 * count);
         set_.faces.reserve(count);
         for (std::size_t i = 0; i < count; ++i) {
+            import_.go_on(i, count);
             std::array<V3f, 3> points;
             for (std::size_t k = 0; k < 9; ++k) {
                 points[k / 3][static_cast<int>(k % 3)] = float_at(
@@ -99,7 +100,9 @@ private:
         std::vector<V3f> points;
         std::string joined;
         std::size_t incomplete = 0;
+        const std::size_t size = text.size();
         while (!text.empty()) {
+            import_.go_on(size - text.size(), size);
             auto [keyword, arguments] = take_statement(text, joined);
             if (is(keyword, "vertex")) {
                 V3f point;
@@ -134,7 +137,9 @@ private:
 };
 
 FaceSet read_stl_faces(Import& import) {
+    import.begin_phase(0.0, text_begins);
     const std::vector<std::uint8_t> bytes = import.bytes();
+    import.begin_phase(text_begins, normals_begin);
     StlReader reader(import);
     reader.read(bytes);
     return reader.take();

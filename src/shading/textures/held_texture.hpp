@@ -5,6 +5,7 @@
 #include <atomic>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <utility>
 
 #include "balcony/base.hpp"
@@ -24,11 +25,14 @@ public:
     /// Null if the image cannot be read, or the file cannot be any more.
     [[nodiscard]] const MipPyramid* pyramid() const {
         if (!read_.load(std::memory_order_acquire)) {
-            std::call_once(once_, [this] { read(); });
+            decode({});
         }
         const bool is_lost = file_ != nullptr && file_->has_failed();
         return pyramid_ && !is_lost ? &*pyramid_ : nullptr;
     }
+
+    /// Decodes the texture if it is not yet, unless a stop ends that.
+    void decode(const std::stop_token& stop) const;
 
     [[nodiscard]] bool in_memory() const { return file_ == nullptr; }
     [[nodiscard]] const scene::Texture& texture() const { return texture_; }
@@ -39,7 +43,7 @@ public:
     [[nodiscard]] bool repaired() const { return repaired_; }
 
 private:
-    void read() const;
+    void read(const std::stop_token& stop) const;
 
     scene::Texture texture_;
     TextureEncoding encoding_;

@@ -4,12 +4,14 @@
 #include "shading/textures/texture_library.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include "base/fork_and_join.hpp"
+#include "base/shared_progress.hpp"
 
 namespace balcony::render {
 
@@ -84,11 +86,15 @@ std::optional<Diagnostic> problem_of(const HeldTexture& held) {
                              : std::nullopt;
 }
 
-void decode(const std::vector<const HeldTexture*>& held) {
+void decode(const std::vector<const HeldTexture*>& held, const std::stop_token& stop,
+            const PartDone& progress) {
+    std::atomic<std::size_t> done = 0;
+    SharedProgress shared(progress);
     fork_and_join::before_all();
     tbb::parallel_for(std::size_t{0}, held.size(), [&](std::size_t i) {
         fork_and_join::before_each();
-        static_cast<void>(held[i]->pyramid());
+        held[i]->decode(stop);
+        shared.reach(static_cast<double>(++done) / static_cast<double>(held.size()));
         fork_and_join::after_each();
     });
     fork_and_join::after_all();
@@ -96,10 +102,14 @@ void decode(const std::vector<const HeldTexture*>& held) {
 
 }  // namespace
 
-TextureLibrary::TextureLibrary(const scene::Scene& scene, std::size_t memory, Diagnostics& warnings)
+TextureLibrary::TextureLibrary(const scene::Scene& scene, std::size_t memory, Diagnostics& warnings,
+                               const std::stop_token& stop)
     : entries_(scene.textures.size()) {
     std::vector<Sized> textures;
     for (const Use& use : uses_of(scene)) {
+        if (stop.stop_requested()) {
+            break;
+        }
         const scene::Texture& texture = scene.textures[use.texture];
         const Result<TextureReader> opened = TextureReader::open(texture, use.encoding);
         if (opened) {
@@ -122,7 +132,7 @@ TextureLibrary::TextureLibrary(const scene::Scene& scene, std::size_t memory, Di
     }
 }
 
-void TextureLibrary::read_all() const {
+void TextureLibrary::read_all(const std::stop_token& stop, const PartDone& progress) const {
     std::vector<const HeldTexture*> held;
     for (const std::array<Entry, 2>& pair : entries_) {
         for (const Entry& entry : pair) {
@@ -131,10 +141,11 @@ void TextureLibrary::read_all() const {
             }
         }
     }
-    decode(held);
+    decode(held, stop, progress);
 }
 
-void TextureLibrary::read(std::span<const scene::Material* const> materials) const {
+void TextureLibrary::read(std::span<const scene::Material* const> materials,
+                          const std::stop_token& stop) const {
     std::vector<const HeldTexture*> used;
     for (const scene::Material* const material : materials) {
         for (const auto texture : scene::texture_uses) {
@@ -150,7 +161,7 @@ void TextureLibrary::read(std::span<const scene::Material* const> materials) con
     }
     std::sort(used.begin(), used.end());
     used.erase(std::unique(used.begin(), used.end()), used.end());
-    decode(used);
+    decode(used, stop, {});
 }
 
 const MipPyramid* TextureLibrary::pyramid(scene::TextureIndex texture,

@@ -10,11 +10,13 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include <Imath/ImathColor.h>
 
 #include "balcony/base.hpp"
+#include "balcony/progress.hpp"
 #include "balcony/scene.hpp"
 #include "shading/textures/held_texture.hpp"
 #include "shading/textures/spill_file.hpp"
@@ -29,16 +31,18 @@ public:
     /// Opens the textures of the scene's materials. One that cannot be opened is a warning.
     /// `memory` is the limit for all texels, in bytes. If all textures fit, they are held in
     /// memory; otherwise, the smaller ones are, in three quarters of it, and the rest is for the
-    /// parts of the others. What a look-up gives does not depend on it.
-    TextureLibrary(const scene::Scene& scene, std::size_t memory, Diagnostics& warnings);
+    /// parts of the others. What a look-up gives does not depend on it. After a stop, it is of no
+    /// use.
+    TextureLibrary(const scene::Scene& scene, std::size_t memory, Diagnostics& warnings,
+                   const std::stop_token& stop = {});
     TextureLibrary(const TextureLibrary&) = delete;
     TextureLibrary& operator=(const TextureLibrary&) = delete;
 
-    /// Decodes the textures that fit, on all threads of the machine. Otherwise, the first look-up
-    /// decodes a texture.
-    void read_all() const;
+    /// Decodes the textures that fit, on all threads of the machine. Otherwise, or after a stop,
+    /// the first look-up decodes a texture.
+    void read_all(const std::stop_token& stop = {}, const PartDone& progress = {}) const;
     /// Decodes the textures of some materials, whether they fit or not, on all threads.
-    void read(std::span<const scene::Material* const> materials) const;
+    void read(std::span<const scene::Material* const> materials, const std::stop_token& stop) const;
     [[nodiscard]] bool all_fit() const { return all_fit_; }
 
     /// The mean over the footprint: red, green, blue, alpha. White where there is no texture, it

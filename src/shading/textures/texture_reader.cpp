@@ -65,6 +65,9 @@ Result<TextureReader> TextureReader::open(const scene::Texture& texture, Texture
 template <class Value>
 std::optional<Diagnostic> TextureReader::read_values(std::size_t begin, std::size_t end,
                                                      std::vector<Value>& values) {
+    if (stop_.stop_requested()) {
+        return stopped();
+    }
     values.resize((end - begin) * image_->width() * image_->channels());
     return image_->read_rows(begin, end, values);
 }

@@ -11,6 +11,8 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stop_token>
+#include <utility>
 #include <vector>
 
 #include <Imath/half.h>
@@ -44,6 +46,9 @@ public:
     /// Whether a value that was read was not finite.
     [[nodiscard]] bool has_repaired() const { return repaired_; }
 
+    /// From now on, a stop is a failure of Kind::interrupted.
+    void obey(std::stop_token stop) { stop_ = std::move(stop); }
+
     /// Reads the rows [begin, end). Returns the reason if that fails.
     [[nodiscard]] std::optional<Diagnostic> read_rows(std::size_t begin, std::size_t end,
                                                       std::span<ByteTexel> texels);
@@ -60,6 +65,7 @@ private:
                                                         std::vector<Value>& values);
     [[nodiscard]] Imath::half repaired(float value);
 
+    std::stop_token stop_;
     std::unique_ptr<images::ImageFile> image_;
     TextureEncoding encoding_;
     bool repaired_ = false;

@@ -4,16 +4,31 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
-#include "balcony/scene.hpp"
-#include "render/embree/accelerator.hpp"
+#include "render/job/renderer_state.hpp"
 
 namespace balcony::render {
 
-/// What a hit tells about the geometry of a scene.
-class HitGeometry {
+/// The scene of a renderer as it stands at its own time, whatever the interval of the renderer: its
+/// hits, and what they tell about its geometry. The renderer must outlive it.
+class ProbedScene {
 public:
-    explicit HitGeometry(const scene::Scene& scene) : scene_(&scene) {}
+    explicit ProbedScene(const Renderer& renderer)
+        : traced_(&renderer.state().traced),
+          scene_(traced_->scene.get()),
+          time_(static_cast<float>(traced_->interval.part_at(scene_->time))) {}
+
+    [[nodiscard]] const TracedScene& traced() const { return *traced_; }
+    [[nodiscard]] const scene::Scene& scene() const { return *scene_; }
+
+    /// A ray that meets the scene as it stands.
+    [[nodiscard]] embree::Ray ray(const scene::V3f& origin, const scene::V3f& direction) const {
+        return {.origin = origin, .direction = direction, .time = time_};
+    }
+    [[nodiscard]] embree::Hit nearest(const embree::Ray& ray) const {
+        return traced_->accelerator.intersect(ray);
+    }
 
     [[nodiscard]] const scene::Instance& instance(const embree::Hit& hit) const {
         return scene_->instances[hit.instance];
@@ -49,7 +64,9 @@ private:
         return scene_->meshes[instance(hit).mesh.value()];
     }
 
+    const TracedScene* traced_;
     const scene::Scene* scene_;
+    float time_;
 };
 
 }  // namespace balcony::render
