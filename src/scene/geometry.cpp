@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "scene/coincident.hpp"
+
 namespace balcony::scene {
 
 namespace {
@@ -235,6 +237,10 @@ std::optional<Mesh> finish_mesh(Mesh mesh, Import& import, std::vector<std::uint
         return std::nullopt;
     }
     import.check_stop();
+    if (vertices == nullptr) {
+        import.coincident_triangles += drop_coincident_triangles(mesh);
+        import.check_stop();
+    }
     keep_used_vertices(mesh, vertices);
     import.check_stop();
     clean_texture_coordinates(mesh, import);

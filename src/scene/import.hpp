@@ -39,6 +39,7 @@ struct Import {
     Diagnostics diagnostics;
     std::size_t further_warnings = 0;
     std::size_t triangles_without_area = 0;  ///< Skipped.
+    std::size_t coincident_triangles = 0;    ///< Skipped.
 
     static constexpr std::size_t max_warnings = 50;
 

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "balcony/input_file.hpp"
+#include "scene/coincident.hpp"
 #include "scene/import.hpp"
 
 namespace balcony::scene {
@@ -78,6 +79,15 @@ void read(Import& import) {
         import.warn(fmt::format("{} without area skipped",
                                 counted(import.triangles_without_area, "triangle")));
     }
+    const auto coincident = [&](std::size_t count, std::string_view noun) {
+        if (count > 0) {
+            import.warn(fmt::format("{} skipped, each in the same place as {} others",
+                                    counted(count, noun), max_coincident),
+                        "remove the copies from the scene");
+        }
+    };
+    coincident(import.coincident_triangles, "triangle");
+    coincident(drop_coincident_instances(import.scene), "instance");
     if (import.further_warnings > 0) {
         import.diagnostics.push_back(warning(
             fmt::format("{} more like these", counted(import.further_warnings, "warning"))));

@@ -68,7 +68,8 @@ private:
 /// Gives all corners a normal. Positions with the same coordinates count as one.
 void add_missing_normals(FaceSet& set, Import& import);
 
-/// The phases of a reader of faces: of loading, these parts have begun with them.
+/// The part of loading that is done when a reader of faces begins to read its text, to add normals,
+/// and to make meshes.
 inline constexpr double text_begins = 0.1;
 inline constexpr double normals_begin = 0.5;
 inline constexpr double meshes_begin = 0.8;
