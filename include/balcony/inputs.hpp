@@ -71,8 +71,8 @@ struct CameraArgument {
 /// its place gives a specific error. A stop is an error of Kind::interrupted.
 [[nodiscard]] Result<scene::Scene> load_scene(const std::string& name, double time = 0.0,
                                               const std::vector<std::string>& added = {},
-                                              const std::stop_token& stop = {},
-                                              const PartDone& progress = {});
+                                              const PartDone& progress = {},
+                                              const std::stop_token& stop = {});
 
 // ---------------------------------------------------------------------------------- explaining
 

@@ -53,8 +53,8 @@ struct Probe {
 
 /// Transparent surfaces count as visible, and so do those behind them.
 [[nodiscard]] Result<Probe> probe(const Renderer& renderer, const camera::Camera& camera,
-                                  const ProbeSettings& settings, const std::stop_token& stop = {},
-                                  const PartDone& progress = {});
+                                  const ProbeSettings& settings, const PartDone& progress = {},
+                                  const std::stop_token& stop = {});
 
 /// A change of all rays of a camera.
 enum class RayChange : std::uint8_t {

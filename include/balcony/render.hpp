@@ -157,15 +157,15 @@ public:
     /// A stop is an error of Kind::interrupted. Progress may be reported by any thread.
     [[nodiscard]] static Result<Renderer> make(std::shared_ptr<const scene::Scene> scene,
                                                const RendererSettings& settings = {},
-                                               const std::stop_token& stop = {},
-                                               const PartDone& progress = {});
+                                               const PartDone& progress = {},
+                                               const std::stop_token& stop = {});
 
     /// The same scene for other times, as scene::moved_to() gives it. Shares the textures and all
     /// that does not move. A scene with other parts is an error of Kind::usage.
     [[nodiscard]] Result<Renderer> moved(std::shared_ptr<const scene::Scene> scene,
                                          const scene::TimeInterval& interval,
-                                         const std::stop_token& stop = {},
-                                         const PartDone& progress = {}) const;
+                                         const PartDone& progress = {},
+                                         const std::stop_token& stop = {}) const;
 
     [[nodiscard]] const Preparation& preparation() const;
 

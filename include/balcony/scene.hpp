@@ -289,13 +289,13 @@ struct Scene {
 /// Reads a scene file (.glb, .gltf, .obj, .ply, .stl). A part that cannot be used (a missing
 /// texture, a vertex that is not finite) is skipped or replaced with a warning that names it; an
 /// error means that there is nothing to render. A stop is an error of Kind::interrupted.
-[[nodiscard]] Result<Scene> load(const std::filesystem::path& file,
-                                 const std::stop_token& stop = {}, const PartDone& progress = {});
+[[nodiscard]] Result<Scene> load(const std::filesystem::path& file, const PartDone& progress = {},
+                                 const std::stop_token& stop = {});
 /// The same from the bytes of a file; its name determines the format, and the folder of other files
 /// that it names.
 [[nodiscard]] Result<Scene> load(const std::filesystem::path& name,
-                                 std::span<const std::uint8_t> bytes,
-                                 const std::stop_token& stop = {}, const PartDone& progress = {});
+                                 std::span<const std::uint8_t> bytes, const PartDone& progress = {},
+                                 const std::stop_token& stop = {});
 
 /// Adds all that another scene has, with its motion, turned to the axes of the first. Objects keep
 /// their names, which may then be the same.

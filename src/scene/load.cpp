@@ -138,7 +138,7 @@ std::span<const std::string_view> file_extensions() {
     return extensions;
 }
 
-Result<Scene> load(const fs::path& file, const std::stop_token& stop, const PartDone& progress) {
+Result<Scene> load(const fs::path& file, const PartDone& progress, const std::stop_token& stop) {
     Import import;
     import.file = file;
     import.stop = stop;
@@ -147,7 +147,7 @@ Result<Scene> load(const fs::path& file, const std::stop_token& stop, const Part
 }
 
 Result<Scene> load(const fs::path& name, std::span<const std::uint8_t> bytes,
-                   const std::stop_token& stop, const PartDone& progress) {
+                   const PartDone& progress, const std::stop_token& stop) {
     Import import;
     import.file = name;
     import.given = bytes;

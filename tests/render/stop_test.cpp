@@ -55,7 +55,7 @@ bool is_stopped(const Result<Value>& result) {
 TEST(Stops, PreparingASceneTellsItsProgress) {
     std::vector<double> parts;
     const auto renderer =
-        Renderer::make(large_scene(), {}, {}, [&](double part) { parts.push_back(part); });
+        Renderer::make(large_scene(), {}, [&](double part) { parts.push_back(part); });
     ASSERT_TRUE(renderer);
     EXPECT_GE(parts.size(), 4U);
     EXPECT_TRUE(std::is_sorted(parts.begin(), parts.end())) << ::testing::PrintToString(parts);
@@ -65,14 +65,17 @@ TEST(Stops, PreparingASceneTellsItsProgress) {
 
 TEST(Stops, PreparingASceneObeysAtAnyTime) {
     const auto scene = large_scene();
-    EXPECT_TRUE(is_stopped(Renderer::make(scene, {}, stop_beforehand())));
+    EXPECT_TRUE(is_stopped(Renderer::make(scene, {}, {}, stop_beforehand())));
     for (const double at : {0.0, 0.2, 0.45, 0.6, 0.9}) {
         std::stop_source stop;
-        const auto renderer = Renderer::make(scene, {}, stop.get_token(), [&](double part) {
-            if (part >= at) {
-                stop.request_stop();
-            }
-        });
+        const auto renderer = Renderer::make(
+            scene, {},
+            [&](double part) {
+                if (part >= at) {
+                    stop.request_stop();
+                }
+            },
+            stop.get_token());
         EXPECT_TRUE(is_stopped(renderer)) << at;
     }
 }
@@ -84,8 +87,8 @@ TEST(Stops, ARendererMovesAfterAStop) {
     ASSERT_TRUE(renderer);
     const auto later = at_time(*scene, 0.5);
     std::stop_source stop;
-    EXPECT_TRUE(is_stopped(renderer->moved(later, {0.5, 0.5}, stop.get_token(),
-                                           [&](double) { stop.request_stop(); })));
+    EXPECT_TRUE(is_stopped(renderer->moved(
+        later, {0.5, 0.5}, [&](double) { stop.request_stop(); }, stop.get_token())));
     EXPECT_TRUE(renderer->moved(later, {0.5, 0.5}));
 }
 
@@ -98,7 +101,7 @@ TEST(Stops, JobsAndProbesObey) {
     const auto film = std::make_shared<Film>(*make_film(asked.layout));
     const std::stop_token stop = stop_beforehand();
     EXPECT_TRUE(is_stopped(Job::make(renderer, camera, asked, film, stop)));
-    EXPECT_TRUE(is_stopped(probe(renderer, camera, {}, stop)));
+    EXPECT_TRUE(is_stopped(probe(renderer, camera, {}, {}, stop)));
     EXPECT_TRUE(is_stopped(default_camera(renderer, stop)));
     EXPECT_TRUE(is_stopped(measure_scene(renderer, {}, stop)));
     const std::vector<SightLine> lines{{{0.0, 0.0, 1.0}, {0.0, 0.0, -1.0}}};
@@ -111,7 +114,7 @@ TEST(Stops, JobsAndProbesObey) {
 TEST(Stops, AProbeTellsItsProgress) {
     const Result<Renderer> renderer = Renderer::make(large_scene());
     std::vector<double> parts;
-    const auto found = probe(*renderer, pinhole(view_down_z(0.0, 0.0, 3.0)), {}, {},
+    const auto found = probe(*renderer, pinhole(view_down_z(0.0, 0.0, 3.0)), {},
                              [&](double part) { parts.push_back(part); });
     ASSERT_TRUE(found);
     EXPECT_GE(parts.size(), 4U);

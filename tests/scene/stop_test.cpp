@@ -60,7 +60,7 @@ protected:
 TEST_F(LoadingStops, ProgressGrowsToTheWhole) {
     for (const std::filesystem::path& file : large_files()) {
         std::vector<double> parts;
-        const auto scene = load(file, {}, [&](double part) { parts.push_back(part); });
+        const auto scene = load(file, [&](double part) { parts.push_back(part); });
         ASSERT_TRUE(scene) << said(scene);
         EXPECT_GE(parts.size(), 10U) << file;
         EXPECT_TRUE(std::is_sorted(parts.begin(), parts.end())) << file;
@@ -75,12 +75,15 @@ TEST_F(LoadingStops, AStopIsObeyedEverywhere) {
         for (const double at : {0.0, 0.05, 0.2, 0.45, 0.6, 0.7, 0.9}) {
             std::stop_source stop;
             double last = 0.0;
-            const auto scene = load(file, stop.get_token(), [&](double part) {
-                last = part;
-                if (part >= at) {
-                    stop.request_stop();
-                }
-            });
+            const auto scene = load(
+                file,
+                [&](double part) {
+                    last = part;
+                    if (part >= at) {
+                        stop.request_stop();
+                    }
+                },
+                stop.get_token());
             EXPECT_FALSE(scene) << file << at;
             EXPECT_EQ(kind_of_errors(scene.diagnostics), Kind::interrupted) << file << at;
             EXPECT_LE(last, at + 0.3) << file;
@@ -92,7 +95,7 @@ TEST_F(LoadingStops, AStopBeforehandReadsNothing) {
     std::stop_source stop;
     stop.request_stop();
     const auto file = write("triangle.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    EXPECT_EQ(kind_of_errors(load(file, stop.get_token()).diagnostics), Kind::interrupted);
+    EXPECT_EQ(kind_of_errors(load(file, {}, stop.get_token()).diagnostics), Kind::interrupted);
     EXPECT_TRUE(load(file));
 }
 

@@ -44,7 +44,7 @@ bool has_times(const Loaded& loaded, const scene::TimeInterval& times) {
 
 bool move_renderer(Loaded& loaded, const scene::TimeInterval& times, const std::stop_token& stop,
                    Diagnostics& found) {
-    Result<render::Renderer> moved = loaded.renderer->moved(loaded.scene, times, stop);
+    Result<render::Renderer> moved = loaded.renderer->moved(loaded.scene, times, {}, stop);
     add(found, moved.diagnostics);
     if (!moved) {
         return false;
@@ -100,8 +100,8 @@ private:
             return true;
         }
         const auto begin = std::chrono::steady_clock::now();
-        auto scene = load_scene(request_.scene, request_.settings.time, request_.added, stop_,
-                                telling(Step::reading));
+        auto scene = load_scene(request_.scene, request_.settings.time, request_.added,
+                                telling(Step::reading), stop_);
         loaded_.load_seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         add(found_, scene.diagnostics);
@@ -122,8 +122,8 @@ private:
             return false;
         }
         auto renderer = render::Renderer::make(
-            loaded_.scene, {.texture_memory = request_.texture_memory, .interval = times}, stop_,
-            telling(Step::building));
+            loaded_.scene, {.texture_memory = request_.texture_memory, .interval = times},
+            telling(Step::building), stop_);
         add(found_, renderer.diagnostics);
         loaded_.renderer = std::move(renderer.value);
         loaded_.times = times;

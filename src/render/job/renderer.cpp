@@ -26,8 +26,8 @@ bool has_parts_of(const scene::Scene& moved, const scene::Scene& scene) {
 }  // namespace
 
 Result<Renderer> Renderer::make(std::shared_ptr<const scene::Scene> scene,
-                                const RendererSettings& settings, const std::stop_token& stop,
-                                const PartDone& progress) {
+                                const RendererSettings& settings, const PartDone& progress,
+                                const std::stop_token& stop) {
     if (!scene) {
         return error(Kind::internal, "a renderer needs a scene");
     }
@@ -79,8 +79,8 @@ Result<Renderer> Renderer::make(std::shared_ptr<const scene::Scene> scene,
 }
 
 Result<Renderer> Renderer::moved(std::shared_ptr<const scene::Scene> scene,
-                                 const scene::TimeInterval& interval, const std::stop_token& stop,
-                                 const PartDone& progress) const {
+                                 const scene::TimeInterval& interval, const PartDone& progress,
+                                 const std::stop_token& stop) const {
     if (!scene || !has_parts_of(*scene, *state_->traced.scene)) {
         return error(Kind::usage, "a renderer moves to another time of its own scene only",
                      "give what scene::moved_to() makes of it");

@@ -216,8 +216,8 @@ private:
 }  // namespace
 
 Result<Probe> probe(const Renderer& renderer, const camera::Camera& camera,
-                    const ProbeSettings& settings, const std::stop_token& stop,
-                    const PartDone& progress) {
+                    const ProbeSettings& settings, const PartDone& progress,
+                    const std::stop_token& stop) {
     const ProbedScene scene(renderer);
     const Result<rays::RayProgram> program =
         rays::compile(camera, static_cast<double>(settings.width),
